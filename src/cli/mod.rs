@@ -9,6 +9,7 @@
 //! |---|---|
 //! | `args` | arguments of several subcommands: format, tables, dialogue language |
 //! | `io` | the standard streams, reading and saving files |
+//! | `tools` | the tool table of a control, read and written |
 //! | `answers` | callouts answered one by one as text, CSV or JSON |
 //! | `error` | why a subcommand could not do its work |
 //! | `said` | remarks and warnings beside an answer |
@@ -50,6 +51,7 @@ mod said;
 mod sql;
 mod start;
 mod table;
+mod tools;
 
 use std::process::ExitCode;
 

@@ -26,6 +26,8 @@ pub(super) enum CliRemark {
     BatchUtf16 { name: String },
     /// Columns whose values are binary fractions.
     BatchFloats { name: String, columns: String },
+    /// A run has changed the tool table in memory only.
+    ToolsNotWritten,
     /// A default was used for the clearance height.
     ClearanceHeight { height: Length },
 }
@@ -47,6 +49,8 @@ pub(super) enum CliWarning<'a> {
     },
     /// Recorded contacts that the cycle did not ask for.
     ContactsLeft { used: usize, count: usize },
+    /// A tool table, and a cycle that names no tool.
+    NoToolMonitored,
     /// A cycle with an unknown log.
     LogUnknown { code: &'a str },
     /// A folder for logs, and an input that wants no log.

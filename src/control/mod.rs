@@ -7,6 +7,7 @@
 //! | `variables` | Q, QL, QR and QS parameters |
 //! | `table` | freely definable tables `.TAB`, three header generations, read and written |
 //! | `probe_table` | the touch-probe table `tchprobe.tp` |
+//! | `tool_table` | the tool table `tool.t`, and what measuring cycles change in it (Q330) |
 //! | `deviations` | such a table as a table of deviations; the two built-in ones |
 //! | `mask` | FN 16 masks, read and rendered |
 //! | `log` | measuring logs as texts, read and written |
@@ -25,6 +26,7 @@ pub mod probe_table;
 pub mod status;
 pub mod table;
 pub mod text;
+pub mod tool_table;
 pub mod variables;
 
 pub use deviations::shipped_tables;

@@ -194,8 +194,7 @@ fn predef_needs_a_global_definition_that_was_run() {
     );
     check(&machine, &[(320, 4.0)]);
     // A value of an inch program is handed on as a length, not as a number.
-    let text =
-        format!("BEGIN PGM a INCH\nGLOBAL DEF 120 PROBING ~\nQ320=+0.1\nTOOL CALL 1 Z\nCALL PGM b.h\nEND PGM a INCH\n");
+    let text = "BEGIN PGM a INCH\nGLOBAL DEF 120 PROBING ~\nQ320=+0.1\nTOOL CALL 1 Z\nCALL PGM b.h\nEND PGM a INCH\n";
     let store = InMemory::new().with("b.h", format!("BEGIN PGM b MM\n{hole}\nEND PGM b MM\n"));
     let program = Arc::new(Program::read(text.as_bytes()).unwrap().0);
     let mut machine = Machine::new("a.h", program, store, Contacts::Perfect, settings());
@@ -286,6 +285,28 @@ fn a_turning_spindle_and_turned_axes_are_told() {
     assert!(told("M4\nSTOP").is_empty());
     assert_eq!(told("L C+90 FMAX"), ["C moved before: the workpiece was measured as if not turned"]);
     assert!(told("L C+90 FMAX\nL C+0 FMAX").is_empty());
+}
+
+#[test]
+fn the_tools_place_is_known_only_where_the_program_says_it() {
+    let at = |blocks: &str| ran(&format!("TOOL CALL 1 Z\nL X+1 Y+2 Z+3 FMAX\n{blocks}"), Contacts::Perfect).position();
+    let [x, y, z] = [Some(1.0), Some(2.0), Some(3.0)];
+    for (blocks, place) in [
+        ("CC X+9 Y+9", [x, y, z]),
+        ("C X+5 Y+6 DR-", [Some(5.0), Some(6.0), z]),
+        ("CP IPA-360 IZ-5 DR-", [None; 3]),
+        ("DEP LT LEN10\nL Z+50", [None, None, Some(50.0)]),
+        ("L M140 MB MAX", [x, y, None]),
+        ("TOOL CALL 1 X\nL M140 MB MAX", [None, y, z]),
+        ("L Z+0 FMAX M91", [x, y, None]),
+        ("L X+5 FMAX M99", [None; 3]),
+        ("CYCL CALL", [None; 3]),
+        ("CYCL DEF 7.1 X+10\nL X+5", [Some(15.0), y, z]),
+        ("CYCL DEF 10.1 ROT+10\nL X+5", [None, y, z]),
+        ("L IX+5", [Some(6.0), y, z]),
+    ] {
+        assert_eq!(at(blocks), place, "{blocks}");
+    }
 }
 
 #[test]

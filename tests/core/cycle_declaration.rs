@@ -478,7 +478,7 @@ fn every_error_and_remark_is_said_in_english_and_in_dutch() {
     }
     for remark in [
         Remark::WithoutEffect { key },
-        Remark::ToolLeftAlone { tool: "5.1".to_owned() },
+        Remark::ToolNotMonitored { tool: "5.1".to_owned() },
         Remark::OutsideDimension,
         Remark::NominalOutsideLimits { nominal: mm("25") },
         Remark::NominalWidthOutsideLimits { nominal: mm("25") },

@@ -89,6 +89,8 @@ mod table_compare;
 mod table_edit;
 mod table_formats;
 mod tables;
+mod tool_monitoring;
+mod tool_table;
 mod twin;
 mod verdicts;
 mod wall_cycles;

@@ -168,7 +168,7 @@ fn q309_stops_and_names_what_is_out() {
     let all: Vec<_> = both.checks.iter().map(said).collect();
     assert_eq!(all[2], "measured centre, 2nd axis 20 mm is within 19.95 to 20.05 mm");
     assert_eq!(both.log, LogTarget::Screen);
-    assert_eq!(said(&both.remarks[0]), "Q330 = 5.1: the control would correct this tool; Fitcheck corrects no tool");
+    assert_eq!(said(&both.remarks[0]), "Q330 = 5.1: the tool is not monitored: no tool table");
 }
 
 #[test]

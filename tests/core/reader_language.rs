@@ -147,7 +147,7 @@ fn ranges_and_values_of_parameters_have_dutch_words() {
 fn the_system_dialog_names_kinds_of_files_in_dutch_and_english() {
     let english = Words::new(Language::En);
     let name = |purpose: Purpose| [purpose.filter_name(&english), purpose.filter_name(&dutch())];
-    assert_eq!(name(Purpose::OpenProgram), ["NC programs (*.h)", "NC-programma's (*.h)"]);
+    assert_eq!(name(Purpose::OpenProgram), ["NC programs (*.h, *.i)", "NC-programma's (*.h, *.i)"]);
     assert_eq!(name(Purpose::OpenTable), ["Tables (*.tab)", "Tabellen (*.tab)"]);
     assert_eq!(
         name(Purpose::OpenCycleFile(CycleFile::Contacts)),

@@ -416,3 +416,52 @@ fn a_table_that_was_cut_off_is_told_in_a_run() {
     assert_eq!(said.code, Some(0), "{}", said.err);
     assert!(said.err.starts_with("note: own.h:2: TNC:\\cut.tab: ") && said.err.contains("END"), "{}", said.err);
 }
+
+#[test]
+fn an_iso_program_runs_and_calls_another() {
+    let shop = Shop::new();
+    let cycle = "G421 Q273=+40 Q274=+30 Q262=25 Q261=-8 Q275=+25.021 Q276=+25";
+    shop.file("SUB.i", &format!("%SUB G71 *\nN10 {cycle} *\nN99999999 %SUB G71 *\n"));
+    let main = shop.file(
+        "part.i",
+        "%PART G71 *\nN5 T9 G17 *\nN10 G00 G90 X+0 Y+0 Z+50 *\nN20 %SUB *\nN30 Q1 = Q153 * 2 *\nN99999999 %PART G71 *\n",
+    );
+    let (code, answer) = json(&[&main, "--workpiece", &shop.path("rework.toml")]);
+    assert_eq!((code, &answer["faults"]), (Some(10), &serde_json::json!([])));
+    assert_eq!((&answer["parameters"]["Q1"], &answer["cycles"][0]["line"]), (&Value::from(49.98), &Value::from(2)));
+    assert_eq!(answer["cycles"][0]["program"], "TNC:\\SUB");
+
+    let twice = shop.file("twice.i", &format!("%A G71 *\nN5 T9 G17 *\nN10 {cycle} Q276=+24.9 *\nN99 %A G71 *\n"));
+    let said = fitcheck(&[&twice]);
+    assert!(said.code == Some(1) && said.err.contains("Q276"), "{}", said.err);
+    let open = shop.file("open.i", &format!("%A G71 *\nN10 {cycle}\nN99 %A G71 *\n"));
+    let said = fitcheck(&[&open]);
+    assert!(
+        said.code == Some(1) && said.err.contains("line 2, column 65: the block does not end in *"),
+        "{}",
+        said.err
+    );
+}
+
+#[test]
+fn the_iso_sample_has_its_documented_values() {
+    let shop = Shop::new();
+    let program = samples().join("programs/fit_iso.i").display().to_string();
+    for (diameter, code, counted, is_scrap) in
+        [("18.000", 0, 0.0, false), ("17.980", 10, 1.0, false), ("18.010", 1, 0.0, true)]
+    {
+        let bore = shop.file("bore.toml", &format!("[bore]\ncentre = [0.0, 0.0]\ndiameter = {diameter}\n"));
+        let (found, answer) = json(&[&program, "--workpiece", &bore]);
+        let parameter = |name: &str| answer["parameters"][name].clone();
+        assert_eq!((found, parameter("Q40")), (Some(code), Value::from(counted)), "{diameter}: {answer:#}");
+        assert_eq!((parameter("Q23"), parameter("Q33")), (Value::from(18.006), Value::from(17.988)));
+        assert_eq!(parameter("Q182"), Value::from(if is_scrap { 1.0 } else { 0.0 }));
+        match answer["faults"].as_array().unwrap().first() {
+            None => assert!(!is_scrap),
+            Some(fault) => assert!(is_scrap && fault["number"] == 180 && fault.to_string().contains("1072"), "{fault}"),
+        }
+        if diameter == "17.980" {
+            assert_eq!(parameter("Q163"), Value::from(-0.02));
+        }
+    }
+}

@@ -85,6 +85,7 @@ cli-remark-no-pair = no pair fits; the nearest is { $nearest }
 cli-remark-trace-ends = the trace ends here, after { $blocks } blocks
 cli-remark-batch-utf16 = { $name } is UTF-16 and is written as UTF-8
 cli-remark-batch-floats = { $name } has floating-point numbers in { $columns }: each is judged as the shortest decimal that stands for it
+cli-remark-tools-not-written = the tool table is not written: --tools-out FILE.t writes it with these changes
 cli-remark-clearance-height = the clearance height is { $height } mm: --clearance-height changes it
 
 # Warnings
@@ -92,6 +93,7 @@ cli-warning-column-not-used = column { $column } is skipped
 cli-warning-own-table = table { $name } differs from ISO 286, which has { $upper } and { $lower } mm
 cli-warning-empty-cell = { $class } over { $over } up to { $to } mm is left empty: ISO 286 has no single value for all of it
 cli-warning-contacts-left = the cycle used { $used } of { $count } contacts
+cli-warning-no-tool-monitored = the tool table is not used: no tool is given in Q330
 cli-warning-log-unknown = no log is written: the log of cycle { $code } is unknown
 cli-warning-log-off = no log is written: Q281 = 0
 cli-warning-log-none = no log is written: the cycle has none

@@ -121,6 +121,26 @@ probe-table-above-zero = above 0
 probe-table-not-whole = { $column } = { $given }: expected a whole number
 probe-table-twice = probe { $number } occurs twice
 
+## The tool table
+tool-table-no-column = the table has no column { $column }
+tool-table-no-tool = the table has no tool
+tool-table-touches = { $column }: the cell runs into its neighbour, so its value is uncertain
+tool-table-no-number = { $column } = { $given }: expected a tool number from 0 to 32767, with an index such as 5.1 or without
+tool-table-twice = tool { $number } occurs twice
+tool-table-name-too-long = NAME = { $given }: a name has at most { $most } characters
+tool-table-no-length = { $column }: { $error }
+tool-table-out-of-range = { $column } = { $given } mm: expected { $least } to { $most } mm
+tool-table-no-lock = TL = { $given }: expected L or 1 for a locked tool; 0, - or nothing for a free one
+tool-table-not-whole = { $column } = { $given }: expected a whole number
+tool-unknown = Q330 = { $tool }: the tool table has no such tool; it has { $known }
+tool-no-deviation = Q330 = { $tool }: cycle { $cycle } has no limits here, so there is no deviation to correct the tool by
+tool-out-of-range = tool { $tool }: { $column } would change from { $from } to { $to } mm: the largest value is { $most } mm either way
+tool-broken = error 1065: tool { $tool } is broken: { $column } would change by { $by } mm, { $limit } is { $most } mm; the tool is locked and not corrected
+tool-broken-replacement = error 1065: tool { $tool } is broken: { $column } would change by { $by } mm, { $limit } is { $most } mm; the tool is locked and not corrected; its replacement is tool { $replacement }
+tool-corrected = tool { $tool }: { $column } changed by { $by } mm, from { $from } to { $to } mm
+tool-corrected-rounded = tool { $tool }: { $column } changed by { $by } mm, from { $from } to { $to } mm: the table keeps the nearest 0.00001 in
+tool-locked = tool { $tool }: locked, TL = { $to }
+
 ## The log of a cycle's result
 cycle-log-other-verdict = the log's values, rounded to 0.0001 { $unit }, give { $log } where the cycle gave { $cycle }
 

@@ -97,6 +97,13 @@ machine-remark-table-written = { $path } was written
 machine-remark-contacts-left = the cycles used { $used } of { $count } recorded contacts
 machine-remark-more = { $count } more remarks are not listed
 machine-remark-other-probe = tool { $tool } is not in the touch-probe table: probe { $probe } was used
+machine-remark-tool-locked = tool { $tool } is locked in the tool table
+machine-remark-no-probe-tool = tool { $tool } is not a touch probe: TYP = { $kind }, expected { $probe }
+machine-remark-no-such-tool = tool { $tool } is not in the tool table
+machine-remark-same-name = { $more ->
+    [one] another tool has the name { $tool }
+   *[other] { $more } more tools have the name { $tool }
+}: the first one of the tool table was taken
 
 machine-passed-over = { $count } { $count ->
         [one] block was

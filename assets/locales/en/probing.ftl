@@ -110,7 +110,7 @@ cycle-note-normal-from-cad = take the normal from a CAD or CAM system
 cycle-note-software-option = the control needs software option { $option }
 cycle-note-recommended = where the control has cycle { $cycle }, HEIDENHAIN recommends it instead
 remark-without-effect = { $key } is accepted but has no effect
-remark-tool-left-alone = Q330 = { $tool }: the control would correct this tool; Fitcheck corrects no tool
+remark-tool-not-monitored = Q330 = { $tool }: the tool is not monitored: no tool table
 remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap
 remark-nominal-outside-limits = nominal diameter { $nominal } mm is not between the limits: a TNC7 refuses that
 remark-nominal-width-outside-limits = nominal width { $nominal } mm is not between the limits: a TNC7 refuses that

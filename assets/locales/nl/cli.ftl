@@ -85,6 +85,7 @@ cli-remark-no-pair = geen enkele passing voldoet; de dichtstbijzijnde is { $near
 cli-remark-trace-ends = de lijst van uitgevoerde NC-regels eindigt hier, na { $blocks } regels
 cli-remark-batch-utf16 = { $name } is UTF-16 en wordt als UTF-8 geschreven
 cli-remark-batch-floats = { $name } heeft binaire breuken in { $columns }: elk wordt beoordeeld als het kortste decimale getal dat ervoor staat
+cli-remark-tools-not-written = de gereedschapstabel is niet geschreven: --tools-out BESTAND.t schrijft hem met deze wijzigingen
 cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die met --clearance-height
 
 # Waarschuwingen
@@ -92,6 +93,7 @@ cli-warning-column-not-used = kolom { $column } is overgeslagen
 cli-warning-own-table = tabel { $name } wijkt af van ISO 286, die { $upper } en { $lower } mm heeft
 cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft geen waarde die voor het hele bereik geldt
 cli-warning-contacts-left = de cyclus heeft { $used } van de { $count } meetpunten gebruikt
+cli-warning-no-tool-monitored = de gereedschapstabel wordt niet gebruikt: Q330 noemt geen gereedschap
 cli-warning-log-unknown = er wordt geen meetprotocol geschreven: dat van cyclus { $code } is niet bekend
 cli-warning-log-off = er wordt geen meetprotocol geschreven: Q281 = 0
 cli-warning-log-none = er wordt geen meetprotocol geschreven: de cyclus heeft er geen

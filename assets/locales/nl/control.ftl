@@ -121,6 +121,26 @@ probe-table-above-zero = groter dan 0
 probe-table-not-whole = { $column } = { $given }: een geheel getal verwacht
 probe-table-twice = taster { $number } komt twee keer voor
 
+## De gereedschapstabel
+tool-table-no-column = de tabel heeft geen kolom { $column }
+tool-table-no-tool = de tabel heeft geen gereedschap
+tool-table-touches = { $column }: de cel loopt over in de cel ernaast, dus de waarde is onzeker
+tool-table-no-number = { $column } = { $given }: een gereedschapsnummer van 0 tot en met 32767 verwacht, met of zonder index zoals 5.1
+tool-table-twice = gereedschap { $number } komt twee keer voor
+tool-table-name-too-long = NAME = { $given }: een naam heeft hoogstens { $most } tekens
+tool-table-no-length = { $column }: { $error }
+tool-table-out-of-range = { $column } = { $given } mm: { $least } tot en met { $most } mm verwacht
+tool-table-no-lock = TL = { $given }: L of 1 verwacht voor een geblokkeerd gereedschap; 0, - of niets voor een vrij gereedschap
+tool-table-not-whole = { $column } = { $given }: een geheel getal verwacht
+tool-unknown = Q330 = { $tool }: de gereedschapstabel heeft dit gereedschap niet, maar wel { $known }
+tool-no-deviation = Q330 = { $tool }: cyclus { $cycle } heeft hier geen grensmaten, dus is er geen afwijking om het gereedschap mee te corrigeren
+tool-out-of-range = gereedschap { $tool }: { $column } zou van { $from } in { $to } mm veranderen: de grootste waarde is { $most } mm naar beide kanten
+tool-broken = fout 1065: gereedschap { $tool } is gebroken: { $column } zou { $by } mm veranderen, { $limit } is { $most } mm; het gereedschap is geblokkeerd en niet gecorrigeerd
+tool-broken-replacement = fout 1065: gereedschap { $tool } is gebroken: { $column } zou { $by } mm veranderen, { $limit } is { $most } mm; het gereedschap is geblokkeerd en niet gecorrigeerd; gereedschap { $replacement } vervangt het
+tool-corrected = gereedschap { $tool }: { $column } { $by } mm gewijzigd, van { $from } in { $to } mm
+tool-corrected-rounded = gereedschap { $tool }: { $column } { $by } mm gewijzigd, van { $from } in { $to } mm: de tabel bewaart de dichtstbijzijnde 0,00001 in
+tool-locked = gereedschap { $tool }: geblokkeerd, TL = { $to }
+
 ## The log of a cycle's result
 cycle-log-other-verdict = de waarden in het meetprotocol, afgerond op 0,0001 { $unit }, geven { $log }, maar de cyclus gaf { $cycle }
 

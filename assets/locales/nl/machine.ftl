@@ -97,6 +97,13 @@ machine-remark-table-written = { $path } is geschreven
 machine-remark-contacts-left = de cycli hebben { $used } van de { $count } opgenomen meetpunten gebruikt
 machine-remark-more = nog { $count } opmerkingen zijn niet vermeld
 machine-remark-other-probe = gereedschap { $tool } staat niet in de tastertabel: taster { $probe } is gebruikt
+machine-remark-tool-locked = gereedschap { $tool } is geblokkeerd in de gereedschapstabel
+machine-remark-no-probe-tool = gereedschap { $tool } is geen taster: TYP = { $kind }, { $probe } verwacht
+machine-remark-no-such-tool = gereedschap { $tool } staat niet in de gereedschapstabel
+machine-remark-same-name = { $more ->
+    [one] nog een gereedschap heeft de naam { $tool }
+   *[other] nog { $more } gereedschappen hebben de naam { $tool }
+}: het eerste van de gereedschapstabel is genomen
 
 machine-passed-over = { $count } { $count ->
         [one] NC-regel is

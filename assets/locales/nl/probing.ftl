@@ -110,7 +110,7 @@ cycle-note-normal-from-cad = neem de normaal uit een CAD- of CAM-systeem
 cycle-note-software-option = de besturing heeft softwareoptie { $option } nodig
 cycle-note-recommended = waar de besturing cyclus { $cycle } heeft, raadt HEIDENHAIN die in plaats van deze aan
 remark-without-effect = { $key } is toegestaan maar heeft geen werking
-remark-tool-left-alone = Q330 = { $tool }: de besturing zou dit gereedschap corrigeren; Fitcheck corrigeert geen gereedschap
+remark-tool-not-monitored = Q330 = { $tool }: het gereedschap wordt niet bewaakt: geen gereedschapstabel
 remark-outside-dimension = een buitenmaat is aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur
 remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat
 remark-nominal-width-outside-limits = nominale breedte { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat

@@ -29,6 +29,7 @@ mod program;
 mod shared;
 mod state;
 mod table;
+mod tool_table;
 mod twin;
 mod workpiece;
 
@@ -77,6 +78,7 @@ targets! {
     program "klartext"
     state "toml"
     table "table"
+    tool_table "table"
     twin "none"
     workpiece "toml"
 }

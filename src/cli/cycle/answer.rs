@@ -3,6 +3,7 @@
 use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
 
+use super::super::tools;
 use super::{CliError, Io, Run, Source};
 use crate::length::Length;
 use crate::probing::cycle::{Check, LogTarget, Move, Value};
@@ -34,6 +35,11 @@ struct Answer<'a> {
     remarks: Vec<String>,
     warnings: Vec<String>,
     path: Vec<Json>,
+    /// Only with a tool table.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tool_changes: Option<Vec<Json>>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    tools_out: Option<Json>,
 }
 
 pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
@@ -66,6 +72,8 @@ pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError>
         remarks: result.remarks.iter().map(ToString::to_string).collect(),
         warnings: warnings(run),
         path: result.path.iter().map(step).collect(),
+        tool_changes: run.tools.has_table.then(|| run.tools.change.iter().map(tools::json).collect()),
+        tools_out: run.tools.has_table.then(|| json!(run.tools.written)),
     };
     io.json(&answer)
 }

@@ -18,12 +18,15 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::args::dialogue;
+use super::tools::ToolArgs;
 use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts, read_input};
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
+use crate::control::tool_table::{Changed, ToolChange};
 use crate::length::Length;
 use crate::message::Located;
+use crate::nc::machine::Remark;
 use crate::probing::cycle::{Cycle, CycleResult, Inputs, Key, Move};
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::{Shape, Simulation};
@@ -79,6 +82,8 @@ pub(super) struct Args {
     /// Touch-probe table of a control, instead of the built-in one
     #[arg(long, value_name = "FILE.tp")]
     probe_table: Option<PathBuf>,
+    #[command(flatten)]
+    tools: ToolArgs,
     /// Number of the probe in the table; default: the first one
     #[arg(long, value_name = "N")]
     probe: Option<u32>,
@@ -123,6 +128,16 @@ struct Run<'a> {
     ball_radius: f64,
     result: &'a CycleResult,
     log: &'a log::Kept,
+    tools: &'a Monitoring,
+}
+
+/// What the monitoring of a tool gave.
+#[derive(Debug, Default)]
+struct Monitoring {
+    has_table: bool,
+    change: Option<ToolChange>,
+    /// Where the table was written to.
+    written: Option<String>,
 }
 
 fn known(text: &str) -> Result<&'static Cycle, String> {
@@ -156,9 +171,18 @@ impl Args {
             }
         };
         warn_of_unused(&source, &path, io);
+        let (result, tools) = self.monitored(result, io)?;
         let ball_radius = prober.ball_radius();
         let log = self.log.keep(self.cycle, &result, language, io)?;
-        let run = Run { cycle: self.cycle, language, source: &source, ball_radius, result: &result, log: &log };
+        let run = Run {
+            cycle: self.cycle,
+            language,
+            source: &source,
+            ball_radius,
+            result: &result,
+            log: &log,
+            tools: &tools,
+        };
         match self.format {
             Format::Text => text::print(&run, self.path, io)?,
             Format::Csv if self.path => answer::print_path_csv(&path, io)?,
@@ -168,7 +192,29 @@ impl Args {
         if let (Some(stop), Format::Csv) = (&result.stop, self.format) {
             io.tell(stop);
         }
+        if let (Some(change), Format::Csv) = (&tools.change, self.format) {
+            io.remark(change);
+        }
+        if let Some(ToolChange { what: Changed::Locked(broken), .. }) = &tools.change {
+            io.fail(broken);
+            return Ok(Outcome::BadData);
+        }
         Ok(result.verdict().map_or(Outcome::Done, Outcome::Judged))
+    }
+
+    /// Monitors the tool of Q330, where a tool table is given.
+    fn monitored(&self, result: CycleResult, io: &mut Io<'_>) -> Result<(CycleResult, Monitoring), CliError> {
+        let Some(mut table) = self.tools.read(io)? else { return Ok((result, Monitoring::default())) };
+        let monitored = table.monitor(self.cycle, &result).about(&self.what())?;
+        if monitored.is_none() {
+            io.warn(&CliWarning::NoToolMonitored);
+        }
+        let (change, same_name) = monitored.map_or((None, None), |found| (found.change, found.same_name));
+        if let Some((tool, more)) = same_name {
+            io.remark(&Remark::SameName { tool, more });
+        }
+        let written = self.tools.write(Some(&table), change.is_some(), io)?;
+        Ok((result.with_tool_table(), Monitoring { has_table: true, change, written }))
     }
 
     fn read_inputs(&self, io: &mut Io<'_>) -> Result<Inputs, CliError> {

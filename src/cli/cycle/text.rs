@@ -64,6 +64,9 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
     for remark in &result.remarks {
         writeln!(io.people(), "note: {remark}")?;
     }
+    if let Some(change) = &run.tools.change {
+        writeln!(io.people(), "note: {change}")?;
+    }
     for warning in warnings(run) {
         writeln!(io.people(), "note: {warning}")?;
     }

@@ -7,11 +7,12 @@ use serde_json::{Map, Value as Json, json};
 
 use super::super::CliRemark;
 use super::super::cycle::answer::{check, value as result_value};
+use super::super::tools;
 use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::text::cut;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
-use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Origin, Window, Written};
+use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written};
 use crate::probing::cycle::Found;
 
 /// The most blocks that a trace keeps.
@@ -161,6 +162,7 @@ impl Serialize for Answer<'_> {
             placed(machine, &output.place, more)
         };
         let remark = |(at, said): (&BlockPlace, String)| placed(machine, at, json!({"message": said}));
+        let tool_change = |changed: &ToolChanged| placed(machine, &changed.place, tools::json(&changed.change));
         let parameters: Map<String, Json> =
             machine.variables().iter().map(|(parameter, value)| (parameter.to_string(), plain(Some(value)))).collect();
         let mut answer = serializer.serialize_map(None)?;
@@ -171,6 +173,11 @@ impl Serialize for Answer<'_> {
         answer.serialize_entry("windows", &Each(|| machine.windows().iter().map(window)))?;
         answer.serialize_entry("outputs", &Each(|| machine.outputs().iter().map(output)))?;
         answer.serialize_entry("cycles", &Each(|| machine.cycles().iter().map(|run| cycle(machine, run))))?;
+        if machine.tool_table().is_some() {
+            let changed = || machine.tool_changes().iter().map(tool_change);
+            answer.serialize_entry("tool_changes", &Each(changed))?;
+            answer.serialize_entry("tools_out", &ended.tools_out)?;
+        }
         answer.serialize_entry("pauses", &Each(|| ended.pauses.iter().map(ToString::to_string)))?;
         let remarks = || {
             let of_run = machine.remarks().iter().map(|(at, remark)| (at, remark.to_string()));

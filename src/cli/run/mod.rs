@@ -15,6 +15,7 @@ use clap::ValueEnum;
 
 use super::args::dialogue;
 use super::cycle::{pairs, probe_table, read_workpiece};
+use super::tools::ToolArgs;
 use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input};
 use crate::control::variables::{Family, Parameter, Value};
 use crate::files::{self, FileError, Folders};
@@ -38,8 +39,11 @@ the output folder and nowhere else; it is created if missing, and without one th
 --workpiece and --contacts every cycle measures a perfect workpiece at nominal. A workpiece file is
 described in fitcheck cycle --help.
 
+With --tools, cycles with Q330 correct DR or DL of that tool for the rest of the run; a broken
+tool is locked (TL), and the run stops. --tools-out writes the changed table, also after a fault.
+
 Text: the windows on standard output, notes on standard error. JSON: program, blocks, status, parameters,
-windows, outputs, cycles, pauses, remarks, faults, trace.
+windows, outputs, cycles, tool changes, pauses, remarks, faults, trace.
 
 Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure, 1 a fault or bad data, 2 wrong usage.";
 
@@ -75,6 +79,8 @@ pub(super) struct Args {
     /// Touch-probe table of a control, instead of the built-in one
     #[arg(long, value_name = "FILE.tp")]
     probe_table: Option<PathBuf>,
+    #[command(flatten)]
+    tools: ToolArgs,
     /// Skip unknown blocks instead of stopping
     #[arg(long)]
     skip_unknown: bool,
@@ -112,6 +118,8 @@ enum RunFormat {
 struct Ended {
     pauses: Vec<Pause>,
     fault: Option<Fault>,
+    /// Where the changed tool table was written to.
+    tools_out: Option<String>,
 }
 
 /// A listener to every block.
@@ -134,12 +142,17 @@ impl Args {
                 let mut listener = text::Printer::new(self.trace);
                 let ended = run(&mut machine, &mut listener, io)?;
                 text::notes(&machine, &ended, self.trace, language.language(), io);
+                self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io)?;
                 ended
             }
             RunFormat::Json => {
                 let mut listener = answer::Trace::new(self.trace);
-                let ended = run(&mut machine, &mut listener, io)?;
+                let mut ended = run(&mut machine, &mut listener, io)?;
+                // Before the answer, which says whether the table is written; an error comes after it.
+                let written = self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io);
+                ended.tools_out = written.as_ref().ok().cloned().flatten();
                 answer::print(&machine, &ended, &listener, io)?;
+                written?;
                 ended
             }
         };
@@ -176,6 +189,7 @@ impl Args {
         settings.assumes_tool = self.assume_tool;
         settings.block_skip = self.block_skip;
         settings.probe_table = probe_table(self.probe_table.as_deref(), io)?;
+        settings.tool_table = self.tools.read(io)?;
         let contacts = self.source(io)?;
         Ok(Machine::new(&name, Arc::new(program), store, contacts, settings))
     }

@@ -4,7 +4,7 @@ use super::super::CliRemark;
 use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::text::cut;
 use crate::message::Message;
-use crate::nc::machine::{BlockPlace, Fault, FileRead, Machine, Pause, shown};
+use crate::nc::machine::{BlockPlace, Fault, FileRead, Machine, Pause, ToolChanged, shown};
 use crate::words::{Language, Words};
 
 /// Prints windows as they open, and with a trace every block before.
@@ -85,6 +85,10 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, is_traced: bool, language:
         for (path, origin) in machine.origins() {
             io.tell(format_args!("note: {}", words.told(&FileRead::of(path, origin))));
         }
+    }
+    for ToolChanged { place: BlockPlace { program, block }, change } in machine.tool_changes() {
+        let (file, line) = place(machine, program, *block);
+        io.tell(format_args!("note: {file}:{line}: {}", words.told(change)));
     }
     let mut written: Vec<_> =
         machine.outputs().iter().filter(|output| output.is_saved).map(|output| &output.path).collect();

@@ -5,6 +5,7 @@
 //! | `read` | bytes to a table: BEGIN line, names of the columns, rows, `[END]` |
 //! | `block` | the two blocks that describe columns: `#STRUCTBEGIN` and `TableDescription` |
 //! | `write` | a table to bytes |
+//! | `patch` | other texts in some cells of a file, every other byte kept |
 //! | `fault` | errors and warnings with file, line and column |
 //!
 //! A cell is only a text here. Other modules, such as [`super::deviations`], know what a column means. Formats and
@@ -12,6 +13,7 @@
 
 mod block;
 mod fault;
+mod patch;
 mod read;
 mod write;
 

@@ -31,9 +31,9 @@ pub struct TableFile {
     /// The line with the names of the columns.
     names_line: usize,
     /// Where the columns start, in characters from 0.
-    starts: Vec<usize>,
+    pub(super) starts: Vec<usize>,
     /// The line of each row.
-    row_lines: Vec<usize>,
+    pub(super) row_lines: Vec<usize>,
     /// Row and column of the cells that begin directly after their neighbour, in order.
     touching: Vec<(usize, usize)>,
 }
@@ -74,8 +74,22 @@ impl ControlTable {
     /// [`TableFault`] with its place. Nothing is guessed: a row that does not reach the last column, or a second column
     /// of the same name, is an error, too.
     pub fn read(bytes: &[u8], file: &str) -> Result<TableFile, TableError> {
+        Self::read_rows(bytes, file, false)
+    }
+
+    /// The same for tables whose rows may end where only blank cells follow, such as `tool.t`: the cells beyond the end
+    /// of a row are empty. Without `[END]` such a row may as well be cut off and is an error.
+    ///
+    /// # Errors
+    /// As for [`Self::read`].
+    pub(crate) fn read_with_short_rows(bytes: &[u8], file: &str) -> Result<TableFile, TableError> {
+        Self::read_rows(bytes, file, true)
+    }
+
+    fn read_rows(bytes: &[u8], file: &str, may_be_short: bool) -> Result<TableFile, TableError> {
         let text = decode(bytes);
         let mut reader = Reader::new(&text, file);
+        reader.may_be_short = may_be_short;
         let mut table = reader.begin_line()?;
         let (names_line, names) = reader.header(&mut table)?;
         let starts = reader.names(names_line, names, &mut table)?;
@@ -93,6 +107,8 @@ struct Body {
     touching: Vec<(usize, usize)>,
     /// Whether `[END]` was there.
     has_end: bool,
+    /// The first row that ends before the last column.
+    short: Option<TableError>,
 }
 
 /// The pass over the lines.
@@ -104,11 +120,14 @@ pub(super) struct Reader<'a> {
     pub(super) warnings: Vec<TableWarning>,
     /// How many more parts may be kept.
     budget: usize,
+    /// Whether rows may end before the last column.
+    may_be_short: bool,
 }
 
 impl<'a> Reader<'a> {
     fn new(text: &'a str, file: &str) -> Self {
-        Self { lines: Box::new(lines(text)), file: file.into(), line: 0, warnings: Vec::new(), budget: MOST_CELLS }
+        let lines = Box::new(lines(text));
+        Self { lines, file: file.into(), line: 0, warnings: Vec::new(), budget: MOST_CELLS, may_be_short: false }
     }
 
     /// An error at a character (from 0) of the line that was read last.
@@ -326,7 +345,13 @@ impl<'a> Reader<'a> {
         let last = table.columns.len().saturating_sub(1);
         for (number, column) in table.columns.iter().enumerate() {
             if rest.is_empty() && 0 < number {
-                return Err(self.fault(TableFault::ShortRow { name: column.name.clone() }, characters));
+                let short = self.fault(TableFault::ShortRow { name: column.name.clone() }, characters);
+                if !self.may_be_short {
+                    return Err(short);
+                }
+                body.short.get_or_insert(short);
+                cells.resize(table.columns.len(), String::new());
+                break;
             }
             let (cell, after) = if number == last { (rest, "") } else { split_at_characters(rest, column.width) };
             if ends_in_text && cell.starts_with(|c: char| !c.is_whitespace()) {
@@ -344,6 +369,9 @@ impl<'a> Reader<'a> {
     fn finish(&mut self, body: &Body, ends_in_blank: bool) -> Result<(), TableError> {
         if body.has_end {
             return Ok(());
+        }
+        if let Some(short) = &body.short {
+            return Err(short.clone());
         }
         // Without a blank or a line end after it, the last number may have had more digits.
         if !ends_in_blank && body.row_lines.last() == Some(&self.line) {
@@ -386,7 +414,7 @@ fn words(line: &str) -> Vec<(usize, &str)> {
     found
 }
 
-fn split_at_characters(text: &str, characters: usize) -> (&str, &str) {
+pub(super) fn split_at_characters(text: &str, characters: usize) -> (&str, &str) {
     let end = text.char_indices().nth(characters).map_or(text.len(), |(byte, _)| byte);
     text.split_at_checked(end).unwrap_or((text, ""))
 }

@@ -260,6 +260,11 @@ impl Around {
         self.changes.is_empty()
     }
 
+    /// The plane of the tool axis; X and Y before any tool call.
+    pub(super) fn plane(&self) -> Plane {
+        self.plane.unwrap_or_default()
+    }
+
     /// The zero in force, mm from the preset.
     pub(super) const fn zero(&self) -> [f64; 3] {
         self.zero
@@ -278,7 +283,7 @@ impl Around {
         }
         match self.plane {
             None if !assumes_tool => Err(FaultKind::NoToolCall),
-            plane => Ok(Placement { plane: plane.unwrap_or_default(), zero: self.zero }),
+            _ => Ok(Placement { plane: self.plane(), zero: self.zero }),
         }
     }
 

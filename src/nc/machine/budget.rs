@@ -3,6 +3,7 @@
 use jiff::civil::DateTime;
 
 use crate::control::probe_table::ProbeTable;
+use crate::control::tool_table::ToolTable;
 use crate::message::Say;
 use crate::words::Dialogue;
 
@@ -88,10 +89,13 @@ pub struct Settings {
     pub optional_stop: bool,
     /// The touch-probe table.
     pub probe_table: ProbeTable,
+    /// The tool table, which cycles with Q330 change during the run. Without one no tool is monitored.
+    pub tool_table: Option<ToolTable>,
 }
 
 impl Settings {
-    /// The control's own: unknown blocks and cycles without a tool stop, blocks with a `/` run, M1 does not stop, the built-in touch-probe table.
+    /// The control's own: unknown blocks and cycles without a tool stop, blocks with a `/` run, M1 does not stop, the
+    /// built-in touch-probe table, no tool table.
     pub fn new(language: Dialogue, time: DateTime) -> Self {
         Self {
             language,
@@ -102,6 +106,7 @@ impl Settings {
             block_skip: false,
             optional_stop: false,
             probe_table: ProbeTable::shipped().clone(),
+            tool_table: None,
         }
     }
 }

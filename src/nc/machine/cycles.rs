@@ -173,7 +173,11 @@ fn input(
         CycleValue::Word(word) => return declared.read_word(word).map_err(refused),
         CycleValue::Text(text) => {
             let text = values.text_operand(text)?;
-            return read(text);
+            return Ok(match read(text)? {
+                // QS330 = "5" is the tool with the name 5.
+                cycle::Value::Number(_) if declared.range == Range::Tool => cycle::Value::Text(text.trim().to_owned()),
+                value => value,
+            });
         }
         CycleValue::Number { value, .. } => *value,
     };

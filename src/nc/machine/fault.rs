@@ -7,6 +7,7 @@ use super::store::StoreError;
 use crate::control::mask::{MaskError, RenderError};
 use crate::control::table::{TableError, WriteError};
 use crate::control::text::cut;
+use crate::control::tool_table::ToolFault;
 use crate::control::variables::Parameter;
 use crate::message::{Message, Say, display};
 use crate::nc::program::{CycleName, LabelFault, Mode, Program, ProgramError};
@@ -282,6 +283,9 @@ pub enum FaultKind {
         /// Why.
         error: Box<CycleError>,
     },
+    /// A tool that cannot be monitored, or is broken.
+    #[say(transparent)]
+    Tool(#[from] ToolFault),
     /// The workpiece is impossible.
     Workpiece(#[say(name = "error")] Box<WorkpieceError>),
     /// A measuring cycle before any TOOL CALL that names an axis.

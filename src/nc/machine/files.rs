@@ -170,12 +170,17 @@ impl Files {
         Ok((program, remarks))
     }
 
-    /// `CALL PGM sub` without `.h`.
+    /// `CALL PGM sub` without `.h`, `%sub` without `.i`.
     fn with_suffix(&mut self, path: &NcPath, fault: FaultKind) -> Result<Vec<u8>, FaultKind> {
         if path.file_name().contains('.') || !matches!(fault, FaultKind::Store(StoreError::Missing { .. })) {
             return Err(fault);
         }
-        self.read(&NcPath::new(&format!("{path}.h"))?).map_err(|_missing_too| fault)
+        for ending in ["h", "i"] {
+            if let Ok(found) = self.read(&NcPath::new(&format!("{path}.{ending}"))?) {
+                return Ok(found);
+            }
+        }
+        Err(fault)
     }
 
     /// A table, and how much memory it takes.

@@ -9,6 +9,7 @@
 //! | `prints`, `logs` | FN 16: windows and files; the measuring logs of cycles (Q281) |
 //! | `around`, `placement` | what is set up around measurements: tool axis, mode, global values, zero; where a cycle measures |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
+//! | `tools` | the tool table: the called tool, the tool of Q330 |
 //! | `moves` | straight lines and the path of the ball's centre |
 //! | `files`, `store` | what the run reads and writes, counted; where it comes from (`files::Folders`, or memory) |
 //! | `path` | paths of the control |
@@ -36,6 +37,7 @@ mod run;
 mod step;
 mod store;
 mod tables;
+mod tools;
 mod values;
 
 pub use around::Change;
@@ -51,4 +53,5 @@ pub use remark::Remark;
 pub use run::Machine;
 pub use step::{Pause, Step};
 pub use store::{FileRead, InMemory, Origin, Shipped, Store, StoreError};
+pub use tools::ToolChanged;
 pub use values::shown;

@@ -5,7 +5,7 @@ use super::budget::{Budget, UsedUp};
 use super::fault::{BlockPlace, FaultKind};
 use super::values::Values;
 use crate::nc::program::{Axis, AxisWord, Feed, Goes, Movement, Unit};
-use crate::probing::cycle::{Move, Phase};
+use crate::probing::cycle::{Move, Phase, Plane};
 
 /// A move of the ball's centre, mm.
 #[derive(Debug, Clone, PartialEq)]
@@ -84,6 +84,16 @@ impl Way {
         };
         let from = self.place();
         self.position = to;
+        // M140 retracts along the tool axis, as far as only the machine knows.
+        if has([140, 140]) {
+            let [x, y, z] = &mut self.position;
+            match around.plane() {
+                Plane::Xy => *z = None,
+                Plane::Zx => *y = None,
+                Plane::Yz => *x = None,
+            }
+            return Ok(());
+        }
         // M99 and M89 run a machining cycle there, which ends elsewhere.
         if has([89, 99]) {
             self.position = [None; 3];

@@ -5,6 +5,7 @@ use std::collections::BTreeMap;
 use super::budget::Budget;
 use super::fault::BlockPlace;
 use super::path::NcPath;
+use crate::control::tool_table::ToolNumber;
 use crate::control::variables::Parameter;
 use crate::message::{Arg, Message, Say};
 
@@ -106,6 +107,32 @@ pub enum Remark {
         tool: String,
         /// The probe.
         probe: u32,
+    },
+    /// The tool that was called before a measuring cycle is locked (TL).
+    ToolLocked {
+        /// The tool.
+        tool: ToolNumber,
+    },
+    /// The tool that was called before a measuring cycle is something else than a touch probe.
+    NoProbeTool {
+        /// The tool.
+        tool: ToolNumber,
+        /// Its TYP.
+        kind: u32,
+        /// That of touch probes.
+        probe: u32,
+    },
+    /// A called tool is not in the tool table.
+    NoSuchTool {
+        /// Its number or name.
+        tool: Arg,
+    },
+    /// Several tools have the name in a block; the first one of the tool table was taken.
+    SameName {
+        /// The name.
+        tool: String,
+        /// How many others there are.
+        more: usize,
     },
 }
 

@@ -81,6 +81,33 @@ pub enum ProgramWarningKind {
         /// What is assigned.
         parameter: Parameter,
     },
+    /// A block of an ISO program without the `*` at its end.
+    NoStar,
+    /// An ISO program without its last block, `N99999999 %NAME G71 *`.
+    IsoNoEnd,
+    /// Beginning and end of an ISO program have different units.
+    IsoUnits {
+        /// The unit of the first block: this one counts.
+        begin: Unit,
+        /// The unit of the last block.
+        end: Unit,
+    },
+    /// Something follows the last block of an ISO program.
+    IsoAfterEnd,
+    /// An assignment where a line of a cycle in ISO would stand, after its `*`.
+    IsoCycleCut {
+        /// The cycle.
+        cycle: String,
+        /// The cycle's last line.
+        line: usize,
+        /// What is assigned.
+        parameter: Parameter,
+    },
+    /// A comment holds what seems to be part of the program: it goes on to the end of its line.
+    CommentHolds {
+        /// What it holds.
+        found: String,
+    },
     /// Lines of a machining cycle or of global values without the `~` before them; they count as its lines.
     CycleWithoutTilde {
         /// The cycle.

@@ -61,6 +61,25 @@ pub enum BlockFault {
         /// The word found.
         found: &'static str,
     },
+    /// Functions that do not stand in one block.
+    NotTogether {
+        /// One of them.
+        one: String,
+        /// Another.
+        other: String,
+    },
+    /// A function of which it is not known what it does.
+    UnknownWord {
+        /// The text found.
+        found: String,
+    },
+    /// A function whose form in ISO is not known.
+    NoForm {
+        /// The function.
+        found: String,
+    },
+    /// A coordinate where neither G90 nor G91 is known to be in force.
+    MeasureUnknown,
     /// An axis occurs twice.
     AxisTwice,
     /// Too many nested brackets and functions.

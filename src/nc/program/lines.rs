@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use super::block::Place;
+
 /// Where lines begin and end in a text: LF, CRLF, CR or byte 0 ends one (as in [`crate::control::text::lines`]).
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Lines(Vec<(u32, u32)>);
@@ -33,6 +35,12 @@ impl Lines {
     pub(super) fn range(&self, line: usize) -> Option<Range<usize>> {
         let &(start, end) = self.0.get(line)?;
         Some(usize::try_from(start).ok()?..usize::try_from(end).ok()?)
+    }
+
+    /// A place in a line: bytes turned into characters.
+    pub(super) fn place(&self, text: &str, line: usize, at: usize) -> Place {
+        let before = self.line(text, line).get(..at).map_or(0, |before| before.chars().count());
+        Place { line: line + 1, column: before + 1 }
     }
 
     /// A line of the text; empty beyond the last.

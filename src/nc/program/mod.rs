@@ -5,10 +5,11 @@
 //! | `block`, `around` | what a block says; blocks around a measurement |
 //! | `expression` | formulas for numbers and texts |
 //! | `read`, `warnings` | bytes to blocks, with warnings |
-//! | `notation`, `klartext` | which notation it is; the readers |
+//! | `notation`, `klartext`, `iso` | which notation it is; the readers |
 //! | `lines`, `cursor` | parts of lines; the place in a block's text that moves forward |
 //! | `formula`, `text_formula` | formulas, read |
-//! | `labels` | where the labels are |
+//! | `labels`, `numbering` | where the labels are; block numbers that do not rise |
+//! | `weight` | how much text becomes trees in memory |
 //! | `words` | words of the language, for reading and writing |
 //! | `error`, `fault` | errors and warnings |
 //! | `write`, `write_formula` | from bodies to blocks, for new programs |
@@ -24,13 +25,16 @@ mod error;
 mod expression;
 mod fault;
 mod formula;
+mod iso;
 mod klartext;
 mod labels;
 mod lines;
 mod notation;
+mod numbering;
 mod read;
 mod text_formula;
 mod warnings;
+mod weight;
 mod words;
 pub mod write;
 mod write_formula;
@@ -69,12 +73,12 @@ impl Program {
         self.notation
     }
 
-    /// The name after `BEGIN PGM`, if there is one.
+    /// The name after `BEGIN PGM`, or after `%`, if there is one.
     pub fn name(&self) -> Option<&str> {
         self.begin().map(|(name, _)| name)
     }
 
-    /// The unit after `BEGIN PGM`, if there is one.
+    /// The unit after `BEGIN PGM`, or that of G70 and G71, if there is one.
     pub fn unit(&self) -> Option<Unit> {
         self.begin().map(|(_, unit)| unit)
     }
@@ -116,6 +120,9 @@ impl Program {
     pub fn comment_of(&self, block: usize) -> Option<&str> {
         let line = self.blocks.get(block)?.lines.start;
         let text = self.line(line);
+        if self.notation == Notation::Iso {
+            return iso::comment(text);
+        }
         lines::first(text, line, lines::front(text).end).comment
     }
 

@@ -6,7 +6,7 @@ use super::labels::Labels;
 use super::lines::Lines;
 use super::notation::Notation;
 use super::warnings::Warnings;
-use super::{Encoding, Program, klartext};
+use super::{Encoding, Program, iso, klartext};
 
 /// The largest file, 64 MiB: a program of about two million blocks.
 const LARGEST: usize = 64 << 20;
@@ -43,6 +43,7 @@ impl Program {
         let mut warnings = Warnings::default();
         let blocks = match notation {
             Notation::Klartext => klartext::read(&text, &lines, &mut warnings),
+            Notation::Iso => iso::read(&text, &lines, &mut warnings),
         };
         if blocks.is_empty() {
             return Err(ProgramError::Empty);

@@ -6,6 +6,17 @@ use super::error::{ProgramWarning, ProgramWarningKind};
 /// How many warnings are listed one by one.
 const MOST_WARNINGS: usize = 500;
 
+/// The longest block that is parsed, in bytes; a control accepts a few hundred characters per line.
+pub(super) const LONGEST: usize = 1 << 16;
+
+/// A warning and its place: line from 0, bytes from the line's beginning.
+#[derive(Debug)]
+pub(super) struct Odd {
+    pub line: usize,
+    pub at: usize,
+    pub what: ProgramWarningKind,
+}
+
 /// Warnings, of which only the first are kept.
 #[derive(Debug, Default)]
 pub(super) struct Warnings {

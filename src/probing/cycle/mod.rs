@@ -16,9 +16,11 @@
 //! | `inputs` | all values of a run, the probe, the position of the machine |
 //! | `course` | the path of the probe, move by move |
 //! | `result` | what a cycle found |
+//! | `correction` | what it says about the tool that made the surface |
 //! | `shown` | its status window and its measuring log |
 //! | `error` | why a cycle did not run |
 
+mod correction;
 mod course;
 mod error;
 mod inputs;
@@ -32,6 +34,7 @@ pub(in crate::probing) mod shared;
 mod shown;
 mod value;
 
+pub use correction::{Corrected, Correction, Corrects};
 pub(in crate::probing) use course::nearest;
 pub use course::{Course, Move, Phase};
 pub use error::CycleError;
@@ -75,6 +78,8 @@ pub struct Cycle {
     pub run: fn(&Inputs, &mut Course<'_>) -> Result<Measured, CycleError>,
     /// What is checked, as the status window puts it: the nominal size, or the measured axis.
     pub subject: fn(&Inputs) -> Option<String>,
+    /// How its result corrects the tool of Q330.
+    pub corrects: Corrects,
     /// Its status window.
     pub window: Window,
     /// Its measuring log.
@@ -256,15 +261,15 @@ impl Cycle {
         }
     }
 
-    /// Remarks about inputs without effect, and about a tool that is not corrected.
+    /// Remarks about inputs without effect, and about a tool that is not monitored: a cycle knows no tool table.
     fn remarks(&self, inputs: &Inputs) -> Vec<Remark> {
         let idle = self.parameters.iter().filter(|parameter| !parameter.has_effect && inputs.is_given(parameter.key));
         let mut remarks: Vec<_> = idle.map(|parameter| Remark::WithoutEffect { key: parameter.key }).collect();
         match self.value_of(inputs, Meaning::Tool) {
             Some(Value::Number(number)) if 0.0 < *number => {
-                remarks.push(Remark::ToolLeftAlone { tool: number.to_string() });
+                remarks.push(Remark::ToolNotMonitored { tool: number.to_string() });
             }
-            Some(Value::Text(name)) => remarks.push(Remark::ToolLeftAlone { tool: name.clone() }),
+            Some(Value::Text(name)) => remarks.push(Remark::ToolNotMonitored { tool: name.clone() }),
             _ => {}
         }
         remarks

@@ -42,6 +42,13 @@ impl CycleResult {
         self.status.filter(|_| !self.checks.is_empty())
     }
 
+    /// The same where a tool table is at hand and the tool of Q330 is monitored: without the remark that it is not.
+    #[must_use]
+    pub fn with_tool_table(mut self) -> Self {
+        self.remarks.retain(|remark| !matches!(remark, Remark::ToolNotMonitored { .. }));
+        self
+    }
+
     /// A measured length by its name.
     pub fn length(&self, name: FoundName) -> Option<Length> {
         let found = self.results.iter().find(|found| found.name == name)?;
@@ -351,8 +358,8 @@ pub enum Remark {
         /// The parameter.
         key: Key,
     },
-    /// A tool was named (Q330) that a control would correct.
-    ToolLeftAlone {
+    /// A tool was named (Q330), and there is no tool table: nothing monitors it.
+    ToolNotMonitored {
         /// Its number or name.
         tool: String,
     },

@@ -1,6 +1,6 @@
 //! Cycle 421, measure hole: limits in Q275 and Q276.
 
-use super::circle_cycle::{Side, figures, parameters, run, subject, surface};
+use super::circle_cycle::{Side, corrects, figures, parameters, run, subject, surface};
 use crate::probing::cycle::{Control, Cycle, Log, LogFigure, Note, Parameter, TextLog, Window};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{En, Nl};
@@ -24,6 +24,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     surface: |inputs| surface(SIDE.feature, inputs),
     run: |inputs, course| run(&SIDE, inputs, course),
     subject: |inputs| Some(subject(inputs)),
+    corrects: |result| corrects(&SIDE, result),
     window: Window::Diameter,
     log: Log::Text(TextLog { file: "TCHPR421.TXT", figures: &FIGURES }),
 };

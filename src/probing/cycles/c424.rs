@@ -1,6 +1,6 @@
 //! Cycle 424, measure rectangle outside: a boss with its sides along the axes, limits in Q284 to Q287.
 
-use super::rectangle_cycle::{FIGURES, PARAMETERS, run, subject, surface};
+use super::rectangle_cycle::{FIGURES, PARAMETERS, corrects, run, subject, surface};
 use crate::probing::cycle::{Control, Cycle, Log, Note, TextLog, Window};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{En, Nl};
@@ -16,6 +16,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     surface: |inputs| surface(Feature::Shaft, inputs),
     run: |inputs, course| run(Feature::Shaft, inputs, course),
     subject: |inputs| Some(subject(inputs)),
+    corrects: |result| corrects(Feature::Shaft, result),
     window: Window::Own("rectangle"),
     log: Log::Text(TextLog { file: "TCHPR424.TXT", figures: FIGURES }),
 };

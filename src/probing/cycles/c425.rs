@@ -6,7 +6,9 @@
 //! second probing begins, at rapid traverse, as far from the wall as the nominal width suggests.
 
 use super::probed::{clearance, met, probing};
-use super::width_cycle::{AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, axis, measured, subject, surface};
+use super::width_cycle::{
+    AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, axis, corrects, measured, subject, surface,
+};
 use crate::probing::contact::Contact;
 use crate::probing::cycle::shared::{
     CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG, MOVE_TO_CLEARANCE, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
@@ -58,6 +60,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     },
     run,
     subject: |inputs| Some(subject(inputs)),
+    corrects: |result| corrects(Feature::Hole, result),
     window: Window::Own("width"),
     log: Log::Text(TextLog { file: "TCHPR425.TXT", figures: FIGURES }),
 };

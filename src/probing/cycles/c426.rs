@@ -6,7 +6,7 @@
 //! Q320 and the ball's radius away from its point, so the first point has the larger coordinate.
 
 use super::probed::met_at;
-use super::width_cycle::{AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, measured, subject, surface};
+use super::width_cycle::{AXIS, FIGURES, MAXIMUM, MINIMUM, WIDTH, along_axis, corrects, measured, subject, surface};
 use crate::probing::cycle::shared::{
     CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG, POINT_1, POINT_2, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
@@ -52,6 +52,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     },
     run,
     subject: |inputs| Some(subject(inputs)),
+    corrects: |result| corrects(Feature::Shaft, result),
     window: Window::Own("width"),
     log: Log::Text(TextLog { file: "TCHPR426.TXT", figures: FIGURES }),
 };

@@ -16,8 +16,8 @@ use crate::probing::cycle::shared::{
     STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Control, Course, Cycle, CycleError, FigureKind, Found, FoundName, Inputs, Key, Log, LogFigure, Meaning, Measured,
-    Note, Parameter, Remark, TextLog, Window, limits, nearest,
+    Control, Corrected, Correction, Course, Cycle, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key,
+    Log, LogFigure, Meaning, Measured, Note, Parameter, Remark, TextLog, Window, limits, nearest,
 };
 use crate::probing::simulated::{Face, Surface};
 use crate::tolerance::Feature;
@@ -77,6 +77,7 @@ pub(super) const CYCLE: Cycle = Cycle {
             .find(|(_, axis)| *axis == inputs.whole(272))
             .map(|(name, _)| name.to_owned())
     },
+    corrects,
     window: Window::Own("427"),
     log: Log::Text(TextLog {
         file: "TCHPR427.TXT",
@@ -102,6 +103,19 @@ fn nominal(inputs: &Inputs) -> Length {
         2 => 264,
         _ => 261,
     }))
+}
+
+/// The deviation from the middle of the limits corrects the radius in axis 1 and 2, the length in axis 3. In plus
+/// direction the ball meets the lower wall: a smaller coordinate than wanted is material that a small tool has left. In
+/// axis 3 a surface that is too high was cut by a tool that is shorter than its table says.
+fn corrects(result: &CycleResult) -> Option<Correction> {
+    let check = result.checks.first()?;
+    let off = check.measured.saturating_sub(check.minimum.midpoint(check.maximum));
+    Some(match (result.inputs.whole(272), result.inputs.whole(267)) {
+        (3, _) => Correction { of: Corrected::Length, by: off.negated() },
+        (_, 1) => Correction { of: Corrected::Radius, by: off },
+        _ => Correction { of: Corrected::Radius, by: off.negated() },
+    })
 }
 
 /// Runs the cycle on checked inputs.

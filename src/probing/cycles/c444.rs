@@ -69,6 +69,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     surface: |inputs| Surface::Point(FreePoint::flat(point(inputs), normal(inputs).unwrap_or_default())),
     run,
     subject: |_inputs| None,
+    corrects: |_result| None,
     window: Window::Own("444"),
     log: Log::Points { file: "TCHPR444.html" },
 };

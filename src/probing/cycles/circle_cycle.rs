@@ -11,8 +11,8 @@ use crate::probing::cycle::shared::{
     MEASURING_LOG, MOVE_TO_CLEARANCE, REVERSED, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Angle, Axis, CircleFound, Course, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning,
-    Measured, Parameter, ParameterName, Plane, QUARTER_TURN, Remark, Texts, limits,
+    Angle, Axis, CircleFound, Correction, Course, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key,
+    LogFigure, Meaning, Measured, Parameter, ParameterName, Plane, QUARTER_TURN, Remark, Texts, limits,
 };
 use crate::probing::simulated::{Surface, Workpiece};
 use crate::tolerance::Feature;
@@ -135,6 +135,11 @@ pub(super) fn run(side: &Side, inputs: &Inputs, course: &mut Course<'_>) -> Resu
     let remarks = is_outside.then_some(Remark::NominalOutsideLimits { nominal }).into_iter().collect();
     let measured = judged::measured(inputs, contacts, checks, results);
     Ok(Measured { circle: Some(found), remarks, ..measured })
+}
+
+/// Q163 corrects the tool's radius.
+pub(super) fn corrects(side: &Side, result: &CycleResult) -> Option<Correction> {
+    Some(Correction::of_size(side.feature, result.length(FoundName::DIAMETER_DEVIATION)?))
 }
 
 /// The hole or shaft at its nominal size.

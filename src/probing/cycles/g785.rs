@@ -105,6 +105,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     surface,
     run,
     subject: |_inputs| None,
+    corrects: |_result| None,
     window: Window::None,
     log: Log::Screen,
 };

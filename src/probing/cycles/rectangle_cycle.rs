@@ -16,8 +16,8 @@ use crate::probing::cycle::shared::{
     MOVE_TO_CLEARANCE, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Axis, Course, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning, Measured, Parameter,
-    limits,
+    Axis, Correction, Course, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning,
+    Measured, Parameter, limits,
 };
 use crate::probing::simulated::{Surface, Walls};
 use crate::probing::vector::along;
@@ -136,6 +136,11 @@ fn pre_position(inputs: &Inputs, before: Option<[f64; 3]>, to: [f64; 3], course:
     let corner = if is_from_first { [before_x, to_y, height] } else { [to_x, before_y, height] };
     course.pre_position(corner);
     course.pre_position(to);
+}
+
+/// Q164 corrects the tool's radius: only the first side counts.
+pub(super) fn corrects(feature: Feature, result: &CycleResult) -> Option<Correction> {
+    Some(Correction::of_size(feature, result.length(FoundName::SIDE_DEVIATION_1)?))
 }
 
 /// The results of four contacts on the walls: Q151, Q152 centre, Q154, Q155 sides, Q161 to Q165 their deviations.

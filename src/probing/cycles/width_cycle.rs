@@ -8,7 +8,8 @@ use super::judged;
 use crate::length::Length;
 use crate::probing::contact::Contact;
 use crate::probing::cycle::{
-    Axis, CycleError, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning, Measured, Parameter, Remark,
+    Axis, Correction, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key, LogFigure, Meaning, Measured,
+    Parameter, Remark,
 };
 use crate::probing::simulated::{Surface, Walls};
 use crate::tolerance::Feature;
@@ -62,6 +63,11 @@ pub(super) fn surface(feature: Feature, [x, y]: [f64; 2], inputs: &Inputs) -> Su
 /// The nominal width, as the status window shows it.
 pub(super) fn subject(inputs: &Inputs) -> String {
     inputs.length(311).to_string()
+}
+
+/// Q166 corrects the tool's radius.
+pub(super) fn corrects(feature: Feature, result: &CycleResult) -> Option<Correction> {
+    Some(Correction::of_size(feature, result.length(FoundName::WIDTH_DEVIATION)?))
 }
 
 /// The results of two contacts on the walls.

@@ -79,7 +79,7 @@ impl Purpose {
             Self::OpenCycleFile(CycleFile::Probes) => vec!["tp"],
             // The endings that the control uses: text, and a page.
             Self::SaveCycleLog => vec!["txt", "html"],
-            Self::OpenProgram => vec!["h"],
+            Self::OpenProgram => vec!["h", "i"],
         }
     }
 
@@ -125,7 +125,7 @@ impl Purpose {
     pub fn of_file(name: &str, head: &[u8]) -> Result<Self, OpenError> {
         let ending = Path::new(name).extension().map(|ending| ending.to_string_lossy().to_lowercase());
         let purpose = match ending.as_deref().unwrap_or_default() {
-            "h" => Some(Self::OpenProgram),
+            "h" | "i" => Some(Self::OpenProgram),
             "tab" => Some(Self::OpenTable),
             "toml" => Some(Self::OpenCycleFile(CycleFile::Workpiece)),
             "tp" => Some(Self::OpenCycleFile(CycleFile::Probes)),
@@ -148,6 +148,9 @@ fn by_content(head: &[u8]) -> Option<Purpose> {
     }
     let first = text.lines().find(|line| !line.trim().is_empty())?.to_uppercase();
     let first = first.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace() || c == '\u{feff}');
+    if is_iso(first) {
+        return Some(Purpose::OpenProgram);
+    }
     let begins = first.strip_prefix("BEGIN ")?;
     if begins.starts_with("PGM ") {
         Some(Purpose::OpenProgram)
@@ -158,4 +161,10 @@ fn by_content(head: &[u8]) -> Option<Purpose> {
     } else {
         None
     }
+}
+
+/// The first line of an ISO program in capitals: `%NAME G71 *`.
+fn is_iso(line: &str) -> bool {
+    let unit = line.strip_prefix('%').map(|line| line.trim_end_matches(['*', ' ']).rsplit(' ').next());
+    matches!(unit, Some(Some("G70" | "G71")))
 }

@@ -2,7 +2,6 @@
 
 use std::sync::Arc;
 
-use super::super::around::Made;
 use super::super::budget::{Settings, UsedUp};
 use super::super::cycles::{Asked, CycleRun, cycle_of, hand_over};
 use super::super::fault::{Counted, Fault, FaultKind};
@@ -17,7 +16,7 @@ use super::Run;
 use crate::control::mask::Context;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
-use crate::nc::program::{Block, Body, CycleBlock, Frame, MachineFunction, PassedOver, TextOperand};
+use crate::nc::program::{Block, Body, CycleBlock, MachineFunction, PassedOver, TextOperand};
 use crate::probing::cycle::LogTarget;
 
 impl Run {
@@ -75,10 +74,6 @@ impl Run {
                 let path = self.path_of(path)?;
                 self.call_program(at, path, files)?;
             }
-            Body::SelectProgram(path) => {
-                let path = self.path_of(path)?;
-                self.around.select(path);
-            }
             Body::CallSelectedProgram => {
                 let path = self.around.selected().cloned().ok_or(FaultKind::NothingSelected)?;
                 self.call_program(at, path, files)?;
@@ -119,6 +114,8 @@ impl Run {
             Body::ToolCall { tool, axis, .. } => {
                 self.around.call_tool(tool.is_some(), *axis);
                 self.cycles.call_tool(tool.as_ref(), &settings.probe_table, &self.values)?;
+                let remarks = self.tools.call(tool.as_ref(), &self.values)?;
+                self.remarks.add_all(&self.flow.place_of(at), remarks);
             }
             Body::Move(movement) => {
                 self.around.turn(&movement.axes, &self.values);
@@ -131,19 +128,12 @@ impl Run {
                 self.way.jump(goes, self.flow.unit(), &self.around, &self.values)?;
                 return Ok(self.machine_functions(at, machine, settings));
             }
-            Body::CycleDefinition(cycle) => {
-                self.around.pass_over(&format!("CYCL DEF {}", cycle.number));
-                self.around.stated(cycle, &mut self.values)?;
-            }
-            Body::GlobalDefinition(cycle) => self.around.define(cycle, self.flow.unit(), &self.values)?,
-            Body::Mode(mode) => self.around.set_mode(*mode),
-            Body::Frame(frame) => self.change(at, frame)?,
-            Body::SystemRead { to } => {
-                let given = self.values.undefine(*to, self.is_main());
-                let remark = if given.is_none() { Some(Remark::NoSystemData { parameter: *to }) } else { None };
-                self.note_given(at, *to, given);
-                self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
-            }
+            Body::SelectProgram(_)
+            | Body::CycleDefinition(_)
+            | Body::GlobalDefinition(_)
+            | Body::Mode(_)
+            | Body::Frame(_)
+            | Body::SystemRead { .. } => self.set_up(at, &block.body)?,
             Body::MachineFunctions(functions) => return Ok(self.machine_functions(at, functions, settings)),
             Body::Stop(functions) => {
                 self.around.stop();
@@ -165,7 +155,7 @@ impl Run {
     }
 
     /// The path in an operand, relative to the running program.
-    fn path_of(&self, operand: &TextOperand) -> Result<NcPath, FaultKind> {
+    pub(super) fn path_of(&self, operand: &TextOperand) -> Result<NcPath, FaultKind> {
         Ok(self.flow.path().resolve(self.values.text_operand(operand)?)?)
     }
 
@@ -187,12 +177,12 @@ impl Run {
     }
 
     /// Whether the main program is running.
-    fn is_main(&self) -> bool {
+    pub(super) fn is_main(&self) -> bool {
         !self.flow.is_within_call()
     }
 
     /// Adds a remark about a value that was given before the run and takes the place of a block's value.
-    fn note_given(&mut self, at: usize, parameter: Parameter, given: Option<Value>) {
+    pub(super) fn note_given(&mut self, at: usize, parameter: Parameter, given: Option<Value>) {
         if let Some(value) = given {
             self.remark(at, Remark::GivenWins { parameter, value: shown_arg(&value) });
         }
@@ -264,11 +254,12 @@ impl Run {
         if let Some(other) = self.cycles.other_probe() {
             self.remark(at, other);
         }
+        self.remarks.add_all(&place, self.tools.called());
         let asked = Asked { block, unit: self.flow.unit(), placement, position: self.way.place() };
         let (path, result) = self.cycles.measure(cycle, &asked, &self.around, &self.values)?;
         let path = placement.moves(&path);
         self.way.follow(&place, &path)?;
-        let result = result?;
+        let result = self.tools.seen(result?);
         hand_over(cycle, &result, &path, self.flow.unit(), &mut self.values)?;
         self.around.stated(block, &mut self.values)?;
         if let Some(log) = Log::of(cycle, &result, &self.flow, settings)? {
@@ -279,18 +270,10 @@ impl Run {
             (None, LogTarget::Screen) => Step::Paused(Pause::Log),
             (None, LogTarget::None | LogTarget::File(_) | LogTarget::Shown) => Step::Went,
         };
+        // The last step: what was measured stands, even if the tool is broken.
+        let monitored = self.tools.monitor(&place, cycle, &result, &mut self.remarks);
         self.cycles.keep(CycleRun { place, cycle, result });
-        Ok(step)
-    }
-
-    /// A change of the system that coordinates count in.
-    fn change(&mut self, at: usize, frame: &Frame) -> Result<(), FaultKind> {
-        let program = self.flow.program();
-        let line = program.blocks().get(at).map_or(0, |block| block.lines.start + 1);
-        let text = program.text_of(at).next().unwrap_or_default().trim().to_owned();
-        let remark = self.around.change(frame, Made { line, text }, self.flow.unit(), &self.values)?;
-        self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
-        Ok(())
+        monitored.map(|()| step)
     }
 
     /// M0, M1, M2 and M30 act at once, some are remembered; the others have no effect here.

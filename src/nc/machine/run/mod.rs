@@ -1,7 +1,8 @@
 //! The machine as its users see it: set up, run block by block, asked what it has done.
 //!
-//! `blocks` has what each block does.
+//! `blocks` has what each block does, `around` those that set something up.
 
+mod around;
 mod blocks;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -21,7 +22,9 @@ use super::remark::{Remark, Remarks};
 use super::step::{Pause, Step};
 use super::store::{Origin, Store};
 use super::tables::Tables;
+use super::tools::{ToolChanged, Tools};
 use super::values::Values;
+use crate::control::tool_table::ToolTable;
 use crate::control::variables::{Parameter, Value, Variables};
 use crate::message::Message;
 use crate::nc::program::{Program, Unit};
@@ -35,6 +38,7 @@ struct Run {
     tables: Tables,
     prints: Prints,
     cycles: Cycles,
+    tools: Tools,
     way: Way,
     around: Around,
     remarks: Remarks,
@@ -53,6 +57,7 @@ impl Run {
             tables: Tables::default(),
             prints: Prints::new(settings.budget),
             cycles: Cycles::new(contacts, settings),
+            tools: Tools::new(settings.tool_table.clone()),
             way: Way::new(&settings.budget),
             around: Around::new(),
             remarks: Remarks::new(&settings.budget),
@@ -235,6 +240,16 @@ impl Machine {
     /// What the cycles have found, in order.
     pub fn cycles(&self) -> &[CycleRun] {
         self.run.cycles.runs()
+    }
+
+    /// The tool table as the run has changed it, if it has one; the store is not asked to write it.
+    pub const fn tool_table(&self) -> Option<&ToolTable> {
+        self.run.tools.table()
+    }
+
+    /// What cycles with Q330 have changed in the tool table, in order.
+    pub fn tool_changes(&self) -> &[ToolChanged] {
+        self.run.tools.changes()
     }
 
     /// The path of the ball's centre so far.

@@ -315,7 +315,7 @@ pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
 }
 
 /// What a cycle of `CYCL DEF` with its lines says: 247 sets a preset, the others are machining.
-pub(super) fn defined(cycle: CycleBlock) -> Body {
+pub(in super::super) fn defined(cycle: CycleBlock) -> Body {
     if cycle.number != "247" {
         return Body::CycleDefinition(cycle);
     }

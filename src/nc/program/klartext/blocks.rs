@@ -1,29 +1,14 @@
 //! From lines to blocks.
 
-use super::super::block::{Block, Body, Place, Unit};
-use super::super::cursor::Cursor;
+use super::super::block::{Block, Body, CycleBlock, Unit};
 use super::super::error::ProgramWarningKind;
-use super::super::fault::BlockFault;
 use super::super::lines::{Front, Lines, Piece, first, front, next, trimmed};
-use super::super::warnings::Warnings;
+use super::super::numbering::Numbering;
+use super::super::warnings::{Odd, Warnings};
+use super::super::weight::Weight;
 use super::cut_off::{Before, CutOff, belongs, cut_off};
 use super::cycle;
-use super::understand::{Odd, understand};
-
-/// The most text in formulas and in lines longer than [`LONG`], 8 MiB: once read, it takes up to fifty times its length
-/// in memory. Real programs stay far below.
-const MOST_FORMULAS: usize = 8 << 20;
-/// A line from this length on is long: a control's has about 250 characters.
-const LONG: usize = 256;
-
-/// A number that does not rise.
-#[derive(Debug, Clone, Copy)]
-struct NotRising {
-    line: usize,
-    number: u32,
-    previous: u32,
-    count: usize,
-}
+use super::understand::understand;
 
 pub(super) struct Reader<'a> {
     text: &'a str,
@@ -31,13 +16,12 @@ pub(super) struct Reader<'a> {
     warnings: &'a mut Warnings,
     blocks: Vec<Block>,
     pieces: Vec<Piece<'a>>,
-    formulas: usize,
-    number: Option<u32>,
+    weight: Weight,
+    numbering: Numbering,
     /// The cycle directly before.
     cycle: Option<Before>,
     /// How many blocks there were when lines were added to the last one.
     joined: Option<usize>,
-    not_rising: Option<NotRising>,
     begin: Option<Unit>,
     has_end: bool,
     has_text_after_end: bool,
@@ -51,11 +35,10 @@ impl<'a> Reader<'a> {
             warnings,
             blocks: Vec::new(),
             pieces: Vec::new(),
-            formulas: 0,
-            number: None,
+            weight: Weight::default(),
+            numbering: Numbering::default(),
             cycle: None,
             joined: None,
-            not_rising: None,
             begin: None,
             has_end: false,
             has_text_after_end: false,
@@ -67,8 +50,8 @@ impl<'a> Reader<'a> {
         while line < self.lines.count() {
             line = if trimmed(self.line(line)).is_empty() { line + 1 } else { self.block(line) };
         }
-        if let Some(NotRising { line, number, previous, count }) = self.not_rising {
-            self.warn(line, 0, ProgramWarningKind::Numbers { number, previous, count });
+        if let Some((line, what)) = self.numbering.warning() {
+            self.warn(line, 0, what);
         }
         if let (false, Some(last)) = (self.has_end, self.blocks.last()) {
             self.warn(last.lines.end - 1, 0, ProgramWarningKind::NoEnd);
@@ -80,14 +63,8 @@ impl<'a> Reader<'a> {
         self.lines.line(self.text, line)
     }
 
-    /// A place in a line: bytes turned into characters.
-    fn place(&self, line: usize, at: usize) -> Place {
-        let before = self.line(line).get(..at).map_or(0, |before| before.chars().count());
-        Place { line: line + 1, column: before + 1 }
-    }
-
     fn warn(&mut self, line: usize, at: usize, what: ProgramWarningKind) {
-        let place = self.place(line, at);
+        let place = self.lines.place(self.text, line, at);
         self.warnings.add(place, || what);
     }
 
@@ -95,11 +72,13 @@ impl<'a> Reader<'a> {
     fn block(&mut self, line: usize) -> usize {
         let front = front(self.line(line));
         let end = self.collect(line, front.end);
-        self.check_number(line, front);
+        self.numbering.next(line, front.number);
         if self.join(line, front, end) {
             return end;
         }
-        let read = self.weigh().and_then(|()| understand(&self.pieces, |line, at| self.place(line, at)));
+        let weighed = self.weight.add(&self.pieces, &["Q", "FN", "DECLARE"]);
+        let place = |line, at| self.lines.place(self.text, line, at);
+        let read = weighed.and_then(|()| understand(&self.pieces, place));
         let body = read.unwrap_or_else(|Odd { line, at, what }| {
             self.warn(line, at, what);
             Body::Other
@@ -126,28 +105,24 @@ impl<'a> Reader<'a> {
         let Some(&first) = self.pieces.first().filter(|first| belongs(self.blocks.last(), front, first)) else {
             return false;
         };
-        let Some(Block { body: Body::CycleDefinition(cycle) | Body::GlobalDefinition(cycle), lines, .. }) =
-            self.blocks.last()
-        else {
-            return false;
-        };
-        let mut cycle = cycle.clone();
-        let before = lines.end;
+        let mut added = CycleBlock { number: String::new(), name: String::new(), lines: Vec::new() };
         for piece in &self.pieces {
-            if cycle::line(&mut cycle, piece, |at| self.place(piece.line, piece.start + at)).is_err() {
+            if cycle::line(&mut added, piece, |at| self.lines.place(self.text, piece.line, piece.start + at)).is_err() {
                 return false;
             }
         }
-        // Said once for each cycle.
-        if self.joined.replace(self.blocks.len()) != Some(self.blocks.len()) {
-            let what = ProgramWarningKind::CycleWithoutTilde { cycle: cycle.number.clone(), line: before };
-            self.warn(line, first.start, what);
-        }
-        if let Some(Block { body: Body::CycleDefinition(whole) | Body::GlobalDefinition(whole), lines, .. }) =
+        let count = self.blocks.len();
+        let Some(Block { body: Body::CycleDefinition(cycle) | Body::GlobalDefinition(cycle), lines, .. }) =
             self.blocks.last_mut()
-        {
-            *whole = cycle;
-            lines.end = end;
+        else {
+            return false;
+        };
+        cycle.lines.append(&mut added.lines);
+        let (number, before) = (cycle.number.clone(), lines.end);
+        lines.end = end;
+        // Said once for each cycle.
+        if self.joined.replace(count) != Some(count) {
+            self.warn(line, first.start, ProgramWarningKind::CycleWithoutTilde { cycle: number, line: before });
         }
         true
     }
@@ -178,29 +153,6 @@ impl<'a> Reader<'a> {
             end += 1;
         }
         end
-    }
-
-    /// Counts the total of formulas and long lines; too much is an error.
-    fn weigh(&mut self) -> Result<(), Odd> {
-        let Some(&first) = self.pieces.first() else { return Ok(()) };
-        let is_formula = ["Q", "FN", "DECLARE"].iter().any(|word| Cursor::new(first.code).take_prefix(word));
-        let lengths = self.pieces.iter().map(|piece| piece.code.len());
-        let weight: usize = lengths.filter(|length| is_formula || LONG < *length).sum();
-        self.formulas = self.formulas.saturating_add(weight);
-        if weight == 0 || self.formulas <= MOST_FORMULAS {
-            return Ok(());
-        }
-        let reason = BlockFault::TooMuch { most: MOST_FORMULAS >> 20 };
-        Err(Odd { line: first.line, at: first.start, what: ProgramWarningKind::NotUnderstood(reason) })
-    }
-
-    fn check_number(&mut self, line: usize, front: Front) {
-        let Some(number) = front.number else { return };
-        if let Some(previous) = self.number.filter(|&previous| number <= previous) {
-            let first = NotRising { line, number, previous, count: 0 };
-            self.not_rising.get_or_insert(first).count += 1;
-        }
-        self.number = Some(number);
     }
 
     /// Checks that the program begins and ends correctly.

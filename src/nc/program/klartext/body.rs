@@ -9,9 +9,9 @@ use super::moves::{is_machine_function, line, machine_functions, tool_call};
 use crate::control::variables::Family;
 
 /// The largest number of a label.
-const MOST_LABEL: u32 = 65_535;
+pub(in super::super) const MOST_LABEL: u32 = 65_535;
 /// How often a part of a program can be repeated.
-const MOST_REPEATS: u32 = 65_534;
+pub(in super::super) const MOST_REPEATS: u32 = 65_534;
 
 /// Reads a block that is neither heading nor cycle. A block with an unknown beginning is [`Body::Other`].
 pub(super) fn body(code: &str) -> Read<Body> {

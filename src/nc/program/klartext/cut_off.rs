@@ -16,7 +16,7 @@ use crate::probing::cycles::cycles_of;
 
 /// A cycle, and nothing behind it yet but comments and lines that may be its own.
 #[derive(Debug)]
-pub(super) struct Before {
+pub(in super::super) struct Before {
     has_number: bool,
     code: String,
     /// Its last line, from 1.
@@ -25,7 +25,13 @@ pub(super) struct Before {
 
 impl Before {
     /// The cycle that a block is, or that it still stands behind.
-    pub(super) fn after(before: Option<Self>, front: Front, body: &Body, end: usize, is_cut_off: bool) -> Option<Self> {
+    pub(in super::super) fn after(
+        before: Option<Self>,
+        front: Front,
+        body: &Body,
+        end: usize,
+        is_cut_off: bool,
+    ) -> Option<Self> {
         match body {
             Body::Probe(CycleBlock { number, .. }) => {
                 Some(Self { has_number: front.number.is_some(), code: number.clone(), line: end })
@@ -44,7 +50,7 @@ impl Before {
 
 /// What is wrong, in which of the pieces, and whether the block can mean something else: a control may read it otherwise than
 /// whoever wrote it.
-pub(super) struct CutOff {
+pub(in super::super) struct CutOff {
     pub piece: usize,
     pub what: ProgramWarningKind,
     pub is_refused: bool,
@@ -73,7 +79,12 @@ pub(super) fn cut_off(before: Option<&Before>, front: Front, pieces: &[Piece<'_>
 }
 
 /// `Q275=+25.01` where the cycle's next line would stand.
-fn assigned(before: Option<&Before>, front: Front, first: &Piece<'_>, read: &Body) -> Option<CutOff> {
+pub(in super::super) fn assigned(
+    before: Option<&Before>,
+    front: Front,
+    first: &Piece<'_>,
+    read: &Body,
+) -> Option<CutOff> {
     let before = before?;
     let (Body::Assign { to: parameter, .. } | Body::AssignText { to: parameter, .. }) = read else { return None };
     // `FN 0:` and `DECLARE STRING` begin no line of a cycle.

@@ -7,13 +7,13 @@ use super::super::lines::Piece;
 use crate::control::variables::Family;
 
 /// The number and the name, after `TCH PROBE` or `CYCL DEF`.
-pub(super) fn head(cursor: &mut Cursor<'_>) -> Read<CycleBlock> {
+pub(in super::super) fn head(cursor: &mut Cursor<'_>) -> Read<CycleBlock> {
     let Some(number) = cursor.number_text() else { return Err(cursor.stop(Wanted::Number)) };
     Ok(CycleBlock { number: number.to_owned(), name: cursor.take_rest().to_owned(), lines: Vec::new() })
 }
 
 /// Adds the content of a line; `column` turns a byte position in the line's code into a place.
-pub(super) fn line(cycle: &mut CycleBlock, piece: &Piece<'_>, column: impl Fn(usize) -> Place) -> Read<()> {
+pub(in super::super) fn line(cycle: &mut CycleBlock, piece: &Piece<'_>, column: impl Fn(usize) -> Place) -> Read<()> {
     let mut cursor = Cursor::new(piece.code);
     while !cursor.is_at_end() {
         let place = column(cursor.at());

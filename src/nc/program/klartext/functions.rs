@@ -48,7 +48,7 @@ pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
 }
 
 /// `Q5 = …`, `QS5 = …`, `Q5 SET UNDEFINED`.
-pub(super) fn assignment(cursor: &mut Cursor<'_>) -> Read<Body> {
+pub(in super::super) fn assignment(cursor: &mut Cursor<'_>) -> Read<Body> {
     let to = cursor.any_parameter()?;
     if cursor.take_words(&["SET", "UNDEFINED"]) {
         return Ok(Body::Undefine(to));

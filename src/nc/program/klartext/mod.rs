@@ -22,6 +22,15 @@ use super::block::Block;
 use super::lines::Lines;
 use super::warnings::Warnings;
 
+// What other notations have in common with Klartext.
+pub(super) use around::defined;
+pub(super) use body::{MOST_LABEL, MOST_REPEATS};
+pub(super) use cut_off::{Before, assigned};
+pub(super) use cycle::{head as cycle_head, line as cycle_line};
+pub(super) use functions::assignment;
+pub(super) use moves::{MOST_M, tool};
+pub(super) use understand::heading;
+
 /// Reads the blocks of a program.
 pub(super) fn read(text: &str, lines: &Lines, warnings: &mut Warnings) -> Vec<Block> {
     blocks::Reader::new(text, lines, warnings).read()

@@ -7,7 +7,7 @@ use super::super::words::{AXES, COMPENSATIONS, meaning};
 use crate::control::variables::Family;
 
 /// The largest number of an M function.
-const MOST_M: u32 = 9999;
+pub(in super::super) const MOST_M: u32 = 9999;
 
 /// `L …`, after the word.
 pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
@@ -95,7 +95,7 @@ pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<Body> {
     Ok(Body::ToolCall { tool, axis, rest: cursor.take_rest().to_owned() })
 }
 
-fn tool(cursor: &mut Cursor<'_>) -> Read<Option<Tool>> {
+pub(in super::super) fn tool(cursor: &mut Cursor<'_>) -> Read<Option<Tool>> {
     if let Some(name) = cursor.quoted() {
         return Ok(Some(Tool::Name(TextOperand::Text(name.to_owned()))));
     }

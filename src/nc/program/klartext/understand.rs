@@ -5,21 +5,11 @@ use super::super::cursor::{Cursor, Stop};
 use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::lines::Piece;
+use super::super::warnings::{LONGEST, Odd};
 use super::super::words::DEEPEST;
 use super::around;
 use super::body::body;
 use super::cycle;
-
-/// The longest block that is parsed, in bytes; a control accepts a few hundred characters per line.
-const LONGEST: usize = 1 << 16;
-
-/// A warning and its place: line from 0, bytes from the line's beginning.
-#[derive(Debug)]
-pub(super) struct Odd {
-    pub line: usize,
-    pub at: usize,
-    pub what: ProgramWarningKind,
-}
 
 /// What the lines of a block say; `place` turns a line and its bytes into a place in characters.
 pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> Place) -> Result<Body, Odd> {
@@ -93,7 +83,7 @@ fn cycle(
 }
 
 /// `* - text`: each two more blanks before or after the dash are one level more.
-fn heading(text: &str) -> Body {
+pub(in super::super) fn heading(text: &str) -> Body {
     let blanks = |text: &str| text.len() - text.trim_start_matches(' ').len();
     let before = blanks(text);
     let text = text.trim();

@@ -1,0 +1,206 @@
+//! G functions and blocks of words without one.
+
+use super::super::around::{Goes, PassedOver};
+use super::super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement, Operand};
+use super::super::cursor::{Read, Stop};
+use super::super::fault::{BlockFault, Wanted};
+use super::frames;
+use super::modes::{Measure, Modes};
+use super::words::{AxisAt, Function, Words, name};
+
+/// Letters of axes.
+pub(super) const ALL_AXES: &str = "XYZABCUVW";
+
+/// Planes: each has its tool axis.
+const PLANES: [(u32, Axis); 3] = [(17, Axis::Z), (18, Axis::Y), (19, Axis::X)];
+/// Corrections of the tool radius, and what Klartext calls them.
+const COMPENSATIONS: [(u32, &str); 3] = [(40, "R0"), (41, "RL"), (42, "RR")];
+
+/// What a block says that consists of words.
+pub(super) fn body(words: &Words<'_>, modes: &mut Modes) -> Read<Body> {
+    let is_plane = |number| PLANES.iter().any(|(of, _)| *of == number);
+    let is_compensation = |number| COMPENSATIONS.iter().any(|(of, _)| *of == number);
+    let is_measure = |number| matches!(number, 90 | 91);
+    let block = Block {
+        words,
+        main: words.one_of(|number| !is_plane(number) && !is_compensation(number) && !is_measure(number))?,
+        plane: words.one_of(is_plane)?,
+        compensation: words.one_of(is_compensation)?,
+        measure: words.one_of(is_measure)?,
+    };
+    // In a path, and alone, G90 and G91 stay in force. Whether other functions change what is in force, and whether G91
+    // counts for them, is on no page that we found.
+    let is_path = block.main.is_none_or(|main| is_path(main.number));
+    let stated = block.stated();
+    let known = modes.measure.filter(|measure| is_path || *measure == Measure::Absolute);
+    let mut inside = *modes;
+    inside.measure = stated.or(known);
+    let body = block.body(&mut inside)?;
+    modes.path = inside.path;
+    if is_path {
+        modes.measure = inside.measure;
+    } else if stated.is_some() && stated != modes.measure {
+        modes.measure = None;
+    }
+    Ok(body)
+}
+
+const fn is_path(number: u32) -> bool {
+    matches!(number, 0..=3 | 5..=7 | 10..=13 | 15 | 16)
+}
+
+const fn is_polar(number: u32) -> bool {
+    matches!(number, 10..=16)
+}
+
+/// A block with its G functions by what they are about.
+pub(super) struct Block<'w, 'a> {
+    pub words: &'w Words<'a>,
+    pub main: Option<Function>,
+    pub plane: Option<Function>,
+    pub compensation: Option<Function>,
+    pub measure: Option<Function>,
+}
+
+impl Block<'_, '_> {
+    /// G90 or G91 in this block.
+    pub(super) fn stated(&self) -> Option<Measure> {
+        self.measure.map(|measure| if measure.number == 90 { Measure::Absolute } else { Measure::Incremental })
+    }
+
+    fn body(&self, modes: &mut Modes) -> Read<Body> {
+        let Some(main) = self.main else { return self.without_main(modes) };
+        if main.number != 30 && main.number != 31 {
+            self.refuse(self.plane)?;
+        }
+        if !is_path(main.number) {
+            self.refuse(self.compensation)?;
+        }
+        match main.number {
+            number if is_path(number) => {
+                modes.path = Some(number);
+                self.path(number, name(number), modes)
+            }
+            // Chamfer and rounding: the next block has the end of the path.
+            24 | 25 => self.passed_over("RFM", Goes::default()),
+            // Approach and departure end beside the contour.
+            26 | 27 => self.passed_over("RFM", Goes { is_unknown: true, axes: Vec::new() }),
+            // Dwell, pole, spindle, next tool, tolerance, and the old definition of a tool.
+            4 => self.passed_over("FSPHM", Goes::default()),
+            29 => self.passed_over("FM", Goes::default()),
+            // Where a cycle leaves the tool is the control's to know.
+            79 => self.passed_over("FM", Goes { is_unknown: true, axes: Vec::new() }),
+            36 | 62 => self.passed_over("STPHFM", Goes::default()),
+            51 | 99 => self.passed_over("TLR", Goes::default()),
+            // The blank.
+            30 | 31 => self.passed_over(ALL_AXES, Goes::default()),
+            38 => {
+                self.words.only("M")?;
+                Ok(Body::Stop(self.words.machine.clone()))
+            }
+            28 | 53 | 54 | 72 | 73 | 80 => frames::frame(self, main, modes).map(Body::Frame),
+            // A program by cycle 12, and the probing cycle 0.
+            39 | 55 => Err(Stop { at: main.at, reason: BlockFault::NoForm { found: name(main.number) } }),
+            _ => Err(Stop { at: main.at, reason: BlockFault::UnknownWord { found: name(main.number) } }),
+        }
+    }
+
+    fn without_main(&self, modes: &Modes) -> Read<Body> {
+        let words = self.words;
+        if !words.axes.is_empty() {
+            self.refuse(self.plane)?;
+            let path = modes.path.unwrap_or(2);
+            return self.path(path, words.shown(), modes);
+        }
+        let has_speed = words.value("S").is_some();
+        if self.plane.is_some() || words.tool.is_some() || has_speed && words.machine.is_empty() {
+            return self.tool_call();
+        }
+        if modes.path.is_some_and(is_polar) && ["R", "H"].iter().any(|name| words.value(name).is_some()) {
+            return self.path(modes.path.unwrap_or(10), words.shown(), modes);
+        }
+        words.only("FSIJKM")?;
+        if !words.machine.is_empty() && words.has_only("M") {
+            return Ok(Body::MachineFunctions(words.machine.clone()));
+        }
+        self.passed_over("FSIJKM", Goes::default())
+    }
+
+    /// `T5 G17 S2500 DL+0.2`; a plane alone sets the tool axis.
+    fn tool_call(&self) -> Read<Body> {
+        self.words.only("TSFD")?;
+        let axis =
+            self.plane.and_then(|plane| PLANES.iter().find(|(of, _)| *of == plane.number)).map(|(_, axis)| *axis);
+        let rest: Vec<&str> = self.words.values.iter().map(|word| word.text).collect();
+        Ok(Body::ToolCall { tool: self.words.tool.clone(), axis, rest: rest.join(" ") })
+    }
+
+    /// A path to the axes of the block.
+    fn path(&self, number: u32, shown: String, modes: &Modes) -> Read<Body> {
+        let axes = self.axes(modes)?;
+        let words = self.words;
+        if number < 2 {
+            words.only(&format!("{ALL_AXES}FM"))?;
+            let compensation =
+                self.compensation.and_then(|of| COMPENSATIONS.iter().find(|(known, _)| *known == of.number));
+            let feed = if number == 0 { Some(Feed::Rapid) } else { words.value("F").map(Feed::Value) };
+            let compensation = compensation.map(|(_, word)| (*word).to_owned());
+            return Ok(Body::Move(Movement { axes, compensation, feed, machine: words.machine.clone() }));
+        }
+        words.only(&format!("{ALL_AXES}IJKRHFM"))?;
+        let goes = Goes { is_unknown: is_polar(number), axes };
+        Ok(passed_over(shown, goes, &words.machine))
+    }
+
+    /// The axes with their values, as they count in this block.
+    pub(super) fn axes(&self, modes: &Modes) -> Read<Vec<AxisWord>> {
+        let Some(first) = self.words.axes.first() else { return Ok(Vec::new()) };
+        // Whether it counts for the axes before it is on no page that we found.
+        if let Some(late) = self.measure.filter(|measure| first.at < measure.at) {
+            return Err(Stop { at: late.at, reason: BlockFault::LeftOver { found: name(late.number) } });
+        }
+        let Some(measure) = modes.measure else { return Err(measure_unknown(first.at)) };
+        let is_incremental = measure == Measure::Incremental;
+        let word = |AxisAt { axis, value, at }: AxisAt| match value {
+            Some(value) => Ok(AxisWord { axis, is_incremental, value }),
+            None => Err(Stop { at, reason: BlockFault::Missing(Wanted::Value) }),
+        };
+        self.words.axes.iter().copied().map(word).collect()
+    }
+
+    fn passed_over(&self, letters: &str, goes: Goes) -> Read<Body> {
+        self.words.only(letters)?;
+        let shown = match self.words.functions.first() {
+            Some(first) => name(self.main.map_or(first.number, |main| main.number)),
+            None => self.words.shown(),
+        };
+        Ok(passed_over(shown, goes, &self.words.machine))
+    }
+
+    /// An error if a G function is there that means nothing here.
+    fn refuse(&self, function: Option<Function>) -> Read<()> {
+        match (function, self.main) {
+            (None, _) => Ok(()),
+            (Some(Function { number, at }), None) => {
+                Err(Stop { at, reason: BlockFault::LeftOver { found: name(number) } })
+            }
+            (Some(Function { number, at }), Some(main)) => {
+                Err(Stop { at, reason: BlockFault::NotTogether { one: name(main.number), other: name(number) } })
+            }
+        }
+    }
+}
+
+fn passed_over(words: String, goes: Goes, machine: &[MachineFunction]) -> Body {
+    Body::PassedOver(PassedOver { words, goes, machine: machine.to_vec() })
+}
+
+/// The reason that a value could count from either place.
+pub(super) const fn measure_unknown(at: usize) -> Stop {
+    Stop { at, reason: BlockFault::MeasureUnknown }
+}
+
+/// The value of a word that a G function needs.
+pub(super) fn needed(block: &Block<'_, '_>, main: Function, word: &'static str) -> Read<Operand> {
+    block.words.value(word).ok_or(Stop { at: main.at, reason: BlockFault::Missing(Wanted::Word(word)) })
+}
