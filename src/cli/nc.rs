@@ -49,7 +49,7 @@ pub(super) struct Args {
     /// A callout such as "25 H7", a plan as CSV, or - for a plan from standard input
     #[arg(value_name = "CALLOUT|PLAN.csv")]
     what: String,
-    /// Which control the files are for
+    /// Which control the files are for; an iTNC 530 needs NC software 340 49x-07 or 606 42x-02, or a later one
     #[arg(long, value_parser = control())]
     control: Control,
     /// Folder or .zip to write

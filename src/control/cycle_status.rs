@@ -26,7 +26,7 @@ pub fn cycle_variables(cycle: &Cycle, result: &CycleResult, language: Dialogue) 
     let mut variables = Variables::new();
     let given =
         cycle.parameters.iter().filter_map(|parameter| Some((parameter.key, result.inputs.value(parameter.key)?)));
-    let found = result.results.iter().map(|found| (found.key, &found.value));
+    let found = result.results.iter().filter_map(|found| Some((found.key?, &found.value)));
     for (key, value) in given.chain(found) {
         if let Some((parameter, value)) = variable(key, value) {
             variables.set(parameter, value);

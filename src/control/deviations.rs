@@ -2,7 +2,8 @@
 //!
 //! Layout as program 82551 of NC-Solution 8255 reads it (description of 7/2020): column BEREICH holds the upper,
 //! inclusive end of a size range in millimetres; each range has two rows, upper deviation then lower, in micrometres;
-//! each tolerance class has one column. Other columns are not used. Rules: `docs/SOURCES.md`, tables.
+//! each tolerance class has one column. Other columns are not used, and a warning says so: who writes the table again loses
+//! them. Rules: `docs/SOURCES.md`, tables.
 
 mod fault;
 mod write;
@@ -24,6 +25,16 @@ use crate::tolerance::{ClassError, DeviationTable, Deviations, ToleranceClass};
 const RANGE: &str = "BEREICH";
 /// Another spelling of it, used once in the description of NC-Solution 8255.
 const RANGE_ALIAS: &str = "BEREIK";
+/// The other spelling of the range column's name: NC-Solution 8255 has both, BEREICH and once BEREIK. `None` for any
+/// other name.
+pub fn other_spelling(name: &str) -> Option<&'static str> {
+    match name {
+        RANGE => Some(RANGE_ALIAS),
+        RANGE_ALIAS => Some(RANGE),
+        _ => None,
+    }
+}
+
 /// The column of the row number: never a deviation.
 const ROW_NUMBER: &str = "NR";
 
@@ -148,10 +159,14 @@ impl Reading<'_> {
                 self.warn(number, DeviationWarningKind::MixedCase { name: column.name.clone() });
                 return Ok(None);
             }
-            Err(_no_class) => return Ok(None),
+            Err(_no_class) => {
+                if self.has_text(number) {
+                    self.warn(number, DeviationWarningKind::OtherColumn { name: column.name.clone() });
+                }
+                return Ok(None);
+            }
         };
-        let has_text = (0..self.file.table.rows.len()).any(|row| !is_blank(self.file.table.cell(row, number)));
-        if has_text && !self.has_numbers(number) {
+        if self.has_text(number) && !self.has_numbers(number) {
             // Texts under a name that could be a class; if the block calls them texts, nothing is wrong.
             if column.is_text() != Some(true) {
                 self.warn(number, DeviationWarningKind::NoNumbers { name: column.name.clone() });
@@ -184,6 +199,10 @@ impl Reading<'_> {
                 Err(self.file.at_cell(missing, number, DeviationFault::Half { class, end }))
             }
         }
+    }
+
+    fn has_text(&self, column: usize) -> bool {
+        (0..self.file.table.rows.len()).any(|row| !is_blank(self.file.table.cell(row, column)))
     }
 
     fn has_numbers(&self, column: usize) -> bool {

@@ -191,11 +191,38 @@ fn the_declaration_is_listed() {
     assert!(text.contains("90°              ±5 … ±120 °, 120° with Q423 = 3\n"), "{text}");
     for code in ["421", "422", "427", "444", "G785"] {
         let json: Value = serde_json::from_str(&fitcheck(&[code, "--list", "--format", "json"], "").out).unwrap();
-        assert!(json.as_array().unwrap().iter().all(|row| row["question"].is_string()), "{json}");
+        let json = json["parameters"].as_array().unwrap();
+        assert!(json.iter().all(|row| row["question"].is_string()), "{json:?}");
         let csv = fitcheck(&[code, "--list", "--format", "csv"], "").out;
         assert!(csv.starts_with("key,name,question,unit,range,default,required,predef,effect\n"), "{csv}");
-        assert_eq!(csv.lines().count(), json.as_array().unwrap().len() + 1);
+        assert_eq!(csv.lines().count(), json.len() + 1);
     }
+}
+
+/// What the manuals say of a cycle and no simulation shows.
+#[test]
+fn the_notes_of_a_cycle_are_listed_with_it() {
+    let recommended = |cycle: &str| format!("where the control has cycle {cycle}, HEIDENHAIN recommends it instead");
+    let notes = |code: &str| match code {
+        "421" => vec![recommended("1401")],
+        "423" | "424" => vec![recommended("1403")],
+        "425" => vec![recommended("1404")],
+        "427" => vec!["the control needs software option #17 / #1-05-1".to_owned(), recommended("1400")],
+        "444" => vec![
+            "the machine builder must enable and adapt this cycle: see the machine manual".to_owned(),
+            "take the normal from a CAD or CAM system".to_owned(),
+        ],
+        _ => Vec::new(),
+    };
+    for code in ["421", "422", "423", "424", "425", "426", "427", "444", "G785"] {
+        let json: Value = serde_json::from_str(&fitcheck(&[code, "--list", "--format", "json"], "").out).unwrap();
+        assert_eq!((&json["cycle"], &json["notes"]), (&Value::from(code), &Value::from(notes(code))));
+        let text = fitcheck(&[code, "--list"], "").out;
+        let said: Vec<_> = text.lines().filter_map(|line| line.strip_prefix("note: ")).collect();
+        assert_eq!(said, notes(code), "{text}");
+    }
+    let dutch = fitcheck(&["444", "--list", "--language", "nl"], "").out;
+    assert!(dutch.ends_with("note: neem de normaal uit een CAD- of CAM-systeem\n"), "{dutch}");
 }
 
 #[test]
@@ -312,6 +339,30 @@ fn a_log_is_written_beside_others_and_read_again() {
     let refused = "fitcheck: log: the file ends within a line: it may be cut off, so nothing is added to it: ";
     assert_eq!((said.code, said.err), (Some(1), format!("{refused}{}\n", path.display())));
     assert_eq!(fitcheck::files::read(&path).unwrap(), one[..100]);
+}
+
+/// As `run --output-folder` does.
+#[test]
+fn the_folder_of_the_log_is_made() {
+    let folder = tempfile::tempdir().unwrap();
+    let new = folder.path().join("logs");
+    let said = fitcheck(
+        &[
+            "444",
+            "--log-folder",
+            &new.display().to_string(),
+            "--set",
+            "Q263=1",
+            "Q264=2",
+            "Q294=3",
+            "Q581=0",
+            "Q582=0",
+            "Q583=1",
+        ],
+        "",
+    );
+    assert_eq!(said.code, Some(0), "{}", said.err);
+    assert!(new.join("TCHPR444.html").is_file());
 }
 
 #[test]

@@ -198,7 +198,7 @@ fn round_ranges(maximum: &'static str, minimum: &'static str) -> Vec<Documented>
     ]
 }
 
-/// Seed 004 line by line.
+/// Manual TNC7 (Italian), line by line.
 const OF_427: &[Documented] = &[
     ("Q263", COORDINATE, false),
     ("Q264", COORDINATE, false),
@@ -216,7 +216,7 @@ const OF_427: &[Documented] = &[
     ("Q531", "-180 … 180", false),
 ];
 
-/// Seed 001 and the manual of the TNC 320; those of the normal, QS400 and MB are general knowledge.
+/// Manual TNC 640 (01/2021) and the manual of the TNC 320; those of the normal, QS400 and MB are general knowledge.
 const OF_444: &[Documented] = &[
     ("Q263", COORDINATE, false),
     ("Q264", COORDINATE, false),
@@ -288,7 +288,7 @@ const OF_426: &[Documented] = &[
     ("Q330", TOOL, false),
 ];
 
-/// Seed 003 gives no ranges except those of the choices.
+/// Manual CNC PILOT 640 gives no ranges except those of the choices.
 const OF_785: &[Documented] = &[
     ("R", "0, 1, 2", false),
     ("BR", "0, 1", false),

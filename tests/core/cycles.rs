@@ -62,7 +62,7 @@ fn round(result: &CycleResult) -> &CircleFound {
 
 /// The results as people read them.
 fn results(result: &CycleResult) -> String {
-    result.results.iter().map(|found| format!("{}={}", found.key, found.value)).collect::<Vec<_>>().join(" ")
+    result.results.iter().map(|found| format!("{}={}", found.called(), found.value)).collect::<Vec<_>>().join(" ")
 }
 
 #[track_caller]

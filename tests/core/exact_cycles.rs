@@ -92,7 +92,7 @@ impl Round {
 
     /// What the control lists, without the places of the contacts.
     fn listed(&self) -> Vec<(Key, Value)> {
-        self.run().results.into_iter().map(|found| (found.key, found.value)).collect()
+        self.run().results.into_iter().filter_map(|found| Some((found.key?, found.value))).collect()
     }
 }
 

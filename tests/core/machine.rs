@@ -13,7 +13,7 @@ use fitcheck::nc::machine::{
     UsedUp,
 };
 use fitcheck::nc::program::Program;
-use fitcheck::probing::cycle::Control;
+use fitcheck::probing::cycle::{Control, Move, Phase};
 use fitcheck::probing::cycles::cycles_of;
 use fitcheck::probing::simulated::Simulation;
 use fitcheck::probing::{Measurement, Origin};
@@ -464,6 +464,24 @@ fn tables_are_read_by_row_and_column() {
     assert_eq!(text_value(&machine, "QS2"), "a b");
 }
 
+/// NC-Solution 8255 reads BEREICH first and BEREIK after that, from the same table.
+#[test]
+fn the_range_column_is_found_in_both_spellings() {
+    let other = TABLE.replace("BEREICH", "BEREIK ");
+    for (table, has, lacks) in [(TABLE, "BEREICH", "BEREIK"), (other.as_str(), "BEREIK", "BEREICH")] {
+        let blocks = "FN 26: TABOPEN own.tab\nFN 28: TABREAD Q5 = 0/\"BEREICH\"\nFN 28: TABREAD Q6 = 0/\"BEREIK,H7\"\n\
+                      Q8 = 4\nFN 27: TABWRITE 0/\"BEREIK\" = Q8\nFN 28: TABREAD Q9 = 0/\"BEREICH\"";
+        let mut machine = machine_in(InMemory::new().with("own.tab", table), blocks);
+        to_end(&mut machine);
+        check_values(&machine, &[("Q5", 3.0), ("Q6", 3.0), ("Q7", 10.0), ("Q9", 4.0)]);
+        let said: Vec<String> = machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect();
+        let said: Vec<&String> = said.iter().filter(|said| said.contains("spelling")).collect();
+        let expected =
+            format!("table own.tab has no column {lacks}: {has} was taken, the other spelling in NC-Solution 8255");
+        assert!(!said.is_empty() && said.iter().all(|said| **said == expected), "{said:?}");
+    }
+}
+
 #[test]
 fn what_tables_cannot_do_is_said() {
     let open = "FN 26: TABOPEN own.tab\n";
@@ -699,6 +717,27 @@ fn q281_writes_the_measuring_log_beside_the_program_or_shows_it() {
     assert!(remarks.any(|remark| remark.ends_with("no output folder was chosen")));
 }
 
+/// What `fitcheck cycle 444 --as-block` writes.
+#[test]
+fn a_cycle_takes_the_word_mb() {
+    let block = |mb: &str| {
+        format!(
+            "Q5 = 7\nTOOL CALL 1 Z\nTCH PROBE 444 TASTEN 3D ~\n Q263=+1 ~\n Q264=+2 ~\n Q294=+3 ~\n Q581=+0 ~\n Q582=+0 ~\n Q583=+1 ~\n \
+             Q260=+50 ~\n {mb}"
+        )
+    };
+    for mb in ["MB=+7 ;TERUGTREKAFSTAND", "mb = Q5"] {
+        let machine = ran(&block(mb));
+        let last = machine.cycles()[0].result.path.last().unwrap().to;
+        assert!((last[2] - 10.0).abs() < 1e-9, "{last:?}");
+    }
+    // The end of the machine's traverse: a simulated workpiece has none.
+    assert_eq!(fault(&block("MB=MAX")), "cycle 444: MB RETRACTION: MAX is not a number");
+    assert_eq!(fault(&block("MB=+7 ~\n MB=+7")), "cycle 444: MB is given twice");
+    assert_eq!(fault(&block("QB=+7")), "unknown block: Fitcheck runs only what it understands");
+    assert!(fault(&block("BM=+7")).starts_with("cycle 444 has no parameter BM"));
+}
+
 #[test]
 fn a_stop_of_q309_pauses_with_its_reason() {
     let blocks =
@@ -788,6 +827,28 @@ fn the_shipped_programs_print_the_native_window() {
         assert_eq!(machine.windows()[0].text, status_window(&record, Dialogue::Nl, None).unwrap(), "{callout}");
         assert_eq!(machine.status(), Some(record.verdict.status()), "{callout}");
     }
+}
+
+/// Q41 turns the contacts, Q51 moves the places where the probings begin: 25 mm about (12, -7), from 30 degrees on.
+#[test]
+fn the_shipped_program_measures_from_q41_on_with_the_clearance_of_q51() {
+    let mut machine = shipped("25", "H7", "[bore]\ncentre = [12.0, -7.0]\ndiameter = 25.0\n");
+    for (name, value) in [("Q11", 12.0), ("Q21", -7.0), ("Q31", -3.0), ("Q41", 30.0), ("Q51", 4.0)] {
+        machine.set(name.parse().unwrap(), Value::Number(value)).unwrap();
+    }
+    to_end(&mut machine);
+    let result = &machine.cycles()[0].result;
+    let rounded = |place: [f64; 3]| place.map(|part| (part * 1e4).round() / 1e4);
+    let contacts: Vec<_> = result.contacts.iter().map(|contact| rounded(contact.place())).collect();
+    // 12.5 cos 30 = 10.8253, 12.5 sin 30 = 6.25, then in steps of 90 degrees.
+    let expected = [[22.8253, -0.75, -3.0], [5.75, 3.8253, -3.0], [1.1747, -13.25, -3.0], [18.25, -17.8253, -3.0]];
+    assert_eq!(contacts, expected);
+    let begins = |wanted| {
+        let of = |step: &&Move| step.touch == Some(1) && step.phase == wanted;
+        rounded(result.path.iter().find(of).unwrap().from)
+    };
+    // 4 mm of Q51 and 2 mm of SET_UP before the contact: 6.5 cos 30 = 5.6292, 6.5 sin 30 = 3.25.
+    assert_eq!(format!("{:?}", begins(Phase::Approach)), "[17.6292, -3.75, -3.0]");
 }
 
 #[test]

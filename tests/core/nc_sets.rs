@@ -16,6 +16,7 @@ use fitcheck::probing::cycle::{Angle, Plane, Remark};
 use fitcheck::probing::measure::{ProbePosition, cycle_number, measure};
 use fitcheck::probing::simulated::{Simulation, Surface, Workpiece};
 use fitcheck::probing::{Measurement, Origin};
+use fitcheck::shipped;
 use fitcheck::tolerance::table_edit::standard_table;
 use fitcheck::tolerance::{Callout, Limits, Sources, ToleranceClass, iso286};
 use fitcheck::verdict::{Status, judge};
@@ -274,6 +275,26 @@ fn what_differs_between_the_controls() {
     // Folders.
     assert!(text_of(&itnc, 0).contains("CALL PGM TNC:\\8255\\82551_en.h\r\n"));
     assert!(text_of(&tnc7, 1).contains("FN 26: TABOPEN TNC:\\nc_prog\\fitcheck\\FIT_SHAFT.TAB\r\n"));
+}
+
+/// The mask of NC-Solution 8255, byte for byte but for the ends of its lines.
+#[test]
+fn an_itnc_530_gets_the_mask_as_printed_and_later_controls_say_what_differs() {
+    let printed = shipped::text(shipped::MASKS, "82552_nl.a");
+    assert!(printed.starts_with("\"STATUS VAN DE PASSING: %S\", QS3\n\"GEPRUEFTE PASSUNG: %S\", QS2;\n"), "{printed}");
+    for language in Dialogue::ALL {
+        let [itnc, tnc640, tnc7] = Control::ALL.map(|control| make(plan(), control, language));
+        let original = shipped::text(shipped::MASKS, &format!("82552_{language}.a"));
+        assert_eq!(text_of(&itnc, 2), original.replace('\n', "\r\n"));
+        // The page names what differs, and the software that the solution needs.
+        let page = |set: &NcSet| encoding_rs::WINDOWS_1252.decode(&set.files[5].bytes).0.into_owned();
+        for later in [&tnc640, &tnc7] {
+            assert!(page(later).contains("%9.4F") && page(later).contains("%9.4LF"), "{}", page(later));
+            assert!(!page(later).contains("606 42x-02"), "{}", page(later));
+        }
+        assert!(page(&itnc).contains("340 49x-07") && page(&itnc).contains("606 42x-02"), "{}", page(&itnc));
+        assert!(!page(&itnc).contains("%9.4F"), "{}", page(&itnc));
+    }
 }
 
 /// For every class of the tables: the nominal diameter of the cycle is between its limits on a TNC7, and is the nominal

@@ -4,7 +4,9 @@ use std::collections::BTreeMap;
 
 use fitcheck::length::Length;
 use fitcheck::message::Say as _;
-use fitcheck::probing::cycle::{Cycle, CycleError, CycleResult, Inputs, Key, LogTarget, Phase, Plane, Remark, Value};
+use fitcheck::probing::cycle::{
+    Cycle, CycleError, CycleResult, Found, FoundName, Inputs, Key, LogTarget, Phase, Plane, Remark, Value,
+};
 use fitcheck::probing::cycles::cycle_named;
 use fitcheck::probing::simulated::{Face, FreePoint, Lobes, Machine, Probe, Simulation, Surface, Workpiece};
 use fitcheck::probing::{Contact, NoContact, Prober, Recorded, Touch, TouchProbe};
@@ -13,11 +15,11 @@ use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 use proptest::prelude::*;
 
-/// Seed 004, the example block of cycle 427.
+/// Manual TNC7 (Italian), the example block of cycle 427.
 const EXAMPLE_427: &str = "Q263=+35 Q264=+45 Q261=+5 Q320=+0 Q272=+3 Q267=-1 Q260=+20 Q281=+1 Q288=+5.1 Q289=+4.95 \
                         Q309=+0 Q330=+0 Q498=+0 Q531=+0";
 
-/// Seed 003, the example block of G785.
+/// Manual CNC PILOT 640, the example block of G785.
 const EXAMPLE_785: &str = "R=0 BR=0 K=2 C=0 RC=60 I=0 J=0 Q=0 P=0 H=0";
 
 fn inputs(cycle: &Cycle, settings: &str) -> Result<Inputs, CycleError> {
@@ -38,7 +40,13 @@ fn run(code: &str, settings: &str, prober: &mut dyn Prober) -> Result<CycleResul
 }
 
 fn results(result: &CycleResult) -> String {
-    result.results.iter().map(|found| format!("{}={}", found.key, found.value)).collect::<Vec<_>>().join(" ")
+    result
+        .results
+        .iter()
+        .filter(|found| found.key.is_some())
+        .map(|found| format!("{}={}", found.called(), found.value))
+        .collect::<Vec<_>>()
+        .join(" ")
 }
 
 fn said(what: &(impl std::fmt::Display + fitcheck::message::Say)) -> String {
@@ -94,6 +102,7 @@ fn the_block_of_cycle_427_measures_a_height_between_its_limits() {
             "Q498 is accepted but has no effect",
             "Q531 is accepted but has no effect",
             "an outside dimension is assumed: above the maximum is rework, below the minimum is scrap",
+            "the deviation has no parameter here: the manual says that a control stores it, but not in which one",
         ]
     );
     // On the limits and one nanometre beyond.
@@ -104,6 +113,43 @@ fn the_block_of_cycle_427_measures_a_height_between_its_limits() {
     // Both limits 0: nothing is monitored, and the marker says good.
     let unmonitored = check_427(7.0, "Q288=0 Q289=0 Q309=1", "Q160=7 Q180=1 Q181=0 Q182=0");
     assert!(unmonitored.checks.is_empty() && unmonitored.stop.is_none());
+}
+
+/// Actual value less nominal value of the measured axis; the manual names no parameter for it.
+#[test]
+fn cycle_427_gives_the_deviation_without_a_parameter() {
+    let deviation = |result: &CycleResult| {
+        let of = |found: &&Found| found.name == FoundName::COORDINATE_DEVIATION;
+        let found = result.results.iter().find(of).unwrap();
+        assert_eq!((found.key, said(&found.name)), (None, "deviation of the coordinate".to_owned()));
+        found.value.to_string()
+    };
+    assert_eq!(deviation(&check_427(5.0231, "", "Q160=5.0231 Q180=1 Q181=0 Q182=0")), "0.0231");
+    assert_eq!(deviation(&check_427(4.9, "", "Q160=4.9 Q180=0 Q181=0 Q182=1")), "-0.1");
+    assert_eq!(deviation(&check_427(7.0, "Q288=0 Q289=0", "Q160=7 Q180=1 Q181=0 Q182=0")), "2");
+    for (axis, nominal) in [(1, 35.0), (2, 45.0)] {
+        let (mut place, mut normal) = ([35.0, 45.0, 5.0], [0.0; 3]);
+        place[axis - 1] = nominal + 0.25;
+        normal[axis - 1] = 1.0;
+        let settings = format!("{EXAMPLE_427} Q272={axis} Q288=99 Q289=0");
+        let result = run("427", &settings, &mut machine(face(place, normal), 2.0)).unwrap();
+        assert_eq!(deviation(&result), "0.25");
+    }
+}
+
+/// As 421 has it for Q262: the manual asks for a measuring height between limits that 427 does not have.
+#[test]
+fn a_nominal_coordinate_outside_the_limits_is_remarked() {
+    let check = |height: &str, limits: &str, expected: bool| {
+        let result = run("427", &format!("{EXAMPLE_427} Q261={height} {limits}"), &mut machine(top(5.0), 2.0)).unwrap();
+        let text =
+            format!("nominal coordinate {height} mm is not between the limits: by its manual a TNC7 may refuse that");
+        assert_eq!(result.remarks.iter().map(said).any(|remark| remark == text), expected, "{height}");
+    };
+    for (height, expected) in [("4.95", false), ("5.1", false), ("4.949999", true), ("5.100001", true)] {
+        check(height, "", expected);
+    }
+    check("7", "Q288=0 Q289=0", false);
 }
 
 #[test]
@@ -147,6 +193,22 @@ fn no_contact_within_dist_is_an_error_and_the_way_is_kept() {
     let (path, refused) = cycle.measure_along(&given, &mut machine(top(7.0), 2.0));
     assert_eq!(refused.unwrap_err().to_string(), "contact 1: the probing path begins inside the material");
     assert_eq!(path.last().map(|step| step.phase), Some(Phase::PrePosition));
+}
+
+/// DIST sets the probing path of cycle 444, whatever the normal.
+#[test]
+fn cycle_444_meets_nothing_beyond_dist() {
+    let cycle = cycle_named("444").unwrap();
+    let probe =
+        TouchProbe { longest_path: "6".parse().unwrap(), set_up: "1.5".parse().unwrap(), ..TouchProbe::default() };
+    let given = inputs(cycle, "Q263=10 Q264=20 Q294=5 Q581=0 Q582=0 Q583=3 Q260=50").unwrap().with_probe(probe);
+    // The ball starts 1.5 mm before its contact with the nominal point, so 4.5 mm deeper is still reached.
+    assert!(cycle.measure(&given, &mut machine(top(0.5), 2.0)).is_ok());
+    let (path, refused) = cycle.measure_along(&given, &mut machine(top(0.499_999), 2.0));
+    let refused = refused.unwrap_err();
+    assert_eq!(said(&refused), "contact 1: the probe met nothing within the probing path of 6 mm");
+    // The ball stops where DIST ends: 8.5 - 6 mm.
+    assert_eq!(path.last().map(|step| (step.phase, step.to[2])), Some((Phase::Approach, 2.5)));
 }
 
 #[test]
@@ -630,5 +692,5 @@ fn every_result_has_a_name_in_both_languages() {
         assert_ne!(dutch, found.name.message().id);
         names.insert(found.name.to_string(), dutch);
     }
-    assert_eq!(names.len(), 18);
+    assert_eq!(names.len(), 19);
 }

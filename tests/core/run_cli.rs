@@ -391,6 +391,13 @@ fn a_built_in_file_in_place_of_a_given_path_is_told_or_refused() {
     let (code, answer) = json(&[&own]);
     assert_eq!((code, &answer["remarks"]), (Some(0), &serde_json::json!([])));
     assert_eq!(answer["files"], serde_json::json!([{"file": table, "from": given}]));
+    // With a trace the text says it, too.
+    let read = |from: &str| format!("note: {table} {from}\n");
+    assert_eq!(fitcheck(&[&own]).err, "");
+    assert_eq!(fitcheck(&[&own, "--trace"]).err, read(&format!("was read from {given}")));
+    assert_eq!(fitcheck(&[&own, "--trace", "--language", "nl"]).err, read(&format!("is gelezen uit {given}")));
+    let said = fitcheck(&["8255_nl.h", "--set", "Q1=25", "QS1=H7", "--trace"]).err;
+    assert!(said.contains("note: TNC:\\82551_nl.h is built in\nnote: TNC:\\8255\\82552_nl.a is built in\n"), "{said}");
     // The whole set is built in: nothing else could be meant.
     let (_, answer) = json(&["8255_nl.h", "--set", "Q1=25", "QS1=H7"]);
     assert!(!answer["remarks"].to_string().contains("built-in"), "{answer}");

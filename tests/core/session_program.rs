@@ -336,6 +336,27 @@ fn problems_name_their_block() {
     assert_eq!(session.program().shown().unwrap().selected(), 2);
 }
 
+/// Behind what is odd stands where the files came from; where nothing is odd, nothing is listed.
+#[test]
+fn the_files_of_a_run_are_listed_behind_its_problems() {
+    let mut session = opened("CALL PGM 82551_en.h");
+    send(&mut session, ProgramCommand::Run);
+    let page = session.program();
+    let notes: Vec<_> = (0..page.note_count()).filter_map(|number| page.note(number)).collect();
+    let files: Vec<_> = notes.iter().skip_while(|note| note.kind != NoteKind::File).collect();
+    assert!(!files.is_empty() && files.len() < notes.len(), "{notes:?}");
+    assert!(files.iter().all(|note| note.kind == NoteKind::File), "{notes:?}");
+    let words = Words::new(Language::En);
+    assert!(words.say(&files[0].message).ends_with("82551_en.h is built in"), "{notes:?}");
+    assert!(page.note(notes.len()).is_none());
+    let mut session = Session::new(Language::En);
+    session.apply(Command::OpenPage(Page::Program), now());
+    send(&mut session, ProgramCommand::Run);
+    assert!(0 < session.program().run().unwrap().file_count());
+    assert_eq!(session.program().note_count(), 0);
+    assert!(session.program().note(0).is_none());
+}
+
 #[test]
 fn the_selection_stays_within_the_program() {
     let mut session = opened("Q1 = 1");

@@ -125,6 +125,30 @@ fn a_shifted_size_range_is_found_in_all_classes_that_change_there() {
     assert!(answer.out.ends_with("504 cells compared: 24 differ from ISO 286\n"), "{}", answer.out);
 }
 
+/// Nothing that reads a table drops a column without a word.
+#[test]
+fn a_column_without_a_grade_is_told_wherever_a_table_is_read() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("own.tab");
+    let own = "BEGIN own.tab\nNR BEREICH H7   PF   \n0  3       +10  +1   \n1          +0   0    \n[END]\n";
+    std::fs::write(&path, own).unwrap();
+    let (name, tables) = (path.to_str().unwrap(), folder.path().to_str().unwrap());
+    for args in [&["table", "verify", name][..], &["table", "export", name, "--format", "csv"]] {
+        assert_told(args);
+    }
+    for command in ["limits", "check"] {
+        let measured: &[&str] = if command == "check" { &["--measured", "2"] } else { &[] };
+        assert_told(&[&[command, "2 H7", "--tables", tables], measured].concat());
+    }
+}
+
+#[track_caller]
+fn assert_told(args: &[&str]) {
+    let output = std::process::Command::new(env!("CARGO_BIN_EXE_fitcheck")).args(args).output().unwrap();
+    let said = String::from_utf8(output.stderr).unwrap();
+    assert!(said.contains("column PF is not letters and a number, so it was skipped"), "{args:?}: {said}");
+}
+
 #[test]
 fn own_columns_are_named_and_a_table_of_them_alone_is_not_said_to_agree() {
     let folder = tempfile::tempdir().unwrap();

@@ -353,7 +353,7 @@ fn a_nominal_size_of_zero_or_less_is_stopped_by_the_cycle() {
     );
 }
 
-/// The seed's program would run on into GOOD where the cycle has set no marker; ours stops.
+/// The program of NC-Solution 8255 would run on into GOOD where the cycle has set no marker; ours stops.
 #[test]
 fn without_a_marker_the_program_never_says_good() {
     let text = String::from_utf8(Shipped::file("82551_nl.h").unwrap().to_vec()).unwrap();

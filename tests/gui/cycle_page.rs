@@ -74,7 +74,7 @@ fn fill(window: &mut Harness<'_, App>, settings: &[(&str, &str)]) {
 fn result(window: &Harness<'_, App>, key: &str) -> String {
     let run = window.state().session().cycles().run().expect("a run");
     let found = run.found().unwrap_or_else(|| panic!("{:?}", run.result));
-    let found = found.results.iter().find(|found| found.key.to_string() == key).expect(key);
+    let found = found.results.iter().find(|found| found.called() == key).expect(key);
     // The list shows it, too.
     window.get_by_label(key);
     found.value.to_string()

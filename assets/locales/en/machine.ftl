@@ -79,6 +79,9 @@ machine-change-scaling = scaling
 machine-change-tilt = a tilted plane
 
 ## Remarks
+machine-file-from = { $path } was read from { $file }
+machine-file-given = { $path } was read
+machine-file-built-in = { $path } is built in
 machine-remark-skipped = unknown block skipped
 machine-remark-no-system-data = { $parameter } is undefined from here on: only a control knows the system data of FN 18
 machine-remark-axis-assumed = no TOOL CALL comes before: measured along Z with the first probe
@@ -87,6 +90,7 @@ machine-remark-rotary-moved = { $axes } moved before: the workpiece was measured
 machine-remark-other-preset = preset { $number }: the workpiece was taken to lie there, too
 machine-remark-built-in = { $path } is not among the given files: the built-in one was read
 machine-remark-read = { $path }: { $what }
+machine-remark-other-spelling = table { $table } has no column { $column }: { $other } was taken, the other spelling in NC-Solution 8255
 machine-remark-ended-within = M{ $function } in a called program ended the run: a control does not allow it there
 machine-remark-given-wins = { $parameter } = { $value } was given before the run and replaces this block's value
 machine-remark-not-written = { $path } was not written: no output folder was chosen

@@ -89,6 +89,7 @@ found-centre-deviation-1 = deviation of the centre, 1st axis
 found-centre-deviation-2 = deviation of the centre, 2nd axis
 found-diameter-deviation = deviation of the diameter
 found-coordinate = measured coordinate
+found-coordinate-deviation = deviation of the coordinate
 found-position-1 = measured position, 1st axis
 found-position-2 = measured position, 2nd axis
 found-position-3 = measured position, 3rd axis
@@ -107,11 +108,17 @@ found-good = within tolerance
 found-rework = rework
 found-scrap = scrap
 found-status = status: -1 undefined, 0 good, 1 rework, 2 scrap
+cycle-note-machine-builder = the machine builder must enable and adapt this cycle: see the machine manual
+cycle-note-normal-from-cad = take the normal from a CAD or CAM system
+cycle-note-software-option = the control needs software option { $option }
+cycle-note-recommended = where the control has cycle { $cycle }, HEIDENHAIN recommends it instead
 remark-without-effect = { $key } is accepted but has no effect
 remark-tool-not-monitored = Q330 = { $tool }: the tool is not monitored: no tool table
 remark-outside-dimension = an outside dimension is assumed: above the maximum is rework, below the minimum is scrap
 remark-nominal-outside-limits = nominal diameter { $nominal } mm is not between the limits: a TNC7 refuses that
 remark-nominal-width-outside-limits = nominal width { $nominal } mm is not between the limits: a TNC7 refuses that
+remark-nominal-coordinate-outside-limits = nominal coordinate { $nominal } mm is not between the limits: by its manual a TNC7 may refuse that
+remark-deviation-without-parameter = the deviation has no parameter here: the manual says that a control stores it, but not in which one
 remark-variable-holds-diameter = #i99 is read as the diameter: the manual does not say which value it holds
 remark-no-tolerance = { $key } is not a tolerance: nothing is judged
 

@@ -79,6 +79,9 @@ machine-change-scaling = een maatfactor
 machine-change-tilt = een gezwenkt bewerkingsvlak
 
 ## Opmerkingen
+machine-file-from = { $path } is gelezen uit { $file }
+machine-file-given = { $path } is gelezen
+machine-file-built-in = { $path } is ingebouwd
 machine-remark-skipped = onbekende NC-regel overgeslagen
 machine-remark-no-system-data = { $parameter } is vanaf hier ongedefinieerd: de systeemgegevens van FN 18 kent alleen een besturing
 machine-remark-axis-assumed = er staat geen TOOL CALL voor: gemeten langs Z met het eerste tastsysteem
@@ -87,6 +90,7 @@ machine-remark-rotary-moved = { $axes } zijn voordien verplaatst: het werkstuk i
 machine-remark-other-preset = referentiepunt { $number }: het werkstuk wordt geacht ook daar te liggen
 machine-remark-built-in = { $path } is niet bij de opgegeven bestanden: het ingebouwde is gelezen
 machine-remark-read = { $path }: { $what }
+machine-remark-other-spelling = tabel { $table } heeft geen kolom { $column }: { $other } is genomen, de andere schrijfwijze in NC-Solution 8255
 machine-remark-ended-within = M{ $function } in een aangeroepen programma heeft de uitvoering beëindigd: een besturing staat dat daar niet toe
 machine-remark-given-wins = { $parameter } = { $value } is vooraf opgegeven en vervangt de waarde in deze NC-regel
 machine-remark-not-written = { $path } is niet geschreven: er is geen map voor uitvoer gekozen

@@ -89,6 +89,7 @@ found-centre-deviation-1 = afwijking van het midden, 1e as
 found-centre-deviation-2 = afwijking van het midden, 2e as
 found-diameter-deviation = afwijking van de diameter
 found-coordinate = gemeten coördinaat
+found-coordinate-deviation = afwijking van de coördinaat
 found-position-1 = gemeten positie, 1e as
 found-position-2 = gemeten positie, 2e as
 found-position-3 = gemeten positie, 3e as
@@ -107,11 +108,17 @@ found-good = binnen tolerantie
 found-rework = nabewerking
 found-scrap = afkeur
 found-status = status: -1 niet gedefinieerd, 0 goed, 1 nabewerking, 2 afkeur
+cycle-note-machine-builder = de machinefabrikant moet deze cyclus vrijgeven en aanpassen: zie het machinehandboek
+cycle-note-normal-from-cad = neem de normaal uit een CAD- of CAM-systeem
+cycle-note-software-option = de besturing heeft softwareoptie { $option } nodig
+cycle-note-recommended = waar de besturing cyclus { $cycle } heeft, raadt HEIDENHAIN die in plaats van deze aan
 remark-without-effect = { $key } is toegestaan maar heeft geen werking
 remark-tool-not-monitored = Q330 = { $tool }: het gereedschap wordt niet bewaakt: geen gereedschapstabel
 remark-outside-dimension = een buitenmaat is aangenomen: boven het maximum is nabewerking, onder het minimum is afkeur
 remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat
 remark-nominal-width-outside-limits = nominale breedte { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat
+remark-nominal-coordinate-outside-limits = nominale coördinaat { $nominal } mm ligt niet tussen de grensmaten: volgens zijn handboek kan een TNC7 dat weigeren
+remark-deviation-without-parameter = de afwijking heeft hier geen parameter: het handboek zegt dat een besturing haar opslaat, maar niet in welke
 remark-variable-holds-diameter = #i99 is als diameter gelezen: het handboek zegt niet welke waarde erin staat
 remark-no-tolerance = { $key } is geen tolerantie: er wordt niets beoordeeld
 

@@ -55,7 +55,10 @@ pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError>
         results: result
             .results
             .iter()
-            .map(|found| json!({"key": found.key.to_string(), "name": found.name.to_string(), "value": value(&found.value)}))
+            .map(|found| {
+                let key = found.key.map(|key| key.to_string());
+                json!({"key": key, "name": found.name.to_string(), "value": value(&found.value)})
+            })
             .collect(),
         checks: result.checks.iter().map(check).collect(),
         status: result.verdict().map(crate::verdict::Status::word),
@@ -156,7 +159,8 @@ pub(super) fn print_csv(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> 
     writer.write_record(["key", "name", "value", "unit"])?;
     for found in &run.result.results {
         let unit = if matches!(found.value, Value::Length(_)) { "mm" } else { "" };
-        let (key, name, value) = (found.key.to_string(), found.name.to_string(), found.value.to_string());
+        let key = found.key.map(|key| key.to_string()).unwrap_or_default();
+        let (name, value) = (found.name.to_string(), found.value.to_string());
         writer.write_record([key.as_str(), &name, &cell(&value), unit])?;
     }
     let status = run.result.verdict().map_or("", crate::verdict::Status::word);

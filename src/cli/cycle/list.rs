@@ -4,7 +4,16 @@ use serde::Serialize;
 
 use super::{CliError, Format, Io};
 use crate::probing::cycle::{Cycle, Inputs, Parameter, Unset, Value};
-use crate::words::Dialogue;
+use crate::words::{Dialogue, Words};
+
+/// A cycle with its parameters; its names must not change.
+#[derive(Debug, Serialize)]
+struct Listed<'a> {
+    cycle: &'static str,
+    name: &'static str,
+    notes: Vec<String>,
+    parameters: &'a [Row],
+}
 
 /// One parameter; its names must not change.
 #[derive(Debug, Serialize)]
@@ -55,7 +64,10 @@ impl Row {
 pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut Io<'_>) -> Result<(), CliError> {
     let rows: Vec<_> = cycle.parameters.iter().map(|parameter| Row::of(parameter, language)).collect();
     match format {
-        Format::Json => io.json(&rows)?,
+        Format::Json => {
+            let notes = cycle.notes.iter().map(ToString::to_string).collect();
+            io.json(&Listed { cycle: cycle.code, name: cycle.name(language), notes, parameters: &rows })?;
+        }
         Format::Csv => {
             let mut writer = csv::Writer::from_writer(io.data());
             for row in &rows {
@@ -74,6 +86,10 @@ pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut 
                 let line = format!("  {key:<6} {question:<width$}  {unset:<16} {range} {unit}");
                 let otherwise = row.otherwise.as_ref().map(|other| format!(", {other}")).unwrap_or_default();
                 writeln!(io.people(), "{}{predef}{otherwise}{effect}", line.trim_end())?;
+            }
+            let words = Words::new(language.language());
+            for note in cycle.notes {
+                writeln!(io.people(), "note: {}", words.told(note))?;
             }
         }
     }

@@ -63,7 +63,7 @@ impl LogArgs {
         };
         let mut kept = Kept { shown: None, other: log.other_verdict(result, language) };
         match (result.log, &self.log_folder) {
-            (LogTarget::File(name), Some(folder)) => add(&log, &folder.join(name), language, io)?,
+            (LogTarget::File(name), Some(folder)) => add(&log, folder, name, language, io)?,
             (LogTarget::Screen, _) => {
                 let bytes = log.write(language).about(&What::Log)?;
                 kept.shown = Some(decode(&bytes).replace("\r\n", "\n"));
@@ -78,8 +78,9 @@ impl LogArgs {
     }
 }
 
-/// Adds the log to the file, which may not exist yet.
-fn add(log: &CycleLog, path: &Path, language: Dialogue, io: &mut Io<'_>) -> Result<(), CliError> {
+/// Adds the log to the file; neither file nor folder need be there yet.
+fn add(log: &CycleLog, folder: &Path, name: &str, language: Dialogue, io: &mut Io<'_>) -> Result<(), CliError> {
+    let path = &folder.join(name);
     let before = match files::read(path) {
         Ok(bytes) => bytes,
         Err(FileError::Missing { .. }) => Vec::new(),
@@ -88,5 +89,6 @@ fn add(log: &CycleLog, path: &Path, language: Dialogue, io: &mut Io<'_>) -> Resu
     let of_file =
         |what| Located { what, place: Place { file: Some(path.to_string_lossy().into()), ..Place::default() } };
     let bytes = log.append(&before, language).map_err(of_file).about(&What::Log)?;
+    files::make_folder(folder)?;
     super::super::save(path, &bytes, io)
 }

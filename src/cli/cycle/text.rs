@@ -39,7 +39,7 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
     writeln!(io.people(), "\nresults")?;
     for found in &result.results {
         let name = found.name.to_string();
-        writeln!(io.people(), "  {:<5} {name:<36}  {}", found.key, found.value.with_unit())?;
+        writeln!(io.people(), "  {:<5} {name:<36}  {}", found.called(), found.value.with_unit())?;
     }
     writeln!(io.people())?;
     for check in &result.checks {

@@ -13,6 +13,7 @@ use crate::control::text::cut;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
 use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written};
+use crate::probing::cycle::Found;
 
 /// The most blocks that a trace keeps.
 const MOST: usize = 100_000;
@@ -117,8 +118,9 @@ fn placed(machine: &Machine, at: &BlockPlace, more: Json) -> Json {
 
 fn cycle(machine: &Machine, run: &CycleRun) -> Json {
     let result = &run.result;
+    let name = |found: &Found| found.key.map_or_else(|| found.name.in_files(), |key| key.to_string());
     let results: Map<String, Json> =
-        result.results.iter().map(|found| (found.key.to_string(), result_value(&found.value))).collect();
+        result.results.iter().map(|found| (name(found), result_value(&found.value))).collect();
     let more = json!({
         "cycle": run.cycle.code,
         "results": results,

@@ -90,7 +90,7 @@ pub(super) struct Args {
     /// Skip blocks with a / before them
     #[arg(long)]
     block_skip: bool,
-    /// List every block with the values that it changes
+    /// List every block with the values that it changes, and where every file came from
     #[arg(long)]
     trace: bool,
     /// Largest number of blocks to run
@@ -141,7 +141,7 @@ impl Args {
             RunFormat::Text => {
                 let mut listener = text::Printer::new(self.trace);
                 let ended = run(&mut machine, &mut listener, io)?;
-                text::notes(&machine, &ended, language.language(), io);
+                text::notes(&machine, &ended, self.trace, language.language(), io);
                 self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io)?;
                 ended
             }

@@ -4,7 +4,7 @@ use super::super::CliRemark;
 use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::text::cut;
 use crate::message::Message;
-use crate::nc::machine::{BlockPlace, Fault, Machine, Pause, ToolChanged, shown};
+use crate::nc::machine::{BlockPlace, Fault, FileRead, Machine, Pause, ToolChanged, shown};
 use crate::words::{Language, Words};
 
 /// Prints windows as they open, and with a trace every block before.
@@ -56,8 +56,8 @@ impl Listener for Printer {
     }
 }
 
-/// What is worth knowing, in the user's language.
-pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &mut Io<'_>) {
+/// What is worth knowing, in the user's language; with a trace also where every file came from.
+pub(super) fn notes(machine: &Machine, ended: &Ended, is_traced: bool, language: Language, io: &mut Io<'_>) {
     let words = Words::new(language);
     for pause in &ended.pauses {
         if matches!(pause, Pause::Tolerance(_) | Pause::Log) {
@@ -79,6 +79,11 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, language: Language, io: &m
         let (file, line) = place(machine, &run.place.program, run.place.block);
         for remark in &run.result.remarks {
             io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)));
+        }
+    }
+    if is_traced {
+        for (path, origin) in machine.origins() {
+            io.tell(format_args!("note: {}", words.told(&FileRead::of(path, origin))));
         }
     }
     for ToolChanged { place: BlockPlace { program, block }, change } in machine.tool_changes() {

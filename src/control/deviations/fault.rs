@@ -104,6 +104,11 @@ pub enum DeviationWarningKind {
         /// The column.
         name: String,
     },
+    /// A column whose name is not a class, such as `PF` or `NOTE`, with something in it.
+    OtherColumn {
+        /// The column.
+        name: String,
+    },
     /// A name that would be a class if all its letters had the same case.
     MixedCase {
         /// The column.

@@ -221,7 +221,7 @@ fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
         let row = vec2(ui.available_width(), height);
         ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
             ui.set_min_height(height);
-            let text_of_key = RichText::new(found.key.to_string()).font(theme::bold(sizes().body));
+            let text_of_key = RichText::new(found.called()).font(theme::bold(sizes().body));
             ui.allocate_ui_with_layout(vec2(space(11.0), row.y), Layout::left_to_right(Align::Center), |ui| {
                 ui.set_min_width(space(11.0));
                 ui.label(text_of_key);

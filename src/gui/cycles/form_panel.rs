@@ -49,6 +49,9 @@ fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
     if is_picked {
         keep_focus(ui, &list);
     }
+    for note in chosen.notes {
+        quiet(ui, view.words.told(note));
+    }
 }
 
 pub(super) const fn from_id(from: ContactsFrom) -> &'static str {

@@ -13,7 +13,7 @@ use super::values::Values;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say;
 use crate::nc::program::{
-    Axis, AxisWord, CycleBlock, CycleValue, Frame, MachineFunction, Mode, Notation, Operand, Unit,
+    Axis, AxisWord, CycleBlock, CycleName, CycleValue, Frame, MachineFunction, Mode, Notation, Operand, Unit,
 };
 use crate::probing::cycle::Plane;
 
@@ -141,9 +141,10 @@ impl Around {
     /// GLOBAL DEF: the last one that was run counts.
     pub(super) fn define(&mut self, block: &CycleBlock, unit: Option<Unit>, values: &Values) -> Result<(), FaultKind> {
         for line in &block.lines {
-            if let CycleValue::Number { value, .. } = &line.value {
+            if let (CycleName::Parameter(parameter), CycleValue::Number { value, .. }) = (&line.parameter, &line.value)
+            {
                 let value = values.operand(*value)?;
-                self.globals.insert(line.parameter, Global { value, unit });
+                self.globals.insert(*parameter, Global { value, unit });
             }
         }
         Ok(())
@@ -299,15 +300,17 @@ impl Around {
     /// The parameters of a cycle that nothing here runs, as a program may read them afterwards.
     pub(super) fn stated(&self, block: &CycleBlock, values: &mut Values) -> Result<(), FaultKind> {
         for line in &block.lines {
+            // A word is not a parameter that a program could read.
+            let CycleName::Parameter(parameter) = line.parameter else { continue };
             let value = match &line.value {
                 CycleValue::Number { value, .. } => values.value(*value)?,
-                CycleValue::Word(word) if word.eq_ignore_ascii_case("PREDEF") => match self.global(line.parameter) {
+                CycleValue::Word(word) if word.eq_ignore_ascii_case("PREDEF") => match self.global(parameter) {
                     Some(global) => Value::Number(global.value),
                     None => continue,
                 },
                 CycleValue::Text(_) | CycleValue::Word(_) => continue,
             };
-            values.put(line.parameter, value)?;
+            values.put(parameter, value)?;
         }
         Ok(())
     }

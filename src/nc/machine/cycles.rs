@@ -153,11 +153,11 @@ fn with_lines(
     values: &Values,
 ) -> Result<Inputs, FaultKind> {
     for line in &asked.block.lines {
-        let parameter = line.parameter;
-        let unknown = FaultKind::NoCycleParameter { cycle: cycle.code, parameter };
-        let declared = cycle.parameter_named(&parameter.to_string()).ok_or(unknown)?;
+        let name = || line.parameter.clone();
+        let unknown = || FaultKind::NoCycleParameter { cycle: cycle.code, parameter: name() };
+        let declared = cycle.parameter_named(&line.parameter.to_string()).ok_or_else(unknown)?;
         if inputs.is_given(declared.key) {
-            return Err(FaultKind::CycleParameterTwice { cycle: cycle.code, parameter });
+            return Err(FaultKind::CycleParameterTwice { cycle: cycle.code, parameter: name() });
         }
         inputs = inputs.with(declared.key, input(cycle, declared, &line.value, asked.unit, values)?);
     }
@@ -236,7 +236,7 @@ pub(super) fn hand_over(
         value => value,
     };
     values.forget(RESULTS);
-    for (parameter, value) in result.results.iter().filter_map(|found| variable(found.key, &found.value)) {
+    for (parameter, value) in result.results.iter().filter_map(|found| variable(found.key?, &found.value)) {
         values.put(parameter, in_unit(value))?;
     }
     if cycle.control == Control::Lathe {

@@ -10,7 +10,7 @@ use crate::control::text::cut;
 use crate::control::tool_table::ToolFault;
 use crate::control::variables::Parameter;
 use crate::message::{Message, Say, display};
-use crate::nc::program::{LabelFault, Mode, Program, ProgramError};
+use crate::nc::program::{CycleName, LabelFault, Mode, Program, ProgramError};
 use crate::probing::cycle::CycleError;
 use crate::probing::simulated::WorkpieceError;
 
@@ -295,14 +295,14 @@ pub enum FaultKind {
         /// The cycle.
         cycle: &'static str,
         /// The parameter.
-        parameter: Parameter,
+        parameter: CycleName,
     },
     /// A parameter that is given twice.
     CycleParameterTwice {
         /// The cycle.
         cycle: &'static str,
         /// The parameter.
-        parameter: Parameter,
+        parameter: CycleName,
     },
     /// The cycle did not finish.
     Cycle {

@@ -51,6 +51,15 @@ pub enum Remark {
         /// What is odd, and where.
         what: Message,
     },
+    /// The open table has the range column in the other of the two spellings, and that one was taken.
+    OtherSpelling {
+        /// The table's file name.
+        table: String,
+        /// The column that the block names.
+        column: String,
+        /// The column that the table has.
+        other: String,
+    },
     /// M2 or M30 in a called program ended the whole run.
     EndedWithin {
         /// The M function.

@@ -43,6 +43,41 @@ pub enum Origin {
     BuiltInInstead,
 }
 
+/// A file that a run has read, and where it comes from.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "machine-file")]
+pub enum FileRead {
+    /// A file on this machine.
+    From {
+        /// Its path on the control.
+        path: NcPath,
+        /// Its name on this machine.
+        file: String,
+    },
+    /// A file that was given without a name on this machine.
+    Given {
+        /// Its path on the control.
+        path: NcPath,
+    },
+    /// A built-in file.
+    BuiltIn {
+        /// Its path on the control.
+        path: NcPath,
+    },
+}
+
+impl FileRead {
+    /// What to say of a file and its origin.
+    pub fn of(path: &NcPath, origin: &Origin) -> Self {
+        let path = path.clone();
+        match origin {
+            Origin::Given(Some(file)) => Self::From { path, file: file.display().to_string() },
+            Origin::Given(None) => Self::Given { path },
+            Origin::BuiltIn | Origin::BuiltInInstead => Self::BuiltIn { path },
+        }
+    }
+}
+
 /// Why a file cannot be read or written.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "machine-store", error)]

@@ -8,6 +8,7 @@ use super::files::Files;
 use super::path::NcPath;
 use super::remark::{Remark, Remarks};
 use super::values::Values;
+use crate::control::deviations::other_spelling;
 use crate::control::mask::FileUse;
 use crate::control::table::{TableFile, WriteError, is_blank, is_number};
 use crate::control::variables::{Family, Parameter, Value};
@@ -29,13 +30,20 @@ impl OpenTable {
         self.path.file_name().to_owned()
     }
 
-    /// The number of a column; names are case-sensitive.
-    fn column(&self, name: &str) -> Result<usize, FaultKind> {
+    /// The number of a column; names are case-sensitive. NC-Solution 8255 spells its range column in two ways: a table that
+    /// has only the other one is taken to mean it, and the remark says so.
+    fn column(&self, name: &str) -> Result<(usize, Option<Remark>), FaultKind> {
         let table = &self.file.table;
-        table.column(name).ok_or_else(|| {
+        if let Some(number) = table.column(name) {
+            return Ok((number, None));
+        }
+        let other = other_spelling(name).and_then(|other| Some((other, table.column(other)?)));
+        let (other, number) = other.ok_or_else(|| {
             let columns: Vec<&str> = table.columns.iter().map(|column| column.name.as_str()).collect();
             FaultKind::NoColumn { table: self.name(), column: name.to_owned(), columns: columns.join(", ") }
-        })
+        })?;
+        let remark = Remark::OtherSpelling { table: self.name(), column: name.to_owned(), other: other.to_owned() };
+        Ok((number, Some(remark)))
     }
 
     fn check_row(&self, row: usize) -> Result<(), FaultKind> {
@@ -48,13 +56,13 @@ impl OpenTable {
     }
 
     /// The value of a cell for a parameter.
-    fn read(&self, row: usize, column: &str, to: Parameter) -> Result<Value, FaultKind> {
-        let number = self.column(column)?;
+    fn read(&self, row: usize, column: &str, to: Parameter) -> Result<(Value, Option<Remark>), FaultKind> {
+        let (number, remark) = self.column(column)?;
         self.check_row(row)?;
         let cell = self.file.table.cell(row, number);
         let (table, column) = (self.name(), column.to_owned());
         if to.family == Family::Qs && !cell.is_empty() {
-            return Ok(Value::Text(cell.to_owned()));
+            return Ok((Value::Text(cell.to_owned()), remark));
         }
         if is_blank(cell) {
             return Err(FaultKind::EmptyCell { table, row, column });
@@ -64,7 +72,7 @@ impl OpenTable {
         }
         let plain = cell.replace(',', ".").replace('\u{2212}', "-");
         match plain.parse() {
-            Ok(value) if is_number(cell) => Ok(Value::Number(value)),
+            Ok(value) if is_number(cell) => Ok((Value::Number(value), remark)),
             _ => Err(FaultKind::NoNumberInCell { table, row, column, cell: cell.to_owned() }),
         }
     }
@@ -95,6 +103,16 @@ impl OpenTable {
 pub(super) struct Cells {
     row: usize,
     texts: Vec<(usize, String)>,
+    /// What is worth knowing about the columns.
+    pub(super) remarks: Vec<Remark>,
+}
+
+/// What FN 28 reads: the values of parameters.
+#[derive(Debug, Default)]
+pub(super) struct CellsRead {
+    pub(super) values: Vec<(Parameter, Value)>,
+    /// What is worth knowing about the columns.
+    pub(super) remarks: Vec<Remark>,
 }
 
 /// The table that is open, and those that could not be written.
@@ -140,12 +158,16 @@ impl Tables {
         row: Operand,
         columns: &Columns,
         values: &Values,
-    ) -> Result<Vec<(Parameter, Value)>, FaultKind> {
+    ) -> Result<CellsRead, FaultKind> {
         let open = self.open_table()?;
         let row = values.whole(Counted::Row, row)?;
-        let columns = names(columns, values)?;
-        let cells = columns.iter().zip(following(to));
-        cells.map(|(column, to)| Ok((to, open.read(row, column, to)?))).collect()
+        let mut cells = CellsRead::default();
+        for (column, to) in names(columns, values)?.into_iter().zip(following(to)) {
+            let (value, remark) = open.read(row, column, to)?;
+            cells.values.push((to, value));
+            cells.remarks.extend(remark);
+        }
+        Ok(cells)
     }
 
     /// What FN 27 writes into the open table.
@@ -158,13 +180,14 @@ impl Tables {
     ) -> Result<Cells, FaultKind> {
         let open = self.open_table()?;
         let row = values.whole(Counted::Row, row)?;
-        let columns = names(columns, values)?;
-        let cells = columns.iter().zip(following(from)).map(|(column, from)| {
-            let number = open.column(column)?;
+        let mut cells = Cells { row, texts: Vec::new(), remarks: Vec::new() };
+        for (column, from) in names(columns, values)?.into_iter().zip(following(from)) {
+            let (number, remark) = open.column(column)?;
             open.check_row(row)?;
-            Ok((number, open.text(row, number, from, values)?))
-        });
-        Ok(Cells { row, texts: cells.collect::<Result<_, FaultKind>>()? })
+            cells.texts.push((number, open.text(row, number, from, values)?));
+            cells.remarks.extend(remark);
+        }
+        Ok(cells)
     }
 
     /// FN 27: in memory; the file is written when the table is closed.

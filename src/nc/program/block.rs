@@ -254,7 +254,7 @@ impl fmt::Display for Target {
     }
 }
 
-as_text!(Unit, Target);
+as_text!(Unit, Target, CycleName);
 
 /// The condition of a jump.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -379,11 +379,35 @@ pub struct CycleWord {
     pub value: CycleValue,
 }
 
+/// What a line of a cycle gives a value to.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum CycleName {
+    /// Q or QS.
+    Parameter(Parameter),
+    /// A word, such as `MB`.
+    Word(String),
+}
+
+impl fmt::Display for CycleName {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Parameter(parameter) => write!(f, "{parameter}"),
+            Self::Word(word) => f.pad(word),
+        }
+    }
+}
+
+impl From<Parameter> for CycleName {
+    fn from(parameter: Parameter) -> Self {
+        Self::Parameter(parameter)
+    }
+}
+
 /// `Q263=+35 ;1ST POINT 1ST AXIS`
 #[derive(Debug, Clone, PartialEq)]
 pub struct CycleLine {
-    /// Q or QS.
-    pub parameter: Parameter,
+    /// Q, QS or a word.
+    pub parameter: CycleName,
     /// The value.
     pub value: CycleValue,
     /// The place of the parameter.

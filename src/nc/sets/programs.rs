@@ -157,7 +157,7 @@ pub(super) fn check(names: &Names<'_>, called: Called) -> Vec<u8> {
                 made.extend(blocks(&called.blocks(feature, nominal, names.target.language)));
             }
             Body::Probe(mut cycle) if moves_nominal => {
-                for line in cycle.lines.iter_mut().filter(|line| line.parameter == NOMINAL_DIAMETER) {
+                for line in cycle.lines.iter_mut().filter(|line| line.parameter == NOMINAL_DIAMETER.into()) {
                     let value = Operand::Parameter { parameter: BETWEEN, is_negative: false };
                     line.value = CycleValue::Number { value, text: format!("+{BETWEEN}") };
                 }
@@ -173,7 +173,8 @@ pub(super) fn check(names: &Names<'_>, called: Called) -> Vec<u8> {
     written(names.check(called), &made)
 }
 
-/// The mask: every record ends in a semicolon, lines in CRLF; `F` instead of `LF` if the control has it.
+/// The mask, lines in CRLF. iTNC 530: that of a diameter as built in, the Dutch one as NC-Solution 8255 has it. Otherwise every
+/// record ends in a semicolon, with `F` instead of `LF` if the control has it.
 pub(super) fn mask(target: &Target, called: Called) -> Vec<u8> {
     let window = match called.cycle(Feature::Hole).map(|cycle| cycle.window) {
         Some(Window::Own(name)) if called != Called::Diameter => name,
@@ -196,7 +197,11 @@ pub(super) fn mask(target: &Target, called: Called) -> Vec<u8> {
         _ => Vec::new(),
     };
     let number = if target.control == Control::Itnc530 { "LF" } else { "F" };
+    let is_as_built_in = target.control == Control::Itnc530 && called == Called::Diameter;
     let lines = text.lines().map(|line| {
+        if is_as_built_in {
+            return format!("{line}\r\n");
+        }
         // The limits are those of the called program, as in the mask of a diameter.
         let line = limits.iter().fold(line.trim_end().replace("LF", number), |line, (from, to)| line.replace(from, to));
         format!("{}{}\r\n", line, if line.ends_with(';') { "" } else { ";" })

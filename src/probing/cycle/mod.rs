@@ -8,6 +8,7 @@
 //! |---|---|
 //! | `key` | what programs call a parameter or a result |
 //! | `name` | a parameter's name as errors say it |
+//! | `note` | what to know of a cycle before it is used on a control |
 //! | `parameter` | one parameter: key, name, question, range, default |
 //! | `meaning` | what a parameter means: its drawing and its sentence |
 //! | `shared` | parameters that several cycles have |
@@ -26,6 +27,7 @@ mod inputs;
 mod key;
 mod meaning;
 mod name;
+mod note;
 mod parameter;
 mod result;
 pub(in crate::probing) mod shared;
@@ -40,6 +42,7 @@ pub use inputs::Inputs;
 pub use key::Key;
 pub use meaning::{Axis, Meaning};
 pub use name::ParameterName;
+pub use note::Note;
 use parameter::in_language;
 pub(crate) use parameter::number;
 pub use parameter::{Parameter, Range, Texts, Unset, UnsetWhere};
@@ -65,6 +68,8 @@ pub struct Cycle {
     pub control: Control,
     /// Its name in NC programs, by dialogue language.
     pub names: Texts,
+    /// What to know before it is used on a control.
+    pub notes: &'static [Note],
     /// Its parameters in the order of NC programs.
     pub parameters: &'static [Parameter],
     /// The perfect surface, in which the cycle would find no fault.

@@ -58,7 +58,7 @@ impl CycleResult {
     /// A result parameter.
     pub fn value(&self, key: impl Into<Key>) -> Option<&Value> {
         let key = key.into();
-        self.results.iter().find(|found| found.key == key).map(|found| &found.value)
+        self.results.iter().find(|found| found.key == Some(key)).map(|found| &found.value)
     }
 
     /// The contacts in the coordinates of the plane that was probed: first axis, second axis, height.
@@ -136,8 +136,8 @@ impl Plane {
 /// A result parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Found {
-    /// What the control calls it.
-    pub key: Key,
+    /// What the control calls it; `None` where no manual names a parameter for it.
+    pub key: Option<Key>,
     /// What it is.
     pub name: FoundName,
     /// Its value.
@@ -146,13 +146,23 @@ pub struct Found {
 
 impl Found {
     pub(in crate::probing) fn length(key: impl Into<Key>, name: FoundName, value: Length) -> Self {
-        Self { key: key.into(), name, value: Value::Length(value) }
+        Self { key: Some(key.into()), name, value: Value::Length(value) }
+    }
+
+    /// A length without a parameter of the control.
+    pub(in crate::probing) const fn without_key(name: FoundName, value: Length) -> Self {
+        Self { key: None, name, value: Value::Length(value) }
+    }
+
+    /// What the control calls it, `Q160`; a dash where it has no name for it.
+    pub fn called(&self) -> String {
+        self.key.map_or_else(|| "–".to_owned(), |key| key.to_string())
     }
 
     /// Q180 to Q182, of which exactly one is 1.
     pub(in crate::probing) fn markers(status: Status) -> [Self; 3] {
         let marker =
-            |key, name, marked| Self { key: Key::Q(key), name, value: Value::Whole(i64::from(status == marked)) };
+            |key, name, marked| Self { key: Some(Key::Q(key)), name, value: Value::Whole(i64::from(status == marked)) };
         [
             marker(180, FoundName::GOOD, Status::Good),
             marker(181, FoundName::REWORK, Status::Rework),
@@ -194,6 +204,8 @@ impl FoundName {
     pub const DIAMETER_DEVIATION: Self = Self::new("found-diameter-deviation");
     /// A coordinate in the measured axis.
     pub const COORDINATE: Self = Self::new("found-coordinate");
+    /// Deviation of a coordinate in the measured axis.
+    pub const COORDINATE_DEVIATION: Self = Self::new("found-coordinate-deviation");
     /// Measured position, first axis.
     pub const POSITION_1: Self = Self::new("found-position-1");
     /// Measured position, second axis.
@@ -216,6 +228,11 @@ impl FoundName {
     pub const SCRAP: Self = Self::new("found-scrap");
     /// Status as one number.
     pub const STATUS: Self = Self::new("found-status");
+
+    /// What files for programs call a result that has no parameter: `coordinate_deviation`.
+    pub fn in_files(self) -> String {
+        self.0.trim_start_matches("found-").replace('-', "_")
+    }
 
     /// Whether it is a coordinate of a centre, which has no limits of size.
     pub fn is_centre(self) -> bool {
@@ -358,6 +375,13 @@ pub enum Remark {
         /// The nominal width.
         nominal: Length,
     },
+    /// The nominal coordinate is not between the limits, as the manual of TNC7 seems to ask of cycle 427.
+    NominalCoordinateOutsideLimits {
+        /// The nominal coordinate.
+        nominal: Length,
+    },
+    /// A control stores the deviation, but the manual names no parameter for it.
+    DeviationWithoutParameter,
     /// What `#i99` holds is not documented.
     VariableHoldsDiameter,
     /// A tolerance text was given that is not a tolerance, such as `0.1+0.1`.

@@ -1,7 +1,7 @@
 //! Cycle 421, measure hole: limits in Q275 and Q276.
 
 use super::circle_cycle::{Side, corrects, figures, parameters, run, subject, surface};
-use crate::probing::cycle::{Control, Cycle, Log, LogFigure, Parameter, TextLog, Window};
+use crate::probing::cycle::{Control, Cycle, Log, LogFigure, Note, Parameter, TextLog, Window};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{En, Nl};
 
@@ -19,6 +19,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "421",
     control: Control::Milling,
     names: &[(En, "MEASURE HOLE"), (Nl, "METEN BORING")],
+    notes: &[Note::Recommended { cycle: "1401" }],
     parameters: &PARAMETERS,
     surface: |inputs| surface(SIDE.feature, inputs),
     run: |inputs, course| run(&SIDE, inputs, course),

@@ -19,6 +19,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "422",
     control: Control::Milling,
     names: &[(En, "MEAS. CIRCLE OUTSIDE"), (Nl, "MET. CIRKEL BUITEN")],
+    notes: &[],
     parameters: &PARAMETERS,
     surface: |inputs| surface(SIDE.feature, inputs),
     run: |inputs, course| run(&SIDE, inputs, course),

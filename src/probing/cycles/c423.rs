@@ -1,7 +1,7 @@
 //! Cycle 423, measure rectangle inside: a pocket with its sides along the axes, limits in Q284 to Q287.
 
 use super::rectangle_cycle::{FIGURES, PARAMETERS, corrects, run, subject, surface};
-use crate::probing::cycle::{Control, Cycle, Log, TextLog, Window};
+use crate::probing::cycle::{Control, Cycle, Log, Note, TextLog, Window};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{En, Nl};
 
@@ -11,6 +11,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "423",
     control: Control::Milling,
     names: &[(En, "MEAS. RECTAN. INSIDE"), (Nl, "MET. RECHTH. BINNEN")],
+    notes: &[Note::Recommended { cycle: "1403" }],
     parameters: &PARAMETERS,
     surface: |inputs| surface(Feature::Hole, inputs),
     run: |inputs, course| run(Feature::Hole, inputs, course),

@@ -1,7 +1,7 @@
 //! Cycle 424, measure rectangle outside: a boss with its sides along the axes, limits in Q284 to Q287.
 
 use super::rectangle_cycle::{FIGURES, PARAMETERS, corrects, run, subject, surface};
-use crate::probing::cycle::{Control, Cycle, Log, TextLog, Window};
+use crate::probing::cycle::{Control, Cycle, Log, Note, TextLog, Window};
 use crate::tolerance::Feature;
 use crate::words::Dialogue::{En, Nl};
 
@@ -11,6 +11,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "424",
     control: Control::Milling,
     names: &[(En, "MEAS. RECTAN. OUTS."), (Nl, "MET. RECHTH. BUITEN")],
+    notes: &[Note::Recommended { cycle: "1403" }],
     parameters: &PARAMETERS,
     surface: |inputs| surface(Feature::Shaft, inputs),
     run: |inputs, course| run(Feature::Shaft, inputs, course),

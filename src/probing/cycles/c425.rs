@@ -14,7 +14,8 @@ use crate::probing::cycle::shared::{
     CLEARANCE_HEIGHT, MEASURING_HEIGHT, MEASURING_LOG, MOVE_TO_CLEARANCE, SET_UP_CLEARANCE, STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
-    Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Parameter, TextLog, Window, limits,
+    Axis, Control, Course, Cycle, CycleError, Inputs, Key, Log, Meaning, Measured, Note, Parameter, TextLog, Window,
+    limits,
 };
 use crate::probing::vector::{along, dot};
 use crate::tolerance::Feature;
@@ -26,6 +27,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "425",
     control: Control::Milling,
     names: &[(En, "MEASURE INSIDE WIDTH"), (Nl, "METEN BREEDTE BINNEN")],
+    notes: &[Note::Recommended { cycle: "1404" }],
     parameters: &[
         Parameter::coordinate(Key::Q(328), "STARTNG PNT 1ST AXIS")
             .named(&[(Nl, "STARTPUNT 1E AS")])

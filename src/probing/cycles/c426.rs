@@ -22,6 +22,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "426",
     control: Control::Milling,
     names: &[(En, "MEASURE RIDGE WIDTH"), (Nl, "METEN DAMBREEDTE")],
+    notes: &[],
     parameters: &[
         POINT_1.means(Meaning::FirstPoint(Axis::First)),
         POINT_2.means(Meaning::FirstPoint(Axis::Second)),

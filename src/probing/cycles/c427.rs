@@ -1,19 +1,23 @@
 //! Cycle 427, measure coordinate: one contact along one axis, limits in Q288 and Q289.
 //!
 //! Parameters, ranges, result and notes as in the Italian manual of TNC7. Rework and scrap are those of an outside
-//! dimension, as the cycle manual of the TNC 320 says: too large is rework, too small is scrap. The control's note that
-//! Q261 lies between Q276 and Q275 is left over from cycle 421 and does not hold here. That limits of 0 and 0 monitor
+//! dimension, as the cycle manual of the TNC 320 says: too large is rework, too small is scrap. That limits of 0 and 0 monitor
 //! nothing is our interpretation: 0 may be a real coordinate.
+//!
+//! The manual asks for Q261 between Q276 and Q275, which this cycle does not have. What it can mean is the nominal value
+//! of the measured axis between Q289 and Q288: a remark says where it is not. The manual also says that deviations are
+//! stored in Q parameters and names none for them: the deviation is a result without a parameter.
 
 use super::judged;
 use super::probed::met_at;
+use crate::length::Length;
 use crate::probing::cycle::shared::{
     CLEARANCE_HEIGHT, INCIDENCE_ANGLE, MEASURING_HEIGHT, MEASURING_LOG, POINT_1, POINT_2, REVERSED, SET_UP_CLEARANCE,
     STOP_IF_ERROR, TOOL,
 };
 use crate::probing::cycle::{
     Control, Corrected, Correction, Course, Cycle, CycleError, CycleResult, FigureKind, Found, FoundName, Inputs, Key,
-    Log, LogFigure, Meaning, Measured, Parameter, Remark, TextLog, Window, limits, nearest,
+    Log, LogFigure, Meaning, Measured, Note, Parameter, Remark, TextLog, Window, limits, nearest,
 };
 use crate::probing::simulated::{Face, Surface};
 use crate::tolerance::Feature;
@@ -25,6 +29,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "427",
     control: Control::Milling,
     names: &[(En, "MEASURE COORDINATE"), (Nl, "METEN COORDINAAT"), (It, "MISURAZ. COORDINATA")],
+    notes: &[Note::SoftwareOption { option: "#17 / #1-05-1" }, Note::Recommended { cycle: "1400" }],
     parameters: &[
         POINT_1,
         POINT_2,
@@ -91,6 +96,15 @@ fn direction(inputs: &Inputs) -> [f64; 3] {
     [1, 2, 3].map(|axis| if inputs.whole(272) == axis { sign } else { 0.0 })
 }
 
+/// The nominal value of the measured axis.
+fn nominal(inputs: &Inputs) -> Length {
+    inputs.length(Key::Q(match inputs.whole(272) {
+        1 => 263,
+        2 => 264,
+        _ => 261,
+    }))
+}
+
 /// The deviation from the middle of the limits corrects the radius in axis 1 and 2, the length in axis 3. In plus
 /// direction the ball meets the lower wall: a smaller coordinate than wanted is material that a small tool has left. In
 /// axis 3 a surface that is too high was cut by a tool that is shorter than its table says.
@@ -118,8 +132,18 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         _ => contact.z,
     })?;
     let checks: Vec<_> = judged::size(FoundName::COORDINATE, measured, limits, Feature::Shaft).into_iter().collect();
-    let remarks = if checks.is_empty() { Vec::new() } else { vec![Remark::OutsideDimension] };
-    let results = vec![Found::length(160, FoundName::COORDINATE, measured)];
+    let nominal = nominal(inputs);
+    let mut remarks = Vec::new();
+    if judged::is_outside(nominal, limits) {
+        remarks.push(Remark::NominalCoordinateOutsideLimits { nominal });
+    }
+    if !checks.is_empty() {
+        remarks.extend([Remark::OutsideDimension, Remark::DeviationWithoutParameter]);
+    }
+    let results = vec![
+        Found::length(160, FoundName::COORDINATE, measured),
+        Found::without_key(FoundName::COORDINATE_DEVIATION, measured.saturating_sub(nominal)),
+    ];
     // The markers are set even without limits.
     Ok(Measured { remarks, ..judged::measured(inputs, vec![contact], checks, results) })
 }

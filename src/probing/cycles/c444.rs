@@ -10,8 +10,8 @@ use crate::length::Length;
 use crate::probing::contact::Contact;
 use crate::probing::cycle::shared::{CLEARANCE_HEIGHT, POINT_1, POINT_2, SET_UP_CLEARANCE};
 use crate::probing::cycle::{
-    Axis, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Parameter, Range,
-    Remark, Stop, Value, Window, nearest,
+    Axis, Control, Course, Cycle, CycleError, Found, FoundName, Inputs, Key, Log, Meaning, Measured, Note, Parameter,
+    Range, Remark, Stop, Value, Window, nearest,
 };
 use crate::probing::simulated::{FreePoint, Surface};
 use crate::probing::vector::{along, direction, dot};
@@ -31,6 +31,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "444",
     control: Control::Milling,
     names: &[(En, "PROBING IN 3-D"), (Nl, "TASTEN 3D")],
+    notes: &[Note::MachineBuilder, Note::NormalFromCad],
     parameters: &[
         POINT_1,
         POINT_2,
@@ -155,5 +156,5 @@ fn status_result(status: Option<Status>) -> Found {
         Some(Status::Scrap) => 2,
         None | Some(Status::ReMeasure) => -1,
     };
-    Found { key: Key::Q(183), name: FoundName::STATUS, value: Value::Whole(number) }
+    Found { key: Some(Key::Q(183)), name: FoundName::STATUS, value: Value::Whole(number) }
 }

@@ -40,6 +40,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "G785",
     control: Control::Lathe,
     names: &[(En, "CIRCLE MEASUREMENT"), (Nl, "METEN CIRKEL"), (De, "KREISMESSUNG")],
+    notes: &[],
     parameters: &[
         Parameter::choice(PLANE, "PLANE", &[0, 1, 2])
             .named(&[(Nl, "VLAK")])

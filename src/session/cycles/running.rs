@@ -200,7 +200,11 @@ impl CyclesPage {
 
     pub(super) fn results_text(&self) -> Option<String> {
         let result = self.run.as_ref()?.found()?;
-        let line = |found: &crate::probing::cycle::Found| format!("{} = {}\n", found.key, found.value.with_unit());
+        let line = |found: &crate::probing::cycle::Found| {
+            // Without a parameter its name says what it is.
+            let name = if found.key.is_some() { found.called() } else { found.name.to_string() };
+            format!("{name} = {}\n", found.value.with_unit())
+        };
         Some(result.results.iter().map(line).collect())
     }
 }

@@ -24,6 +24,8 @@ pub enum NoteKind {
     Remark,
     /// A warning of the reader.
     Warning,
+    /// A file that the run has read.
+    File,
 }
 
 impl ProgramPage {
@@ -31,10 +33,14 @@ impl ProgramPage {
     pub fn note_count(&self) -> usize {
         let run = self.run.as_ref();
         let of_run = run.map_or(0, |run| usize::from(run.fault().is_some()) + run.remark_count());
-        of_run + self.warnings.len()
+        let count = of_run + self.warnings.len();
+        // Where nothing is odd, nobody asks where the files came from.
+        let files = run.filter(|_| 0 < count).map_or(0, super::Run::file_count);
+        count + files
     }
 
-    /// A note by its number: the error first, then the remarks of the run, then the warnings of the reader.
+    /// A note by its number: the error first, then the remarks of the run, the warnings of the reader, and the files
+    /// that the run has read.
     pub fn note(&self, number: usize) -> Option<Note> {
         let run = self.run.as_ref();
         let fault = run.and_then(|run| run.fault());
@@ -53,8 +59,16 @@ impl ProgramPage {
             let message = message.message("what", remark.message());
             return Some(Note { kind: NoteKind::Remark, place: place.clone(), message });
         }
-        let warning = self.warnings.get(number.checked_sub(run.map_or(0, super::Run::remark_count))?)?;
+        let number = number.checked_sub(run.map_or(0, super::Run::remark_count))?;
         let main = self.main()?;
+        let Some(warning) = self.warnings.get(number) else {
+            if self.note_count() == 0 {
+                return None;
+            }
+            let file = run?.file(number.checked_sub(self.warnings.len())?)?;
+            let place = BlockPlace { program: main.path().clone(), block: 0 };
+            return Some(Note { kind: NoteKind::File, place, message: file.message() });
+        };
         // A line between blocks belongs to the block before it.
         let line = warning.place.line.unwrap_or_default().saturating_sub(1);
         let block = main.program().blocks().partition_point(|block| block.lines.start <= line).saturating_sub(1);

@@ -7,7 +7,7 @@ use crate::control::variables::{Parameter, Value, Variables};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::nc::machine::{
-    BlockPlace, CycleRun, Fault, Machine, NcPath, Pause, Remark, Step, Travel, TravelKind, Window, Written,
+    BlockPlace, CycleRun, Fault, FileRead, Machine, NcPath, Pause, Remark, Step, Travel, TravelKind, Window, Written,
 };
 use crate::nc::program::Program;
 use crate::probing::cycle::{Move, Phase};
@@ -210,6 +210,16 @@ impl Run {
     /// A remark by its number.
     pub fn remark(&self, number: usize) -> Option<&(BlockPlace, Remark)> {
         self.machine.remarks().get(*self.listed.get(number)?)
+    }
+
+    /// How many files the run has read besides the main program.
+    pub fn file_count(&self) -> usize {
+        self.machine.origins().len()
+    }
+
+    /// A file that the run has read, by its number.
+    pub fn file(&self, number: usize) -> Option<FileRead> {
+        self.machine.origins().iter().nth(number).map(|(path, origin)| FileRead::of(path, origin))
     }
 
     /// How many remarks are not listed.

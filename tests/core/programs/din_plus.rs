@@ -66,7 +66,7 @@ fn settings() -> Settings {
 
 fn hole(diameter: &str) -> Contacts {
     let text = format!("[bore]\ncentre = [0.0, 0.0]\ndiameter = {diameter}\n");
-    Contacts::Workpiece(Simulation::read(&text).unwrap())
+    Contacts::Workpiece(Simulation::read(&text).unwrap().into())
 }
 
 fn machine_with(text: &[u8], store: InMemory, contacts: Contacts) -> Machine {

@@ -2,9 +2,9 @@
 
 use fitcheck::control::variables::{Family, Parameter};
 use fitcheck::nc::program::{
-    Axis, AxisWord, Body, Columns, Condition, CycleBlock, CycleLine, CycleValue, Expression, Feed, MachineFunction,
-    Mode, Movement, NumberFunction, Operand, Operation, Place, Program, Relation, Target, TextExpression, TextOperand,
-    Tool, Unit, write,
+    Axis, AxisWord, Body, Columns, Condition, CycleBlock, CycleLine, CycleName, CycleValue, Expression, Feed,
+    MachineFunction, Mode, Movement, NumberFunction, Operand, Operation, Place, Program, Relation, Target,
+    TextExpression, TextOperand, Tool, Unit, write,
 };
 use proptest::prelude::*;
 use proptest::sample::select;
@@ -317,7 +317,12 @@ fn cycle() -> impl Strategy<Value = CycleBlock> {
         text_operand().prop_map(CycleValue::Text),
         select(vec!["MAX", "AUTO", "PREDEF"]).prop_map(|word| CycleValue::Word(word.to_owned())),
     ];
-    let parameter = prop_oneof![numeric().boxed(), textual().boxed()];
+    let word = select(vec!["MB", "x"]).prop_map(|word| CycleName::Word(word.to_owned()));
+    let parameter = prop_oneof![
+        numeric().prop_map(CycleName::Parameter).boxed(),
+        textual().prop_map(CycleName::Parameter).boxed(),
+        word.boxed()
+    ];
     let line = (parameter, value, prop_oneof![Just(String::new()), words().prop_map(|text| text)])
         .prop_map(|(parameter, value, comment)| CycleLine { parameter, value, place: NOWHERE, comment });
     (select(vec!["421", "427", "14.1"]), words(), prop::collection::vec(line, 0..6))

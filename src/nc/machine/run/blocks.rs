@@ -128,10 +128,12 @@ impl Run {
             Body::TableOpen(path) => self.open_table(at, path, files)?,
             Body::TableRead { to, row, columns } => {
                 let found = self.tables.read(*to, *row, columns, &self.values)?;
-                found.into_iter().try_for_each(|(to, value)| self.values.put(to, value))?;
+                self.remarks.add_all(&self.flow.place_of(at), found.remarks);
+                found.values.into_iter().try_for_each(|(to, value)| self.values.put(to, value))?;
             }
             Body::TableWrite { row, columns, from } => {
-                let cells = self.tables.cells(*row, columns, *from, &self.values)?;
+                let mut cells = self.tables.cells(*row, columns, *from, &self.values)?;
+                self.remarks.add_all(&self.flow.place_of(at), std::mem::take(&mut cells.remarks));
                 self.tables.write(at, cells, files)?;
             }
             Body::ToolCall { tool, axis, .. } => {

@@ -3,11 +3,12 @@
 //! Known by their first words; what is passed over is not checked further. Forms: `docs/SOURCES.md`, "Around a measurement".
 
 use super::super::around::{Frame, Goes, Mode, PassedOver};
-use super::super::block::{Axis, AxisWord, Body, CycleBlock, CycleValue, MachineFunction, Operand};
+use super::super::block::{Axis, AxisWord, Body, CycleBlock, CycleLine, CycleValue, MachineFunction, Operand};
 use super::super::cursor::{Cursor, Read};
 use super::super::fault::Wanted;
 use super::super::words::AXES;
 use super::moves::{axis_letter, axis_word, is_machine_function, machine_functions};
+use crate::control::variables::Parameter;
 
 /// Where the words of a path end up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -318,7 +319,8 @@ pub(in super::super) fn defined(cycle: CycleBlock) -> Body {
     if cycle.number != "247" {
         return Body::CycleDefinition(cycle);
     }
-    let preset = cycle.lines.iter().find(|line| line.parameter.number == 339).and_then(|line| match line.value {
+    let is_preset = |line: &&CycleLine| line.parameter == Parameter::q(339).into();
+    let preset = cycle.lines.iter().find(is_preset).and_then(|line| match line.value {
         CycleValue::Number { value, .. } => Some(value),
         CycleValue::Text(_) | CycleValue::Word(_) => None,
     });

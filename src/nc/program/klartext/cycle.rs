@@ -1,6 +1,6 @@
 //! Cycles: `TCH PROBE` and `CYCL DEF` with the lines after them.
 
-use super::super::block::{CycleBlock, CycleLine, CycleValue, Place, TextOperand};
+use super::super::block::{CycleBlock, CycleLine, CycleName, CycleValue, Place, TextOperand};
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::fault::{BlockFault, Wanted};
 use super::super::lines::Piece;
@@ -22,13 +22,26 @@ pub(in super::super) fn line(cycle: &mut CycleBlock, piece: &Piece<'_>, column: 
     let mut cursor = Cursor::new(piece.code);
     while !cursor.is_at_end() {
         let place = column(cursor.at());
-        let parameter = cursor.any_parameter()?;
+        let parameter = name(&mut cursor)?;
         cursor.expect('=', "=")?;
         let value = value(&mut cursor)?;
         let comment = piece.comment.unwrap_or_default().to_owned();
         cycle.lines.push(CycleLine { parameter, value, place, comment });
     }
     Ok(())
+}
+
+/// A parameter, or a word before `=`: a cycle may have an input without a number (`MB`).
+fn name(cursor: &mut Cursor<'_>) -> Read<CycleName> {
+    let mut ahead = cursor.clone();
+    let word = ahead.letters();
+    ahead.take_prefix(word);
+    // A Q without its number is no word.
+    if word.is_empty() || word.starts_with(['Q', 'q']) || ahead.next() != Some('=') {
+        return Ok(cursor.any_parameter()?.into());
+    }
+    *cursor = ahead;
+    Ok(CycleName::Word(word.to_owned()))
 }
 
 fn value(cursor: &mut Cursor<'_>) -> Result<CycleValue, Stop> {
