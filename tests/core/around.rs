@@ -81,6 +81,10 @@ fn a_bore_is_milled_measured_and_reworked_by_a_jump() {
         let (machine, fault) = over(machine(&program, pocket(&diameters, x)));
         assert_eq!(fault.as_deref(), ends, "{diameters:?}");
         assert_eq!((machine.cycles().len(), machine.cycles().last().unwrap().result.verdict()), (runs, Some(status)));
+        // What was reworked and measured again counts as it is now.
+        assert_eq!(machine.status(), Some(status), "{diameters:?}");
+        let again = machine.remarks().iter().any(|(_, remark)| remark.to_string().starts_with("measured again"));
+        assert_eq!(again, 1 < runs);
         check(&machine, &[(10, q10), (12, q12), (153, q153), (163, q163)]);
         let markers = [Status::Good, Status::Rework, Status::Scrap].map(|one| f64::from(u8::from(one == status)));
         check(&machine, &[(180, markers[0]), (181, markers[1]), (182, markers[2])]);
@@ -93,6 +97,44 @@ fn a_bore_is_milled_measured_and_reworked_by_a_jump() {
         assert_eq!(machine.passed_over()["CYCL DEF 208"], usize::try_from(milled).unwrap());
         assert_eq!(machine.passed_over()["BLK FORM"], 2);
     }
+}
+
+#[test]
+fn scrap_stays_scrap_and_another_feature_is_not_the_same() {
+    let worst = |first: f64, second: f64, between: &str| {
+        let hole = HOLE.replace("Q273=+40", "Q273=+Q1");
+        let blocks = format!("TOOL CALL 1 Z\nQ1 = 40\nLBL 1\n{hole}\n{between}\nCALL LBL 1 REP 1");
+        let contacts = [circle([40.0, 30.0], first, 0.0, -8.0), circle([40.0, 30.0], second, 0.0, -8.0)].concat();
+        ran(&blocks, Contacts::Recorded(contacts)).status()
+    };
+    let tool = "TOOL CALL 5 Z\nTOOL CALL 1 Z";
+    assert_eq!(worst(24.99, 25.01, tool), Some(Status::Good));
+    assert_eq!(worst(25.01, 24.99, tool), Some(Status::Rework));
+    assert_eq!(worst(25.03, 25.01, tool), Some(Status::Scrap));
+    assert_eq!(worst(24.99, 25.01, ""), Some(Status::Rework), "nothing was machined between");
+    for other in ["STOP", "M0", "Q1 = 40.001", "CYCL DEF 7.1 X+1", "CYCL DEF 247 X ~\nQ339=+2", "L C+90"] {
+        assert_eq!(worst(24.99, 25.01, &format!("{tool}\n{other}")), Some(Status::Rework), "{other}");
+    }
+}
+
+/// The example of the README, through the program: 24.975 is reworked, 25.0102 is good.
+#[test]
+fn the_plate_is_good_after_one_rework() {
+    let file = |name: &str| std::fs::read(format!("{}/docs/examples/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
+    let rows = String::from_utf8(file("plate_fit.csv")).unwrap();
+    let contact = |row: &str| {
+        let [x, y, z] = row.split(',').map(|cell| cell.parse().unwrap()).collect::<Vec<f64>>()[..] else {
+            panic!("{row}")
+        };
+        Contact::at([x, y, z])
+    };
+    let contacts = rows.lines().skip(1).map(contact).collect();
+    let (machine, fault) = over(machine(&file("plate_fit.h"), Contacts::Recorded(contacts)));
+    assert_eq!((fault, machine.status(), machine.cycles().len()), (None, Some(Status::Good), 2));
+    check(&machine, &[(1, 25.015), (2, 1.0), (153, 25.0102)]);
+    // From first to last block: nothing was skipped as unknown, and what is passed over is counted.
+    assert!(remarks(&machine).iter().all(|remark| !remark.contains("unknown")));
+    assert_eq!((machine.passed_over()["CYCL DEF 208"], machine.passed_over()["CYCL CALL"]), (2, 3));
 }
 
 #[test]

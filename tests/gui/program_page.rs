@@ -280,7 +280,7 @@ fn an_error_is_shown_and_a_click_goes_to_its_block() {
 #[test]
 fn an_unknown_block_stops_the_run_or_is_passed_over() {
     let folder = tempfile::tempdir().unwrap();
-    let path = program(folder.path(), "unknown.h", "Q1 = 5\nCP IPA+360 DR+\nQ2 = Q1 + 1");
+    let path = program(folder.path(), "unknown.h", "Q1 = 5\nCUTTING DATA\nQ2 = Q1 + 1");
     let mut page = page();
     open_file(&mut page, &path);
     press(&mut page, Key::F5);

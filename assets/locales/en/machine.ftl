@@ -85,6 +85,7 @@ machine-file-built-in = { $path } is built in
 machine-remark-skipped = unknown block skipped
 machine-remark-no-system-data = { $parameter } is undefined from here on: only a control knows the system data of FN 18
 machine-remark-axis-assumed = no TOOL CALL comes before: measured along Z with the first probe
+machine-remark-measured-again = measured again after rework: this measurement counts
 machine-remark-spindle-turns = the spindle turns since M{ $function }: a control would not probe
 machine-remark-rotary-moved = { $axes } moved before: the workpiece was measured as if not turned
 machine-remark-other-preset = preset { $number }: the workpiece was taken to lie there, too

@@ -85,6 +85,7 @@ machine-file-built-in = { $path } is ingebouwd
 machine-remark-skipped = onbekende NC-regel overgeslagen
 machine-remark-no-system-data = { $parameter } is vanaf hier ongedefinieerd: de systeemgegevens van FN 18 kent alleen een besturing
 machine-remark-axis-assumed = er staat geen TOOL CALL voor: gemeten langs Z met het eerste tastsysteem
+machine-remark-measured-again = opnieuw gemeten na nabewerking: deze meting telt
 machine-remark-spindle-turns = de spil draait sinds M{ $function }: een besturing zou niet tasten
 machine-remark-rotary-moved = { $axes } zijn voordien verplaatst: het werkstuk is gemeten alsof het niet gedraaid is
 machine-remark-other-preset = referentiepunt { $number }: het werkstuk wordt geacht ook daar te liggen

@@ -126,6 +126,7 @@ fn cycle(machine: &Machine, run: &CycleRun) -> Json {
         "results": results,
         "checks": result.checks.iter().map(check).collect::<Vec<_>>(),
         "status": result.verdict().map(crate::verdict::Status::word),
+        "is_reworked": run.is_reworked,
         "stop": result.stop.as_ref().map(ToString::to_string),
         "contacts": result.contacts,
         "remarks": result.remarks.iter().map(ToString::to_string).collect::<Vec<_>>(),

@@ -58,7 +58,30 @@ pub(super) struct Around {
     /// Rotary axes that are not known to be at zero.
     turned: BTreeSet<Axis>,
     selected: Option<NcPath>,
+    stops: u64,
+    tool_calls: u64,
     passed: BTreeMap<String, usize>,
+}
+
+/// What tells whether two measurements are of one feature, before and after rework.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) struct Moment {
+    plane: Plane,
+    zero: [f64; 3],
+    preset: Option<f64>,
+    is_turned: bool,
+    /// How often the program had stopped: the workpiece may have been changed.
+    stops: u64,
+    /// How often a tool had been called.
+    tool_calls: u64,
+}
+
+impl Moment {
+    /// Whether the same workpiece can have been machined between.
+    pub(super) fn is_before_rework(&self, later: &Self) -> bool {
+        let same = Self { tool_calls: later.tool_calls, ..self.clone() };
+        same == *later && !self.is_turned && self.tool_calls < later.tool_calls
+    }
 }
 
 /// The block that made a change.
@@ -92,6 +115,8 @@ impl Around {
             changes: BTreeMap::new(),
             turned: BTreeSet::new(),
             selected: None,
+            stops: 0,
+            tool_calls: 0,
             passed: BTreeMap::new(),
         }
     }
@@ -115,6 +140,7 @@ impl Around {
         self.plane = axis.and_then(plane).or(self.plane);
         if is_change {
             self.spindle = None;
+            self.tool_calls += 1;
         }
     }
 
@@ -124,6 +150,8 @@ impl Around {
             match function.number {
                 3 | 4 | 13 | 14 => self.spindle = Some(function.number),
                 5 => self.spindle = None,
+                // 60 changes the pallet.
+                0 | 1 | 60 => self.stops += 1,
                 _ => {}
             }
         }
@@ -132,6 +160,13 @@ impl Around {
     /// STOP ends the turning of the spindle.
     pub(super) const fn stop(&mut self) {
         self.spindle = None;
+        self.stops += 1;
+    }
+
+    /// What tells whether two measurements are of one feature.
+    pub(super) fn moment(&self) -> Moment {
+        let Self { zero, preset, stops, tool_calls, .. } = *self;
+        Moment { plane: self.plane(), zero, preset, is_turned: !self.turned.is_empty(), stops, tool_calls }
     }
 
     pub(super) const fn set_mode(&mut self, mode: Mode) {

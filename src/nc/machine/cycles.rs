@@ -1,6 +1,6 @@
 //! `TCH PROBE`: the cycles of `probing::cycles`, by number.
 
-use super::around::{Around, Global, INCH};
+use super::around::{Around, Global, INCH, Moment};
 use super::budget::{Budget, Settings, UsedUp};
 use super::contacts::{Contacts, Probed};
 use super::fault::{BlockPlace, FaultKind};
@@ -15,6 +15,7 @@ use crate::nc::program::{CycleBlock, CycleValue, Operand, Tool, Unit};
 use crate::probing::TouchProbe;
 use crate::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
 use crate::probing::cycles::cycles_of;
+use crate::verdict::Status;
 
 /// A cycle that was run.
 #[derive(Debug, Clone)]
@@ -25,6 +26,26 @@ pub struct CycleRun {
     pub cycle: &'static Cycle,
     /// What it found.
     pub result: CycleResult,
+    /// Whether it gave rework and the same block has measured the same feature again since: that measurement counts.
+    pub is_reworked: bool,
+    pub(super) moment: Moment,
+}
+
+impl CycleRun {
+    /// A cycle that was run now.
+    pub(super) const fn new(place: BlockPlace, cycle: &'static Cycle, result: CycleResult, moment: Moment) -> Self {
+        Self { place, cycle, result, is_reworked: false, moment }
+    }
+
+    /// Whether this is rework of a feature that another run has measured again: the same block with the same values on the same
+    /// workpiece, and another tool was called between. Scrap stays scrap.
+    fn is_superseded_by(&self, later: &Self) -> bool {
+        self.result.verdict() == Some(Status::Rework)
+            && later.result.verdict().is_some()
+            && self.place == later.place
+            && self.moment.is_before_rework(&later.moment)
+            && self.result.inputs == later.result.inputs
+    }
 }
 
 /// The cycles of a run, and the probe that they use.
@@ -116,9 +137,16 @@ impl Cycles {
         Ok((path, result.map_err(|error| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) })))
     }
 
-    /// Keeps a cycle that was run.
-    pub(super) fn keep(&mut self, run: CycleRun) {
+    /// Keeps a cycle that was run; returns a remark if it takes the place of an earlier one.
+    pub(super) fn keep(&mut self, run: CycleRun) -> Option<Remark> {
+        let before = self.runs.iter_mut().rev().find(|earlier| !earlier.is_reworked && earlier.place == run.place);
+        let reworked = before.filter(|earlier| earlier.is_superseded_by(&run));
+        let remark = reworked.is_some().then_some(Remark::MeasuredAgain);
+        if let Some(earlier) = reworked {
+            earlier.is_reworked = true;
+        }
         self.runs.push(run);
+        remark
     }
 }
 

@@ -24,6 +24,8 @@ pub enum Remark {
     },
     /// A cycle without a TOOL CALL before it measured along Z, because the settings of the run say so.
     AxisAssumed,
+    /// A cycle has measured a feature again that an earlier run of its block had found to need rework: this run counts.
+    MeasuredAgain,
     /// A cycle was called while the spindle turns.
     SpindleTurns {
         /// The M function that turns it.

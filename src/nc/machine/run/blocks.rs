@@ -98,18 +98,7 @@ impl Run {
                 let path = self.around.selected().cloned().ok_or(FaultKind::NothingSelected)?;
                 self.call_program(at, path, files)?;
             }
-            Body::Assign { to, value } => {
-                let given = self.values.assign(*to, value, self.is_main())?;
-                self.note_given(at, *to, given);
-            }
-            Body::AssignText { to, value } => {
-                let given = self.values.assign_text(*to, value, self.is_main())?;
-                self.note_given(at, *to, given);
-            }
-            Body::Undefine(parameter) => {
-                let given = self.values.undefine(*parameter, self.is_main());
-                self.note_given(at, *parameter, given);
-            }
+            Body::Assign { .. } | Body::AssignText { .. } | Body::Undefine(_) => self.assign(at, &block.body)?,
             Body::Jump { condition, label } => {
                 if self.values.holds(condition)? {
                     self.flow.jump(label, &self.values)?;
@@ -125,16 +114,8 @@ impl Run {
                 return Err(FaultKind::Programmed(u32::try_from(number).unwrap_or(u32::MAX)));
             }
             Body::Print { mask, output } => self.print(at, mask, output, files, settings)?,
-            Body::TableOpen(path) => self.open_table(at, path, files)?,
-            Body::TableRead { to, row, columns } => {
-                let found = self.tables.read(*to, *row, columns, &self.values)?;
-                self.remarks.add_all(&self.flow.place_of(at), found.remarks);
-                found.values.into_iter().try_for_each(|(to, value)| self.values.put(to, value))?;
-            }
-            Body::TableWrite { row, columns, from } => {
-                let mut cells = self.tables.cells(*row, columns, *from, &self.values)?;
-                self.remarks.add_all(&self.flow.place_of(at), std::mem::take(&mut cells.remarks));
-                self.tables.write(at, cells, files)?;
+            Body::TableOpen(_) | Body::TableRead { .. } | Body::TableWrite { .. } => {
+                self.table(at, &block.body, files)?;
             }
             Body::ToolCall { tool, axis, .. } => {
                 self.around.call_tool(tool.is_some(), *axis);
@@ -213,19 +194,7 @@ impl Run {
         }
     }
 
-    /// FN 26: closes the table that is still open.
-    fn open_table(&mut self, at: usize, path: &TextOperand, files: &mut Files) -> Result<(), FaultKind> {
-        let path = self.path_of(path)?;
-        if self.tables.path() == Some(&path) {
-            return Ok(());
-        }
-        self.close_table(files)?;
-        let remarks = self.tables.open(path, files)?;
-        self.remarks.add_all(&self.flow.place_of(at), remarks);
-        Ok(())
-    }
-
-    fn close_table(&mut self, files: &mut Files) -> Result<(), FaultKind> {
+    pub(super) fn close_table(&mut self, files: &mut Files) -> Result<(), FaultKind> {
         self.tables.close(self.flow.path(), files, &mut self.remarks)
     }
 
@@ -301,7 +270,9 @@ impl Run {
         };
         // The last step: what was measured stands, even if the tool is broken.
         let monitored = self.tools.monitor(&place, cycle, &result, &mut self.remarks);
-        self.cycles.keep(CycleRun { place, cycle, result });
+        if let Some(again) = self.cycles.keep(CycleRun::new(place, cycle, result, self.around.moment())) {
+            self.remark(at, again);
+        }
         monitored.map(|()| step)
     }
 

@@ -1,9 +1,11 @@
 //! The machine as its users see it: set up, run block by block, asked what it has done.
 //!
-//! `blocks` has what each block does, `around` those that set something up.
+//! `blocks` has what each block does; `data` parameters and tables, `around` what sets something up, `lathe` what only lathe
+//! controls have.
 
 mod around;
 mod blocks;
+mod data;
 mod lathe;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -306,9 +308,9 @@ impl Machine {
         !matches!(self.state, State::Ready)
     }
 
-    /// The worst status of the cycles that gave one.
+    /// The worst status of the cycles that gave one; rework that was measured again since does not count.
     pub fn status(&self) -> Option<Status> {
-        self.cycles().iter().filter_map(|run| run.result.verdict()).max()
+        self.cycles().iter().filter(|run| !run.is_reworked).filter_map(|run| run.result.verdict()).max()
     }
 
     /// The settings of the run.
