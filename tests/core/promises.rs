@@ -54,9 +54,11 @@ fn every_test_that_a_document_names_exists() {
         let folder = |path: &PathBuf| path.parent().is_some_and(|folder| folder.ends_with(name));
         files.iter().any(|(path, _)| file(path) || folder(path))
     };
-    for (document, heading, at_least) in
-        [("ARCHITECTURE.md", "## Invariants", 60), ("SECURITY.md", "## What holds", 20)]
-    {
+    for (document, heading, at_least) in [
+        ("ARCHITECTURE.md", "## Invariants", 60),
+        ("SECURITY.md", "## What holds", 20),
+        ("docs/REQUIREMENTS.md", "## Rows", 170),
+    ] {
         let names = named_tests(document, heading);
         assert!(at_least < names.len(), "the search finds only {} in {document}", names.len());
         for name in names {
@@ -89,9 +91,24 @@ fn quoted_first(line: &str) -> Option<&str> {
 }
 
 #[test]
+fn every_requirement_says_where_it_works_and_names_a_test() {
+    let text = std::fs::read_to_string(root().join("docs/REQUIREMENTS.md")).unwrap();
+    let (_, rows) = text.split_once("## Rows").unwrap();
+    let rows: Vec<&str> = rows.lines().filter(|line| line.starts_with("| ")).skip(1).collect();
+    for (row, number) in rows.iter().zip(1..) {
+        let cells: Vec<&str> = row.trim_matches('|').split(" | ").map(str::trim).collect();
+        let [first, document, asked, works, test] = cells[..] else { panic!("{row}") };
+        assert_eq!(first, number.to_string(), "{row}");
+        assert!(![document, asked, works].contains(&""), "{row}");
+        assert!(test.starts_with('`'), "{row}");
+    }
+    assert!(150 < rows.len(), "{}", rows.len());
+}
+
+#[test]
 fn every_link_of_the_documents_leads_to_a_file() {
     let documents = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "SECURITY.md"];
-    let more = ["docs/DEPENDENCIES.md", "docs/RELEASE.md", "docs/SOURCES.md", "docs/TERMS.md"];
+    let more = ["docs/DEPENDENCIES.md", "docs/RELEASE.md", "docs/REQUIREMENTS.md", "docs/SOURCES.md", "docs/TERMS.md"];
     for document in documents.into_iter().chain(more) {
         let path = root().join(document);
         let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{document}: {error}"));

@@ -37,6 +37,12 @@ impl CycleRun {
         Self { place, cycle, result, is_reworked: false, moment }
     }
 
+    /// Whether both were run with the same values; where the ball came from does not count.
+    fn has_values_of(&self, other: &Self) -> bool {
+        let value = |run: &Self, key| run.result.inputs.value(key).cloned();
+        self.cycle.parameters.iter().all(|parameter| value(self, parameter.key) == value(other, parameter.key))
+    }
+
     /// Whether this is rework of a feature that another run has measured again: the same block with the same values on the same
     /// workpiece, and another tool was called between. Scrap stays scrap.
     fn is_superseded_by(&self, later: &Self) -> bool {
@@ -44,7 +50,7 @@ impl CycleRun {
             && later.result.verdict().is_some()
             && self.place == later.place
             && self.moment.is_before_rework(&later.moment)
-            && self.result.inputs == later.result.inputs
+            && self.has_values_of(later)
     }
 }
 

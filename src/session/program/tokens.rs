@@ -22,12 +22,13 @@ pub enum Token {
 }
 
 /// The words of the language, in order.
-const KEYWORDS: [&str; 63] = [
-    "ABS", "ACOS", "ANG", "ASIN", "ATAN", "BEGIN", "BLK", "CALL", "COS", "CYCL", "DECLARE", "DEF", "DEFINED", "DIV",
-    "END", "EQU", "ERROR", "EXP", "F", "FAUTO", "FMAX", "FN", "FORM", "FRAC", "GOTO", "GT", "IF", "INCH", "INSTR",
-    "INT", "IS", "L", "LBL", "LEN", "LN", "LOG", "LT", "M", "MM", "NE", "NEG", "PGM", "PI", "PRINT", "PROBE", "REP",
-    "SCREEN", "SET", "SGN", "SIN", "SQ", "SQRT", "STOP", "STRCOMP", "STRING", "STRLEN", "SUBSTR", "TAN", "TCH", "THEN",
-    "TOCHAR", "TONUMB", "TOOL",
+const KEYWORDS: [&str; 79] = [
+    "ABS", "ACOS", "ANG", "APPR", "ASIN", "ATAN", "BEGIN", "BLK", "CALL", "CC", "CHF", "COS", "CR", "CT", "CYCL",
+    "DECLARE", "DEF", "DEFINED", "DEP", "DIV", "END", "EQU", "ERROR", "EXP", "F", "FAUTO", "FMAX", "FN", "FORM",
+    "FRAC", "FUNCTION", "GLOBAL", "GOTO", "GT", "IF", "INCH", "INSTR", "INT", "IS", "L", "LBL", "LEN", "LN", "LOG",
+    "LT", "M", "MM", "NE", "NEG", "PATTERN", "PGM", "PI", "PLANE", "PRINT", "PROBE", "REP", "RESET", "RND", "SCREEN",
+    "SEL", "SET", "SGN", "SIN", "SPATIAL", "SQ", "SQRT", "STAY", "STOP", "STRCOMP", "STRING", "STRLEN", "SUBSTR",
+    "TAN", "TCH", "THEN", "TOCHAR", "TONUMB", "TOOL", "TRANS",
 ];
 
 /// Words after FN, in order.
