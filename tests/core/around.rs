@@ -117,24 +117,42 @@ fn scrap_stays_scrap_and_another_feature_is_not_the_same() {
     }
 }
 
-/// The example of the README, through the program: 24.975 is reworked, 25.0102 is good.
-#[test]
-fn the_plate_is_good_after_one_rework() {
-    let file = |name: &str| std::fs::read(format!("{}/docs/examples/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap();
-    let rows = String::from_utf8(file("plate_fit.csv")).unwrap();
+fn example(name: &str) -> Vec<u8> {
+    std::fs::read(format!("{}/docs/examples/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
+}
+
+/// An example of the README on the contacts beside it.
+fn example_run(program: &str, contacts: &str) -> Machine {
+    let rows = String::from_utf8(example(contacts)).unwrap();
     let contact = |row: &str| {
-        let [x, y, z] = row.split(',').map(|cell| cell.parse().unwrap()).collect::<Vec<f64>>()[..] else {
-            panic!("{row}")
-        };
+        let cells: Vec<f64> = row.split(',').map(|cell| cell.parse().unwrap()).collect();
+        let [x, y, z] = cells[..] else { panic!("{row}") };
         Contact::at([x, y, z])
     };
     let contacts = rows.lines().skip(1).map(contact).collect();
-    let (machine, fault) = over(machine(&file("plate_fit.h"), Contacts::Recorded(contacts)));
-    assert_eq!((fault, machine.status(), machine.cycles().len()), (None, Some(Status::Good), 2));
-    check(&machine, &[(1, 25.015), (2, 1.0), (153, 25.0102)]);
-    // From first to last block: nothing was skipped as unknown, and what is passed over is counted.
+    let (machine, fault) = over(machine(&example(program), Contacts::Recorded(contacts)));
+    assert_eq!(fault, None);
+    // From first to last block: nothing was skipped as unknown.
     assert!(remarks(&machine).iter().all(|remark| !remark.contains("unknown")));
+    machine
+}
+
+#[test]
+fn the_plate_is_good_after_one_rework() {
+    let machine = example_run("plate_fit.h", "plate_fit.csv");
+    assert_eq!((machine.status(), machine.cycles().len()), (Some(Status::Good), 2));
+    check(&machine, &[(1, 25.015), (2, 1.0), (153, 25.0102)]);
     assert_eq!((machine.passed_over()["CYCL DEF 208"], machine.passed_over()["CYCL CALL"]), (2, 3));
+}
+
+#[test]
+fn the_flange_is_good_after_one_rework() {
+    let machine = example_run("flange_fit.nc", "flange_fit.csv");
+    let shown: Vec<&str> = machine.windows().iter().map(|window| window.text.trim()).collect();
+    // The contacts have nine decimals, and the diameter is a whole number of nanometres.
+    assert_eq!((shown, machine.cycles().len()), (vec!["rework 39.99", "measured 40.0124"], 2));
+    // A program of a lathe control judges by itself: its cycle has no limits.
+    assert_eq!(machine.status(), None);
 }
 
 #[test]

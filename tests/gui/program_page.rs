@@ -277,6 +277,21 @@ fn an_error_is_shown_and_a_click_goes_to_its_block() {
     assert_eq!(page.state().session().program().shown().unwrap().selected(), 103);
 }
 
+/// Whole machining programs of milling and turning, block by block from the first to the last.
+#[test]
+fn whole_programs_are_stepped_to_their_end() {
+    for (name, blocks, passed_over) in [("plate_fit.h", 63, "CYCL DEF 208"), ("flange_fit.nc", 99, "ROHTEIL")] {
+        let mut page = page();
+        open_file(&mut page, &Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples").join(name));
+        for _ in 0..blocks {
+            assert!(page.query_by_label_contains("Ended after").is_none(), "{name}");
+            press(&mut page, Key::F10);
+        }
+        says(&page, &format!("Ended after {blocks} blocks"));
+        page.get_by_label_contains(passed_over);
+    }
+}
+
 #[test]
 fn an_unknown_block_stops_the_run_or_is_passed_over() {
     let folder = tempfile::tempdir().unwrap();

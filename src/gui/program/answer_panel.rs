@@ -28,8 +28,8 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     if open.is_empty() {
         quiet(ui, view.text("program-page-no-windows"));
     }
-    for window in open.iter().rev().take(MOST) {
-        window_ui(ui, view, window);
+    for (number, window) in open.iter().enumerate().rev().take(MOST) {
+        window_ui(ui, view, window, number);
     }
     cycles_ui(ui, view, run);
     outputs_ui(ui, view, run);
@@ -88,12 +88,12 @@ fn main_value(words: &Words, run: &CycleRun) -> Option<String> {
     Some(format!("{} mm", words.number(&length.rounded(crate::length::Unit::Millimetre, 4))))
 }
 
-/// A window of FN 16, as the control shows it.
-fn window_ui(ui: &mut Ui, view: &View<'_>, window: &Window) {
+/// A window of FN 16, as the control shows it; a block in a loop opens several.
+fn window_ui(ui: &mut Ui, view: &View<'_>, window: &Window, number: usize) {
     let id =
         if view.session.program().is_simulated() { "program-page-window-simulated" } else { "program-page-window" };
     let title = Message::new(id).text("mask", window.mask.file_name());
-    let salt = (&window.place.program, window.place.block);
+    let salt = (&window.place.program, window.place.block, number);
     popup::frame_ui(ui, view.words.say(&title), |ui| popup::text_ui(ui, &window.text, salt));
 }
 
