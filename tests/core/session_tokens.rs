@@ -2,7 +2,8 @@
 
 #![cfg(test)]
 
-use fitcheck::session::program::{Token, tokens};
+use fitcheck::nc::program::Notation;
+use fitcheck::session::program::{Token, tokens, tokens_of};
 
 #[track_caller]
 fn check(line: &str, begins: bool, expected: &[(&str, Token)]) {
@@ -10,6 +11,39 @@ fn check(line: &str, begins: bool, expected: &[(&str, Token)]) {
     let found: Vec<_> = parts.iter().map(|(range, token)| (line.get(range.clone()).unwrap(), *token)).collect();
     assert_eq!(found, expected, "{line}");
     assert_eq!(parts.iter().map(|(range, _)| range.len()).sum::<usize>(), line.len());
+}
+
+#[test]
+fn a_line_of_a_lathe_program_is_told_apart() {
+    use Token::{Comment, Keyword, Number, Parameter, Plain, Text};
+    for (line, expected) in [
+        (
+            "N5 #l1=40 [nominal; \"size\"]",
+            vec![("N5", Number), (" ", Plain), ("#l1", Parameter), ("=40 ", Plain), ("[nominal; \"size\"]", Comment)],
+        ),
+        ("BEARBEITUNG", vec![("BEARBEITUNG", Keyword)]),
+        (
+            "N24 PRINT(\"re]work\",#l4)",
+            vec![
+                ("N24", Number),
+                (" ", Plain),
+                ("PRINT", Keyword),
+                ("(", Plain),
+                ("\"re]work\"", Text),
+                (",", Plain),
+                ("#l4", Parameter),
+                (")", Plain),
+            ],
+        ),
+        ("  G785 R0 [open", vec![("  ", Plain), ("G785", Keyword), (" R0 ", Plain), ("[open", Comment)]),
+        ("NAME", vec![("NAME", Plain)]),
+        ("#EINHEIT METRISCH", vec![("#EINHEIT METRISCH", Plain)]),
+        ("", vec![]),
+    ] {
+        let parts = tokens_of(Notation::DinPlus, line, true);
+        let found: Vec<_> = parts.iter().map(|(range, token)| (line.get(range.clone()).unwrap(), *token)).collect();
+        assert_eq!(found, expected, "{line}");
+    }
 }
 
 #[test]

@@ -85,8 +85,8 @@ program-page-path = Path of the probe
 program-page-no-path = No path yet
 
 program-page-no-windows = The program has opened no window
-program-page-window = FN 16, { $mask }
-program-page-window-simulated = FN 16, { $mask }, SIMULATED
+program-page-window = { $from }, { $mask }
+program-page-window-simulated = { $from }, { $mask }, SIMULATED
 program-page-cycles = Measured
 program-page-show-block = Show the block
 program-page-last-of = The last { $shown } of { $all }

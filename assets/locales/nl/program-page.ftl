@@ -85,8 +85,8 @@ program-page-path = Weg van de taster
 program-page-no-path = Nog geen weg
 
 program-page-no-windows = Het programma heeft geen venster geopend
-program-page-window = FN 16, { $mask }
-program-page-window-simulated = FN 16, { $mask }, GESIMULEERD
+program-page-window = { $from }, { $mask }
+program-page-window-simulated = { $from }, { $mask }, GESIMULEERD
 program-page-cycles = Gemeten
 program-page-show-block = Regel tonen
 program-page-last-of = De laatste { $shown } van { $all }

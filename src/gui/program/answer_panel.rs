@@ -92,7 +92,9 @@ fn main_value(words: &Words, run: &CycleRun) -> Option<String> {
 fn window_ui(ui: &mut Ui, view: &View<'_>, window: &Window, number: usize) {
     let id =
         if view.session.program().is_simulated() { "program-page-window-simulated" } else { "program-page-window" };
-    let title = Message::new(id).text("mask", window.mask.file_name());
+    // PRINT of a lathe control has no mask: its program shows the text.
+    let from = if window.mask == window.place.program { "PRINT" } else { "FN 16" };
+    let title = Message::new(id).text("from", from).text("mask", window.mask.file_name());
     let salt = (&window.place.program, window.place.block, number);
     popup::frame_ui(ui, view.words.say(&title), |ui| popup::text_ui(ui, &window.text, salt));
 }

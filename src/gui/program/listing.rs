@@ -106,7 +106,8 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, document: &Document, row: &Row, seen: Re
         painter.rect_filled(bar, 0.0, palette.accent.0);
     }
     let text = document.program().line(row.line);
-    let galley = ui.fonts_mut(|fonts| fonts.layout_job(paint::line(text, row.begins, palette)));
+    let line = paint::line(document.program().notation(), text, row.begins, palette);
+    let galley = ui.fonts_mut(|fonts| fonts.layout_job(line));
     let y = row.rect.center().y - galley.size().y / 2.0;
     painter.galley(pos2(row.rect.left() + gutter(), y), galley, palette.text.0);
     let Some(block) = row.block.filter(|_| row.begins) else { return };

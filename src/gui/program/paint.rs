@@ -5,18 +5,19 @@ use eframe::egui::{Color32, Painter, Rect, Shape, Stroke, pos2, vec2};
 
 use crate::gui::shapes;
 use crate::gui::theme::{self, Palette, sizes};
-use crate::session::program::{State, Token, tokens};
+use crate::nc::program::Notation;
+use crate::session::program::{State, Token, tokens_of};
 use crate::verdict::Status;
 
 /// The most bytes of a line that are drawn.
 const LONGEST: usize = 2_000;
 
 /// A line with its parts distinguished.
-pub(super) fn line(text: &str, begins: bool, palette: &Palette) -> LayoutJob {
+pub(super) fn line(notation: Notation, text: &str, begins: bool, palette: &Palette) -> LayoutJob {
     let end = text.floor_char_boundary(LONGEST.min(text.len()));
     let text = text.get(..end).unwrap_or(text);
     let mut job = LayoutJob { break_on_newline: false, ..LayoutJob::default() };
-    for (range, token) in tokens(text, begins) {
+    for (range, token) in tokens_of(notation, text, begins) {
         let part = text.get(range).unwrap_or_default();
         // A control character has no shape.
         if part.contains(char::is_control) {

@@ -40,7 +40,7 @@ pub use field::ProgramField;
 pub use inputs::{Agreement, Input};
 pub use notes::{Note, NoteKind};
 pub use run::{MOST_MOVES, Run, Speed, State};
-pub use tokens::{Token, tokens};
+pub use tokens::{Token, tokens, tokens_of};
 pub use watching::{Name, Watched};
 
 use crate::control::variables::{Parameter, Value};

@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use crate::nc::program::Notation;
+
 /// A part of a line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Token {
@@ -34,6 +36,32 @@ const KEYWORDS: [&str; 79] = [
 /// Words after FN, in order.
 const FUNCTIONS: [&str; 4] = ["TABOPEN", "TABREAD", "TABWRITE", "UNDEFINED"];
 
+/// Words of DIN PLUS, in order.
+const LATHE_KEYWORDS: [&str; 22] = [
+    "AND",
+    "BEARBEITUNG",
+    "BREAK",
+    "CASE",
+    "DEFAULT",
+    "ELSE",
+    "ENDE",
+    "ENDIF",
+    "ENDSWITCH",
+    "ENDWHILE",
+    "FERTIGTEIL",
+    "IF",
+    "INPUT",
+    "OR",
+    "PRINT",
+    "PROGRAMMKOPF",
+    "RETURN",
+    "REVOLVER",
+    "ROHTEIL",
+    "SUBPROGRAM",
+    "THEN",
+    "WHILE",
+];
+
 /// Splits a line into parts; every byte belongs to exactly one. `begins` is whether a block begins in the line: only
 /// there can a block number be.
 pub fn tokens(line: &str, begins: bool) -> Vec<(Range<usize>, Token)> {
@@ -50,6 +78,60 @@ pub fn tokens(line: &str, begins: bool) -> Vec<(Range<usize>, Token)> {
         found.add(found.end + length, token);
     }
     found.parts
+}
+
+/// The same for a line of a program in any notation.
+pub fn tokens_of(notation: Notation, line: &str, begins: bool) -> Vec<(Range<usize>, Token)> {
+    match notation {
+        Notation::Klartext | Notation::Iso => tokens(line, begins),
+        Notation::DinPlus => lathe_tokens(line),
+    }
+}
+
+/// The parts of a line of DIN PLUS: `N5 #l1=40 [nominal size]`.
+fn lathe_tokens(line: &str) -> Vec<(Range<usize>, Token)> {
+    let mut found = Found::default();
+    let blanks = line.len() - line.trim_start().len();
+    let number = line.trim_start().strip_prefix(['N', 'n']).map_or(0, |rest| rest.len() - digits_behind(rest));
+    found.add(if 0 < number { blanks + 1 + number } else { 0 }, Token::Number);
+    while let Some(rest) = line.get(found.end..).filter(|rest| !rest.is_empty()) {
+        let (length, token) = first_of_lathe(rest);
+        found.add(found.end + length, token);
+    }
+    found.parts
+}
+
+/// How many bytes are left behind the figures that a text begins with.
+fn digits_behind(text: &str) -> usize {
+    text.trim_start_matches(|c: char| c.is_ascii_digit()).len()
+}
+
+/// The first part of such a text that is not empty.
+fn first_of_lathe(text: &str) -> (usize, Token) {
+    let closed = |mark: char| text.find(mark).map_or(text.len(), |end| end + mark.len_utf8());
+    match text.chars().next() {
+        Some('[') => (closed(']'), Token::Comment),
+        Some('"') => first(text),
+        Some('#') => {
+            let name =
+                text.get(1..).unwrap_or_default().trim_start_matches(|c: char| c.is_ascii_lowercase() || c == '_');
+            // `#EINHEIT` is data of the head.
+            let is_variable = name.starts_with(|c: char| c.is_ascii_digit());
+            if is_variable { (text.len() - digits_behind(name), Token::Parameter) } else { (1, Token::Plain) }
+        }
+        Some(c) if c.is_alphabetic() => {
+            let behind = text.trim_start_matches(char::is_alphabetic);
+            let length = text.len() - behind.len();
+            let word = text.get(..length).unwrap_or_default().to_ascii_uppercase();
+            match word.as_str() {
+                "G" => (text.len() - digits_behind(behind), Token::Keyword),
+                word if LATHE_KEYWORDS.contains(&word) => (length, Token::Keyword),
+                _ => (length, Token::Plain),
+            }
+        }
+        Some(c) => (c.len_utf8(), Token::Plain),
+        None => (0, Token::Plain),
+    }
 }
 
 /// The parts so far; equal neighbours are merged.
