@@ -195,11 +195,6 @@ fn with_lines(
         }
         inputs = inputs.with(declared.key, input(cycle, declared, &line.value, asked.unit, values)?);
     }
-    for word in &asked.block.words {
-        // The reader of the program has looked at the letters.
-        let declared = cycle.parameter_named(&word.name).ok_or(FaultKind::UnknownBlock)?;
-        inputs = inputs.with(declared.key, input(cycle, declared, &word.value, asked.unit, values)?);
-    }
     Ok(inputs)
 }
 

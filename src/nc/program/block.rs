@@ -364,19 +364,8 @@ pub struct CycleBlock {
     pub number: String,
     /// The name after it, as written.
     pub name: String,
-    /// Its parameters.
+    /// Its parameters; the address letters of a lathe control's cycle, which it has, and each no more than once.
     pub lines: Vec<CycleLine>,
-    /// Its address letters, for cycles of lathe controls.
-    pub words: Vec<CycleWord>,
-}
-
-/// `K2`, `RC#l5`: an address letter of a cycle, which the cycle has, and no more than once.
-#[derive(Debug, Clone, PartialEq)]
-pub struct CycleWord {
-    /// The letters.
-    pub name: String,
-    /// The value.
-    pub value: CycleValue,
 }
 
 /// What a line of a cycle gives a value to.
@@ -384,7 +373,7 @@ pub struct CycleWord {
 pub enum CycleName {
     /// Q or QS.
     Parameter(Parameter),
-    /// A word, such as `MB`.
+    /// A word or an address letter, such as `MB` and the `K` of G785.
     Word(String),
 }
 

@@ -42,7 +42,7 @@ mod write_formula;
 
 pub use around::{Frame, Goes, Mode, PassedOver};
 pub use block::{
-    Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleName, CycleValue, CycleWord, Feed,
+    Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleName, CycleValue, Feed,
     MachineFunction, Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,
 };
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};

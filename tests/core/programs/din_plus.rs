@@ -212,8 +212,11 @@ fn the_example_of_the_manual_runs() {
         "line 1, column 1: the head does not give the unit (#EINHEIT METRISCH / INCH): the program counts as one in mm";
     assert_eq!(said, ["line 1, column 1: %NAME.nc is missing", no_unit]);
     let Body::Probe(cycle) = &program.blocks()[1].body else { panic!("no cycle") };
-    let words: Vec<&str> = cycle.words.iter().map(|word| word.name.as_str()).collect();
+    let words: Vec<String> = cycle.lines.iter().map(|line| line.parameter.to_string()).collect();
     assert_eq!((cycle.number.as_str(), words.join(" ")), ("G785", "R BR K C RC I J Q P H".to_owned()));
+    // Letters know where they stand.
+    let places: Vec<_> = cycle.lines.iter().map(|line| (line.place.line, line.place.column)).collect();
+    assert_eq!(places[..3], [(2, 9), (2, 12), (2, 16)]);
     let mut machine = Machine::new("t.nc", Arc::new(program), InMemory::new(), hole("3"), settings());
     to_end(&mut machine);
     assert_eq!(value(&machine, "#i99"), Some(3.0));
@@ -262,7 +265,7 @@ fn each_form_says_what_it_is() {
         assert_eq!(body(block), Body::Nothing);
     }
     assert!(matches!(body("G785 K#l5 RC120"), Body::Probe(cycle) if matches!(
-        &cycle.words[0].value, fitcheck::nc::program::CycleValue::Number { value, .. } if *value == line
+        &cycle.lines[0].value, fitcheck::nc::program::CycleValue::Number { value, .. } if *value == line
     )));
 }
 

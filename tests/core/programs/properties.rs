@@ -326,7 +326,7 @@ fn cycle() -> impl Strategy<Value = CycleBlock> {
     let line = (parameter, value, prop_oneof![Just(String::new()), words().prop_map(|text| text)])
         .prop_map(|(parameter, value, comment)| CycleLine { parameter, value, place: NOWHERE, comment });
     (select(vec!["421", "427", "14.1"]), words(), prop::collection::vec(line, 0..6))
-        .prop_map(|(number, name, lines)| CycleBlock { number: number.to_owned(), name, lines, words: Vec::new() })
+        .prop_map(|(number, name, lines)| CycleBlock { number: number.to_owned(), name, lines })
 }
 
 fn tool_call() -> impl Strategy<Value = Body> {

@@ -262,6 +262,12 @@ impl<'a> Reader<'a> {
 
     fn branched(&mut self, line: usize, start: usize, said: Said) -> Body {
         match self.branches.body(said, &mut self.blocks) {
+            Ok(Body::Probe(mut cycle)) => {
+                for letter in &mut cycle.lines {
+                    letter.place = self.lines.place(self.text, line, start + letter.place.column);
+                }
+                Body::Probe(cycle)
+            }
             Ok(body) => body,
             Err(reason) => self.refuse(line, start, reason),
         }

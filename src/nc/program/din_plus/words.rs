@@ -1,7 +1,8 @@
 //! Blocks of address letters: `G1 X40 Z-30 F0.2 M8`. Several functions may stand in one block.
 
 use super::super::block::{
-    Axis, AxisWord, Body, CycleBlock, CycleValue, CycleWord, MachineFunction, Operand, TextOperand, Tool,
+    Axis, AxisWord, Body, CycleBlock, CycleLine, CycleName, CycleValue, MachineFunction, Operand, Place, TextOperand,
+    Tool,
 };
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::fault::{BlockFault, Wanted};
@@ -129,14 +130,17 @@ fn probe(at: usize, cycle: &Cycle, words: Words<'_>) -> Read<CycleBlock> {
     if let Some(function) = words.machine.first() {
         return Err(Stop { at, reason: together(format!("M{}", function.number)) });
     }
-    let mut letters = Vec::new();
+    let mut lines = Vec::new();
     for word in words.others {
         if word.is_incremental || cycle.parameter_named(word.letters).is_none() {
             return Err(word.fail(BlockFault::UnknownWord { found: word.shown() }));
         }
-        letters.push(CycleWord { name: word.letters.to_owned(), value: word.value });
+        // The reader of lines turns this into the place in the file.
+        let place = Place { line: 0, column: word.at };
+        let parameter = CycleName::Word(word.letters.to_owned());
+        lines.push(CycleLine { parameter, value: word.value, place, comment: String::new() });
     }
-    Ok(CycleBlock { number: cycle.code.to_owned(), name: String::new(), lines: Vec::new(), words: letters })
+    Ok(CycleBlock { number: cycle.code.to_owned(), name: String::new(), lines })
 }
 
 /// Takes all words.

@@ -105,7 +105,7 @@ impl<'a> Reader<'a> {
         let Some(&first) = self.pieces.first().filter(|first| belongs(self.blocks.last(), front, first)) else {
             return false;
         };
-        let mut added = CycleBlock { number: String::new(), name: String::new(), lines: Vec::new(), words: Vec::new() };
+        let mut added = CycleBlock { number: String::new(), name: String::new(), lines: Vec::new() };
         for piece in &self.pieces {
             if cycle::line(&mut added, piece, |at| self.lines.place(self.text, piece.line, piece.start + at)).is_err() {
                 return false;

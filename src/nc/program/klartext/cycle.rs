@@ -9,12 +9,7 @@ use crate::control::variables::Family;
 /// The number and the name, after `TCH PROBE` or `CYCL DEF`.
 pub(in super::super) fn head(cursor: &mut Cursor<'_>) -> Read<CycleBlock> {
     let Some(number) = cursor.number_text() else { return Err(cursor.stop(Wanted::Number)) };
-    Ok(CycleBlock {
-        number: number.to_owned(),
-        name: cursor.take_rest().to_owned(),
-        lines: Vec::new(),
-        words: Vec::new(),
-    })
+    Ok(CycleBlock { number: number.to_owned(), name: cursor.take_rest().to_owned(), lines: Vec::new() })
 }
 
 /// Adds the content of a line; `column` turns a byte position in the line's code into a place.
