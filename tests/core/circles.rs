@@ -427,6 +427,25 @@ fn a_thousand_contacts_on_an_exact_or_oval_circle_are_answered_soon() {
     assert!((oval.maximum_inscribed.unwrap().diameter - 24.98).abs() < 1e-8);
 }
 
+/// Two contacts close together, one opposite: the circle on the diameter between the two farthest holds the third. Found by the
+/// fuzz target `circle`; the first circle of the search had a radius of hardly more than the last bits of the coordinates.
+#[test]
+fn the_circumscribed_circle_of_a_narrow_triangle_stands_on_its_longest_side() {
+    let places = [
+        [-4_656.447_244_088_679, 31_662.497_666_259_15],
+        [-4_656.893_974_661_232, -31_665.535_305_250_738],
+        [-4_657.340_136_874_278, 31_668.569_079_561_672],
+    ];
+    for order in [[0, 1, 2], [1, 2, 0], [2, 1, 0]] {
+        let contacts = order.map(|at: usize| Contact { x: places[at][0], y: places[at][1], z: 0.0 });
+        let circle = evaluate(&contacts).unwrap().minimum_circumscribed;
+        let [[x1, y1], [x2, y2]] = [places[1], places[2]];
+        let (x, y, diameter) = (f64::midpoint(x1, x2), f64::midpoint(y1, y2), (x1 - x2).hypot(y1 - y2));
+        assert!((circle.x - x).abs() < 1e-9 && (circle.y - y).abs() < 1e-9, "{circle:?}");
+        assert!((circle.diameter - diameter).abs() < 1e-9, "{circle:?}");
+    }
+}
+
 #[test]
 fn repeated_contacts_are_listed_but_not_by_the_thousand() {
     let angles = evenly(0.0, 90.0, 4).repeat(100);

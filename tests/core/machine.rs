@@ -778,6 +778,19 @@ fn what_cycles_cannot_do_is_said() {
 }
 
 #[test]
+fn a_file_that_is_there_but_cannot_be_read_is_not_passed_over_for_another() {
+    let folder = tempfile::tempdir().unwrap();
+    fitcheck::files::write(&folder.path().join("sub.i"), b"%SUB G71 *\nN1 D00 Q1 P01 +1 *\nN2 %SUB G71 *\n").unwrap();
+    let run = || {
+        let store = Folders::new().reading(folder.path());
+        Machine::new("main.h", program(text("CALL PGM sub").as_bytes()), store, Contacts::Perfect, settings())
+    };
+    to_end(&mut run());
+    std::fs::create_dir(folder.path().join("sub.h")).unwrap();
+    assert_eq!(fault_of(&mut run()), r"TNC:\sub.h is not a file");
+}
+
+#[test]
 fn a_broken_file_is_named() {
     let run = |text: &str| {
         let mut machine = Machine::new("a.h", program(text.as_bytes()), InMemory::new(), Contacts::Perfect, settings());

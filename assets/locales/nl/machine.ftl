@@ -115,9 +115,9 @@ machine-remark-not-waited = { $parameter } wordt gelezen zonder G909 na de cyclu
 machine-remark-position-unknown = de positie vóór de cyclus is niet bekend: zonder D begint hij in het nominale midden, zonder WB op hoogte 0
 
 machine-passed-over = { $count } { $count ->
-        [one] NC-regel is
-       *[other] NC-regels zijn
-    } overgeslagen waar geen meting van afhangt: { $list }
+        [one] NC-regel
+       *[other] NC-regels
+    } zonder invloed op metingen: { $list }
 
 ## Pauzes
 machine-pause-stop = het programma is gestopt: STOP of M0

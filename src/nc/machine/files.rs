@@ -176,8 +176,9 @@ impl Files {
             return Err(fault);
         }
         for ending in ["h", "i"] {
-            if let Ok(found) = self.read(&NcPath::new(&format!("{path}.{ending}"))?) {
-                return Ok(found);
+            match self.read(&NcPath::new(&format!("{path}.{ending}"))?) {
+                Err(FaultKind::Store(StoreError::Missing { .. })) => {}
+                found => return found,
             }
         }
         Err(fault)

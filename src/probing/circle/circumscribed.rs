@@ -10,6 +10,12 @@ use super::frame::{circumcentre, midpoint, minus, norm};
 /// How far outside a point may lie because of rounding, as a fraction of the radius.
 const ROUNDING: f64 = 1e-14;
 
+/// How far apart two distances may be that ought to be equal: a fraction of them, and the last bits of the coordinates, which
+/// lie between -2 and 2. Of two points close together the distance from their middle is hardly more than these bits.
+fn are_equal_or_less(distance: f64, other: f64) -> bool {
+    distance <= other * (1.0 + 1e-12) + 8.0 * f64::EPSILON
+}
+
 /// Number of rounds after which the answer changes by rounding only.
 const MOST_ROUNDS: usize = 1_000;
 
@@ -65,7 +71,7 @@ fn smallest_about_few(points: &[[f64; 2]]) -> ([f64; 2], f64) {
     let mut consider = |centre: [f64; 2], on: [f64; 2]| {
         let radius = farthest(points, centre).map_or(0.0, |(distance, _)| distance);
         // If the farthest point is not one of those that made the centre, this is still a circle, but not the best one.
-        if radius < best.1 && radius <= norm(minus(on, centre)) * (1.0 + 1e-12) {
+        if radius < best.1 && are_equal_or_less(radius, norm(minus(on, centre))) {
             best = (centre, radius);
         }
     };
