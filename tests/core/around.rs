@@ -107,12 +107,28 @@ fn scrap_stays_scrap_and_another_feature_is_not_the_same() {
         let contacts = [circle([40.0, 30.0], first, 0.0, -8.0), circle([40.0, 30.0], second, 0.0, -8.0)].concat();
         ran(&blocks, Contacts::Recorded(contacts)).status()
     };
-    let tool = "TOOL CALL 5 Z\nTOOL CALL 1 Z";
+    let tool = "TOOL CALL 5 Z\nM3\nM5\nTOOL CALL 1 Z";
     assert_eq!(worst(24.99, 25.01, tool), Some(Status::Good));
     assert_eq!(worst(25.01, 24.99, tool), Some(Status::Rework));
     assert_eq!(worst(25.03, 25.01, tool), Some(Status::Scrap));
-    assert_eq!(worst(24.99, 25.01, ""), Some(Status::Rework), "nothing was machined between");
-    for other in ["STOP", "M0", "Q1 = 40.001", "CYCL DEF 7.1 X+1", "CYCL DEF 247 X ~\nQ339=+2", "L C+90"] {
+    for nothing in ["", "TOOL CALL 1 Z", "TOOL CALL 5 Z\nTOOL CALL 1 Z"] {
+        assert_eq!(worst(24.99, 25.01, nothing), Some(Status::Rework), "nothing was machined between: {nothing}");
+    }
+    for other in [
+        "STOP",
+        "M0",
+        "M66",
+        "Q1 = 40.001",
+        "CYCL DEF 7.1 X+1",
+        "CYCL DEF 7.1 C+90",
+        "CYCL DEF 247 X ~\nQ339=+2",
+        "PRESET SELECT #2",
+        "L C+90",
+        "L X+0 M8 C+90",
+        "L U+100",
+        "FN 29: PLC = +1",
+        "PLANE SPATIAL SPA+0 SPB+45 SPC+0 TURN FMAX\nPLANE RESET STAY",
+    ] {
         assert_eq!(worst(24.99, 25.01, &format!("{tool}\n{other}")), Some(Status::Rework), "{other}");
     }
 }
@@ -281,7 +297,7 @@ fn nothing_is_measured_under_a_rotation_and_its_like_until_it_ends() {
         ("CYCL DEF 8.1 X", "CYCL DEF 8.1", "mirroring"),
         ("CYCL DEF 11.1 SCL 0.99", "CYCL DEF 11.1 SCL1", "scaling"),
         ("CYCL DEF 26.1 X1 Y1.1", "CYCL DEF 26.1 X1 Y1", "scaling"),
-        ("CYCL DEF 7.1 #5", "CYCL DEF 7.1 X+0", "a shift from a datum table"),
+        ("CYCL DEF 7.1 #5", "CYCL DEF 7.1 X+0 Y+0 Z+0", "a shift from a datum table"),
         ("PLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY", "PLANE RESET STAY", "a tilted plane"),
         ("CYCL DEF 19.1 A+0 B-90 C+0", "CYCL DEF 19.1 A+0 B+0 C+0", "a tilted plane"),
     ] {
@@ -289,6 +305,9 @@ fn nothing_is_measured_under_a_rotation_and_its_like_until_it_ends() {
         assert_eq!(fault(&format!("TOOL CALL 1 Z\n{on}\n{HOLE}")), told);
         ran(&format!("TOOL CALL 1 Z\n{on}\n{off}\n{HOLE}"), Contacts::Perfect);
     }
+    // A row of a table stays in the axes that a shift does not name.
+    let table = fault(&format!("TOOL CALL 1 Z\nCYCL DEF 7.1 #5\nCYCL DEF 7.1 X+0\n{HOLE}"));
+    assert!(table.starts_with("a shift from a datum table"), "{table}");
     // A rotation on top of another one is not known to end at zero; a preset ends all but a tilt.
     assert!(
         fault(&format!("TOOL CALL 1 Z\nCYCL DEF 10.1 ROT+30\nCYCL DEF 10.1 IROT-30\n{HOLE}")).starts_with("a rotation")

@@ -26,6 +26,7 @@ program-iso-after-end = text after the last block is not part of the program
 program-iso-cycle-cut = cycle { $cycle } has ended in line { $line }: { $parameter } is no part of it and would be assigned instead
 program-comment-holds = { $found } is part of the comment, which ends with its line
 program-cycle-without-tilde = cycle { $cycle } has ended in line { $line }, which has no ~ at its end: the lines below count as its own
+program-block-goes-on = the block above ends in ~, so this block would be part of it
 program-comment-goes-on = the comment ends in ~, so this block would be part of it
 program-not-understood = not understood: { $reason }
 program-more = { $count } more remarks are not listed

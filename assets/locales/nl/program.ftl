@@ -26,6 +26,7 @@ program-iso-after-end = tekst na de laatste NC-regel hoort niet bij het programm
 program-iso-cycle-cut = cyclus { $cycle } is in regel { $line } geëindigd: { $parameter } hoort er niet bij en zou worden toegekend
 program-comment-holds = { $found } hoort bij het commentaar, dat aan het eind van zijn regel eindigt
 program-cycle-without-tilde = cyclus { $cycle } is in regel { $line } geëindigd, omdat daar geen ~ aan het eind staat: de regels daaronder gelden als de zijne
+program-block-goes-on = de NC-regel hierboven eindigt op ~, zodat deze NC-regel erbij zou horen
 program-comment-goes-on = het commentaar eindigt op ~, zodat deze NC-regel erbij zou horen
 program-not-understood = niet begrepen: { $reason }
 program-more = nog { $count } opmerkingen zijn niet vermeld

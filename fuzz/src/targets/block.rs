@@ -51,7 +51,9 @@ fn runs_alike(bytes: &[u8], cycle: &Cycle, inputs: &Inputs, block: &str) {
     let program = format!("0 BEGIN PGM A MM\r\n1 {block}2 END PGM A MM\r\n");
     let (program, warnings) = Program::read(program.as_bytes()).expect("a program");
     assert_eq!(warnings, [], "{block}");
-    let settings = Settings::new(Dialogue::En, NOW);
+    let mut settings = Settings::new(Dialogue::En, NOW);
+    // A cycle on its own needs no TOOL CALL.
+    settings.assumes_tool = true;
     let mut machine = Machine::new("a.h", Arc::new(program), InMemory::new(), Contacts::Perfect, settings);
     let ended = loop {
         match machine.run(10) {

@@ -44,6 +44,7 @@ pub fn run(bytes: &[u8]) {
     settings.skip_unknown = flags & 1 != 0;
     settings.block_skip = flags & 2 != 0;
     settings.optional_stop = flags & 4 != 0;
+    settings.assumes_tool = flags & 0x20 != 0;
     let contacts = match (flags >> 3) & 3 {
         0 => Contacts::Recorded(Vec::new()),
         1 => Contacts::Recorded(

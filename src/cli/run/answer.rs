@@ -187,6 +187,7 @@ impl Serialize for Answer<'_> {
         };
         answer.serialize_entry("remarks", &Each(remarks))?;
         answer.serialize_entry("remarks_not_listed", &machine.unlisted_remarks())?;
+        answer.serialize_entry("warnings", &ended.warnings)?;
         answer.serialize_entry("passed_over", machine.passed_over())?;
         answer.serialize_entry("faults", &Each(|| ended.fault.iter().map(fault)))?;
         if trace.is_wanted {

@@ -20,7 +20,7 @@ use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_
 use crate::control::variables::{Parameter, Value};
 use crate::files::{self, FileError, Folders};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
-use crate::nc::program::Program;
+use crate::nc::program::{Program, ProgramWarning};
 use crate::words::Dialogue;
 
 /// How much of a block's text is shown, in characters: a control's line has some 250.
@@ -118,6 +118,8 @@ enum RunFormat {
 struct Ended {
     pauses: Vec<Pause>,
     fault: Option<Fault>,
+    /// What the reader of the program had to say.
+    warnings: Vec<String>,
     /// Where the changed tool table was written to.
     tools_out: Option<String>,
 }
@@ -133,7 +135,7 @@ trait Listener {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let language = self.language;
-        let mut machine = self.machine(language, io)?;
+        let (mut machine, warnings) = self.machine(language, io)?;
         for (name, value) in pairs(&self.settings)? {
             set(&mut machine, name, value)?;
         }
@@ -148,6 +150,7 @@ impl Args {
             RunFormat::Json => {
                 let mut listener = answer::Trace::new(self.trace);
                 let mut ended = run(&mut machine, &mut listener, io)?;
+                ended.warnings = warnings.iter().map(ToString::to_string).collect();
                 // Before the answer, which says whether the table is written; an error comes after it.
                 let written = self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io);
                 ended.tools_out = written.as_ref().ok().cloned().flatten();
@@ -163,11 +166,12 @@ impl Args {
         Ok(machine.status().map_or(Outcome::Done, Outcome::Judged))
     }
 
-    fn machine(&self, language: Dialogue, io: &mut Io<'_>) -> Result<Machine, CliError> {
+    /// The machine, and what the reader of the program has to say.
+    fn machine(&self, language: Dialogue, io: &mut Io<'_>) -> Result<(Machine, Vec<ProgramWarning>), CliError> {
         let (name, bytes, beside) = self.read_program(io)?;
         let (program, warnings) = Program::read(&bytes).about(&name)?;
-        for warning in warnings {
-            io.warn_about(&name, &warning);
+        for warning in &warnings {
+            io.warn_about(&name, warning);
         }
         let mut store = self.folders.iter().fold(beside, Folders::reading);
         if self.no_builtin {
@@ -191,7 +195,7 @@ impl Args {
         settings.probe_table = probe_table(self.probe_table.as_deref(), io)?;
         settings.tool_table = self.tools.read(io)?;
         let contacts = self.source(io)?;
-        Ok(Machine::new(&name, Arc::new(program), store, contacts, settings))
+        Ok((Machine::new(&name, Arc::new(program), store, contacts, settings), warnings))
     }
 
     /// The program's name, its bytes and its folder; a built-in program where there is no such file.

@@ -59,7 +59,7 @@ pub(super) struct Around {
     turned: BTreeSet<Axis>,
     selected: Option<NcPath>,
     stops: u64,
-    tool_calls: u64,
+    starts: u64,
     passed: BTreeMap<String, usize>,
 }
 
@@ -72,15 +72,15 @@ pub(super) struct Moment {
     is_turned: bool,
     /// How often the program had stopped: the workpiece may have been changed.
     stops: u64,
-    /// How often a tool had been called.
-    tool_calls: u64,
+    /// How often the spindle had been started: nothing is machined without.
+    starts: u64,
 }
 
 impl Moment {
     /// Whether the same workpiece can have been machined between.
     pub(super) fn is_before_rework(&self, later: &Self) -> bool {
-        let same = Self { tool_calls: later.tool_calls, ..self.clone() };
-        same == *later && !self.is_turned && self.tool_calls < later.tool_calls
+        let same = Self { starts: later.starts, ..self.clone() };
+        same == *later && !self.is_turned && self.starts < later.starts
     }
 }
 
@@ -116,7 +116,7 @@ impl Around {
             turned: BTreeSet::new(),
             selected: None,
             stops: 0,
-            tool_calls: 0,
+            starts: 0,
             passed: BTreeMap::new(),
         }
     }
@@ -126,8 +126,11 @@ impl Around {
         &self.passed
     }
 
-    /// Counts a block that was passed over.
+    /// Counts a block that was passed over; after one that speaks to the machine another workpiece may be there.
     pub(super) fn pass_over(&mut self, words: &str) {
+        if ["FN 17", "FN 19", "FN 29"].contains(&words) {
+            self.stops += 1;
+        }
         if let Some(count) = self.passed.get_mut(words) {
             *count += 1;
         } else {
@@ -140,7 +143,6 @@ impl Around {
         self.plane = axis.and_then(plane).or(self.plane);
         if is_change {
             self.spindle = None;
-            self.tool_calls += 1;
         }
     }
 
@@ -148,11 +150,15 @@ impl Around {
     pub(super) fn machine_functions(&mut self, functions: &[MachineFunction]) {
         for function in functions {
             match function.number {
-                3 | 4 | 13 | 14 => self.spindle = Some(function.number),
+                3 | 4 | 13 | 14 => {
+                    self.spindle = Some(function.number);
+                    self.starts += 1;
+                }
                 5 => self.spindle = None,
-                // 60 changes the pallet.
-                0 | 1 | 60 => self.stops += 1,
-                _ => {}
+                // The control's own: coolant, tool change, ends, and those from 89 on.
+                2 | 6..=9 | 19 | 30 | 89..=199 => {}
+                // Stops, and functions of the machine's builder: another pallet may be there.
+                _ => self.stops += 1,
             }
         }
     }
@@ -165,8 +171,8 @@ impl Around {
 
     /// What tells whether two measurements are of one feature.
     pub(super) fn moment(&self) -> Moment {
-        let Self { zero, preset, stops, tool_calls, .. } = *self;
-        Moment { plane: self.plane(), zero, preset, is_turned: !self.turned.is_empty(), stops, tool_calls }
+        let Self { zero, preset, stops, starts, .. } = *self;
+        Moment { plane: self.plane(), zero, preset, is_turned: !self.turned.is_empty(), stops, starts }
     }
 
     pub(super) const fn set_mode(&mut self, mode: Mode) {
@@ -199,9 +205,12 @@ impl Around {
         self.selected.as_ref()
     }
 
-    /// Rotary axes of a move: at zero they change nothing.
+    /// Rotary axes of a move, or of a shift: at zero they change nothing. A move along U, V or W may bring another workpiece.
     pub(super) fn turn(&mut self, axes: &[AxisWord], values: &Values) {
         for word in axes {
+            if matches!(word.axis, Axis::U | Axis::V | Axis::W) {
+                self.stops += 1;
+            }
             if matches!(word.axis, Axis::A | Axis::B | Axis::C) {
                 let is_zero = !word.is_incremental && values.operand(word.value).is_ok_and(|value| value.abs() < 1e-9);
                 if is_zero {
@@ -248,12 +257,24 @@ impl Around {
             }
             Frame::Tilt(angles) => {
                 let changed: Result<Vec<bool>, _> = angles.iter().map(|angle| is_not(*angle, 0.0)).collect();
-                self.set(Change::Tilt, changed?.contains(&true), made);
+                self.tilt(changed?.contains(&true), made);
             }
-            Frame::OtherTilt => self.set(Change::Tilt, true, made),
+            Frame::OtherTilt => self.tilt(true, made),
             Frame::NoTilt => self.set(Change::Tilt, false, made),
+            Frame::TurnedBack => {
+                self.set(Change::Tilt, false, made);
+                self.turned.clear();
+            }
         }
         Ok(None)
+    }
+
+    /// A tilt may have turned the axes; its end does not turn them back.
+    fn tilt(&mut self, is_in_force: bool, made: Made) {
+        if is_in_force {
+            self.turned.extend([Axis::A, Axis::B, Axis::C]);
+        }
+        self.set(Change::Tilt, is_in_force, made);
     }
 
     fn set(&mut self, change: Change, is_in_force: bool, made: Made) {
@@ -276,8 +297,12 @@ impl Around {
             };
             *zero = if word.is_incremental { *zero + value } else { value };
         }
-        // A shift that is written takes the place of one from a table.
-        self.changes.remove(&Change::DatumTable);
+        self.turn(axes, values);
+        // A shift that is written takes the place of one from a table in the axes that it names.
+        let is_written = |axis| axes.iter().any(|word| word.axis == axis && !word.is_incremental);
+        if [Axis::X, Axis::Y, Axis::Z].into_iter().all(is_written) {
+            self.changes.remove(&Change::DatumTable);
+        }
         Ok(())
     }
 
@@ -285,6 +310,8 @@ impl Around {
     fn activate(&mut self, number: Option<Operand>, values: &Values) -> Result<Option<Remark>, FaultKind> {
         let number = number.map(|number| values.operand(number)).transpose()?;
         let is_other = self.preset.is_some() && self.preset != number;
+        // A preset that is not named may be any.
+        self.stops += u64::from(number.is_none());
         self.zero = [0.0; 3];
         self.changes.retain(|change, _| *change == Change::Tilt);
         self.preset = number.or(self.preset);

@@ -79,6 +79,8 @@ pub enum Frame {
     Tilt(Vec<Operand>),
     /// A tilt by anything other than angles: `PLANE VECTOR`, `PLANE POINTS`.
     OtherTilt,
-    /// `PLANE RESET`
+    /// `PLANE RESET STAY`: the rotary axes stay where they are.
     NoTilt,
+    /// `PLANE RESET TURN`, `PLANE RESET MOVE`: the rotary axes go back to zero.
+    TurnedBack,
 }

@@ -126,6 +126,8 @@ pub enum ProgramWarningKind {
         /// The cycle's last line before it.
         line: usize,
     },
+    /// A block that is no cycle ends in `~`, so a block behind it would be part of it.
+    BlockGoesOn,
     /// A comment ends in `~`, so a block behind it would be part of the comment.
     CommentGoesOn,
     /// A block of a known kind that cannot be understood; it is kept as text.

@@ -114,7 +114,12 @@ fn changes_of_the_system_are_understood() {
         ("TRANS DATUM TABLE TABLINE 5", Frame::ShiftFromTable),
         ("TRANS DATUM RESET", Frame::NoShift),
         ("CYCL DEF 247 PRESETTING ~\n    Q339=+1 ;PRESET NUMBER", Frame::Preset(Some(number(1.0)))),
-        ("PRESET SELECT #3", Frame::Preset(None)),
+        ("PRESET SELECT #3", Frame::Preset(Some(number(3.0)))),
+        ("PLANE RESET TURN FMAX", Frame::TurnedBack),
+        ("PLANE SPATIAL SPB+0 SPA+30 SPC+0 STAY", Frame::Tilt(vec![number(0.0), number(30.0), number(0.0)])),
+        ("PLANE SPATIAL STAY", Frame::OtherTilt),
+        ("CYCL DEF 19.1 ABST50", Frame::OtherTilt),
+        ("CYCL DEF 19.2 ABST50 F500", Frame::Title),
         ("CYCL DEF 10.1 ROT+30", Frame::Rotation { angle: number(30.0), is_incremental: false }),
         ("CYCL DEF 10.1 IROT-5", Frame::Rotation { angle: number(-5.0), is_incremental: true }),
         ("TRANS ROTATION ROT+90", Frame::Rotation { angle: number(90.0), is_incremental: false }),
@@ -177,4 +182,57 @@ fn a_measuring_cycle_keeps_none_of_them() {
     let (bodies, warnings) = read("0 BEGIN PGM a MM\n1 TCH PROBE 421 X ~\n   Q273=+2\n   Q275=+25\n2 END PGM a MM\n");
     assert_eq!(bodies[2], Body::Other);
     assert!(warnings[0].contains("Q275 is no part of it"), "{warnings:?}");
+}
+
+/// Read alone each of these would change what is measured, or be the measurement.
+#[test]
+fn a_tilde_makes_no_block_part_of_another() {
+    for (above, below) in [
+        ("CYCL DEF 7.0 DATUM SHIFT ~", "CYCL DEF 7.1 X+0.5"),
+        ("TOOL CALL 9 Z ~", "CYCL DEF 7.1 X+0.5"),
+        ("L Z+100 R0 FMAX M5 ~", "2 CYCL DEF 10.1 ROT+30"),
+        ("PLANE RESET STAY ~", "TCH PROBE 421 X"),
+        ("PATTERN DEF POS1 (X+1 Y+1 Z+0) ~", "TCH PROBE 421 X"),
+        ("TOOL DEF 5 ~", "Q1 = 5"),
+        ("* - measure ~", "TCH PROBE 421 X"),
+        ("; clamped left ~", "CYCL DEF 7.1 X+0.5"),
+    ] {
+        let (bodies, warnings) = read(&format!("0 BEGIN PGM a MM\n{above}\n{below}\n9 END PGM a MM\n"));
+        assert_eq!(bodies[1], Body::Other, "{above}");
+        let told = warnings
+            .iter()
+            .any(|warning| warning.starts_with("line 3") && warning.contains("so this block would be part"));
+        assert!(told, "{above}: {warnings:?}");
+    }
+    // What belongs together may go on.
+    let (bodies, warnings) = read(
+        "0 BEGIN PGM a MM\n1 PATTERN DEF ~\n POS1 (X+1 Y+1 Z+0) ~\n POS2 (X+2 Y+1 Z+0)\n2 Q1 = 5 + ~\n Q2\n9 END PGM a MM\n",
+    );
+    assert!(matches!(bodies[1], Body::PassedOver(_)) && matches!(bodies[2], Body::Assign { .. }), "{warnings:?}");
+}
+
+#[test]
+fn parameters_beside_the_name_of_a_cycle_are_its_own_and_none_is_lost_in_a_comment() {
+    let (bodies, warnings) =
+        read("0 BEGIN PGM a MM\n1 TCH PROBE 421 MEASURE HOLE Q279=+0.02 Q280=+0.02 ~\n Q262=+25\n9 END PGM a MM\n");
+    let Body::Probe(cycle) = &bodies[1] else { panic!("{warnings:?}") };
+    assert_eq!((cycle.name.as_str(), cycle.lines.len()), ("MEASURE HOLE", 3));
+    assert_eq!((cycle.lines[0].place.line, cycle.lines[0].place.column), (2, 30));
+    assert_eq!(body("CYCL DEF 247 SETTING Q339=+3"), Body::Frame(Frame::Preset(Some(number(3.0)))));
+    let (bodies, warnings) =
+        read("0 BEGIN PGM a MM\n1 TCH PROBE 421 X ~\n Q281=+0 ;LOG Q280=+0.02 ~\n Q262=+25\n9 END PGM a MM\n");
+    assert_eq!(bodies[1], Body::Other);
+    assert!(warnings[0].contains("Q280=+0.02"), "{warnings:?}");
+}
+
+#[test]
+fn an_axis_behind_other_words_counts() {
+    assert_eq!(body("TOOL CALL 9 S50 Z"), {
+        let Body::ToolCall { tool, .. } = body("TOOL CALL 9 Z") else { panic!() };
+        Body::ToolCall { tool, axis: Some(Axis::Z), rest: "S50 Z".to_owned() }
+    });
+    let Body::Move(movement) = body("L X+0 M8 C+90") else { panic!() };
+    assert_eq!((movement.axes, movement.machine.len()), (vec![at(Axis::X, 0.0), at(Axis::C, 90.0)], 1));
+    let Body::Move(movement) = body("L M126 C+45 M8") else { panic!() };
+    assert_eq!((movement.axes, movement.machine.len()), (vec![at(Axis::C, 45.0)], 2));
 }

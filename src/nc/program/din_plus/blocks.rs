@@ -290,7 +290,7 @@ impl<'a> Reader<'a> {
                 | Body::CallProgram(_),
             )) => return self.refuse(line, start, BlockFault::ActsInUnit),
             // What is not understood may measure, too.
-            None if code.starts_with('#') || code.contains("G7") => {
+            None if code.starts_with(['#', 'L', 'I']) || code.contains("G7") => {
                 return self.refuse(line, start, BlockFault::ActsInUnit);
             }
             _ => {}

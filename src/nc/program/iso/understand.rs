@@ -4,7 +4,7 @@ use super::super::block::{Body, CycleBlock, Place};
 use super::super::cursor::{Cursor, Stop};
 use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
-use super::super::klartext::{cycle_head, cycle_line, defined, heading};
+use super::super::klartext::{cycle_head, cycle_line, defined, first_parameter, heading};
 use super::super::lines::Piece;
 use super::super::warnings::{LONGEST, Odd};
 use super::body::{body, frame};
@@ -133,17 +133,6 @@ fn cycle(
             .map_err(|Stop { at, reason }| not_understood(piece, at, reason))?;
     }
     Ok(cycle)
-}
-
-/// Where the first parameter of a text begins behind which this stands.
-fn first_parameter(text: &str, is_followed: impl Fn(&mut Cursor<'_>) -> bool) -> Option<usize> {
-    let begins = |at: usize| text.get(..at).is_none_or(|before| !before.ends_with(|c: char| c.is_alphanumeric()));
-    let is_parameter = |at: usize| {
-        let mut cursor = Cursor::new(text.get(at..).unwrap_or_default());
-        // One whose number is too large is refused where it is read.
-        !matches!(cursor.parameter(), Ok(None)) && is_followed(&mut cursor)
-    };
-    text.match_indices(['Q', 'q']).map(|(at, _)| at).find(|&at| begins(at) && is_parameter(at))
 }
 
 /// What a comment has swallowed: a parameter of a cycle that goes on in the same line, or a block behind a `*`.

@@ -9,6 +9,8 @@ use super::super::fault::Wanted;
 use super::super::words::AXES;
 use super::moves::{axis_letter, axis_word, is_machine_function, machine_functions};
 use crate::control::variables::Parameter;
+use crate::probing::cycle::Control;
+use crate::probing::cycles::cycles_of;
 
 /// Where the words of a path end up.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -116,8 +118,7 @@ pub(super) fn around(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
         return transformation(cursor);
     }
     if cursor.take_words(&["PRESET", "SELECT"]) {
-        cursor.take_rest();
-        return Ok(Some(Body::Frame(Frame::Preset(None))));
+        return preset(cursor);
     }
     if cursor.take_words(&["CYCL", "CALL"]) {
         return path(cursor, "CYCL CALL".to_owned(), End::Computed).map(Some);
@@ -178,6 +179,14 @@ fn axis(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
     if is_value { axis_word(cursor) } else { Ok(None) }
 }
 
+/// `PRESET SELECT #3`, after the words. With anything behind the number (`KEEP TRANS`) the block is unknown.
+fn preset(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
+    let number = if cursor.take('#') { Some(cursor.operand()?) } else { None };
+    let is_known = number.is_some() && cursor.is_at_end();
+    cursor.take_rest();
+    Ok(is_known.then_some(Body::Frame(Frame::Preset(number))))
+}
+
 /// `FUNCTION MODE …`, after the words; a name of a kinematics may follow.
 fn mode(cursor: &mut Cursor<'_>) -> Option<Body> {
     let modes = [("MILL", Mode::Mill), ("TURN", Mode::Turn), ("GRIND", Mode::Grind)];
@@ -189,21 +198,23 @@ fn mode(cursor: &mut Cursor<'_>) -> Option<Body> {
 /// `PLANE …`, after the word.
 fn plane(cursor: &mut Cursor<'_>) -> Read<Frame> {
     if cursor.take_word("RESET") {
+        let goes_back = cursor.take_word("TURN") || cursor.take_word("MOVE");
         cursor.take_rest();
-        return Ok(Frame::NoTilt);
+        return Ok(if goes_back { Frame::TurnedBack } else { Frame::NoTilt });
     }
     if !cursor.take_word("SPATIAL") {
         cursor.take_rest();
         return Ok(Frame::OtherTilt);
     }
     let mut angles = Vec::new();
-    for word in ["SPA", "SPB", "SPC"] {
-        if cursor.take_prefix(word) {
-            angles.push(cursor.operand()?);
-        }
+    let mut left = vec!["SPA", "SPB", "SPC"];
+    while let Some(at) = left.iter().position(|word| cursor.take_prefix(word)) {
+        left.remove(at);
+        angles.push(cursor.operand()?);
     }
     cursor.take_rest();
-    Ok(Frame::Tilt(angles))
+    // Without all three it is not known what the plane is.
+    Ok(if left.is_empty() { Frame::Tilt(angles) } else { Frame::OtherTilt })
 }
 
 /// `TRANS …`, after the word: the newer form of cycles 7, 8, 10 and 11.
@@ -219,7 +230,12 @@ fn transformation(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
     } else if cursor.take_word("MIRROR") {
         cursor.take_word("AXIS");
         let is_reset = cursor.take_word("RESET");
-        Frame::Mirror(if is_reset { Vec::new() } else { letters(cursor) })
+        let axes = letters(cursor);
+        if axes.is_empty() != is_reset {
+            cursor.take_rest();
+            return Ok(None);
+        }
+        Frame::Mirror(axes)
     } else if cursor.take_word("ROTATION") {
         if cursor.take_word("RESET") { rotation(Operand::Number(0.0), false) } else { rotated(cursor)? }
     } else if cursor.take_word("SCALE") {
@@ -287,21 +303,34 @@ pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
             Frame::ShiftFromTable
         }
         ("7", _) => Frame::Shift(axes(cursor)?),
-        ("8", _) => Frame::Mirror(letters(cursor)),
-        ("10", _) => rotated(cursor)?,
-        ("11", _) => scaled(cursor)?,
-        ("19", _) => {
-            let angles = axes(cursor)?.into_iter().map(|word| word.value).collect();
+        ("8", "1") => Frame::Mirror(letters(cursor)),
+        ("10", "1") => rotated(cursor)?,
+        ("11", "1") => scaled(cursor)?,
+        ("19", "1") => {
+            let angles: Vec<Operand> = axes(cursor)?.into_iter().map(|word| word.value).collect();
+            // Spatial angles and others are not looked at: only a line without words ends a tilt.
+            if angles.is_empty() && !cursor.is_at_end() {
+                cursor.take_rest();
+                return Ok(Some(Body::Frame(Frame::OtherTilt)));
+            }
             cursor.take_rest();
             Frame::Tilt(angles)
         }
-        ("26", _) => {
-            let factors = axes(cursor)?.into_iter().map(|word| word.value).collect();
+        // How the axes get there.
+        ("19", _) => {
             cursor.take_rest();
+            Frame::Title
+        }
+        ("26", "1") => {
+            let factors: Vec<Operand> = axes(cursor)?.into_iter().map(|word| word.value).collect();
+            cursor.take_rest();
+            if factors.is_empty() {
+                return Ok(Some(Body::Other));
+            }
             Frame::AxisScaling(factors)
         }
-        // Cycle 12 makes a program into a cycle, which CYCL CALL would run.
-        ("12", _) => {
+        // Further lines of these are not followed; cycle 12 makes a program into a cycle, which CYCL CALL would run.
+        ("8" | "10" | "11" | "12" | "26", _) => {
             cursor.take_rest();
             return Ok(Some(Body::Other));
         }
@@ -316,6 +345,10 @@ pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
 
 /// What a cycle of `CYCL DEF` with its lines says: 247 sets a preset, the others are machining.
 pub(in super::super) fn defined(cycle: CycleBlock) -> Body {
+    // A measuring cycle begins with TCH PROBE.
+    if cycles_of(Control::Milling).any(|known| known.code == cycle.number) {
+        return Body::Other;
+    }
     if cycle.number != "247" {
         return Body::CycleDefinition(cycle);
     }

@@ -10,6 +10,7 @@ use super::super::cursor::Cursor;
 use super::super::error::ProgramWarningKind;
 use super::super::lines::{Front, Piece, front};
 use super::body::body;
+use super::cycle::first_parameter;
 use crate::control::variables::Parameter;
 use crate::probing::cycle::{Control, Cycle};
 use crate::probing::cycles::cycles_of;
@@ -64,18 +65,34 @@ pub(super) fn cut_off(before: Option<&Before>, front: Front, pieces: &[Piece<'_>
     }
     let what = ProgramWarningKind::CommentGoesOn;
     match read {
-        Body::Probe(_)
-        | Body::CycleDefinition(_)
-        | Body::GlobalDefinition(_)
-        | Body::Heading { .. }
-        | Body::Frame(Frame::Preset(_))
-        | Body::Other => None,
-        Body::Nothing | Body::PassedOver(_) => {
-            let swallowed = more.iter().position(|piece| piece.comment.is_some_and(is_block))?;
-            Some(CutOff { piece: 1 + swallowed, what, is_refused: true })
+        // The lines of a cycle are its own; what a comment has swallowed of a measuring cycle is looked for in them.
+        Body::Probe(_) => {
+            let of = |piece: &Piece<'_>| piece.comment.and_then(parameter_in);
+            let (piece, found) = pieces.iter().enumerate().find_map(|(number, piece)| Some((number, of(piece)?)))?;
+            Some(CutOff { piece, what: ProgramWarningKind::CommentHolds { found }, is_refused: true })
         }
-        _ => (first.goes_on && first.comment.is_some()).then_some(CutOff { piece: 0, what, is_refused: true }),
+        Body::CycleDefinition(_) | Body::GlobalDefinition(_) | Body::Frame(Frame::Preset(_)) | Body::Other => None,
+        Body::Nothing | Body::Heading { .. } | Body::PassedOver(_) => swallowed(more),
+        _ if first.goes_on && first.comment.is_some() => Some(CutOff { piece: 0, what, is_refused: true }),
+        _ => swallowed(more),
     }
+}
+
+/// A block that a `~` before it has made part of another.
+fn swallowed(more: &[Piece<'_>]) -> Option<CutOff> {
+    let number = more.iter().position(|piece| {
+        let line = if piece.code.is_empty() { piece.comment.unwrap_or_default() } else { piece.code };
+        is_block(line)
+    })?;
+    let is_comment = more.get(number).is_some_and(|piece| piece.code.is_empty());
+    let what = if is_comment { ProgramWarningKind::CommentGoesOn } else { ProgramWarningKind::BlockGoesOn };
+    Some(CutOff { piece: 1 + number, what, is_refused: true })
+}
+
+/// A parameter with its value within a comment, as an error repeats it.
+fn parameter_in(comment: &str) -> Option<String> {
+    let at = first_parameter(comment, |cursor| cursor.take('='))?;
+    Some(comment.get(at..)?.split_whitespace().next().unwrap_or_default().chars().take(24).collect())
 }
 
 /// `Q275=+25.01` where the cycle's next line would stand.
@@ -112,10 +129,12 @@ pub(super) fn belongs(last: Option<&Block>, front: Front, first: &Piece<'_>) -> 
     is_definition && is_line && front.number.is_none()
 }
 
-/// Whether a line within a comment is a block by itself.
+/// Whether a line is a block by itself.
 fn is_block(line: &str) -> bool {
     let front = front(line);
     let code = line.get(front.end..).unwrap_or_default();
     let code = code.split(';').next().unwrap_or_default().trim_end_matches([' ', '~']);
-    !matches!(body(code), Ok(Body::Nothing | Body::PassedOver(_) | Body::Other)) && !code.is_empty()
+    let is_cycle = |words: [&str; 2]| Cursor::new(code).take_words(&words);
+    [["TCH", "PROBE"], ["CYCL", "DEF"], ["GLOBAL", "DEF"]].into_iter().any(is_cycle)
+        || matches!(body(code), Ok(read) if !matches!(read, Body::Nothing | Body::PassedOver(_) | Body::Other))
 }

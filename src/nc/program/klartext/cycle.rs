@@ -67,3 +67,14 @@ fn value(cursor: &mut Cursor<'_>) -> Result<CycleValue, Stop> {
         Err(stop) => Err(stop),
     }
 }
+
+/// Where the first parameter of a text begins behind which this stands.
+pub(in super::super) fn first_parameter(text: &str, is_followed: impl Fn(&mut Cursor<'_>) -> bool) -> Option<usize> {
+    let begins = |at: usize| text.get(..at).is_none_or(|before| !before.ends_with(|c: char| c.is_alphanumeric()));
+    let is_parameter = |at: usize| {
+        let mut cursor = Cursor::new(text.get(at..).unwrap_or_default());
+        // One whose number is too large is refused where it is read.
+        !matches!(cursor.parameter(), Ok(None)) && is_followed(&mut cursor)
+    };
+    text.match_indices(['Q', 'q']).map(|(at, _)| at).find(|&at| begins(at) && is_parameter(at))
+}

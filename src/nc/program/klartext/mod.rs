@@ -26,7 +26,7 @@ use super::warnings::Warnings;
 pub(super) use around::defined;
 pub(super) use body::{MOST_LABEL, MOST_REPEATS};
 pub(super) use cut_off::{Before, assigned};
-pub(super) use cycle::{head as cycle_head, line as cycle_line};
+pub(super) use cycle::{first_parameter, head as cycle_head, line as cycle_line};
 pub(super) use functions::assignment;
 pub(super) use moves::{MOST_M, tool};
 pub(super) use understand::heading;

@@ -4,6 +4,7 @@ use super::super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement,
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::fault::BlockFault;
 use super::super::words::{AXES, COMPENSATIONS, meaning};
+use super::around::is_axis_word;
 use crate::control::variables::Family;
 
 /// The largest number of an M function.
@@ -25,8 +26,10 @@ pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
         } else if movement.feed.is_none() && cursor.take_prefix("F") {
             movement.feed = Some(feed(cursor)?);
         } else {
-            movement.machine = machine_functions(cursor)?;
-            return Ok(Body::Move(movement));
+            movement.machine.append(&mut machine_functions(cursor)?);
+            if cursor.is_at_end() {
+                return Ok(Body::Move(movement));
+            }
         }
     }
 }
@@ -59,7 +62,7 @@ fn feed(cursor: &mut Cursor<'_>) -> Read<Feed> {
     Ok(Feed::Value(cursor.operand()?))
 }
 
-/// M functions up to the end; text after a number belongs to it, up to the next M function.
+/// M functions up to the end, or to an axis with its value; other text after a number belongs to it.
 pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Read<Vec<MachineFunction>> {
     let mut found = Vec::new();
     while !cursor.is_at_end() {
@@ -70,10 +73,14 @@ pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Read<Vec<MachineFunc
         let number = cursor.expect_whole(MOST_M)?;
         let at = cursor.at();
         cursor.blanks();
-        while !cursor.is_at_end() && !is_machine_function(cursor) {
+        while !cursor.is_at_end() && !is_machine_function(cursor) && !is_axis_word(cursor) {
             cursor.take_while(|c| !c.is_whitespace());
         }
         found.push(MachineFunction { number, rest: cursor.since(at).to_owned() });
+        // `L X+0 M8 C+90`: the axis moves.
+        if is_axis_word(cursor) {
+            break;
+        }
     }
     Ok(found)
 }
@@ -92,7 +99,12 @@ pub(super) fn tool_call(cursor: &mut Cursor<'_>) -> Read<Body> {
     if axis.is_some() {
         *cursor = ahead;
     }
-    Ok(Body::ToolCall { tool, axis, rest: cursor.take_rest().to_owned() })
+    let rest = cursor.take_rest().to_owned();
+    // `TOOL CALL 9 S50 Z`: the axis may stand behind the speed.
+    let alone =
+        || AXES.into_iter().find(|(letter, _)| rest.split_whitespace().any(|word| word.eq_ignore_ascii_case(letter)));
+    let axis = axis.or_else(|| alone().map(|(_, axis)| axis));
+    Ok(Body::ToolCall { tool, axis, rest })
 }
 
 pub(in super::super) fn tool(cursor: &mut Cursor<'_>) -> Read<Option<Tool>> {
