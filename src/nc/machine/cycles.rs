@@ -44,7 +44,7 @@ impl CycleRun {
     }
 
     /// Whether this is rework of a feature that another run has measured again: the same block with the same values on the same
-    /// workpiece, and another tool was called between. Scrap stays scrap.
+    /// workpiece, and the spindle has turned between. Scrap stays scrap.
     fn is_superseded_by(&self, later: &Self) -> bool {
         self.result.verdict() == Some(Status::Rework)
             && later.result.verdict().is_some()
