@@ -257,7 +257,7 @@ impl Job<'_> {
         Ok(Answers::Parquet(Box::new(writer.map_err(|error| self.not_written(error))?)))
     }
 
-    /// Writes what stands above the rows of an input; `false` where the form is no text.
+    /// Writes what stands above the rows of an input; `false` where the form is not text.
     fn above(&self, layout: &Layout, is_first: bool, out: &mut (dyn Write + Send)) -> io::Result<bool> {
         let above = Above { layout, manner: self.manner(), is_first, out };
         self.form.with_rendering(above).map_or(Ok(false), |written| written.map(|()| true))

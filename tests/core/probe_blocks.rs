@@ -178,9 +178,9 @@ fn a_value_that_is_none_is_named_with_its_line_and_a_program_s_parameter_as_such
         "line 2: QS400 = QS5: the value of QS5 is known only while a program runs"
     );
     for (given, why) in [
-        ("MAX", "MAX is no number, and the name of a tool stands in quotation marks"),
-        ("Q5", "Q5 is no number, and the name of a tool stands in quotation marks"),
-        ("+0*", "+0* is no number, and the name of a tool stands in quotation marks"),
+        ("MAX", "MAX is not a number, and a tool name needs quotation marks"),
+        ("Q5", "Q5 is not a number, and a tool name needs quotation marks"),
+        ("+0*", "+0* is not a number, and a tool name needs quotation marks"),
         ("\"+0*\"", "+0* calls no tool: write its number, or its name"),
         ("\"25 5\"", "25 5 calls no tool: write its number, or its name"),
     ] {

@@ -4,11 +4,11 @@
 
 use std::sync::Arc;
 
-use fitcheck::nc::machine::{Budget, Contacts, InMemory, Machine, Settings, Step};
+use fitcheck::nc::machine::{Budget, Contacts, InMemory, Machine, Settings};
 use fitcheck::nc::program::{Body, Notation, Program};
 use fitcheck::words::Dialogue;
 
-use super::shared::{NOW, told};
+use super::shared::{NOW, to_its_end, told};
 
 /// What a run may use.
 const MOST_BLOCKS: u64 = 2_000;
@@ -55,17 +55,7 @@ pub fn run(bytes: &[u8]) {
 }
 
 fn to_the_end(bytes: &[u8], machine: &mut Machine) -> String {
-    loop {
-        match machine.run(100) {
-            Ok(Step::Ended) => break,
-            Ok(_) => {}
-            Err(fault) => {
-                told(bytes, &fault);
-                break;
-            }
-        }
-    }
-    machine.remarks().iter().take(3).for_each(|(_, remark)| told(bytes, remark));
+    to_its_end(bytes, machine);
     assert!(machine.is_over() && machine.blocks_run() <= MOST_BLOCKS);
     format!("{:?} {:?} {}", machine.variables(), machine.windows(), machine.blocks_run())
 }

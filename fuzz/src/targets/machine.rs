@@ -4,12 +4,12 @@
 use std::sync::Arc;
 
 use fitcheck::control::variables::{Parameter, Value};
-use fitcheck::nc::machine::{Budget, Contacts, InMemory, Machine, Settings, Step};
+use fitcheck::nc::machine::{Budget, Contacts, InMemory, Machine, Settings};
 use fitcheck::nc::program::Program;
 use fitcheck::probing::Contact;
 use fitcheck::words::Dialogue;
 
-use super::shared::{Figures, NOW, told};
+use super::shared::{Figures, NOW, to_its_end};
 
 /// What a run may use.
 const SMALL: Budget = Budget {
@@ -67,17 +67,7 @@ fn run_to_the_end(bytes: &[u8], machine: &mut Machine) {
         machine.set(Parameter::q(number), Value::Number(1.0)).expect("a number");
         machine.set(Parameter::qs(number), Value::Text("ab".to_owned())).expect("a text");
     }
-    loop {
-        match machine.run(100) {
-            Ok(Step::Ended) => break,
-            Ok(_) => {}
-            Err(fault) => {
-                told(bytes, &fault);
-                break;
-            }
-        }
-    }
-    machine.remarks().iter().take(3).for_each(|(_, remark)| told(bytes, remark));
+    to_its_end(bytes, machine);
     is_within_budget(machine);
 }
 

@@ -1,6 +1,7 @@
 //! What targets have in common.
 
 use fitcheck::message::Say;
+use fitcheck::nc::machine::{Machine, Step};
 use fitcheck::words::{Language, Words};
 use jiff::civil::DateTime;
 
@@ -42,6 +43,21 @@ impl Figures<'_> {
     pub fn short(&mut self) -> i16 {
         i16::from_le_bytes(self.bytes())
     }
+}
+
+/// Runs a program to its end or to a fault; what is said of it has a sentence.
+pub fn to_its_end(bytes: &[u8], machine: &mut Machine) {
+    loop {
+        match machine.run(100) {
+            Ok(Step::Ended) => break,
+            Ok(_) => {}
+            Err(fault) => {
+                told(bytes, &fault);
+                break;
+            }
+        }
+    }
+    machine.remarks().iter().take(3).for_each(|(_, remark)| told(bytes, remark));
 }
 
 /// What went wrong has a sentence in every language. Sentences take far longer than reading, so one input in a hundred

@@ -6,7 +6,7 @@
 //! | `expression` | formulas for numbers and texts |
 //! | `read`, `warnings` | bytes to blocks, with warnings |
 //! | `notation`, `klartext`, `iso`, `din_plus` | which notation it is; the readers |
-//! | `lines`, `cursor` | parts of lines; the place in a block's text that moves forward |
+//! | `source`, `lines`, `cursor` | the text while it is read; parts of lines; the place in a block's text that moves forward |
 //! | `formula`, `text_formula` | formulas, read |
 //! | `labels`, `numbering` | where the labels are; block numbers that do not rise |
 //! | `weight` | how much text becomes trees in memory |
@@ -33,6 +33,7 @@ mod lines;
 mod notation;
 mod numbering;
 mod read;
+mod source;
 mod text_formula;
 mod warnings;
 mod weight;

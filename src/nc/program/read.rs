@@ -5,6 +5,7 @@ use super::error::{ProgramError, ProgramWarning, ProgramWarningKind};
 use super::labels::Labels;
 use super::lines::Lines;
 use super::notation::Notation;
+use super::source::Source;
 use super::warnings::Warnings;
 use super::{Encoding, Program, din_plus, iso, klartext};
 
@@ -41,10 +42,11 @@ impl Program {
         let lines = Lines::of(&text, MOST_LINES).ok_or(ProgramError::TooManyLines { most: MOST_LINES })?;
         let notation = Notation::of(&text, &lines);
         let mut warnings = Warnings::default();
+        let source = Source::new(&text, &lines, &mut warnings);
         let blocks = match notation {
-            Notation::Klartext => klartext::read(&text, &lines, &mut warnings),
-            Notation::Iso => iso::read(&text, &lines, &mut warnings),
-            Notation::DinPlus => din_plus::read(&text, &lines, &mut warnings),
+            Notation::Klartext => klartext::read(source),
+            Notation::Iso => iso::read(source),
+            Notation::DinPlus => din_plus::read(source),
         };
         if blocks.is_empty() {
             return Err(ProgramError::Empty);

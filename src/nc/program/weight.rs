@@ -21,13 +21,17 @@ impl Weight {
     pub(super) fn add(&mut self, pieces: &[Piece<'_>], formulas: &[&str]) -> Result<(), Odd> {
         let Some(&first) = pieces.first() else { return Ok(()) };
         let is_formula = formulas.iter().any(|word| Cursor::new(first.code).take_prefix(word));
-        let lengths = pieces.iter().map(|piece| piece.code.len());
+        self.count(pieces.iter().map(|piece| piece.code.len()), is_formula).map_err(|reason| {
+            let what = ProgramWarningKind::NotUnderstood(reason);
+            Odd { line: first.line, at: first.start, what }
+        })
+    }
+
+    /// Counts lines by their lengths in bytes: all of a formula, of others the long ones; too much in all is an error.
+    pub(super) fn count(&mut self, lengths: impl Iterator<Item = usize>, is_formula: bool) -> Result<(), BlockFault> {
         let weight: usize = lengths.filter(|length| is_formula || LONG < *length).sum();
         self.0 = self.0.saturating_add(weight);
-        if weight == 0 || self.0 <= MOST_FORMULAS {
-            return Ok(());
-        }
-        let reason = BlockFault::TooMuch { most: MOST_FORMULAS >> 20 };
-        Err(Odd { line: first.line, at: first.start, what: ProgramWarningKind::NotUnderstood(reason) })
+        let is_within = weight == 0 || self.0 <= MOST_FORMULAS;
+        if is_within { Ok(()) } else { Err(BlockFault::TooMuch { most: MOST_FORMULAS >> 20 }) }
     }
 }

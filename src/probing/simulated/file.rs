@@ -167,11 +167,11 @@ pub(super) const fn first_seed() -> u64 {
     1
 }
 
-const fn reference() -> f64 {
+pub(super) const fn reference() -> f64 {
     REFERENCE
 }
 
-const fn steel() -> f64 {
+pub(super) const fn steel() -> f64 {
     STEEL
 }
 

@@ -1,26 +1,20 @@
 //! From lines to blocks, section by section: every line is a block.
 
 use super::super::around::{Goes, PassedOver};
-use super::super::block::{Block, Body, Place, Unit};
+use super::super::block::{Block, Body, Unit};
 use super::super::cursor::{Cursor, Stop};
 use super::super::error::ProgramWarningKind;
 use super::super::fault::{BlockFault, Wanted};
-use super::super::lines::{Lines, trimmed};
+use super::super::lines::trimmed;
 use super::super::notation::Notation;
-use super::super::warnings::Warnings;
+use super::super::source::Source;
+use super::super::warnings::LONGEST;
+use super::super::weight::Weight;
 use super::branches::{Branches, Unended};
 use super::language::{self, END, END_OF_UNIT, MACHINING, SUBPROGRAM, Section};
 use super::line::Line;
 use super::motion::passed_over;
 use super::statement::{Said, said};
-
-/// The longest block that is understood, in bytes; a control accepts a few hundred characters per line.
-const LONGEST: usize = 1 << 16;
-/// The most text in long blocks and in those with brackets or variables, 8 MiB: once read, it takes up to fifty times its
-/// length in memory.
-const MOST_FORMULAS: usize = 8 << 20;
-/// A block from this length on is long.
-const LONG: usize = 256;
 
 /// In which part of the program a line is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -34,9 +28,7 @@ enum Part {
 }
 
 pub(super) struct Reader<'a> {
-    text: &'a str,
-    lines: &'a Lines,
-    warnings: &'a mut Warnings,
+    source: Source<'a>,
     blocks: Vec<Block>,
     branches: Branches,
     part: Part,
@@ -50,15 +42,13 @@ pub(super) struct Reader<'a> {
     is_told_behind: bool,
     /// The block of the unit that is open.
     unit_block: Option<usize>,
-    formulas: usize,
+    weight: Weight,
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(text: &'a str, lines: &'a Lines, warnings: &'a mut Warnings) -> Self {
+    pub(super) fn new(source: Source<'a>) -> Self {
         Self {
-            text,
-            lines,
-            warnings,
+            source,
             blocks: Vec::new(),
             branches: Branches::default(),
             part: Part::Data("%"),
@@ -69,13 +59,13 @@ impl<'a> Reader<'a> {
             has_end: false,
             is_told_behind: false,
             unit_block: None,
-            formulas: 0,
+            weight: Weight::default(),
         }
     }
 
     pub(super) fn read(mut self) -> Vec<Block> {
-        for line in 0..self.lines.count() {
-            if !trimmed(self.line(line)).is_empty() {
+        for line in 0..self.source.count() {
+            if !trimmed(self.source.line(line)).is_empty() {
                 let (number, body) = self.block(line);
                 self.blocks.push(Block { lines: line..line + 1, number, may_be_skipped: false, body });
             }
@@ -84,28 +74,19 @@ impl<'a> Reader<'a> {
         self.blocks
     }
 
-    fn line(&self, line: usize) -> &'a str {
-        self.lines.line(self.text, line)
-    }
-
-    fn warn(&mut self, line: usize, at: usize, what: ProgramWarningKind) {
-        let before = self.line(line).get(..at).map_or(0, |before| before.chars().count());
-        self.warnings.add(Place { line: line + 1, column: before + 1 }, || what);
-    }
-
     /// A block that is not run, with the reason.
     fn refuse(&mut self, line: usize, at: usize, reason: BlockFault) -> Body {
-        self.warn(line, at, ProgramWarningKind::NotUnderstood(of_lathes(reason)));
+        self.source.warn(line, at, ProgramWarningKind::NotUnderstood(of_lathes(reason)));
         Body::Other
     }
 
     /// The number and the body of a line.
     fn block(&mut self, line: usize) -> (Option<u32>, Body) {
-        let text = self.line(line);
+        let text = self.source.line(line);
         let parts = match Line::of(text) {
             Ok(parts) => parts,
             Err((at, what)) => {
-                self.warn(line, at, what);
+                self.source.warn(line, at, what);
                 // What is passed over need not be understood.
                 let body = match self.part {
                     Part::Data(word) => passed_over(word.to_owned(), Vec::new()),
@@ -140,7 +121,7 @@ impl<'a> Reader<'a> {
         version.quoted();
         if let Err(Stop { at, reason }) = version.end() {
             // Only the name counts.
-            self.warn(line, start + code.len() - rest.len() + at, ProgramWarningKind::NotUnderstood(reason));
+            self.source.warn(line, start + code.len() - rest.len() + at, ProgramWarningKind::NotUnderstood(reason));
         }
         self.name = Some(name.to_owned());
         if self.is_subprogram_file() && !self.has_section(Section::Machining) {
@@ -154,14 +135,14 @@ impl<'a> Reader<'a> {
     }
 
     fn has_section(&self, wanted: Section) -> bool {
-        let found = |line| Line::of(self.line(line)).ok().and_then(|line| language::section(line.code));
-        (0..self.lines.count()).filter_map(found).any(|(_, section)| section == wanted)
+        let found = |line| Line::of(self.source.line(line)).ok().and_then(|line| language::section(line.code));
+        (0..self.source.count()).filter_map(found).any(|(_, section)| section == wanted)
     }
 
     /// A line that begins a section.
     fn section(&mut self, line: usize, parts: Line<'_>, word: &'static str, section: Section) -> Body {
         if self.name.is_none() && section != Section::End {
-            self.warn(line, parts.start, ProgramWarningKind::NoSection { section: "%NAME.nc" });
+            self.source.warn(line, parts.start, ProgramWarningKind::NoSection { section: "%NAME.nc" });
             self.name = Some(String::new());
             self.part = if section == Section::Machining { Part::Machining } else { Part::Data(word) };
             self.has_machining = section == Section::Machining;
@@ -245,7 +226,7 @@ impl<'a> Reader<'a> {
             _ if self.part == Part::Behind => {
                 if !self.is_told_behind {
                     self.is_told_behind = true;
-                    self.warn(line, start, ProgramWarningKind::AfterLastSection);
+                    self.source.warn(line, start, ProgramWarningKind::AfterLastSection);
                 }
                 Body::Other
             }
@@ -264,7 +245,7 @@ impl<'a> Reader<'a> {
         match self.branches.body(said, &mut self.blocks) {
             Ok(Body::Probe(mut cycle)) => {
                 for letter in &mut cycle.lines {
-                    letter.place = self.lines.place(self.text, line, start + letter.place.column);
+                    letter.place = self.source.place(line, start + letter.place.column);
                 }
                 Body::Probe(cycle)
             }
@@ -301,7 +282,7 @@ impl<'a> Reader<'a> {
     fn end_unit(&mut self) {
         let Some(block) = self.unit_block.take() else { return };
         let line = self.blocks.get(block).map_or(0, |block| block.lines.start);
-        let start = Line::of(self.line(line)).map_or(0, |parts| parts.start);
+        let start = Line::of(self.source.line(line)).map_or(0, |parts| parts.start);
         let body = self.refuse(line, start, BlockFault::Alone { found: "UNIT", missing: END_OF_UNIT });
         if let Some(block) = self.blocks.get_mut(block) {
             block.body = body;
@@ -314,7 +295,7 @@ impl<'a> Reader<'a> {
         let unended: Vec<Unended> = self.branches.end(and_subprogram, &mut self.blocks);
         for (block, reason) in unended {
             let line = self.blocks.get(block).map_or(0, |block| block.lines.start);
-            let start = Line::of(self.line(line)).map_or(0, |parts| parts.start);
+            let start = Line::of(self.source.line(line)).map_or(0, |parts| parts.start);
             self.refuse(line, start, reason);
         }
     }
@@ -325,10 +306,7 @@ impl<'a> Reader<'a> {
         if LONGEST < code.len() {
             return fail(BlockFault::TooLong { most: LONGEST });
         }
-        if LONG < code.len() || code.contains(['#', '(']) {
-            self.formulas = self.formulas.saturating_add(code.len());
-        }
-        if MOST_FORMULAS < self.formulas { fail(BlockFault::TooMuch { most: MOST_FORMULAS >> 20 }) } else { Ok(()) }
+        self.weight.count(std::iter::once(code.len()), code.contains(['#', '('])).or_else(fail)
     }
 
     /// Looks back at the whole program: what is missing, and its unit.
@@ -337,15 +315,15 @@ impl<'a> Reader<'a> {
         let last = self.blocks.last().map_or(0, |block| block.lines.start);
         let is_whole = self.is_subprogram_file();
         if !self.has_machining && !is_whole {
-            self.warn(last, 0, ProgramWarningKind::NoSection { section: MACHINING });
+            self.source.warn(last, 0, ProgramWarningKind::NoSection { section: MACHINING });
         }
         if !self.has_end {
-            self.warn(last, 0, ProgramWarningKind::NoSection { section: END });
+            self.source.warn(last, 0, ProgramWarningKind::NoSection { section: END });
         }
         if self.unit.is_none() && !is_whole {
             let begin = self.blocks.iter().find(|block| matches!(block.body, Body::Begin { .. }));
             let line = begin.map_or(0, |block| block.lines.start);
-            self.warn(line, 0, ProgramWarningKind::NoUnit);
+            self.source.warn(line, 0, ProgramWarningKind::NoUnit);
         }
         for block in &mut self.blocks {
             if let (Body::Begin { unit, .. } | Body::End { unit, .. }, Some(found)) = (&mut block.body, self.unit) {

@@ -23,11 +23,11 @@ mod words;
 
 use super::block::Block;
 use super::lines::{Lines, trimmed};
-use super::warnings::Warnings;
+use super::source::Source;
 
 /// Reads the blocks of a program.
-pub(super) fn read(text: &str, lines: &Lines, warnings: &mut Warnings) -> Vec<Block> {
-    blocks::Reader::new(text, lines, warnings).read()
+pub(super) fn read(source: Source<'_>) -> Vec<Block> {
+    blocks::Reader::new(source).read()
 }
 
 /// The comment of a line, without its brackets.

@@ -3,9 +3,10 @@
 use super::super::block::{Block, Body, Place, Unit};
 use super::super::error::ProgramWarningKind;
 use super::super::klartext::{Before, assigned};
-use super::super::lines::{Lines, Piece, trimmed};
+use super::super::lines::{Piece, trimmed};
 use super::super::numbering::Numbering;
-use super::super::warnings::{Odd, Warnings};
+use super::super::source::Source;
+use super::super::warnings::Odd;
 use super::super::weight::Weight;
 use super::body::frame;
 use super::modes::Modes;
@@ -16,9 +17,7 @@ use super::understand::{Collected, is_global, understand};
 const MOST_LINES: usize = 500;
 
 pub(super) struct Reader<'a> {
-    text: &'a str,
-    lines: &'a Lines,
-    warnings: &'a mut Warnings,
+    source: Source<'a>,
     blocks: Vec<Block>,
     pieces: Vec<Piece<'a>>,
     weight: Weight,
@@ -32,16 +31,15 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(text: &'a str, lines: &'a Lines, warnings: &'a mut Warnings) -> Self {
+    pub(super) fn new(source: Source<'a>) -> Self {
+        let modes = Modes::new(source.text());
         Self {
-            text,
-            lines,
-            warnings,
+            source,
             blocks: Vec::new(),
             pieces: Vec::new(),
             weight: Weight::default(),
             numbering: Numbering::default(),
-            modes: Modes::new(text),
+            modes,
             cycle: None,
             begin: None,
             has_end: false,
@@ -51,37 +49,28 @@ impl<'a> Reader<'a> {
 
     pub(super) fn read(mut self) -> Vec<Block> {
         let mut line = 0;
-        while line < self.lines.count() {
-            line = if trimmed(self.line(line)).is_empty() { line + 1 } else { self.block(line) };
+        while line < self.source.count() {
+            line = if trimmed(self.source.line(line)).is_empty() { line + 1 } else { self.block(line) };
         }
         if let Some((line, what)) = self.numbering.warning() {
-            self.warn(line, 0, what);
+            self.source.warn(line, 0, what);
         }
         if let (false, Some(last)) = (self.has_end, self.blocks.last()) {
-            self.warn(last.lines.end - 1, 0, ProgramWarningKind::IsoNoEnd);
+            self.source.warn(last.lines.end - 1, 0, ProgramWarningKind::IsoNoEnd);
         }
         self.blocks
     }
 
-    fn line(&self, line: usize) -> &'a str {
-        self.lines.line(self.text, line)
-    }
-
-    fn warn(&mut self, line: usize, at: usize, what: ProgramWarningKind) {
-        let place = self.lines.place(self.text, line, at);
-        self.warnings.add(place, || what);
-    }
-
     /// Reads the block that begins in a line; returns the line after it.
     fn block(&mut self, line: usize) -> usize {
-        let front = front(self.line(line));
+        let front = front(self.source.line(line));
         let (end, has_star) = self.collect(line, front.end);
         self.numbering.next(line, front.number);
         let before = self.modes;
         let body = match self.read_body(has_star) {
             Ok(body) => body,
             Err(Odd { line, at, what }) => {
-                self.warn(line, at, what);
+                self.source.warn(line, at, what);
                 for piece in &self.pieces {
                     self.modes.not_understood(piece.code);
                 }
@@ -96,7 +85,7 @@ impl<'a> Reader<'a> {
         let body = match cut_off {
             Some(cut_off) => {
                 let at = self.pieces.first().map_or(0, |first| first.start);
-                self.warn(line, at, in_iso(cut_off.what));
+                self.source.warn(line, at, in_iso(cut_off.what));
                 if cut_off.is_refused { Body::Other } else { body }
             }
             None => body,
@@ -109,7 +98,7 @@ impl<'a> Reader<'a> {
 
     fn read_body(&mut self, has_star: bool) -> Result<Body, Odd> {
         self.weight.add(&self.pieces, &["Q", "D"])?;
-        let place = |line, at| -> Place { self.lines.place(self.text, line, at) };
+        let place = |line, at| -> Place { self.source.place(line, at) };
         let collected = Collected { pieces: &self.pieces, has_star, is_first: self.begin.is_none() };
         understand(collected, &mut self.modes, place)
     }
@@ -117,7 +106,7 @@ impl<'a> Reader<'a> {
     /// Parses the lines of a block; returns the line after it, and whether a `*` ends it. Blank lines are skipped.
     fn collect(&mut self, line: usize, from: usize) -> (usize, bool) {
         self.pieces.clear();
-        let (mut last, mut has_star) = piece(self.line(line), line, from);
+        let (mut last, mut has_star) = piece(self.source.line(line), line, from);
         self.pieces.push(last);
         let mut end = line + 1;
         // Comments, headings and the program's name are whole without a `*`.
@@ -127,13 +116,13 @@ impl<'a> Reader<'a> {
         let is_global = is_global(last.code);
         while !has_star && (!is_global || last.goes_on) && self.pieces.len() < MOST_LINES {
             let mut next = end;
-            while next < self.lines.count() && trimmed(self.line(next)).is_empty() {
+            while next < self.source.count() && trimmed(self.source.line(next)).is_empty() {
                 next += 1;
             }
-            if self.lines.count() <= next || begins_a_block(self.line(next)) {
+            if self.source.count() <= next || begins_a_block(self.source.line(next)) {
                 break;
             }
-            (last, has_star) = piece(self.line(next), next, 0);
+            (last, has_star) = piece(self.source.line(next), next, 0);
             self.pieces.push(last);
             end = next + 1;
         }
@@ -144,14 +133,14 @@ impl<'a> Reader<'a> {
     fn check_frame(&mut self, line: usize, body: &Body) {
         if self.has_end && !self.has_text_after_end {
             self.has_text_after_end = true;
-            self.warn(line, 0, ProgramWarningKind::IsoAfterEnd);
+            self.source.warn(line, 0, ProgramWarningKind::IsoAfterEnd);
         }
         match body {
             Body::Begin { unit, .. } => self.begin = Some(*unit),
             Body::End { unit, .. } if !self.has_end => {
                 self.has_end = true;
                 if let Some(begin) = self.begin.filter(|begin| begin != unit) {
-                    self.warn(line, 0, ProgramWarningKind::IsoUnits { begin, end: *unit });
+                    self.source.warn(line, 0, ProgramWarningKind::IsoUnits { begin, end: *unit });
                 }
             }
             _ => {}

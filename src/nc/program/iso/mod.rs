@@ -24,7 +24,7 @@ mod words;
 
 use super::block::Block;
 use super::lines::{Lines, trimmed};
-use super::warnings::Warnings;
+use super::source::Source;
 
 /// Whether a text begins as an ISO program does: `%NAME G71 *` in its first line that is not a comment.
 pub(super) fn begins(text: &str, lines: &Lines) -> bool {
@@ -34,8 +34,8 @@ pub(super) fn begins(text: &str, lines: &Lines) -> bool {
 }
 
 /// Reads the blocks of a program.
-pub(super) fn read(text: &str, lines: &Lines, warnings: &mut Warnings) -> Vec<Block> {
-    blocks::Reader::new(text, lines, warnings).read()
+pub(super) fn read(source: Source<'_>) -> Vec<Block> {
+    blocks::Reader::new(source).read()
 }
 
 /// The comment of a line, without the `;` before it and the `*` behind it.

@@ -2,18 +2,17 @@
 
 use super::super::block::{Block, Body, CycleBlock, Unit};
 use super::super::error::ProgramWarningKind;
-use super::super::lines::{Front, Lines, Piece, first, front, next, trimmed};
+use super::super::lines::{Front, Piece, first, front, next, trimmed};
 use super::super::numbering::Numbering;
-use super::super::warnings::{Odd, Warnings};
+use super::super::source::Source;
+use super::super::warnings::Odd;
 use super::super::weight::Weight;
 use super::cut_off::{Before, CutOff, belongs, cut_off};
 use super::cycle;
 use super::understand::understand;
 
 pub(super) struct Reader<'a> {
-    text: &'a str,
-    lines: &'a Lines,
-    warnings: &'a mut Warnings,
+    source: Source<'a>,
     blocks: Vec<Block>,
     pieces: Vec<Piece<'a>>,
     weight: Weight,
@@ -28,11 +27,9 @@ pub(super) struct Reader<'a> {
 }
 
 impl<'a> Reader<'a> {
-    pub(super) fn new(text: &'a str, lines: &'a Lines, warnings: &'a mut Warnings) -> Self {
+    pub(super) fn new(source: Source<'a>) -> Self {
         Self {
-            text,
-            lines,
-            warnings,
+            source,
             blocks: Vec::new(),
             pieces: Vec::new(),
             weight: Weight::default(),
@@ -47,40 +44,31 @@ impl<'a> Reader<'a> {
 
     pub(super) fn read(mut self) -> Vec<Block> {
         let mut line = 0;
-        while line < self.lines.count() {
-            line = if trimmed(self.line(line)).is_empty() { line + 1 } else { self.block(line) };
+        while line < self.source.count() {
+            line = if trimmed(self.source.line(line)).is_empty() { line + 1 } else { self.block(line) };
         }
         if let Some((line, what)) = self.numbering.warning() {
-            self.warn(line, 0, what);
+            self.source.warn(line, 0, what);
         }
         if let (false, Some(last)) = (self.has_end, self.blocks.last()) {
-            self.warn(last.lines.end - 1, 0, ProgramWarningKind::NoEnd);
+            self.source.warn(last.lines.end - 1, 0, ProgramWarningKind::NoEnd);
         }
         self.blocks
     }
 
-    fn line(&self, line: usize) -> &'a str {
-        self.lines.line(self.text, line)
-    }
-
-    fn warn(&mut self, line: usize, at: usize, what: ProgramWarningKind) {
-        let place = self.lines.place(self.text, line, at);
-        self.warnings.add(place, || what);
-    }
-
     /// Reads the block that begins in a line; returns the line after it.
     fn block(&mut self, line: usize) -> usize {
-        let front = front(self.line(line));
+        let front = front(self.source.line(line));
         let end = self.collect(line, front.end);
         self.numbering.next(line, front.number);
         if self.join(line, front, end) {
             return end;
         }
         let weighed = self.weight.add(&self.pieces, &["Q", "FN", "DECLARE"]);
-        let place = |line, at| self.lines.place(self.text, line, at);
+        let place = |line, at| self.source.place(line, at);
         let read = weighed.and_then(|()| understand(&self.pieces, place));
         let body = read.unwrap_or_else(|Odd { line, at, what }| {
-            self.warn(line, at, what);
+            self.source.warn(line, at, what);
             Body::Other
         });
         let found = cut_off(self.cycle.as_ref(), front, &self.pieces, &body);
@@ -88,7 +76,7 @@ impl<'a> Reader<'a> {
         let body = match found {
             Some(CutOff { piece, what, is_refused }) => {
                 let (line, at) = self.pieces.get(piece).map_or((line, 0), |piece| (piece.line, piece.start));
-                self.warn(line, at, what);
+                self.source.warn(line, at, what);
                 if is_refused { Body::Other } else { body }
             }
             None => body,
@@ -107,7 +95,7 @@ impl<'a> Reader<'a> {
         };
         let mut added = CycleBlock { number: String::new(), name: String::new(), lines: Vec::new() };
         for piece in &self.pieces {
-            if cycle::line(&mut added, piece, |at| self.lines.place(self.text, piece.line, piece.start + at)).is_err() {
+            if cycle::line(&mut added, piece, |at| self.source.place(piece.line, piece.start + at)).is_err() {
                 return false;
             }
         }
@@ -122,7 +110,7 @@ impl<'a> Reader<'a> {
         lines.end = end;
         // Said once for each cycle.
         if self.joined.replace(count) != Some(count) {
-            self.warn(line, first.start, ProgramWarningKind::CycleWithoutTilde { cycle: number, line: before });
+            self.source.warn(line, first.start, ProgramWarningKind::CycleWithoutTilde { cycle: number, line: before });
         }
         true
     }
@@ -131,22 +119,22 @@ impl<'a> Reader<'a> {
     /// comment; otherwise every line is parsed. Blank lines are skipped.
     fn collect(&mut self, line: usize, from: usize) -> usize {
         self.pieces.clear();
-        let mut last = first(self.line(line), line, from);
+        let mut last = first(self.source.line(line), line, from);
         self.pieces.push(last);
         let is_comment = last.code.is_empty() && last.comment.is_some();
         let is_heading = last.code.starts_with('*');
         let mut end = line + 1;
         while last.goes_on {
-            while end < self.lines.count() && trimmed(self.line(end)).is_empty() {
+            while end < self.source.count() && trimmed(self.source.line(end)).is_empty() {
                 end += 1;
             }
-            if self.lines.count() <= end {
-                self.warn(last.line, 0, ProgramWarningKind::OpenEnd);
+            if self.source.count() <= end {
+                self.source.warn(last.line, 0, ProgramWarningKind::OpenEnd);
                 return last.line + 1;
             }
-            last = next(self.line(end), end, 0);
+            last = next(self.source.line(end), end, 0);
             if is_comment || is_heading {
-                let comment = Some(trimmed(self.line(end)));
+                let comment = Some(trimmed(self.source.line(end)));
                 last = Piece { code: "", comment, open_quote: None, ..last };
             }
             self.pieces.push(last);
@@ -159,21 +147,21 @@ impl<'a> Reader<'a> {
     fn check_frame(&mut self, line: usize, body: &Body) {
         if self.has_end && !self.has_text_after_end {
             self.has_text_after_end = true;
-            self.warn(line, 0, ProgramWarningKind::AfterEnd);
+            self.source.warn(line, 0, ProgramWarningKind::AfterEnd);
         }
         match body {
-            Body::Begin { .. } if self.begin.is_some() => self.warn(line, 0, ProgramWarningKind::SecondBegin),
+            Body::Begin { .. } if self.begin.is_some() => self.source.warn(line, 0, ProgramWarningKind::SecondBegin),
             Body::Begin { unit, .. } => self.begin = Some(*unit),
             Body::End { unit, .. } if !self.has_end => {
                 self.has_end = true;
                 if let Some(begin) = self.begin.filter(|begin| begin != unit) {
-                    self.warn(line, 0, ProgramWarningKind::Units { begin, end: *unit });
+                    self.source.warn(line, 0, ProgramWarningKind::Units { begin, end: *unit });
                 }
             }
             _ => {}
         }
         if self.blocks.is_empty() && !matches!(body, Body::Begin { .. }) {
-            self.warn(line, 0, ProgramWarningKind::NoBegin);
+            self.source.warn(line, 0, ProgramWarningKind::NoBegin);
         }
     }
 }

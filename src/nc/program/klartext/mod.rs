@@ -19,8 +19,7 @@ mod moves;
 mod understand;
 
 use super::block::Block;
-use super::lines::Lines;
-use super::warnings::Warnings;
+use super::source::Source;
 
 // What other notations have in common with Klartext.
 pub(super) use around::defined;
@@ -32,6 +31,6 @@ pub(super) use moves::{MOST_M, tool};
 pub(super) use understand::heading;
 
 /// Reads the blocks of a program.
-pub(super) fn read(text: &str, lines: &Lines, warnings: &mut Warnings) -> Vec<Block> {
-    blocks::Reader::new(text, lines, warnings).read()
+pub(super) fn read(source: Source<'_>) -> Vec<Block> {
+    blocks::Reader::new(source).read()
 }

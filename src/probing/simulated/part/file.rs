@@ -3,10 +3,11 @@
 use serde::{Deserialize, Serialize};
 
 use super::super::figure::Table;
-use super::super::file::{LARGEST, Pair, Rectangle, Round, bounded, column_at, first_seed, line_at, plain};
+use super::super::file::{
+    LARGEST, Pair, Rectangle, Round, bounded, column_at, first_seed, line_at, plain, reference, steel,
+};
 use super::super::{
-    Face, FreePoint, Lobes, Probe, REFERENCE, STEEL, Shape, Simulation, SimulationError, Surface, Walls, Wave,
-    WorkpieceError,
+    Face, FreePoint, Lobes, Probe, Shape, Simulation, SimulationError, Surface, Walls, Wave, WorkpieceError,
 };
 use super::{Extent, Part, PartFeature};
 use crate::message::Say;
@@ -73,14 +74,6 @@ struct File {
     #[serde(default)]
     probe: ProbeTable,
     feature: Vec<FeatureTable>,
-}
-
-const fn reference() -> f64 {
-    REFERENCE
-}
-
-const fn steel() -> f64 {
-    STEEL
 }
 
 /// The probe with its stylus.
