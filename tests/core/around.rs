@@ -133,6 +133,23 @@ fn scrap_stays_scrap_and_another_feature_is_not_the_same() {
     }
 }
 
+#[test]
+fn in_iso_a_word_to_the_machine_between_keeps_rework_too() {
+    let worst = |between: &str| {
+        let hole = "N30 G421 Q273=+40 Q274=+30 Q262=+25 Q261=-8 Q320=+1 Q260=+50 Q275=+25.021 Q276=+25 *";
+        let text = format!(
+            "%A G71 *\nN10 T1 G17 *\nN20 G98 L1 *\n{hole}\nN40 M3 *\nN50 M5 *\n{between}\nN70 L1,1 *\nN99999999 %A G71 *\n"
+        );
+        let contacts = [24.99, 25.01].map(|diameter| circle([40.0, 30.0], diameter, 0.0, -8.0)).concat();
+        let (machine, fault) = over(machine(text.as_bytes(), Contacts::Recorded(contacts)));
+        assert_eq!(fault, None);
+        machine.status()
+    };
+    assert_eq!(worst("N60 ;nothing *"), Some(Status::Good));
+    assert_eq!(worst("N60 D19 P01 +1 *"), Some(Status::Rework));
+    assert_eq!(worst("N60 D29 P01 +1 *"), Some(Status::Rework));
+}
+
 fn example(name: &str) -> Vec<u8> {
     std::fs::read(format!("{}/docs/examples/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }

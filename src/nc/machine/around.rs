@@ -128,7 +128,7 @@ impl Around {
 
     /// Counts a block that was passed over; after one that speaks to the machine another workpiece may be there.
     pub(super) fn pass_over(&mut self, words: &str) {
-        if ["FN 17", "FN 19", "FN 29"].contains(&words) {
+        if ["FN 17", "FN 19", "FN 29", "D19", "D29"].contains(&words) {
             self.stops += 1;
         }
         if let Some(count) = self.passed.get_mut(words) {
