@@ -13,7 +13,7 @@ Examples:
   fitcheck limits \"25 H7\"                        one callout, for people
   fitcheck limits \"25 H7\" \"25 g6\" --format csv   several, for a spreadsheet
   fitcheck limits - --format csv < callouts.txt  one callout per line, one answer per line
-  fitcheck limits \"25 U1\" --tables my_tables     with your own control tables
+  fitcheck limits \"25 PF\" --tables my_tables     with your own control tables and a column PF
   fitcheck limits \"25 H7/g6\" 10m \"12 ±0.02\"     a fit (hole, then shaft), ISO 2768-1, deviations
 
 Columns of CSV and names in JSON: callout, nominal_mm, lower_um, upper_um, min_mm, max_mm, source, error.

@@ -9,10 +9,9 @@ use super::{CliError, CliRemark, Io, Outcome, Refused as _, TableArgs, What, rea
 use crate::files;
 use crate::length::{Length, LengthError};
 use crate::nc::sets::{
-    Control, ControlFolder, DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, NcFeature, NcKind, NcPlan, NcSet, PlanFault,
-    SetError, Target,
+    Control, ControlFolder, DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, KindCells, NcFeature, NcPlan, NcSet, SetError,
+    Target,
 };
-use crate::tolerance::Callout;
 use crate::words::Dialogue;
 
 const EXAMPLES: &str = "\
@@ -24,13 +23,20 @@ Examples:
 A plan is a CSV file with one feature per line, separated by comma, semicolon or tabulator; the header
 names the columns in any order:
   callout, x, y, z          nominal size and class such as 25 H7; centre and measuring height in mm
-  kind                      diameter (of a hole or shaft, default), width (of a slot or ridge), face
+  kind                      diameter (of a hole or shaft, default), width (of a slot or ridge), face,
+                            pocket or boss (four walls), point (of any surface)
   axis                      of a width: X (default) or Y; of a face: where the probe moves, such as -Z;
-                            its coordinate is the nominal size, with a shaft class: 40 h9
+                            its coordinate is the nominal size, with a shaft class: 40 h9; of a point:
+                            where the probe moves, such as -Z or three components such as 0.5 0 -1
+  callout2                  of a pocket or boss: the side along Y, while callout is the side along X;
+                            default: the same
   name                      letters, digits and _; names the file with the result; default: F1, F2 ...
   angle                     of the first contact from +X, degrees; default: 0
   clearance                 set-up clearance in mm, added to MP6140 or SET_UP; default: 2
   clearance_height          where the probe moves freely, mm; default: 50
+
+The callout of a point is the band about its nominal place along the normal, such as ±0.05 or
++0.1/-0.05: above it is rework, below it scrap. An iTNC 530 has no cycle for points.
 
 The set holds a main program, the program that it calls, the tables 82553 (FIT_HOLE.TAB and
 FIT_SHAFT.TAB for later controls), the mask and a page that says what goes where. The tables have
@@ -94,12 +100,15 @@ struct Position {
     /// Height at which the probe moves freely, mm [default: 50]
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     clearance_height: Option<String>,
-    /// What is measured: diameter, width of a slot or ridge, or face [default: diameter]
+    /// What is measured: diameter, width of a slot or ridge, face, pocket, boss or point [default: diameter]
     #[arg(long)]
     kind: Option<String>,
-    /// Measured axis of a width, X or Y; direction in which a face is probed, such as -Z
+    /// Measured axis of a width, X or Y; direction in which a face or point is probed, such as -Z or "0.5 0 -1"
     #[arg(long, allow_hyphen_values = true)]
     axis: Option<String>,
+    /// The side of a pocket or boss along Y [default: as along X]
+    #[arg(long, value_name = "CALLOUT")]
+    callout2: Option<String>,
     /// Name of the feature [default: F1]
     #[arg(long)]
     name: Option<String>,
@@ -157,8 +166,7 @@ impl Args {
             let (name, bytes) = read_input(Path::new(&self.what), io)?;
             return NcPlan::read(&bytes).about(&name);
         }
-        let callout: Callout = self.what.parse().about(&self.what)?;
-        let feature = self.position.feature(callout)?;
+        let feature = self.position.feature(&self.what)?;
         NcPlan::new(vec![feature]).said()
     }
 
@@ -212,20 +220,17 @@ impl Position {
             ("name", &self.name),
             ("kind", &self.kind),
             ("axis", &self.axis),
+            ("callout2", &self.callout2),
         ];
         all.into_iter().find(|(_, given)| given.is_some()).map(|(name, _)| name)
     }
 
-    fn feature(&self, callout: Callout) -> Result<NcFeature, CliError> {
+    fn feature(&self, callout: &str) -> Result<NcFeature, CliError> {
+        let (kind, axis, second) = (self.kind.as_deref(), self.axis.as_deref(), self.callout2.as_deref());
+        let kind = KindCells { kind, axis, callout, second }.read().said()?;
         let place = [needed("x", self.x.as_ref())?, needed("y", self.y.as_ref())?, needed("z", self.z.as_ref())?];
-        let usual = NcFeature::new(callout, place);
-        let kind = NcKind::read(self.kind.as_deref(), self.axis.as_deref());
-        let kind = kind.map_err(|(column, known)| {
-            let given = if column == "kind" { &self.kind } else { &self.axis };
-            PlanFault::of_kind(column, given.as_deref(), known)
-        });
+        let usual = NcFeature::of_kind(kind, place);
         Ok(NcFeature {
-            kind: kind.said()?,
             name: self.name.clone().unwrap_or_default(),
             angle: optional("angle", self.angle.as_ref())?.unwrap_or_default(),
             clearance: optional("clearance", self.clearance.as_ref())?.unwrap_or(DEFAULT_CLEARANCE),

@@ -2,8 +2,9 @@
 //!
 //! Layout as program 82551 of NC-Solution 8255 reads it (description of 7/2020): column BEREICH holds the upper,
 //! inclusive end of a size range in millimetres; each range has two rows, upper deviation then lower, in micrometres;
-//! each tolerance class has one column. Other columns are not used, and a warning says so: who writes the table again loses
-//! them. Rules: `docs/SOURCES.md`, tables.
+//! each tolerance class has one column, and a user's own column may have another name, such as PF. What a column with
+//! other content holds is not used, and a warning says so: who writes the table again loses it. Rules: `docs/SOURCES.md`,
+//! tables.
 
 mod fault;
 mod write;
@@ -154,7 +155,7 @@ impl Reading<'_> {
     fn class_column(&mut self, number: usize, column: &Column, ends: &[Length]) -> Result<Option<ClassColumn>, Fault> {
         let class: ToleranceClass = match column.name.parse() {
             Ok(class) => class,
-            // "Js7": probably meant as a class; "Remark" is not.
+            // "Js7", "Pf": probably meant as a class; "Remark" over texts is not.
             Err(ClassError::MixedCase { .. }) if self.has_numbers(number) => {
                 self.warn(number, DeviationWarningKind::MixedCase { name: column.name.clone() });
                 return Ok(None);
@@ -166,9 +167,11 @@ impl Reading<'_> {
                 return Ok(None);
             }
         };
-        if self.has_text(number) && !self.has_numbers(number) {
-            // Texts under a name that could be a class; if the block calls them texts, nothing is wrong.
-            if column.is_text() != Some(true) {
+        // Texts under a name that could be a class; a name without a grade is more often that of a remark, so there the
+        // block decides, too.
+        let is_remark = column.is_text() == Some(true) && !class.has_grade();
+        if is_remark || self.has_text(number) && !self.has_numbers(number) {
+            if self.has_text(number) {
                 self.warn(number, DeviationWarningKind::NoNumbers { name: column.name.clone() });
             }
             return Ok(None);

@@ -192,7 +192,8 @@ impl Sample {
     }
 
     /// Without a header: the column of callouts, or of classes with the nominal sizes before them, and the only column
-    /// of numbers after it, or the only one at all.
+    /// of numbers after it, or the only one at all. Names of own columns, such as PF, are words like any other, so they are
+    /// told apart by the measured value only, and only in callouts.
     fn by_content(&self) -> Result<Columns, ImportErrorKind> {
         let width = self.rows.iter().map(|(_, cells)| cells.len()).max().unwrap_or_default();
         // The count that most rows have; a longer row is reported.
@@ -207,13 +208,13 @@ impl Sample {
             several_are => return Err(several(Role::Tolerance, &no_header, several_are)),
         };
         let numbers = all(is_number);
-        let class = all(is_class)
+        let class = all(is_class_with_grade)
             .into_iter()
             .find(|&at| at.checked_sub(1).is_some_and(|before| numbers.binary_search(&before).is_ok()));
         let (tolerance, nominal) = match (callout, class) {
             (Some(at), _) => (Some(at), None),
             (None, Some(at)) => (Some(at), at.checked_sub(1)),
-            (None, None) => (None, None),
+            (None, None) => (self.own_callouts(), None),
         };
         let free: Vec<usize> = numbers.into_iter().filter(|at| Some(*at) != nominal).collect();
         let behind: Vec<usize> =
@@ -244,6 +245,14 @@ impl Sample {
             decimal_sign: None,
             whole_numbers_behind: false,
         })
+    }
+
+    /// The column that holds the own callout of more than half of the rows.
+    fn own_callouts(&self) -> Option<usize> {
+        let data = || self.rows.iter().skip(self.above).map(|(_, cells)| own_callout(cells));
+        let first = data().flatten().next()?;
+        let (are, all) = data().fold((0, 0), |(are, all), at| (are + usize::from(at == Some(first)), all + 1));
+        (all < are * 2).then_some(first)
     }
 
     fn whole_numbers_behind(&self, at: usize) -> bool {
@@ -329,7 +338,8 @@ fn has_number(cells: &StringRecord) -> bool {
 
 /// Whether a row holds a callout or class, and a number.
 pub(super) fn is_data(cells: &StringRecord) -> bool {
-    has_number(cells) && cells.iter().any(|cell| is_callout(cell) || is_class(cell))
+    has_number(cells)
+        && (cells.iter().any(|cell| is_callout(cell) || is_class_with_grade(cell)) || own_callout(cells).is_some())
 }
 
 pub(super) fn is_blank(cells: &StringRecord) -> bool {
@@ -345,12 +355,34 @@ fn is_number(cell: &str) -> bool {
 }
 
 fn is_callout(cell: &str) -> bool {
-    // Deviations and limits look like dates and part numbers: 2024-03-14, 17-3.
-    cell.parse::<Callout>().is_ok_and(|callout| callout.class().is_some())
+    // Deviations and limits look like dates and part numbers: 2024-03-14, 17-3. "3 pcs" may be a callout, and seldom is.
+    cell.parse::<Callout>().is_ok_and(|callout| callout.class().is_some_and(ToleranceClass::has_grade))
 }
 
-pub(super) fn is_class(cell: &str) -> bool {
+/// The cell with the callout of an own column: `25 PF` and not `3 pcs`, because another cell holds a number within a tenth
+/// of its nominal size.
+fn own_callout(cells: &StringRecord) -> Option<usize> {
+    let nominal = |cell: &str| {
+        let callout = cell.parse::<Callout>().ok()?;
+        callout.class().map(|_class| callout.nominal())
+    };
+    let is_near = |cell: &str, nominal: Length| {
+        let number = Length::parse_in(cell, Unit::Millimetre).unwrap_or_default();
+        let apart = number.saturating_sub(nominal).abs();
+        apart.nanometres() <= nominal.nanometres() / 10
+    };
+    let has_measured = |nominal: Length| cells.iter().any(|cell| is_near(cell, nominal));
+    cells.iter().position(|cell| nominal(cell).is_some_and(has_measured))
+}
+
+/// Whether a cell of a column that is named is a class.
+fn is_class(cell: &str) -> bool {
     cell.parse::<ToleranceClass>().is_ok()
+}
+
+/// Whether a cell of a column without a name is a class: there a word such as GOOD is none.
+fn is_class_with_grade(cell: &str) -> bool {
+    cell.parse::<ToleranceClass>().is_ok_and(ToleranceClass::has_grade)
 }
 
 fn several(role: Role, header: &StringRecord, columns: &[usize]) -> ImportErrorKind {

@@ -1,9 +1,10 @@
-//! Tolerance classes: letters and a grade, `H7` for a hole, `h7` for a shaft.
+//! Tolerance classes: letters and a grade, `H7` for a hole, `h7` for a shaft, and own columns of other names, `PF`.
 
 use std::fmt;
 use std::str::FromStr;
 
 use super::iso286::Grade;
+use super::iso2768::GeneralClass;
 use crate::message::{Say, as_text};
 
 /// Which side of the material is measured.
@@ -48,10 +49,19 @@ as_text!(Feature, ToleranceClass);
 /// The longest name of a class or a user's own table column.
 const LONGEST: usize = 8;
 
+/// Names that are no class, in either case, though their letters would do: behind a number they are a unit, or they are a
+/// column of a control's table that holds no deviations.
+const NO_CLASSES: [&str; 20] = [
+    "mm", "cm", "dm", "km", "nm", "um", "in", "inch", "inches", "zoll", "pollici", "ft", "mil", "mils", "thou",
+    "micron", "microns", "nr", "bereich", "bereik",
+];
+
 /// A tolerance class: the name of a column in a table of deviations.
 ///
-/// One or more letters, then one or two digits: `H7`, `js13`, and a user's own columns such as `U1`. Only the case of
-/// the letters decides between hole and shaft, because program 82551 of NC-Solution 8255 compares the text with `a`.
+/// A letter, then letters and digits, at most eight in all: `H7`, `js13`, and a user's own columns such as `U1` and `PF`.
+/// The letters have one case, and it decides between hole and shaft, because program 82551 of NC-Solution 8255 compares
+/// the text with `a`. No class are names of units, the general classes `f`, `m`, `c`, `v` of ISO 2768-1, and the columns
+/// of row numbers and size ranges, all of them in either case. `docs/SOURCES.md`, tables, says why.
 #[derive(Clone, Copy, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub struct ToleranceClass {
     /// ASCII, padded with zero bytes.
@@ -73,7 +83,7 @@ pub enum ClassError {
         /// The same in small letters.
         lower: String,
     },
-    /// The text is not letters and a grade.
+    /// The text is neither letters and a grade nor a name that an own column may have.
     Malformed {
         /// What was given.
         text: String,
@@ -118,9 +128,16 @@ impl ToleranceClass {
         Self { text }
     }
 
-    /// The letters without the grade: `JS` of `JS7`.
+    /// The letters without the grade: `JS` of `JS7`. Of an own column its name without the digits at its end: `PF`, `U1Z`
+    /// of `U1Z1`.
     pub fn letters(&self) -> &str {
         self.as_str().trim_end_matches(|c: char| c.is_ascii_digit())
+    }
+
+    /// Whether it is letters and one or two digits, as every class of ISO 286 is; `PF` and `U1Z1` are not.
+    pub fn has_grade(self) -> bool {
+        let digits = self.as_str().len() - self.letters().len();
+        (1..=2).contains(&digits) && self.letters().bytes().all(|byte| byte.is_ascii_alphabetic())
     }
 }
 
@@ -133,24 +150,38 @@ impl FromStr for ToleranceClass {
             return Err(ClassError::Missing);
         }
         let malformed = || ClassError::Malformed { text: given.to_owned() };
-        let letters = given.trim_end_matches(|c: char| c.is_ascii_digit());
-        let digits = given.len() - letters.len();
-        let ascii = letters.bytes().all(|byte| byte.is_ascii_alphabetic());
-        if !ascii || letters.is_empty() || !(1..=2).contains(&digits) {
+        let is_name = given.starts_with(|c: char| c.is_ascii_alphabetic())
+            && given.bytes().all(|byte| byte.is_ascii_alphanumeric())
+            && given.len() <= LONGEST;
+        if !is_name || means_something_else(given) {
             return Err(malformed());
         }
-        let capitals = letters.bytes().filter(u8::is_ascii_uppercase).count();
-        if 0 < capitals && capitals < letters.len() {
+        let is_mixed = |text: &str| {
+            let has = |case: fn(&u8) -> bool| text.bytes().any(|byte| case(&byte));
+            has(u8::is_ascii_uppercase) && has(u8::is_ascii_lowercase)
+        };
+        let beginning = given.split(|c: char| c.is_ascii_digit()).next().unwrap_or(given);
+        if is_mixed(beginning) {
             return Err(ClassError::MixedCase {
                 text: given.to_owned(),
                 upper: given.to_ascii_uppercase(),
                 lower: given.to_ascii_lowercase(),
             });
         }
+        // "H7x" is rather a slip of the keyboard than a column H7X.
+        if is_mixed(given) {
+            return Err(malformed());
+        }
         let mut text = [0; LONGEST];
         text.get_mut(..given.len()).ok_or_else(malformed)?.copy_from_slice(given.as_bytes());
         Ok(Self { text })
     }
+}
+
+/// Whether a name is a unit, a general class or a column without deviations.
+fn means_something_else(name: &str) -> bool {
+    NO_CLASSES.iter().any(|other| name.eq_ignore_ascii_case(other))
+        || name.len() == 1 && GeneralClass::from_letter(&name.to_ascii_lowercase()).is_some()
 }
 
 impl fmt::Display for ToleranceClass {

@@ -60,6 +60,20 @@ pub enum LimitsError {
         /// The known classes for this kind of feature.
         known: String,
     },
+    /// A name that only an own column can have, and there is no own table.
+    NoOwnTable {
+        /// The name that was asked for.
+        class: ToleranceClass,
+    },
+    /// A name that only an own column can have, and no own table has it.
+    NoOwnColumn {
+        /// The name that was asked for.
+        class: ToleranceClass,
+        /// The own tables, by name.
+        table: String,
+        /// Their columns for this kind of feature, or for the other one where there are none.
+        known: String,
+    },
     /// No table has the class, but one has that of the other case: the user may have meant that.
     #[say(args(feature = class.feature()))]
     OtherCase {
@@ -180,13 +194,7 @@ impl Sources {
     /// standard. Any other class of the standard also has an answer.
     pub fn classes(&self, feature: Feature) -> Vec<ToleranceClass> {
         let usual = self.base.standard().map(|standard| (standard.usual_classes)(feature));
-        let mut classes = Vec::new();
-        for class in self.table_classes(feature).chain(usual.into_iter().flatten()) {
-            if !classes.contains(&class) {
-                classes.push(class);
-            }
-        }
-        classes
+        each_once(self.table_classes(feature).chain(usual.into_iter().flatten()))
     }
 
     /// The classes of the tables for holes or for shafts, table by table; a class that is in two tables comes twice.
@@ -319,6 +327,8 @@ impl Sources {
         match (self.base.standard(), beyond) {
             // A user's own class that the standard does not have: the error says where the table ends.
             (Some(standard), Some(table)) if !(standard.knows)(class) => Err(beyond_last_range(table, nominal)),
+            // A letter of the standard lacks its grade: the standard says so.
+            (Some(_), _) if !class.has_grade() && !iso286::knows_letter(class) => Err(self.no_own_column(class)),
             (Some(standard), _) => (standard.deviations)(class, nominal, self.options),
             (None, Some(table)) => Err(beyond_last_range(table, nominal)),
             (None, None) => Err(self.unknown(class)),
@@ -344,15 +354,48 @@ impl Sources {
         let feature = class.feature();
         let has = |table: &DeviationTable| table.columns().iter().any(|column| column.class.feature() == feature);
         let names: Vec<&str> = self.tables().filter(|table| has(table)).map(|table| table.name()).collect();
-        let other = class.other_case();
         let table = names.join(", ");
-        if self.tables().any(|table| table.column(other).is_some()) {
+        if let Some(other) = self.other_case(class) {
             return LimitsError::OtherCase { class, table, other };
         }
         let known = self.classes(feature);
         let known: Vec<&str> = known.iter().map(ToleranceClass::as_str).collect();
         LimitsError::UnknownClass { class, table, known: known.join(" ") }
     }
+
+    /// Why a name that the standard cannot have has no limits.
+    fn no_own_column(&self, class: ToleranceClass) -> LimitsError {
+        if self.own.is_empty() {
+            return LimitsError::NoOwnTable { class };
+        }
+        let names: Vec<&str> = self.own.iter().map(|table| table.name()).collect();
+        let table = names.join(", ");
+        if let Some(other) = self.other_case(class) {
+            return LimitsError::OtherCase { class, table, other };
+        }
+        let both = [class.feature(), class.feature().other()];
+        let known = both.map(|feature| each_once(self.table_classes(feature)));
+        let known = known.into_iter().find(|known| !known.is_empty()).unwrap_or_default();
+        let known: Vec<&str> = known.iter().map(ToleranceClass::as_str).collect();
+        LimitsError::NoOwnColumn { class, table, known: known.join(" ") }
+    }
+
+    /// The class of the other case, where a table has it: the user may have meant that.
+    fn other_case(&self, class: ToleranceClass) -> Option<ToleranceClass> {
+        let other = class.other_case();
+        self.tables().any(|table| table.column(other).is_some()).then_some(other)
+    }
+}
+
+/// The same classes in the same order without repetitions.
+fn each_once(classes: impl Iterator<Item = ToleranceClass>) -> Vec<ToleranceClass> {
+    let mut each = Vec::new();
+    for class in classes {
+        if !each.contains(&class) {
+            each.push(class);
+        }
+    }
+    each
 }
 
 fn beyond_last_range(table: &DeviationTable, nominal: Length) -> LimitsError {

@@ -286,6 +286,11 @@ fn predef_needs_a_global_definition_that_was_run() {
         Contacts::Perfect,
     );
     check(&machine, &[(320, 4.0)]);
+    // Which of two values a control takes is not documented.
+    for again in ["Q320=+3", "Q320=+2"] {
+        let twice = format!("GLOBAL DEF 120 PROBING ~\nQ320=+2 ~\n{again}\nTOOL CALL 1 Z\n{hole}");
+        assert_eq!(fault(&twice), "GLOBAL DEF 120: Q320 is given twice");
+    }
     // A value of an inch program is handed on as a length, not as a number.
     let text = "BEGIN PGM a INCH\nGLOBAL DEF 120 PROBING ~\nQ320=+0.1\nTOOL CALL 1 Z\nCALL PGM b.h\nEND PGM a INCH\n";
     let store = InMemory::new().with("b.h", format!("BEGIN PGM b MM\n{hole}\nEND PGM b MM\n"));
@@ -313,7 +318,7 @@ fn nothing_is_measured_under_a_rotation_and_its_like_until_it_ends() {
         ("CYCL DEF 10.1 ROT+30", "TRANS ROTATION RESET", "a rotation"),
         ("CYCL DEF 8.1 X", "CYCL DEF 8.1", "mirroring"),
         ("CYCL DEF 11.1 SCL 0.99", "CYCL DEF 11.1 SCL1", "scaling"),
-        ("CYCL DEF 26.1 X1 Y1.1", "CYCL DEF 26.1 X1 Y1", "scaling"),
+        ("CYCL DEF 26.1 X1 Y1.1", "CYCL DEF 26.1 X1 Y1", "scaling of single axes"),
         ("CYCL DEF 7.1 #5", "CYCL DEF 7.1 X+0 Y+0 Z+0", "a shift from a datum table"),
         ("PLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY", "PLANE RESET STAY", "a tilted plane"),
         ("CYCL DEF 19.1 A+0 B-90 C+0", "CYCL DEF 19.1 A+0 B+0 C+0", "a tilted plane"),
@@ -330,6 +335,89 @@ fn nothing_is_measured_under_a_rotation_and_its_like_until_it_ends() {
         fault(&format!("TOOL CALL 1 Z\nCYCL DEF 10.1 ROT+30\nCYCL DEF 10.1 IROT-30\n{HOLE}")).starts_with("a rotation")
     );
     ran(&format!("TOOL CALL 1 Z\nCYCL DEF 10.1 ROT+30\nCYCL DEF 247 X ~\nQ339=+1\n{HOLE}"), Contacts::Perfect);
+}
+
+/// What stands where a control's own programs have nothing is not dropped.
+#[test]
+fn no_value_of_a_change_is_lost() {
+    for block in [
+        "CYCL DEF 10.0 ROTATION ROT+30",
+        "CYCL DEF 7.0 DATUM SHIFT X+50",
+        "CYCL DEF 8.0 MIRROR IMAGE X",
+        "CYCL DEF 11.0 SCALING SCL 0.9",
+        "CYCL DEF 19.0 WORKING PLANE A+30",
+        "CYCL DEF 26.1 X1 Y1 Z=0.9",
+        "TRANS DATUM AXIS X+0 TO Y+5",
+        "CYCL DEF 7.1 X+5 X+0",
+        "CYCL DEF 247 DATUM SETTING ~\nQ339=+1 ~\nQ339=+2",
+        "FUNCTION COUNT REPEAT LBL 1",
+        "FN 37: EXPORT QL1",
+    ] {
+        let said = fault(&format!("TOOL CALL 1 Z\n{block}\n{HOLE}"));
+        assert!(said.contains("not understood") || said.contains("unknown"), "{block}: {said}");
+    }
+    for (blocks, change) in [
+        ("CYCL DEF 11.1 SCL 0.99\nCYCL DEF 26.1 X1 Y1", "scaling"),
+        ("CYCL DEF 26.1 X0.99 Y0.99\nCYCL DEF 11.1 SCL 1", "scaling of single axes"),
+        ("CYCL DEF 26.1 X0.99 Y1\nTRANS SCALE RESET", "scaling of single axes"),
+        ("CYCL DEF 26.1 X1 CCX+0 Y0.99 CCY+0", "scaling of single axes"),
+        ("CYCL DEF 19.1 A+0 ABST50 B+30", "a tilted plane"),
+        ("CYCL DEF 19.2 B+30", "a tilted plane"),
+    ] {
+        let said = fault(&format!("TOOL CALL 1 Z\n{blocks}\n{HOLE}"));
+        assert!(said.starts_with(&format!("{change} is in force")), "{blocks}: {said}");
+    }
+    // As controls write them.
+    for blocks in [
+        "CYCL DEF 7.0 NULLPUNKT\nCYCL DEF 7.1 X+0\nCYCL DEF 7.2 Y+0",
+        "CYCL DEF 26.0 AXIS-SPEC. SCALING\nCYCL DEF 26.1 X1 Y1 CCX+0 CCY+0",
+        "CYCL DEF 19.0 WORKING PLANE\nCYCL DEF 19.1 A+0 B+0 C+0 F1000 ABST50",
+    ] {
+        ran(&format!("TOOL CALL 1 Z\n{blocks}\n{HOLE}"), Contacts::Perfect);
+    }
+}
+
+#[test]
+fn nothing_behind_an_open_subprogram_or_a_missing_part_is_skipped() {
+    let open = format!("TOOL CALL 1 Z\nCALL LBL 1\n{HOLE}\nM30\nLBL 1\nQ1 = 1");
+    assert_eq!(fault(&open), "the program ends within the subprogram that is called in line 3: LBL 0 is missing");
+    ran(&format!("{open}\nLBL 0"), Contacts::Perfect);
+    let ahead = format!("TOOL CALL 1 Z\nCALL LBL 1 REP 1\n{HOLE}\nLBL 1\nQ5 = 1");
+    let said = fault(&ahead);
+    assert!(said.starts_with("REP repeats the part between a label and this block"), "{said}");
+}
+
+#[test]
+fn predef_takes_no_value_of_another_definition_or_unit() {
+    let hole = HOLE.replace("Q320=+1", "Q320= PREDEF");
+    let none = "cycle 421: Q320 SET-UP CLEARANCE = PREDEF: no GLOBAL DEF gives a value";
+    assert_eq!(fault(&format!("TOOL CALL 1 Z\nGLOBAL DEF 110 POCKET MILLING ~\nQ320=+2\n{hole}")), none);
+    // 0.1 inch is no number of a program in millimetres.
+    let inch = "BEGIN PGM g INCH\nGLOBAL DEF 120 PROBING ~\nQ320=+0.1\nEND PGM g INCH\n";
+    let main = text(&format!("CALL PGM g.h\nTOOL CALL 1 Z\n{hole}\nQ1 = Q320"));
+    let program = Arc::new(Program::read(main.as_bytes()).unwrap().0);
+    let store = InMemory::new().with("g.h", inch);
+    let mut machine = Machine::new("main.h", program, store, Contacts::Perfect, settings());
+    let said = machine.run(u64::MAX).unwrap_err().kind.to_string();
+    assert!(said.contains("Q320") && said.contains("undefined"), "{said}");
+}
+
+/// A counter of workpieces, and a message to another computer, may bring another workpiece.
+#[test]
+fn a_counted_workpiece_is_not_the_next_one_reworked() {
+    let between = |block: &str| {
+        let blocks = format!(
+            "TOOL CALL 1 Z\nLBL 1\n{HOLE}\nTOOL CALL 5 Z S3000\nL Z+50 FMAX M3\nL Z+90 FMAX M5\nTOOL CALL 1 Z\n{block}\n\
+             CALL LBL 1 REP 1"
+        );
+        let mut contacts = circle([40.0, 30.0], 24.98, 0.0, -8.0);
+        contacts.extend(circle([40.0, 30.0], 25.01, 0.0, -8.0));
+        let machine = ran(&blocks, Contacts::Recorded(contacts));
+        machine.cycles().iter().filter(|run| run.is_reworked).count()
+    };
+    assert_eq!(between("Q5 = 1"), 1);
+    assert_eq!(between("FUNCTION COUNT ADD"), 0);
+    assert_eq!(between("FN 38: SEND /\"NEXT PART\" / +1"), 0);
 }
 
 #[test]
@@ -381,6 +469,23 @@ fn a_turning_spindle_and_turned_axes_are_told() {
     assert!(told("M4\nSTOP").is_empty());
     assert_eq!(told("L C+90 FMAX"), ["C moved before: the workpiece was measured as if not turned"]);
     assert!(told("L C+90 FMAX\nL C+0 FMAX").is_empty());
+}
+
+#[test]
+fn what_a_tool_call_adds_to_the_probe_is_told() {
+    let told = |call: &str| remarks(&ran(&format!("{call}\n{HOLE}"), Contacts::Perfect));
+    let said = |offsets: &str| [format!("{offsets} of the TOOL CALL does not change the simulated probe")];
+    assert_eq!(told("TOOL CALL 1 Z S50 DL+0.1"), said("DL+0.1"));
+    assert_eq!(told("TOOL CALL 1 Z S50 DL-0,1 DR+Q5"), said("DL-0,1 DR+Q5"));
+    assert!(told("TOOL CALL 1 Z S50 DL+0 DR-0.0").is_empty());
+    // Another tool is another length.
+    assert!(told("TOOL CALL 1 Z DR2+0.1\nTOOL CALL 2 Z").is_empty());
+    assert_eq!(told("TOOL CALL 1 Z DR2+0.1\nTOOL CALL S100"), said("DR2+0.1"));
+    // In ISO it stands in the T block.
+    let iso = text(HOLE).replace("BEGIN PGM main MM\n", "").replace("END PGM main MM\n", "").replace("TCH PROBE ", "G");
+    let iso = format!("%A G71 *\nN1 T1 G17 DL+0.1 *\n{} *\nN9 %A G71 *\n", iso.trim());
+    let (machine, fault) = over(machine(iso.as_bytes(), Contacts::Perfect));
+    assert_eq!((fault, remarks(&machine)), (None, said("DL+0.1").to_vec()));
 }
 
 #[test]

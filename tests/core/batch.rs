@@ -3,8 +3,10 @@
 use std::fmt::Write as _;
 use std::io::{BufRead as _, Read, Write as _};
 use std::process::{Command, Stdio};
+use std::sync::LazyLock;
 
 use fitcheck::batch::{Failed, Input, Manner, Packing, Rendering, Summary, Watch, run};
+use fitcheck::control::deviations::read_table;
 use fitcheck::exchange::batch::{Court, Csv, Cutter, JsonLines, Kind, Layout, Tsv};
 use fitcheck::exchange::{Item, import_each};
 use fitcheck::length::{Length, Unit};
@@ -395,6 +397,7 @@ fn row(separator: char) -> impl Strategy<Value = String> {
         Just("ZC18"),
         Just("25,5 H7"),
         Just("M6"),
+        own_class(),
     ];
     let id = prop_oneof![
         "[A-Z][0-9]{1,4}",
@@ -425,11 +428,51 @@ fn row(separator: char) -> impl Strategy<Value = String> {
     })
 }
 
+/// Names of own columns, and names that are none.
+fn own_class() -> impl Strategy<Value = &'static str> {
+    prop::sample::select(vec![
+        "PF",
+        "pf",
+        "PX",
+        "Pf",
+        "mm",
+        "M",
+        "H",
+        "U1Z1",
+        "25 PF",
+        "25PF",
+        "25 pf",
+        "25 PX",
+        "25 U1Z1",
+        "25mmpf",
+        "25 mm PF",
+        "25 in",
+        "25 h",
+        "31 PF",
+        "25 PF/pf",
+        "\"25 PF\"",
+        "PF ",
+    ])
+}
+
+/// Limits in a shop with two own tables.
+static OWN_SOURCES: LazyLock<Sources> = LazyLock::new(|| {
+    let own = [
+        "NR BEREICH PF    U1Z1\n0  30      +40   +2.5\n1          +10   -2.5\n",
+        "NR BEREICH pf\n0  30      -10\n1          -40\n",
+    ];
+    let read = |rows: &str| {
+        let table = format!("BEGIN own.tab\n{rows}[END]\n");
+        read_table(table.as_bytes(), "own.tab", "own.tab", false).unwrap().0
+    };
+    Sources::default().with_own(own.into_iter().filter_map(read))
+});
+
 /// What `import` says of every row: its line, status and limits, or its reason.
 fn imported(text: &[u8]) -> Vec<(usize, String)> {
     let mut all = Vec::new();
     let now = jiff::civil::date(2026, 1, 1).at(0, 0, 0, 0);
-    import_each("test.csv", text, &Sources::default(), now, &mut |item| match item {
+    import_each("test.csv", text, &OWN_SOURCES, now, &mut |item| match item {
         Item::Record { line, record } => {
             let (limits, size) = (&record.limits, record.verdict.size);
             let remove = size.removal.map_or(String::new(), |removal| removal.to_limit.exact(Unit::Micrometre, 0));
@@ -472,7 +515,7 @@ proptest! {
         let count = layout.names.len();
         let mut out = Vec::new();
         let s = char::from(layout.separator());
-        judged::<Csv>(text.as_bytes(), WHOLE, &Sources::default(), &mut out).unwrap();
+        judged::<Csv>(text.as_bytes(), WHOLE, &OWN_SOURCES, &mut out).unwrap();
         let said = String::from_utf8(out).unwrap();
         let mut reader = csv::ReaderBuilder::new()
             .has_headers(false).flexible(true).delimiter(layout.separator()).from_reader(said.as_bytes());

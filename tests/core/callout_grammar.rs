@@ -74,7 +74,8 @@ fn reads_general_tolerances_in_small_letters() {
         "! M has no grade: write 10m for the general tolerance of ISO 2768-1, or add a grade, such as M7 (character 3)",
     );
     check("10m -0.1", "! -0.1 is not expected here: the text is complete without it (character 5)");
-    check("10 h", "! h is not a tolerance class: write letters and a grade, such as H7 or js13 (character 4)");
+    // Without a grade it can only be an own column: whoever looks its limits up says what there is.
+    check("10 h", "10 h");
 }
 
 #[test]
@@ -206,7 +207,7 @@ fn a_sign_belongs_to_the_size_while_it_is_typed() {
 
 #[test]
 fn an_error_in_values_names_no_character() {
-    let error = CalloutError::from("H".parse::<ToleranceClass>().unwrap_err());
+    let error = CalloutError::from("7".parse::<ToleranceClass>().unwrap_err());
     assert_eq!(error.span(), None);
     assert!(!error.to_string().contains("character"), "{error}");
 }
@@ -275,9 +276,9 @@ fn refuses_what_is_no_class_and_says_why() {
     for (text, message) in [
         ("", "a tolerance class is missing, such as H7 for a hole or h7 for a shaft"),
         ("Js7", "Js7 mixes upper and lower case: write JS7 for a hole or js7 for a shaft"),
-        ("H", "H is not a tolerance class: write letters and a grade, such as H7 or js13"),
         ("7", "7 is not a tolerance class: write letters and a grade, such as H7 or js13"),
-        ("H777", "H777 is not a tolerance class: write letters and a grade, such as H7 or js13"),
+        ("mm", "mm is not a tolerance class: write letters and a grade, such as H7 or js13"),
+        ("M", "M is not a tolerance class: write letters and a grade, such as H7 or js13"),
         ("H7x", "H7x is not a tolerance class: write letters and a grade, such as H7 or js13"),
         ("Ω7", "Ω7 is not a tolerance class: write letters and a grade, such as H7 or js13"),
         ("ABCDEFGH7", "ABCDEFGH7 is not a tolerance class: write letters and a grade, such as H7 or js13"),

@@ -1,7 +1,7 @@
 //! Circle evaluation against the certified NIST sets, textbook sets, and exact circles anywhere.
 
 use fitcheck::probing::Contact;
-use fitcheck::probing::circle::{Evaluation, arc_deg, evaluate, least_squares};
+use fitcheck::probing::circle::{Circle, Evaluation, arc_deg, evaluate, least_squares};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -444,6 +444,36 @@ fn the_circumscribed_circle_of_a_narrow_triangle_stands_on_its_longest_side() {
         assert!((circle.x - x).abs() < 1e-9 && (circle.y - y).abs() < 1e-9, "{circle:?}");
         assert!((circle.diameter - diameter).abs() < 1e-9, "{circle:?}");
     }
+}
+
+/// Three contacts close together and one far off: the circle stands on two of the three and the far one. Found by the fuzz target
+/// `circle`: the rounding of that circle's centre was taken for a contact outside, and the circle that was given instead was too
+/// large by 1.4 m of 40 km.
+#[test]
+fn a_circumscribed_circle_on_two_contacts_close_together_and_one_far_off_is_no_larger_than_needed() {
+    // Only where they lie, a hundred kilometres away, the rounding was as large as that.
+    let away = |at: f64, by: f64| by + 1000.0 * at;
+    let contacts = [[1.0, -1.0], [-1.0, 1.0], [-28_271.0, -28_271.0], [-1.0, -1.0]];
+    let contacts = contacts.map(|[x, y]| contact([away(x, 1e8), away(y, -1e8)]));
+    let circle = evaluate(&contacts).unwrap().minimum_circumscribed;
+    // On the line x = y, as far from the first contact as from the third: 2 t² + 2 = 2 (t + 28 271)².
+    let middle = (1.0 - 28_271.0_f64.powi(2)) / (2.0 * 28_271.0);
+    assert!((circle.x - away(middle, 1e8)).abs() < 1e-6 && (circle.y - away(middle, -1e8)).abs() < 1e-6, "{circle:?}");
+    assert!((circle.diameter - 2000.0 * (2.0 * middle * middle + 2.0).sqrt()).abs() < 1e-6, "{circle:?}");
+}
+
+/// Two valleys: along one the circle grows towards a straight line, along the other three places of four contacts are met.
+#[test]
+fn contacts_close_together_have_the_circle_that_meets_them_all_and_not_a_huge_one() {
+    let (sin, cos) = 1.571_f64.sin_cos();
+    let far = 1.000_006_835_937_5;
+    let contacts = [[1.0, 0.0], [far * cos, far * sin], [1.000_013_061_523_437_5, 0.0], [1.0, 0.0]].map(contact);
+    let found = evaluate(&contacts).unwrap();
+    assert!(found.residual_rms() < 1e-14, "{}", found.residual_rms());
+    // The centre lies midway between the two places on the X axis, and as far from them as from the second contact.
+    let Circle { x, y, diameter } = found.least_squares;
+    assert!((x - 1.000_006_530_761_718_8).abs() < 1e-9 && (y - 1.000_210_226_02).abs() < 1e-9, "{x} {y}");
+    assert!((diameter - 2.000_420_452).abs() < 1e-8, "{diameter}");
 }
 
 #[test]

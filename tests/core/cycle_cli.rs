@@ -209,6 +209,7 @@ fn the_notes_of_a_cycle_are_listed_with_it() {
         "425" => vec![recommended("1404")],
         "427" => vec!["the control needs software option #17 / #1-05-1".to_owned(), recommended("1400")],
         "444" => vec![
+            "an iTNC 530 does not have this cycle; TNC 320, TNC 620, TNC 640 and TNC7 have it".to_owned(),
             "the machine builder must enable and adapt this cycle: see the machine manual".to_owned(),
             "take the normal from a CAD or CAM system".to_owned(),
         ],

@@ -1,7 +1,8 @@
 //! Every fuzz target on its seeds and on changes of them, in this process and without an engine.
 //!
 //! Each target gets `FUZZ_INPUTS` changes of its seeds, the same on every machine: they follow from `FUZZ_SEED` alone.
-//! With `FUZZ_SECONDS` all targets together take this time instead. `fuzz/campaign` searches with coverage, and for hours.
+//! With `FUZZ_SECONDS` all targets together take this time instead, and with `FUZZ_TARGET` only one of them runs.
+//! `fuzz/campaign` searches with coverage, and for hours.
 
 use std::collections::BTreeSet;
 use std::fmt::Write as _;
@@ -172,14 +173,18 @@ fn every_target_holds_on_its_seeds_and_on_changes_of_them() {
     let most = asked.unwrap_or(INPUTS);
     let mut random = Random(variable("FUZZ_SEED").unwrap_or(1));
     let watched = watch();
-    for (number, target) in (0_u32..).zip(TARGETS) {
+    let only: Option<String> = variable("FUZZ_TARGET");
+    let chosen: Vec<&Target> =
+        TARGETS.iter().filter(|target| only.as_ref().is_none_or(|only| target.name == only)).collect();
+    assert!(!chosen.is_empty(), "FUZZ_TARGET={only:?} is no target");
+    for (number, target) in (0_u32..).zip(&chosen) {
         let (begin, seeds, words) = (Instant::now(), seeds(target), words(target.words));
         for seed in &seeds {
             run(target, seed, &watched);
         }
         let mut own = Random(random.next() ^ u64::from(number));
         let time =
-            seconds.map(|seconds| Duration::from_secs_f64(seconds / f64::from(u32::try_from(TARGETS.len()).unwrap())));
+            seconds.map(|seconds| Duration::from_secs_f64(seconds / f64::from(u32::try_from(chosen.len()).unwrap())));
         let mut inputs = 0;
         while time.map_or(inputs < most, |time| begin.elapsed() < time) {
             let mut input = seeds[own.below(seeds.len())].clone();

@@ -52,10 +52,12 @@ mod nc_cli;
 mod nc_paths;
 mod nc_plans;
 mod nc_sets;
+mod own_columns;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod part_plans;
 mod parts;
+mod plan_cli;
 mod point_cycles;
 mod point_log;
 mod probe_blocks;

@@ -9,7 +9,14 @@ fn check(text: &str, expected: &str) {
             let feature = |f: &NcFeature| {
                 format!(
                     "{} {} {} {} {} {} {} {}",
-                    f.name, f.callout, f.x, f.y, f.z, f.angle, f.clearance, f.clearance_height
+                    f.name,
+                    f.kind.asked(),
+                    f.x,
+                    f.y,
+                    f.z,
+                    f.angle,
+                    f.clearance,
+                    f.clearance_height
                 )
             };
             plan.features().iter().map(feature).collect::<Vec<_>>().join("; ")
@@ -34,7 +41,7 @@ fn what_is_wrong_is_told_with_its_line() {
     check("", "the plan has no feature");
     check("callout,x,y,z\n", "the plan has no feature");
     check("callout,x,y\n25 H7,1,2\n", "line 1: column z is missing");
-    let known = "name, kind, axis, callout, x, y, z, angle, clearance, clearance_height";
+    let known = "name, kind, axis, callout, callout2, x, y, z, angle, clearance, clearance_height";
     check("callout,x,y,z,depth\n", &format!("line 1: unknown column depth: the columns are {known}"));
     check("callout,x,y,z,X\n", "line 1: column x occurs twice");
     check(

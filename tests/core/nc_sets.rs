@@ -120,10 +120,10 @@ fn check(
     let mut contacts = Vec::new();
     let mut expected = Vec::new();
     for (feature, &diameter) in plan.features().iter().zip(diameters) {
-        let limits = sources.limits(&feature.callout, None).unwrap();
+        let limits = sources.limits(&feature.kind.callouts()[0], None).unwrap();
         let measurement = measured(feature, &limits, diameter);
         contacts.extend(measurement.contacts.iter().copied());
-        expected.push(native(feature.callout, &limits, measurement, language));
+        expected.push(native(feature.kind.callouts()[0], &limits, measurement, language));
     }
     let machine = run(&set, control, language, Contacts::Recorded(contacts));
     let statuses: Vec<Status> = machine.cycles().iter().map(|run| run.result.status.unwrap()).collect();
@@ -162,7 +162,8 @@ fn plan() -> Vec<NcFeature> {
 fn every_control_and_language_gives_the_native_verdicts() {
     let sources = Sources::default();
     let features = plan();
-    let limits: Vec<Limits> = features.iter().map(|feature| sources.limits(&feature.callout, None).unwrap()).collect();
+    let limits: Vec<Limits> =
+        features.iter().map(|feature| sources.limits(&feature.kind.callouts()[0], None).unwrap()).collect();
     let off = |length: Length, nm: i64| Length::from_nanometres(length.nanometres() + nm).unwrap();
     for control in Control::ALL {
         for language in Dialogue::ALL {
@@ -200,7 +201,7 @@ fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
             [("25 H7", Status::Rework, Status::Scrap), ("25 h7", Status::Scrap, Status::Rework)]
         {
             let one = feature(callout, ["40", "30", "-8"]);
-            let limits = Sources::default().limits(&one.callout, None).unwrap();
+            let limits = Sources::default().limits(&one.kind.callouts()[0], None).unwrap();
             let set = make(vec![one], control, Dialogue::En);
             for (diameter, status) in [
                 (limits.minimum().saturating_sub(mm("0.000001")), below),
@@ -402,7 +403,7 @@ fn an_itnc_530_takes_thirty_columns_and_then_only_those_of_the_plan() {
     assert_eq!(set.remarks.last(), Some(&fewer));
     let sources = Sources::default();
     let diameters: Vec<Length> =
-        many.iter().map(|feature| sources.limits(&feature.callout, None).unwrap().minimum()).collect();
+        many.iter().map(|feature| sources.limits(&feature.kind.callouts()[0], None).unwrap().minimum()).collect();
     assert_eq!(check(&many, &diameters, Control::Itnc530, Dialogue::It, &sources), [Status::Good; 5]);
     // Even more than those: refused with the control's limit, nothing is left out.
     let letters = "CD D E EF F FG G H J JS K M N P R S T U V X Y Z ZA ZB ZC".split(' ');

@@ -142,7 +142,7 @@ fn a_row_that_cannot_be_used_is_named_and_the_others_are_reported() {
     assert_eq!(code, 1);
     for text in [
         "bores.csv: line 3, column 3: measured: 25,0l2 is not a number",
-        "25 H9999=1: H9999 is not a tolerance class: write letters and a grade, such as H7 or js13",
+        "25 H9999=1: H9999 is not an ISO 286 tolerance class: write letters and a grade, such as H7 or js13",
     ] {
         assert!(page.contains(text), "{text:?} is missing in\n{page}");
         assert!(err.contains(text), "{text:?} is missing in\n{err}");

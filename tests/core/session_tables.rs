@@ -222,7 +222,7 @@ fn tables_and_columns_that_cannot_be_are_refused_beside_their_field() {
             "H7 x",
             "50",
             TablesField::Classes,
-            "x is not a tolerance class: write letters and a grade, such as H7 or js13",
+            "x is not an ISO 286 tolerance class: write letters and a grade, such as H7 or js13",
         ),
         ("H7", "0", TablesField::To, "the last size is 0 mm: it must be above 0 and at most 3150 mm"),
         (

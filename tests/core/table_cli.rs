@@ -127,26 +127,45 @@ fn a_shifted_size_range_is_found_in_all_classes_that_change_there() {
 
 /// Nothing that reads a table drops a column without a word.
 #[test]
-fn a_column_without_a_grade_is_told_wherever_a_table_is_read() {
-    let folder = tempfile::tempdir().unwrap();
-    let path = folder.path().join("own.tab");
-    let own = "BEGIN own.tab\nNR BEREICH H7   PF   \n0  3       +10  +1   \n1          +0   0    \n[END]\n";
-    std::fs::write(&path, own).unwrap();
-    let (name, tables) = (path.to_str().unwrap(), folder.path().to_str().unwrap());
-    for args in [&["table", "verify", name][..], &["table", "export", name, "--format", "csv"]] {
-        assert_told(args);
-    }
-    for command in ["limits", "check"] {
-        let measured: &[&str] = if command == "check" { &["--measured", "2"] } else { &[] };
-        assert_told(&[&[command, "2 H7", "--tables", tables], measured].concat());
+fn a_column_that_is_no_class_is_told_wherever_a_table_is_read() {
+    let by_name = "cannot be a tolerance class by its name, so it was skipped";
+    for (column, cells, reason) in [
+        ("P_F ", ["+1", "0"], by_name),
+        ("NOTE", ["ab", "cd"], "holds texts and no deviations, so it was skipped"),
+        ("Pf  ", ["+1", "0"], "mixes upper and lower case, so it is not a tolerance class and was skipped"),
+    ] {
+        let [upper, lower] = cells;
+        let own = format!(
+            "BEGIN own.tab\nNR BEREICH H7   {column} \n0  3       +10  {upper}   \n1          +0   {lower}    \n[END]\n"
+        );
+        let told = format!("column {} {reason}", column.trim());
+        for_all_readers(&own, |args, said| assert!(said.contains(&told), "{args:?}: {said}"));
     }
 }
 
+#[test]
+fn an_own_column_is_used_wherever_a_table_is_read_and_nothing_is_told() {
+    let own = "BEGIN own.tab\nNR BEREICH H7   PF   \n0  3       +10  +1   \n1          +0   0    \n[END]\n";
+    for_all_readers(own, |args, said| assert_eq!(said, "", "{args:?}"));
+}
+
+/// What is said on standard error by each that reads a table.
 #[track_caller]
-fn assert_told(args: &[&str]) {
-    let output = std::process::Command::new(env!("CARGO_BIN_EXE_fitcheck")).args(args).output().unwrap();
-    let said = String::from_utf8(output.stderr).unwrap();
-    assert!(said.contains("column PF is not letters and a number, so it was skipped"), "{args:?}: {said}");
+fn for_all_readers(own: &str, check: impl Fn(&[&str], &str)) {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("own.tab");
+    std::fs::write(&path, own).unwrap();
+    let (name, tables) = (path.to_str().unwrap(), folder.path().to_str().unwrap());
+    for args in [
+        &["table", "verify", name][..],
+        &["table", "export", name, "--format", "csv"],
+        &["limits", "2 H7", "--tables", tables],
+        &["check", "2 H7", "--tables", tables, "--measured", "2"],
+        &["sql", "--dialect", "sqlite", "--classes", "H7", "--tables", tables],
+    ] {
+        let output = std::process::Command::new(env!("CARGO_BIN_EXE_fitcheck")).args(args).output().unwrap();
+        check(args, &String::from_utf8(output.stderr).unwrap());
+    }
 }
 
 #[test]

@@ -8,8 +8,10 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use fitcheck::control::deviations::{read_table, to_control_table};
 use fitcheck::control::shipped_tables;
 use fitcheck::control::status::status_word;
+use fitcheck::control::table::Generation;
 use fitcheck::control::variables::{Parameter, Value};
 use fitcheck::journal::{Record, status_window};
 use fitcheck::length::{Length, Unit};
@@ -19,7 +21,8 @@ use fitcheck::probing::cycle::Plane;
 use fitcheck::probing::measure::{ProbePosition, cycle_number, measure};
 use fitcheck::probing::simulated::{Simulation, Surface, Workpiece};
 use fitcheck::probing::{Origin, Recorded};
-use fitcheck::tolerance::{Callout, DeviationTable, Feature, Limits, Sources, ToleranceClass};
+use fitcheck::tolerance::table::Column;
+use fitcheck::tolerance::{Callout, DeviationTable, Deviations, Feature, Limits, Sources, ToleranceClass};
 use fitcheck::verdict::{Status, doubt, judge};
 use fitcheck::words::Dialogue;
 
@@ -258,6 +261,54 @@ fn every_language_says_the_same() {
                 compare(&mut machine, callout, &limits, workpiece);
             }
         }
+    }
+}
+
+/// The built-in table with one own column more, whose deviations differ in every size range, as a file.
+fn with_own_column(feature: Feature) -> Vec<u8> {
+    let tables = shipped_tables();
+    let table = tables.iter().find(|table| table.columns()[0].class.feature() == feature).unwrap();
+    let (name, side) = match feature {
+        Feature::Hole => ("PF", 1),
+        Feature::Shaft => ("pf", -1),
+    };
+    let cell = |number: i32| {
+        let ends = [35 + 3 * number, 5 + number].map(|um| Length::from_micrometres(um * side));
+        Deviations::new(ends[0].max(ends[1]), ends[0].min(ends[1])).unwrap()
+    };
+    let cells = (0..).zip(table.ends()).map(|(number, _)| Some(cell(number))).collect();
+    let mut columns = table.columns()[..20].to_vec();
+    columns.push(Column { class: name.parse().unwrap(), cells });
+    let own = DeviationTable::new(table.name(), false, table.ends().to_vec(), columns).unwrap();
+    to_control_table(&own, Generation::Structure).write().unwrap()
+}
+
+/// QS1 = PF is what `25 PF` is to `fitcheck check --tables`: in every size range, and in every language.
+#[test]
+fn an_own_column_agrees_byte_for_byte() {
+    let both = [Feature::Hole, Feature::Shaft].map(with_own_column);
+    let tables = both.each_ref().map(|bytes| read_table(bytes, "own", "own", false).unwrap().0.unwrap());
+    let [holes, shafts] = &both;
+    let sources = Sources::default().with_own(tables.clone());
+    for language in Dialogue::ALL {
+        let store = InMemory::new().with("82553_hole.tab", holes.clone()).with("82553_shaft.tab", shafts.clone());
+        let path = format!(r"TNC:\8255\8255_{language}.h");
+        let settings = Settings::new(language, time());
+        let mut machine = Machine::new(&path, main_program(language), store, Contacts::Perfect, settings);
+        let mut count = 0;
+        for (table, class) in tables.iter().zip(["PF", "pf"]) {
+            for (nominal, is_border) in sizes(table) {
+                let callout = Callout::new(nominal, class.parse().unwrap()).unwrap();
+                let limits = sources.limits(&callout, None).unwrap();
+                let all = workpieces(&limits);
+                let wanted = if is_border && language == Dialogue::Nl { &all[..] } else { &all[2..3] };
+                for &workpiece in wanted.iter().filter(|(diameter, _)| SMALLEST <= *diameter) {
+                    compare(&mut machine, callout, &limits, workpiece);
+                    count += 1;
+                }
+            }
+        }
+        assert_eq!(count, if language == Dialogue::Nl { 666 } else { 166 }, "{language}");
     }
 }
 

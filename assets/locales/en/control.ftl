@@ -84,9 +84,9 @@ deviations-half = column { $class } has only one of the two deviations for the s
 deviations-touches = column { $column } and its neighbour run into each other: separate them with a space
 deviations-no-deviations = skipped, not a table of deviations (no column BEREICH): { $file }
 deviations-range-alias = BEREIK was read as BEREICH
-deviations-other-column = column { $name } is not letters and a number, so it was skipped: a table that is written from this one lacks it
-deviations-no-numbers = column { $name } holds no numbers and was skipped
-deviations-mixed-case = column { $name } mixes upper and lower case, so it is not a tolerance class and was skipped
+deviations-other-column = column { $name } cannot be a tolerance class by its name, so it was skipped: a table that is written from this one lacks it
+deviations-no-numbers = column { $name } holds texts and no deviations, so it was skipped: a table that is written from this one lacks it
+deviations-mixed-case = column { $name } mixes upper and lower case, so it is not a tolerance class and was skipped: a table that is written from this one lacks it
 
 ## Parameters
 no-parameter = { $given } is not a parameter: allowed are Q, QL, QR and QS with a number

@@ -66,6 +66,9 @@ machine-mask = mask { $mask }: { $error }
 machine-programmed = the program stopped itself with error { $number }
 machine-no-cycle-parameter = cycle { $cycle } has no parameter { $parameter }
 machine-cycle-parameter-twice = cycle { $cycle }: { $parameter } is given twice
+machine-global-twice = GLOBAL DEF { $number }: { $parameter } is given twice
+machine-open-subprogram = the program ends within the subprogram that is called in line { $line }: LBL 0 is missing
+machine-repeat-ahead = REP repeats the part between a label and this block, and the label stands behind it, in line { $line }
 machine-cycle = cycle { $cycle }: { $error }
 machine-workpiece = workpiece: { $error }
 machine-no-tool-call = no TOOL CALL with a tool axis comes before this measuring cycle
@@ -76,6 +79,7 @@ machine-change-datum-table = a shift from a datum table
 machine-change-rotation = a rotation
 machine-change-mirror = mirroring
 machine-change-scaling = scaling
+machine-change-axis-scaling = scaling of single axes
 machine-change-tilt = a tilted plane
 
 ## Remarks
@@ -103,6 +107,8 @@ machine-remark-more = { $count } more remarks are not listed
 machine-remark-other-probe = tool { $tool } is not in the touch-probe table: probe { $probe } was used
 machine-remark-collision = the { $mover } would touch { $feature }, with the centre of the ball at X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = moves are not checked in full against { $features }
+machine-remark-stylus-unchecked = the stylus is not checked for collisions: the tool axis is not Z
+machine-remark-tool-offsets = { $offsets } of the TOOL CALL does not change the simulated probe
 machine-remark-tool-locked = tool { $tool } is locked in the tool table
 machine-remark-no-probe-tool = tool { $tool } is not a touch probe: TYP = { $kind }, expected { $probe }
 machine-remark-no-such-tool = tool { $tool } is not in the tool table

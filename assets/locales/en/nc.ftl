@@ -16,6 +16,11 @@ nc-name = name { $name }: letters A to Z, digits and _ are allowed, at most { $m
 nc-same-name = name { $name } occurs twice: file names on a control ignore case
 nc-unknown = { $column } { $given } is not known: expected { $known }
 nc-not-of = a { $kind } has no { $column }
+nc-direction = axis { $given } is not a direction: expected { $known }, or three numbers such as 0.5 0 -1, from -10 to 10 with at most 9 decimals and not all 0
+nc-no-band = { $text } is not the band of a point, such as ±0.05 or +0.1/-0.05: { $error }
+nc-band-side = a point cannot have deviations from { $lower } to { $upper } mm: the cycle takes an upper one of 0 or more and a lower one of 0 or less, not both 0
+nc-side-class = { $callout }: both sides of a { $kind } need classes such as { $example }
+nc-not-on-control = a { $kind } is measured by cycle { $cycle }, which an { $control } does not have
 nc-face-class = { $callout }: a face is judged as an outside dimension and needs a shaft class, such as h9
 nc-face-place = { $callout }: the face is at { $coordinate } mm along the measured axis, which must be its nominal size
 ## Sets

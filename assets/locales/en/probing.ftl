@@ -109,6 +109,7 @@ found-rework = rework
 found-scrap = scrap
 found-status = status: -1 undefined, 0 good, 1 rework, 2 scrap
 cycle-note-machine-builder = the machine builder must enable and adapt this cycle: see the machine manual
+cycle-note-not-on-itnc530 = an iTNC 530 does not have this cycle; TNC 320, TNC 620, TNC 640 and TNC7 have it
 cycle-note-normal-from-cad = take the normal from a CAD or CAM system
 cycle-note-software-option = the control needs software option { $option }
 cycle-note-recommended = where the control has cycle { $cycle }, HEIDENHAIN recommends it instead

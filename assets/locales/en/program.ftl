@@ -53,6 +53,7 @@ program-no-form = how { $found } is written in ISO is not known
 program-measure-unknown = neither G90 nor G91 is known to be in force here
 program-and-with-or = AND and OR in one condition need brackets that say which comes first
 program-letter-twice = { $letters } is given twice
+program-second-unit = another unit is said before
 program-acts-in-unit = units are passed over, but this block measures, calls or sets a variable
 program-alone = { $found } without { $missing }
 program-axis-twice = an axis is given twice

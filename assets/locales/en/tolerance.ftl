@@ -39,6 +39,8 @@ limits-other-case = { $feature ->
    *[shaft] { $class } is a shaft class and table { $table } does not have it; the hole class is { $other }
 }
 limits-unknown-class = { $class } is not in table { $table }; it has { $known }
+limits-no-own-table = { $class } is not an ISO 286 tolerance class: write letters and a grade, such as H7 or js13, or choose own tables with a column { $class }
+limits-no-own-column = { $class } is not an ISO 286 tolerance class, and table { $table } has no column { $class }: it has { $known }
 limits-beyond-last-range = nominal size { $nominal } mm is beyond table { $table }, whose last range is over { $over } up to and including { $to } mm
 limits-not-defined = { $class } is not defined over { $over } up to { $to } mm in table { $table }; { $where }
 limits-defined-nowhere = it is not defined at any size
@@ -74,6 +76,7 @@ file-too-large = the file is larger than { $limit } MiB: { $path }
 file-system = { $reason }: { $path }
 
 ## ISO 286
+iso286-grade-missing = { $class } is not an ISO 286 tolerance class: write letters and a grade, such as H7 or js13
 iso286-no-grade = { $class } is not an ISO 286 tolerance class: the grades are { $grades }
 iso286-no-letter = { $class } is not an ISO 286 tolerance class: letter { $letters } does not exist, only { $known }
 iso286-too-large = nominal size { $nominal } mm is beyond ISO 286, which ends at 3150 mm
@@ -153,6 +156,7 @@ callout-not-in-cycle-text = { $found } cannot stand in a text of cycles 14xx: wr
 callout-too-much = { $found } is not expected here: the text is complete without it
 callout-too-long = the text is too long: at most { $most } characters
 callout-band-order = the lower deviation comes before the upper one: write QS400 as 0.4-0.1
+callout-lone-order = the lower deviation comes before the upper one: write { $offer }
 general-too-small = nominal size { $nominal } mm is below { $first } mm, where ISO 2768-1 begins: write the deviations next to the size
 general-too-large = nominal size { $nominal } mm is beyond ISO 2768-1, which ends with { $last } mm
 general-not-defined = ISO 2768-1 does not define class { $class } { $range }; it is defined { $defined }

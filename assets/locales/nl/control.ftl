@@ -84,9 +84,9 @@ deviations-half = kolom { $class } heeft maar één van de twee afwijkingen voor
 deviations-touches = kolom { $column } en de kolom ernaast lopen in elkaar over: zet er een spatie tussen
 deviations-no-deviations = overgeslagen, geen tabel met afwijkingen (geen kolom BEREICH): { $file }
 deviations-range-alias = BEREIK is gelezen als BEREICH
-deviations-other-column = kolom { $name } is niet letters en een getal en is overgeslagen: een tabel die uit deze wordt geschreven heeft haar niet
-deviations-no-numbers = kolom { $name } bevat geen getallen en is overgeslagen
-deviations-mixed-case = kolom { $name } heeft hoofdletters en kleine letters door elkaar, is dus geen tolerantieklasse en is overgeslagen
+deviations-other-column = kolom { $name } kan met deze naam geen tolerantieklasse zijn en is overgeslagen: een tabel die uit deze wordt geschreven heeft haar niet
+deviations-no-numbers = kolom { $name } bevat teksten en geen afwijkingen en is overgeslagen: een tabel die uit deze wordt geschreven heeft haar niet
+deviations-mixed-case = kolom { $name } heeft hoofdletters en kleine letters door elkaar, is dus geen tolerantieklasse en is overgeslagen: een tabel die uit deze wordt geschreven heeft haar niet
 
 ## Parameters
 no-parameter = { $given } is geen parameter: toegestaan zijn Q, QL, QR en QS met een nummer

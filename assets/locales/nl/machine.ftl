@@ -66,6 +66,9 @@ machine-mask = masker { $mask }: { $error }
 machine-programmed = het programma heeft zichzelf gestopt met fout { $number }
 machine-no-cycle-parameter = cyclus { $cycle } heeft geen parameter { $parameter }
 machine-cycle-parameter-twice = cyclus { $cycle }: { $parameter } is twee keer opgegeven
+machine-global-twice = GLOBAL DEF { $number }: { $parameter } is twee keer opgegeven
+machine-open-subprogram = het programma eindigt in het onderprogramma dat in regel { $line } is aangeroepen: LBL 0 ontbreekt
+machine-repeat-ahead = REP herhaalt het deel tussen een label en deze regel, en het label staat erachter, in regel { $line }
 machine-cycle = cyclus { $cycle }: { $error }
 machine-workpiece = werkstuk: { $error }
 machine-no-tool-call = voor deze meetcyclus staat geen TOOL CALL met een gereedschapsas
@@ -76,6 +79,7 @@ machine-change-datum-table = een verschuiving uit een nulpunttabel
 machine-change-rotation = een rotatie
 machine-change-mirror = een spiegeling
 machine-change-scaling = een maatfactor
+machine-change-axis-scaling = schaling van afzonderlijke assen
 machine-change-tilt = een gezwenkt bewerkingsvlak
 
 ## Opmerkingen
@@ -103,6 +107,8 @@ machine-remark-more = nog { $count } opmerkingen zijn niet vermeld
 machine-remark-other-probe = gereedschap { $tool } staat niet in de tastertabel: taster { $probe } is gebruikt
 machine-remark-collision = de { $mover } zou { $feature } raken, met het midden van de kogel op X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = bewegingen zijn niet volledig gecontroleerd op { $features }
+machine-remark-stylus-unchecked = de taststift is niet op botsingen gecontroleerd: de gereedschapsas is niet Z
+machine-remark-tool-offsets = { $offsets } van de TOOL CALL verandert het gesimuleerde tastsysteem niet
 machine-remark-tool-locked = gereedschap { $tool } is geblokkeerd in de gereedschapstabel
 machine-remark-no-probe-tool = gereedschap { $tool } is geen taster: TYP = { $kind }, { $probe } verwacht
 machine-remark-no-such-tool = gereedschap { $tool } staat niet in de gereedschapstabel

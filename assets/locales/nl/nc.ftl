@@ -16,6 +16,11 @@ nc-name = naam { $name }: toegestaan zijn letters A tot Z, cijfers en _, hoogste
 nc-same-name = naam { $name } komt twee keer voor: bestandsnamen op een besturing maken geen verschil tussen hoofdletters en kleine letters
 nc-unknown = { $column } { $given } is onbekend: { $known } verwacht
 nc-not-of = bij { $kind } hoort geen { $column }
+nc-direction = axis { $given } is geen richting: { $known } verwacht, of drie getallen zoals 0.5 0 -1, van -10 tot 10 met hoogstens 9 decimalen en niet alle 0
+nc-no-band = { $text } is niet de tolerantie van een punt, zoals ±0.05 of +0.1/-0.05: { $error }
+nc-band-side = een punt kan geen afwijkingen van { $lower } tot { $upper } mm hebben: de cyclus neemt een bovenafwijking van 0 of meer en een onderafwijking van 0 of minder, niet beide 0
+nc-side-class = { $callout }: beide zijden van { $kind } hebben een klasse zoals { $example } nodig
+nc-not-on-control = { $kind } wordt gemeten met cyclus { $cycle }, en die heeft een { $control } niet
 nc-face-class = { $callout }: een vlak wordt als buitenmaat beoordeeld en heeft een asklasse nodig, zoals h9
 nc-face-place = { $callout }: het vlak ligt op { $coordinate } mm langs de meetas, en dat moet de nominale maat zijn
 ## Sets

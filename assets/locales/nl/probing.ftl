@@ -109,6 +109,7 @@ found-rework = nabewerking
 found-scrap = afkeur
 found-status = status: -1 niet gedefinieerd, 0 goed, 1 nabewerking, 2 afkeur
 cycle-note-machine-builder = de machinefabrikant moet deze cyclus vrijgeven en aanpassen: zie het machinehandboek
+cycle-note-not-on-itnc530 = een iTNC 530 heeft deze cyclus niet; TNC 320, TNC 620, TNC 640 en TNC7 hebben hem
 cycle-note-normal-from-cad = neem de normaal uit een CAD- of CAM-systeem
 cycle-note-software-option = de besturing heeft softwareoptie { $option } nodig
 cycle-note-recommended = waar de besturing cyclus { $cycle } heeft, raadt HEIDENHAIN die in plaats van deze aan

@@ -53,6 +53,7 @@ program-no-form = hoe { $found } in ISO wordt geschreven, is niet bekend
 program-measure-unknown = hier is niet bekend of G90 of G91 geldt
 program-and-with-or = AND en OR in één voorwaarde hebben haakjes nodig die zeggen wat eerst komt
 program-letter-twice = { $letters } is twee keer opgegeven
+program-second-unit = er is al een andere eenheid genoemd
 program-acts-in-unit = units worden overgeslagen, maar deze NC-regel meet, roept aan of stelt een variabele in
 program-alone = { $found } zonder { $missing }
 program-axis-twice = een as is twee keer opgegeven

@@ -39,6 +39,8 @@ limits-other-case = { $feature ->
    *[shaft] { $class } is een klasse voor assen en staat niet in tabel { $table }; de klasse voor boringen is { $other }
 }
 limits-unknown-class = { $class } staat niet in tabel { $table }; die heeft { $known }
+limits-no-own-table = { $class } is geen tolerantieklasse van ISO 286: schrijf letters en een graad, zoals H7 of js13, of kies eigen tabellen met een kolom { $class }
+limits-no-own-column = { $class } is geen tolerantieklasse van ISO 286 en tabel { $table } heeft geen kolom { $class }: zij heeft { $known }
 limits-beyond-last-range = nominale maat { $nominal } mm valt buiten tabel { $table }; het laatste maatbereik is boven { $over } tot en met { $to } mm
 limits-not-defined = { $class } is niet gedefinieerd boven { $over } tot en met { $to } mm in tabel { $table }; { $where }
 limits-defined-nowhere = ook bij geen andere maat
@@ -74,6 +76,7 @@ file-too-large = het bestand is groter dan { $limit } MiB: { $path }
 file-system = { $reason }: { $path }
 
 ## ISO 286
+iso286-grade-missing = { $class } is geen tolerantieklasse van ISO 286: schrijf letters en een graad, zoals H7 of js13
 iso286-no-grade = { $class } is geen tolerantieklasse van ISO 286: de graden zijn { $grades }
 iso286-no-letter = { $class } is geen tolerantieklasse van ISO 286: letter { $letters } bestaat niet, alleen { $known }
 iso286-too-large = nominale maat { $nominal } mm valt buiten ISO 286, die bij 3150 mm ophoudt
@@ -153,6 +156,7 @@ callout-not-in-cycle-text = { $found } is in een tekst van de cycli 14xx niet to
 callout-too-much = { $found } wordt hier niet verwacht: de tekst is zonder dit al volledig
 callout-too-long = de tekst is te lang: hoogstens { $most } tekens
 callout-band-order = de onderafwijking staat voor de bovenafwijking: schrijf QS400 als 0.4-0.1
+callout-lone-order = de onderafwijking staat voor de bovenafwijking: schrijf { $offer }
 general-too-small = nominale maat { $nominal } mm ligt onder { $first } mm, waar ISO 2768-1 begint: schrijf de afwijkingen bij de maat
 general-too-large = nominale maat { $nominal } mm valt buiten ISO 2768-1, die tot en met { $last } mm gaat
 general-not-defined = ISO 2768-1 heeft geen klasse { $class } { $range }; wel { $defined }

@@ -5,7 +5,8 @@ use std::io::{Cursor, Read};
 
 use fitcheck::batch::{self, Input, Manner, Packing, Rendering, Stream, Summary, Watch};
 use fitcheck::exchange::batch::{ADDED, Court, Csv, Cutter, JsonLines, Kind, Layout, Tsv};
-use fitcheck::tolerance::Sources;
+
+use super::shared::OWN_SOURCES;
 
 pub fn run(bytes: &[u8]) {
     // The first byte says how the rest is cut.
@@ -36,8 +37,7 @@ pub fn run(bytes: &[u8]) {
 }
 
 fn judged<R: Rendering>(layout: &Layout, text: &[u8], step: usize, is_patient: bool) -> (Summary, Vec<u8>) {
-    let sources = Sources::default();
-    let court = Court::new(layout, &sources);
+    let court = Court::new(layout, &OWN_SOURCES);
     let cutter = Cutter::new(layout.separator(), step, is_patient);
     let manner = Manner { workers: 1, packing: Packing::Plain, prefix: "" };
     let mut out = Vec::new();

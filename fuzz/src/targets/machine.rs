@@ -4,32 +4,12 @@
 use std::sync::Arc;
 
 use fitcheck::control::variables::{Parameter, Value};
-use fitcheck::nc::machine::{Budget, Contacts, InMemory, Machine, Settings};
+use fitcheck::nc::machine::{Contacts, InMemory, Machine, Settings};
 use fitcheck::nc::program::Program;
 use fitcheck::probing::Contact;
 use fitcheck::words::Dialogue;
 
-use super::shared::{Figures, NOW, to_its_end};
-
-/// What a run may use.
-const SMALL: Budget = Budget {
-    blocks: 2_000,
-    label_calls: 20,
-    program_calls: 10,
-    text: 255,
-    windows: 20,
-    outputs: 20,
-    output_bytes: 10_000,
-    output_files: 10,
-    folders: 10,
-    table_writes: 20,
-    cycles: 20,
-    path: 500,
-    files: 5,
-    file_bytes: 100_000,
-    traffic: 1_000_000,
-    remarks: 50,
-};
+use super::shared::{Figures, NOW, SMALL, to_its_end};
 
 pub fn run(bytes: &[u8]) {
     let mut figures = Figures(bytes);

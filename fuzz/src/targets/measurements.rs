@@ -4,13 +4,12 @@
 use fitcheck::exchange::{FORMATS, Imported, import};
 use fitcheck::journal::Record;
 use fitcheck::report::csv;
-use fitcheck::tolerance::Sources;
 use fitcheck::verdict::judge;
 
-use super::shared::{NOW, told};
+use super::shared::{NOW, OWN_SOURCES, told};
 
 pub fn run(bytes: &[u8]) {
-    let imported = import("a.csv", bytes, &Sources::default(), NOW);
+    let imported = import("a.csv", bytes, &OWN_SOURCES, NOW);
     counts(bytes, &imported);
     for format in FORMATS {
         let _either = format.recognises(bytes, "a.csv");
@@ -45,7 +44,7 @@ fn counts(bytes: &[u8], imported: &Imported) {
 
 fn comes_back(records: &[Record]) {
     let written = csv::render(records).expect("records are written");
-    let again = import("a.csv", &written, &Sources::default(), NOW);
+    let again = import("a.csv", &written, &OWN_SOURCES, NOW);
     assert_eq!((again.errors.len(), again.unjudged.len()), (0, 0), "{:?}", again.errors.first());
     assert_eq!(again.records.len(), records.len());
     for (again, record) in again.records.iter().zip(records) {

@@ -14,6 +14,7 @@ mod decimal;
 mod deviations;
 mod exact;
 mod format;
+mod iso;
 mod lathe;
 mod length;
 mod limits;
@@ -65,6 +66,7 @@ targets! {
     contacts "csv"
     deviations "table"
     format "none"
+    iso "iso"
     lathe "din_plus"
     length "sizes"
     limits "sizes"

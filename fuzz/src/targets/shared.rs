@@ -1,12 +1,29 @@
 //! What targets have in common.
 
+use std::sync::{Arc, LazyLock};
+
+use fitcheck::control::deviations::read_table;
 use fitcheck::message::Say;
-use fitcheck::nc::machine::{Machine, Step};
-use fitcheck::words::{Language, Words};
+use fitcheck::nc::machine::{Budget, Contacts, InMemory, Machine, Settings, Step};
+use fitcheck::nc::program::{Notation, Program};
+use fitcheck::tolerance::Sources;
+use fitcheck::words::{Dialogue, Language, Words};
 use jiff::civil::DateTime;
 
 /// A time for everything that is given one.
 pub const NOW: DateTime = DateTime::constant(2026, 3, 7, 8, 5, 9, 0);
+
+/// Columns of a shop of its own, with a class of ISO 286 among them.
+const OWN: [&str; 2] = [
+    "BEGIN OWN_HOLE.TAB\nNR BEREICH PF    H7    U1Z1\n0  30      +40   +25   +2.5\n1          +10   +0    -2.5\n[END]\n",
+    "BEGIN OWN_SHAFT.TAB\nNR BEREICH pf\n0  30      -10\n1          -40\n[END]\n",
+];
+
+/// Where limits come from in a shop with own columns, such as PF.
+pub static OWN_SOURCES: LazyLock<Sources> = LazyLock::new(|| {
+    let read = |text: &str| read_table(text.as_bytes(), "own.tab", "own.tab", false).expect("a table").0;
+    Sources::default().with_own(OWN.into_iter().filter_map(read))
+});
 
 /// Figures from the beginning of an input; zeros where it has ended.
 pub struct Figures<'a>(pub &'a [u8]);
@@ -42,6 +59,95 @@ impl Figures<'_> {
     /// A whole number of two bytes.
     pub fn short(&mut self) -> i16 {
         i16::from_le_bytes(self.bytes())
+    }
+}
+
+/// What comes before the first byte 0x1C, and what comes behind it.
+pub fn halves(bytes: &[u8]) -> (&[u8], &[u8]) {
+    let mut parts = bytes.splitn(2, |byte| *byte == 0x1c);
+    (parts.next().unwrap_or_default(), parts.next().unwrap_or_default())
+}
+
+/// What a run may use.
+pub const SMALL: Budget = Budget {
+    blocks: 2_000,
+    label_calls: 20,
+    program_calls: 10,
+    text: 255,
+    windows: 20,
+    outputs: 20,
+    output_bytes: 10_000,
+    output_files: 10,
+    folders: 10,
+    table_writes: 20,
+    cycles: 20,
+    path: 500,
+    files: 5,
+    file_bytes: 100_000,
+    traffic: 1_000_000,
+    remarks: 50,
+};
+
+/// A program, and one in a file beside it.
+pub struct Source<'a> {
+    /// The name of the program.
+    pub name: &'a str,
+    /// What is written in it.
+    pub text: &'a [u8],
+    /// The other file: its name and its bytes.
+    pub beside: (&'a str, &'a [u8]),
+}
+
+impl Source<'_> {
+    /// The program, if it is one in this notation: written as it was read, its blocks one behind the other.
+    pub fn reads(&self, notation: Notation) -> Option<Program> {
+        let (program, warnings) = match Program::read(self.text) {
+            Ok(read) => read,
+            Err(error) => {
+                told(self.text, &error);
+                return None;
+            }
+        };
+        assert_eq!(program.write(), self.text);
+        if program.notation() != notation {
+            return None;
+        }
+        for warning in warnings {
+            assert!(warning.place.line.is_some_and(|line| line <= program.line_count()));
+            told(self.text, &warning);
+        }
+        let mut behind = 0;
+        for (index, block) in program.blocks().iter().enumerate() {
+            assert!(behind <= block.lines.start && block.lines.start < block.lines.end);
+            assert_eq!(program.block_at(block.lines.start), Some(index));
+            behind = block.lines.end;
+        }
+        assert!(behind <= program.line_count());
+        Some(program)
+    }
+
+    /// Runs it twice on perfect workpieces; the length of the text decides what is skipped and assumed.
+    pub fn runs_twice_alike(&self, program: Program) {
+        let mut settings = Settings::new(Dialogue::En, NOW);
+        settings.budget = SMALL;
+        settings.skip_unknown = self.text.len() % 2 == 1;
+        settings.assumes_tool = self.text.len() % 4 < 2;
+        let (name, bytes) = self.beside;
+        let store = InMemory::new().with(self.name, self.text).with(name, bytes);
+        let mut machine = Machine::new(self.name, Arc::new(program), store, Contacts::Perfect, settings);
+        let first = self.to_the_end(&mut machine);
+        let wrote = !machine.outputs().is_empty();
+        machine.restart(Contacts::Perfect);
+        let second = self.to_the_end(&mut machine);
+        // A file that the first run has written stays.
+        assert!(wrote || second == first, "a second run does something else");
+    }
+
+    fn to_the_end(&self, machine: &mut Machine) -> String {
+        to_its_end(self.text, machine);
+        assert!(machine.is_over() && machine.blocks_run() <= SMALL.blocks);
+        let results: Vec<_> = machine.cycles().iter().map(|run| &run.result.results).collect();
+        format!("{:?} {:?} {results:?} {}", machine.variables(), machine.windows(), machine.blocks_run())
     }
 }
 

@@ -99,12 +99,12 @@ pub enum DeviationWarning {
 pub enum DeviationWarningKind {
     /// The range column has the other spelling of NC-Solution 8255.
     RangeAlias,
-    /// A name that could be a class, with texts below it.
+    /// A name that could be a class, such as `NOTE`, with texts below it, or a block that calls it texts.
     NoNumbers {
         /// The column.
         name: String,
     },
-    /// A column whose name is not a class, such as `PF` or `NOTE`, with something in it.
+    /// A column whose name is no class, such as `WEAR_1` or `MM`, with something in it.
     OtherColumn {
         /// The column.
         name: String,

@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `read` | bytes to a table: BEGIN line, names of the columns, rows, `[END]` |
+//! | `file` | a table as it is in a file, with the places of its parts |
 //! | `block` | the two blocks that describe columns: `#STRUCTBEGIN` and `TableDescription` |
 //! | `write` | a table to bytes |
 //! | `patch` | other texts in some cells of a file, every other byte kept |
@@ -13,12 +14,13 @@
 
 mod block;
 mod fault;
+mod file;
 mod patch;
 mod read;
 mod write;
 
 pub use fault::{TableError, TableFault, TableWarning, TableWarningKind};
-pub use read::TableFile;
+pub use file::TableFile;
 pub use write::WriteError;
 
 /// A control's table.

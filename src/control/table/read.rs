@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use super::block::{read_description, read_structure};
 use super::fault::{TableError, TableFault, TableWarning, TableWarningKind};
+use super::file::TableFile;
 use super::{Column, Comment, CommentPlace, ControlTable, Generation, TableUnit};
 use crate::control::text::{beginning, decode, lines};
 use crate::message::{Located, Place};
@@ -19,51 +20,6 @@ pub(super) const MOST_COLUMNS: usize = 1_000;
 pub(super) const MOST_CELLS: usize = 1_000_000;
 /// The widest column that a block may describe.
 pub(super) const WIDEST: usize = 10_000;
-
-/// A table as it is in a file: with the warnings, and the places of its parts.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct TableFile {
-    /// The table.
-    pub table: ControlTable,
-    /// Warnings about a table that could still be read.
-    pub warnings: Vec<TableWarning>,
-    file: Arc<str>,
-    /// The line with the names of the columns.
-    names_line: usize,
-    /// Where the columns start, in characters from 0.
-    pub(super) starts: Vec<usize>,
-    /// The line of each row.
-    pub(super) row_lines: Vec<usize>,
-    /// Row and column of the cells that begin directly after their neighbour, in order.
-    touching: Vec<(usize, usize)>,
-}
-
-impl TableFile {
-    /// The place where a cell begins.
-    pub fn cell_place(&self, row: usize, column: usize) -> Place {
-        self.place(self.row_lines.get(row).copied().unwrap_or(self.names_line), column)
-    }
-
-    /// A message about a cell, with its place.
-    pub(crate) fn at_cell<T>(&self, row: usize, column: usize, what: T) -> Located<T> {
-        Located { what, place: self.cell_place(row, column) }
-    }
-
-    /// A message about a column, with the place of its name.
-    pub(crate) fn at_name<T>(&self, column: usize, what: T) -> Located<T> {
-        Located { what, place: self.place(self.names_line, column) }
-    }
-
-    /// Whether there is no blank between the text of a cell and that of a neighbour: either may be split wrongly.
-    pub fn touches(&self, row: usize, column: usize) -> bool {
-        self.touching.binary_search(&(row, column)).is_ok() || self.touching.binary_search(&(row, column + 1)).is_ok()
-    }
-
-    fn place(&self, line: usize, column: usize) -> Place {
-        let start = self.starts.get(column).copied().unwrap_or_default();
-        Place::in_file(&self.file, line, start + 1)
-    }
-}
 
 impl ControlTable {
     /// Reads a table of any of the three generations: UTF-8 or Windows-1252, any line ends.

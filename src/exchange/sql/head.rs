@@ -15,10 +15,10 @@ cannot be judged keeps its place: error has its code, and the other five are nul
 ";
 
 const GRAMMAR: &str = "
-Grammar: a callout is a size and one tolerance class, 25 H7 or 25H7. A size or a measured value is in millimetres, with
-a decimal point, 1 to 9 figures before it, at most 6 after it besides zeros, and no sign but a minus. The case of the
-letters tells hole from shaft. Spaces may stand around and between. Whatever else fitcheck check reads (25 H7/g6, 10m,
-12 +0.01 -0.015, a comma, a unit) is refused here, never guessed.
+Grammar: a callout is a size and one tolerance class, 25 H7 or 25H7, or the name of an own column, 25 PF. A size or a
+measured value is in millimetres, with a decimal point, 1 to 9 figures before it, at most 6 after it besides zeros, and
+no sign but a minus. The case of the letters tells hole from shaft. Spaces may stand around and between. Whatever else
+fitcheck check reads (25 H7/g6, 10m, 12 +0.01 -0.015, a comma, a unit) is refused here, never guessed.
 
 Tables: fitcheck_limits, one row for each class and step, with the deviations and the step, above over_mm and up to and
 including to_mm; fitcheck_step, the step of each millimetre that a size is rounded up to; fitcheck_class, hole or shaft;

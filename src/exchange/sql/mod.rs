@@ -71,12 +71,13 @@ pub const ERRORS: [(&str, &str); 6] = [
 /// What a callout is, as a regular expression without a backslash: the size is its first group, the class its second.
 ///
 /// At most nine figures before the point and six after it, besides zeros: exact nanometres in 15 figures, which every
-/// engine's decimal holds in 64 bits.
+/// engine's decimal holds in 64 bits. A class is as in [`CLASS`].
 pub const CALLOUT: &str = "^ *(-?[0-9]{1,9}(?:[.][0-9]{1,6}0*)?) *\
-    ((?:[A-Z]{1,6}|[a-z]{1,6})[0-9]{2}|(?:[A-Z]{1,7}|[a-z]{1,7})[0-9]) *$";
+    ([A-Z][A-Z0-9]{1,7}|[a-z][a-z0-9]{1,7}|[ABDEG-LN-UW-Z]|[abdeg-ln-uw-z]) *$";
 
-/// What a class is: letters of one case and one or two figures, at most eight characters.
-pub const CLASS: &str = "^((?:[A-Z]{1,6}|[a-z]{1,6})[0-9]{2}|(?:[A-Z]{1,7}|[a-z]{1,7})[0-9])$";
+/// What a class is: a letter, then letters of the same case and figures, at most eight characters; alone no letter of a
+/// general class of ISO 2768-1. A unit is such a name, too, and no class of the tables.
+pub const CLASS: &str = "^([A-Z][A-Z0-9]{1,7}|[a-z][a-z0-9]{1,7}|[ABDEG-LN-UW-Z]|[abdeg-ln-uw-z])$";
 
 /// What a measured value is.
 pub const MEASURED: &str = "^ *(-?[0-9]{1,9}(?:[.][0-9]{1,6}0*)?) *$";

@@ -64,9 +64,9 @@ fn nanometres(length: Length) -> String {
     length.nanometres().to_string()
 }
 
-/// Whether letters and figures are a class; `letters` is the class without its figures.
-const IS_CLASS: &str = "length(class) <= 8 and length(letters) >= 1 and length(class) - length(letters) between 1 and 2
-      and letters not glob '*[^A-Za-z]*' and (letters = upper(letters) or letters = lower(letters))";
+/// Whether a text is a class: what the regular expression of the other engines says.
+const IS_CLASS: &str = "length(class) <= 8 and class glob '[A-Za-z]*' and class not glob '*[^A-Za-z0-9]*'
+      and (class = upper(class) or class = lower(class)) and class not in ('F', 'M', 'C', 'V', 'f', 'm', 'c', 'v')";
 
 /// Plain ASCII without a zero byte, so that lengths and places are those of characters; without spaces around.
 fn plain(column: &str) -> String {
@@ -113,12 +113,12 @@ fn text() -> String {
       ltrim(ltrim(text, '-.0123456789'), ' ') as class
     from given
   ), signs as materialized (
-    select id, callout, measured, class, rtrim(class, '0123456789') as letters,
+    select id, callout, measured, class,
       {size_sign},
       {value_sign}
     from halves
   ), points as materialized (
-    select id, callout, measured, class, letters,
+    select id, callout, measured, class,
       {size_point},
       {value_point}
     from signs
@@ -149,14 +149,12 @@ fn typed() -> String {
     select id, nominal_nm, class as given_class, measured_nm,
       case when typeof(class) = 'text' and length(cast(class as blob)) = length(class) then class end as class
     from fitcheck_input
-  ), halves as materialized (
-    select id, nominal_nm, given_class, measured_nm, class, rtrim(class, '0123456789') as letters from given
   ), read as materialized (
     select id, nominal_nm, given_class, measured_nm,
       {} as nominal,
       case when {IS_CLASS} then class end as tolerance_class,
       {} as value
-    from halves
+    from given
   )",
         whole("nominal_nm"),
         whole("measured_nm")

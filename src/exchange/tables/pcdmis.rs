@@ -6,7 +6,8 @@
 //! other are very likely. Not confirmed: the sign of a lower deviation, because the page shows only 0 and calls the
 //! pair plus and minus tolerance, and elsewhere in PC-DMIS a minus tolerance is typed without its sign. It is written
 //! with its sign here, and [`FormatWarning::LowerSign`] says so. Also not confirmed: that a class may occur twice. One
-//! that is not defined in the middle of its sizes gets two lines for each part.
+//! that is not defined in the middle of its sizes gets two lines for each part. The page says nothing of names without a grade,
+//! such as an own column PF: they are written like any class.
 
 use super::{FormatWarning, TableFormat};
 use crate::length::{Length, Unit};

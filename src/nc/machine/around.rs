@@ -15,7 +15,8 @@ use crate::message::Say;
 use crate::nc::program::{
     Axis, AxisWord, CycleBlock, CycleName, CycleValue, Frame, MachineFunction, Mode, Notation, Operand, Unit,
 };
-use crate::probing::cycle::Plane;
+use crate::probing::cycle::{Control, Plane};
+use crate::probing::cycles::cycles_of;
 
 /// Millimetres in an inch.
 pub(super) const INCH: f64 = 25.4;
@@ -35,8 +36,10 @@ pub enum Change {
     Rotation,
     /// Cycle 8.
     Mirror,
-    /// Cycles 11 and 26.
+    /// Cycle 11.
     Scaling,
+    /// Cycle 26.
+    AxisScaling,
     /// PLANE, cycle 19.
     Tilt,
 }
@@ -46,11 +49,13 @@ pub enum Change {
 pub(super) struct Around {
     /// The plane of the last TOOL CALL that named a tool axis.
     plane: Option<Plane>,
+    /// What the last TOOL CALL adds to the tool's length or radius, as written.
+    offsets: Option<String>,
     /// The M function that turns the spindle.
     spindle: Option<u32>,
     mode: Mode,
     /// The values that PREDEF stands for, in mm or degrees, with the factor of their program's unit.
-    globals: BTreeMap<Parameter, Global>,
+    globals: BTreeMap<(IsProbing, Parameter), Global>,
     zero: [f64; 3],
     preset: Option<f64>,
     /// Changes in force, and the block that made each.
@@ -93,6 +98,12 @@ pub(super) struct Made {
     pub text: String,
 }
 
+/// The GLOBAL DEF that measuring cycles take their values from (nc-programs, section 1).
+const PROBING: &str = "120";
+
+/// Whether a value is from that GLOBAL DEF.
+type IsProbing = bool;
+
 /// A value of GLOBAL DEF.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) struct Global {
@@ -102,11 +113,26 @@ pub(super) struct Global {
     pub unit: Option<Unit>,
 }
 
+/// The words of a TOOL CALL that add to the tool's length or radius: `DL+0.1`, `DR2-Q5`; not where they add zero.
+fn offsets(rest: &str) -> Option<String> {
+    let is_offset = |word: &&str| {
+        let upper = word.to_ascii_uppercase();
+        let value = upper.strip_prefix("DL").or_else(|| upper.strip_prefix("DR2")).or_else(|| upper.strip_prefix("DR"));
+        value.is_some_and(|value| {
+            let value = value.trim_start_matches(['=', '+', '-']).replace(',', ".");
+            !value.parse::<f64>().is_ok_and(|value| value.abs() <= 0.0)
+        })
+    };
+    let words: Vec<&str> = rest.split_ascii_whitespace().filter(is_offset).collect();
+    (!words.is_empty()).then(|| words.join(" "))
+}
+
 impl Around {
     /// Before the first block. A lathe has no tool axis to name: its cycles say in which plane they measure.
     pub(super) fn new(notation: Notation) -> Self {
         Self {
             plane: (notation == Notation::DinPlus).then(Plane::default),
+            offsets: None,
             spindle: None,
             mode: Mode::Mill,
             globals: BTreeMap::new(),
@@ -128,7 +154,7 @@ impl Around {
 
     /// Counts a block that was passed over; after one that speaks to the machine another workpiece may be there.
     pub(super) fn pass_over(&mut self, words: &str) {
-        if ["FN 17", "FN 19", "FN 29", "D19", "D29"].contains(&words) {
+        if ["FN 17", "FN 19", "FN 29", "FN 38", "D19", "D29", "FUNCTION COUNT"].contains(&words) {
             self.stops += 1;
         }
         if let Some(count) = self.passed.get_mut(words) {
@@ -138,11 +164,15 @@ impl Around {
         }
     }
 
-    /// TOOL CALL: a tool's axis, if one is named; the spindle stops for another tool.
-    pub(super) fn call_tool(&mut self, is_change: bool, axis: Option<Axis>) {
+    /// TOOL CALL: a tool's axis, if one is named; the spindle stops for another tool. `rest` is what stands behind.
+    pub(super) fn call_tool(&mut self, is_change: bool, axis: Option<Axis>, rest: &str) {
         self.plane = axis.and_then(plane).or(self.plane);
+        let offsets = offsets(rest);
         if is_change {
             self.spindle = None;
+            self.offsets = offsets;
+        } else {
+            self.offsets = offsets.or(self.offsets.take());
         }
     }
 
@@ -180,20 +210,29 @@ impl Around {
     }
 
     /// GLOBAL DEF: the last one that was run counts.
+    ///
+    /// # Errors
+    /// A parameter that stands twice in one block: which of the two a control takes is not documented.
     pub(super) fn define(&mut self, block: &CycleBlock, unit: Option<Unit>, values: &Values) -> Result<(), FaultKind> {
-        for line in &block.lines {
+        let is_probing = block.number == PROBING;
+        for (at, line) in block.lines.iter().enumerate() {
+            let mut before = block.lines.iter().take(at);
+            if before.any(|before| before.parameter == line.parameter) {
+                let (number, parameter) = (block.number.clone(), line.parameter.clone());
+                return Err(FaultKind::GlobalTwice { number, parameter });
+            }
             if let (CycleName::Parameter(parameter), CycleValue::Number { value, .. }) = (&line.parameter, &line.value)
             {
                 let value = values.operand(*value)?;
-                self.globals.insert(*parameter, Global { value, unit });
+                self.globals.insert((is_probing, *parameter), Global { value, unit });
             }
         }
         Ok(())
     }
 
-    /// The value of GLOBAL DEF for a parameter.
+    /// The value of GLOBAL DEF 120 for a parameter of a measuring cycle.
     pub(super) fn global(&self, parameter: Parameter) -> Option<&Global> {
-        self.globals.get(&parameter)
+        self.globals.get(&(true, parameter))
     }
 
     /// `SEL PGM`
@@ -253,7 +292,7 @@ impl Around {
             Frame::Scaling(factor) => self.set(Change::Scaling, is_not(*factor, 1.0)?, made),
             Frame::AxisScaling(factors) => {
                 let changed: Result<Vec<bool>, _> = factors.iter().map(|factor| is_not(*factor, 1.0)).collect();
-                self.set(Change::Scaling, changed?.contains(&true), made);
+                self.set(Change::AxisScaling, changed?.contains(&true), made);
             }
             Frame::Tilt(angles) => {
                 let changed: Result<Vec<bool>, _> = angles.iter().map(|angle| is_not(*angle, 0.0)).collect();
@@ -356,20 +395,28 @@ impl Around {
         let spindle = self.spindle.map(|function| Remark::SpindleTurns { function });
         let axes: Vec<String> = self.turned.iter().map(|axis| format!("{axis:?}")).collect();
         let turned = (!axes.is_empty()).then(|| Remark::RotaryMoved { axes: axes.join(", ") });
-        assumed.into_iter().chain(spindle).chain(turned).collect()
+        let offsets = self.offsets.clone().map(|offsets| Remark::ToolOffsets { offsets });
+        assumed.into_iter().chain(spindle).chain(turned).chain(offsets).collect()
     }
 
     /// The parameters of a cycle that nothing here runs, as a program may read them afterwards.
-    pub(super) fn stated(&self, block: &CycleBlock, values: &mut Values) -> Result<(), FaultKind> {
+    ///
+    /// A value from a GLOBAL DEF of a program in another unit may be a length or not: it is undefined then.
+    pub(super) fn stated(&self, block: &CycleBlock, unit: Option<Unit>, values: &mut Values) -> Result<(), FaultKind> {
+        let is_probing = cycles_of(Control::Milling).any(|cycle| cycle.code == block.number);
         for line in &block.lines {
             // A word is not a parameter that a program could read.
             let CycleName::Parameter(parameter) = line.parameter else { continue };
             let value = match &line.value {
                 CycleValue::Number { value, .. } => values.value(*value)?,
-                CycleValue::Word(word) if word.eq_ignore_ascii_case("PREDEF") => match self.global(parameter) {
-                    Some(global) => Value::Number(global.value),
-                    None => continue,
-                },
+                CycleValue::Word(word) if word.eq_ignore_ascii_case("PREDEF") => {
+                    let global = self.globals.get(&(is_probing, parameter)).filter(|global| global.unit == unit);
+                    let Some(global) = global else {
+                        values.undefine(parameter, false);
+                        continue;
+                    };
+                    Value::Number(global.value)
+                }
                 CycleValue::Text(_) | CycleValue::Word(_) => continue,
             };
             values.put(parameter, value)?;

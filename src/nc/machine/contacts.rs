@@ -68,6 +68,11 @@ impl Probed {
         machine.collision_of(movers, travel.from, travel.to, travel.about).map(Remark::from)
     }
 
+    /// Whether moves are looked at with a stylus: on a part of several features.
+    pub(super) fn has_stylus(&self) -> bool {
+        matches!(self, Self::Machine(machine) if machine.has_stylus())
+    }
+
     /// A remark about features that moves are not looked at with.
     pub(super) fn unchecked(&mut self) -> Option<Remark> {
         self.switch_on().ok()?;

@@ -304,6 +304,23 @@ pub enum FaultKind {
         /// The parameter.
         parameter: CycleName,
     },
+    /// The program ends within a subprogram: its `LBL 0` is missing.
+    OpenSubprogram {
+        /// The line of the call, from 1.
+        line: usize,
+    },
+    /// A repeat of a part whose label stands behind it.
+    RepeatAhead {
+        /// The line of the label, from 1.
+        line: usize,
+    },
+    /// A parameter that a GLOBAL DEF gives twice.
+    GlobalTwice {
+        /// The number of the GLOBAL DEF.
+        number: String,
+        /// The parameter.
+        parameter: CycleName,
+    },
     /// The cycle did not finish.
     Cycle {
         /// The cycle.

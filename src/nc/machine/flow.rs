@@ -151,6 +151,11 @@ impl Flow {
     ) -> Result<(), FaultKind> {
         let to = self.block_of(label, values)?;
         if let Some(repeat) = repeat {
+            // The part would end before it begins.
+            if at < to {
+                let line = self.frame.program.blocks().get(to).map_or(0, |block| block.lines.start + 1);
+                return Err(FaultKind::RepeatAhead { line });
+            }
             let left = match self.frame.repeats.remove(&at) {
                 Some(left) => left,
                 None => u32::try_from(values.whole(Counted::Word("REP"), repeat)?).unwrap_or(u32::MAX),
@@ -181,18 +186,25 @@ impl Flow {
     /// Enters another program.
     pub(super) fn call_program(&mut self, at: usize, path: NcPath, program: Arc<Program>) {
         let from = self.place_of(at);
-        let caller = std::mem::replace(&mut self.frame, Frame::new(path, program));
+        let mut frame = Frame::new(path, program);
+        if !frame.program.has_unit() {
+            frame.unit = self.frame.unit;
+        }
+        let caller = std::mem::replace(&mut self.frame, frame);
         self.calls.push(Call { from, caller: Some(Box::new(caller)) });
     }
 
     /// `END PGM`: returns to the caller; `false` if there is none.
-    pub(super) fn end_program(&mut self) -> bool {
-        while let Some(call) = self.calls.pop() {
-            if let Some(caller) = call.caller {
-                self.frame = *caller;
-                return true;
-            }
-        }
-        false
+    ///
+    /// # Errors
+    /// A subprogram that is still open: what stands behind its call would not run, and not be measured.
+    pub(super) fn end_program(&mut self) -> Result<bool, FaultKind> {
+        let Some(call) = self.calls.pop() else { return Ok(false) };
+        let Some(caller) = call.caller else {
+            let called = self.frame.program.blocks().get(call.from.block);
+            return Err(FaultKind::OpenSubprogram { line: called.map_or(0, |block| block.lines.start + 1) });
+        };
+        self.frame = *caller;
+        Ok(true)
     }
 }

@@ -135,6 +135,13 @@ pub enum Remark {
         /// Their names.
         features: String,
     },
+    /// The tool axis is not Z: the stylus, which stands in Z on a simulated part, is not looked at. Told once for a run.
+    StylusUnchecked,
+    /// The TOOL CALL adds to the length or radius of the probe: a simulated probe stays as it is calibrated.
+    ToolOffsets {
+        /// As written.
+        offsets: String,
+    },
     /// The tool is not in the touch-probe table; the first probe was used.
     OtherProbe {
         /// The tool.
@@ -211,6 +218,13 @@ impl Remarks {
             self.list.push((place, remark));
         } else {
             self.unlisted += 1;
+        }
+    }
+
+    /// Adds a remark, unless any block has it.
+    pub(super) fn add_once(&mut self, place: &BlockPlace, remark: Remark) {
+        if !self.list.iter().any(|(_, said)| *said == remark) {
+            self.add(place.clone(), remark);
         }
     }
 

@@ -49,6 +49,8 @@ pub enum BlockFault {
         /// The letters.
         letters: String,
     },
+    /// Another unit than the one that was said before.
+    SecondUnit,
     /// A measurement or an assignment among the blocks of a unit, which are passed over.
     ActsInUnit,
     /// A branch without the block that ends or begins it.

@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `block`, `around` | what a block says; blocks around a measurement |
+//! | `block`, `cycle_block`, `around` | what a block says, that of a cycle; blocks around a measurement |
 //! | `expression` | formulas for numbers and texts |
 //! | `read`, `warnings` | bytes to blocks, with warnings |
 //! | `notation`, `klartext`, `iso`, `din_plus` | which notation it is; the readers |
@@ -21,6 +21,7 @@
 mod around;
 mod block;
 mod cursor;
+mod cycle_block;
 mod din_plus;
 mod error;
 mod expression;
@@ -43,9 +44,10 @@ mod write_formula;
 
 pub use around::{Frame, Goes, Mode, PassedOver};
 pub use block::{
-    Axis, AxisWord, Block, Body, Columns, Condition, CycleBlock, CycleLine, CycleName, CycleValue, Feed,
-    MachineFunction, Movement, Operand, Place, Relation, Target, TextOperand, Tool, Unit,
+    Axis, AxisWord, Block, Body, Columns, Condition, Feed, MachineFunction, Movement, Operand, Place, Relation, Target,
+    TextOperand, Tool, Unit,
 };
+pub use cycle_block::{CycleBlock, CycleLine, CycleName, CycleValue};
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
 pub use expression::{Expression, NumberFunction, Operation, Test, TextExpression};
 pub use fault::{BlockFault, Wanted};
@@ -62,6 +64,7 @@ pub struct Program {
     notation: Notation,
     blocks: Vec<Block>,
     labels: labels::Labels,
+    has_unit: bool,
 }
 
 impl Program {
@@ -78,6 +81,12 @@ impl Program {
     /// The name after `BEGIN PGM` or `%`, if there is one.
     pub fn name(&self) -> Option<&str> {
         self.begin().map(|(name, _)| name)
+    }
+
+    /// Whether the program says its unit. A subprogram of a lathe control in a file of its own does not: it counts in the unit
+    /// of the program that calls it.
+    pub const fn has_unit(&self) -> bool {
+        self.has_unit
     }
 
     /// The unit after `BEGIN PGM`, in the head, or that of G70 and G71, if there is one.

@@ -43,9 +43,9 @@ impl Program {
         let notation = Notation::of(&text, &lines);
         let mut warnings = Warnings::default();
         let source = Source::new(&text, &lines, &mut warnings);
-        let blocks = match notation {
-            Notation::Klartext => klartext::read(source),
-            Notation::Iso => iso::read(source),
+        let (blocks, has_unit) = match notation {
+            Notation::Klartext => (klartext::read(source), true),
+            Notation::Iso => (iso::read(source), true),
             Notation::DinPlus => din_plus::read(source),
         };
         if blocks.is_empty() {
@@ -56,7 +56,7 @@ impl Program {
             let place = Place { line: again.line, column: 1 };
             warnings.add(place, || ProgramWarningKind::LabelAgain { label: again.label.clone(), first: again.first });
         }
-        let program = Self { text, encoding, lines, notation, blocks, labels };
+        let program = Self { text, encoding, lines, notation, blocks, labels, has_unit };
         Ok((program, warnings.sorted()))
     }
 }

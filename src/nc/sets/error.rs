@@ -101,6 +101,45 @@ pub enum PlanFault {
         /// The kind.
         kind: &'static str,
     },
+    /// Not a direction in which a point can be probed.
+    Direction {
+        /// What was given.
+        given: String,
+        /// The directions along an axis.
+        known: String,
+    },
+    /// A text is not a band about the nominal place of a point.
+    NoBand {
+        /// What was given.
+        text: String,
+        /// What is wrong.
+        error: Box<CalloutError>,
+    },
+    /// A band that the cycle does not take.
+    BandSide {
+        /// The upper deviation.
+        upper: Length,
+        /// The lower deviation.
+        lower: Length,
+    },
+    /// A pocket with a shaft class, or a boss with a hole class.
+    SideClass {
+        /// What was given.
+        callout: Callout,
+        /// The kind.
+        kind: &'static str,
+        /// A class that it could have.
+        example: &'static str,
+    },
+    /// The control does not have the cycle that measures a kind.
+    NotOnControl {
+        /// The kind.
+        kind: &'static str,
+        /// The cycle.
+        cycle: &'static str,
+        /// The control.
+        control: &'static str,
+    },
     /// A face with a hole class: the cycle judges a coordinate as an outside dimension.
     FaceClass {
         /// What was given.
@@ -144,17 +183,6 @@ pub enum PlanFault {
         /// The name.
         name: String,
     },
-}
-
-impl PlanFault {
-    /// Why a kind or an axis is none: the column, what it has and what it may hold.
-    pub fn of_kind(column: &'static str, given: Option<&str>, known: &[&str]) -> Self {
-        match given {
-            _ if known.is_empty() => Self::NotOf { column, kind: "diameter" },
-            None => Self::NoCell { column },
-            Some(given) => Self::Unknown { column, given: given.chars().take(40).collect(), known: known.join(", ") },
-        }
-    }
 }
 
 /// Why a set cannot be made.

@@ -1,25 +1,27 @@
-//! What is measured of a feature of a plan, and the blocks of the program that measures it.
+//! What is measured of a feature of a plan, and within which limits.
 //!
-//! A diameter is measured by the built-in program 82551 (see `programs`). For a width and for a face the same program
-//! gets another cycle in place of its two: the one that the declaration of the cycles has for that shape, with the
-//! parameters of the plan by their meaning. No number of a cycle or of its parameters is named here.
+//! A kind holds the callouts of its sides, so that none has a tolerance that it cannot have. `cells` reads it from a plan,
+//! `called` has the program that measures it.
 
-use crate::probing::cycle::{Axis, Control, Cycle, Meaning};
-use crate::probing::cycles::cycles_of;
-use crate::probing::simulated::Shape;
-use crate::tolerance::Feature;
-use crate::words::Dialogue;
+use crate::probing::cycle::{Axis, Value};
+use crate::probing::vector;
+use crate::tolerance::{Callout, Deviations};
 
 /// What is measured of a feature.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Default)]
+#[derive(Debug, Clone, Copy, PartialEq)]
 pub enum NcKind {
     /// The diameter of a hole or a shaft.
-    #[default]
-    Diameter,
+    Diameter(Callout),
     /// The width of a slot or a ridge.
-    Width(WidthAxis),
+    Width(Callout, WidthAxis),
     /// The coordinate of a face.
-    Face(Towards),
+    Face(Callout, Towards),
+    /// The sides of a pocket along X and along Y.
+    Pocket([Callout; 2]),
+    /// The sides of a boss along X and along Y.
+    Boss([Callout; 2]),
+    /// How far a surface lies from its nominal place, along its normal; plus is out of the material.
+    Point(Deviations, Direction),
 }
 
 /// The axis across the walls of a slot or ridge.
@@ -32,6 +34,16 @@ pub enum WidthAxis {
     Y,
 }
 
+impl WidthAxis {
+    /// The unit vector.
+    pub(super) const fn vector(self) -> [f64; 3] {
+        match self {
+            Self::X => [1.0, 0.0, 0.0],
+            Self::Y => [0.0, 1.0, 0.0],
+        }
+    }
+}
+
 /// The direction in which a face is probed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Towards {
@@ -41,164 +53,81 @@ pub struct Towards {
     pub is_plus: bool,
 }
 
-/// The kinds of called programs, in the order of a set.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub(super) enum Called {
-    Diameter,
-    Width,
-    Face,
-}
-
-impl Called {
-    pub(super) const ALL: [Self; 3] = [Self::Diameter, Self::Width, Self::Face];
-
-    /// The shape that a feature has.
-    const fn shape(self, feature: Feature) -> Shape {
-        match (self, feature) {
-            (Self::Diameter, Feature::Hole) => Shape::Hole,
-            (Self::Diameter, Feature::Shaft) => Shape::Stud,
-            (Self::Width, Feature::Hole) => Shape::Slot,
-            (Self::Width, Feature::Shaft) => Shape::Ridge,
-            (Self::Face, _) => Shape::Face,
-        }
-    }
-
-    /// The cycle that measures it.
-    pub(super) fn cycle(self, feature: Feature) -> Option<&'static Cycle> {
-        cycles_of(Control::Milling).find(|cycle| cycle.shape() == self.shape(feature))
-    }
-
-    /// The blocks that measure it: the cycle with the parameters of the set.
-    pub(super) fn blocks(self, feature: Feature, nominal: &str, language: Dialogue) -> Vec<u8> {
-        let Some(cycle) = self.cycle(feature) else { return Vec::new() };
-        let points = cycle.meant(Meaning::SecondPoint(Axis::First)).map_or("", |_| POINTS);
-        let lines: Vec<String> = cycle
-            .parameters
-            .iter()
-            .filter_map(|parameter| {
-                let value = match parameter.meaning {
-                    Meaning::Start(Axis::First) | Meaning::Point(Axis::First) => "Q11",
-                    Meaning::Start(Axis::Second) | Meaning::Point(Axis::Second) => "Q21",
-                    Meaning::FirstPoint(Axis::First) => "Q63",
-                    Meaning::FirstPoint(_) => "Q64",
-                    Meaning::SecondPoint(Axis::First) => "Q65",
-                    Meaning::SecondPoint(_) => "Q66",
-                    Meaning::MeasuringHeight => "Q31",
-                    Meaning::AxisOfPlane | Meaning::MeasuredAxis => "Q41",
-                    Meaning::Direction => "Q42",
-                    Meaning::SetUpClearance => "Q51",
-                    Meaning::ClearanceHeight => "Q61",
-                    Meaning::Width => nominal,
-                    Meaning::MaximumWidth | Meaning::MaximumCoordinate => "Q23",
-                    Meaning::MinimumWidth | Meaning::MinimumCoordinate => "Q33",
-                    // No shift, no log, no stop, no tool, no move to the clearance height between the contacts.
-                    Meaning::Shift | Meaning::Log | Meaning::Stop | Meaning::Tool | Meaning::MoveToClearance => "0",
-                    // What a program need not have keeps its default.
-                    _ => return None,
-                };
-                Some(format!("{}=+{value} ;{}", parameter.key, parameter.name_in(language)))
-            })
-            .collect();
-        let name = cycle.name(language);
-        let lines = lines.join(" ~\n  ");
-        format!("{points}TCH PROBE {} {name} ~\n  {lines}\n", cycle.code).into_bytes()
+impl Towards {
+    /// The unit vector.
+    pub(super) fn vector(self) -> [f64; 3] {
+        let sign = if self.is_plus { 1.0 } else { -1.0 };
+        [Axis::First, Axis::Second, Axis::Third].map(|axis| if axis == self.axis { sign } else { 0.0 })
     }
 }
 
-/// The two points of a ridge: the walls at nominal size, the one with the larger coordinate first.
-const POINTS: &str = "Q63 = Q11
-Q64 = Q21
-Q65 = Q11
-Q66 = Q21
-FN 9: IF +Q41 EQU +2 GOTO LBL 95
-Q63 = Q11 + Q1 / 2
-Q65 = Q11 - Q1 / 2
-FN 9: IF +0 EQU +0 GOTO LBL 96
-LBL 95
-Q64 = Q21 + Q1 / 2
-Q66 = Q21 - Q1 / 2
-LBL 96
-";
+/// The direction in which a point is probed: three components along X, Y and Z, each at most 10 either way and with at
+/// most nine decimals, not all zero.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Direction([f64; 3]);
+
+impl Direction {
+    /// The largest component, as the cycle takes it.
+    pub const MOST: f64 = 10.0;
+
+    /// The most decimals of a component: programs have them as they are.
+    pub const DECIMALS: usize = 9;
+
+    /// A direction; `None` where it is none, or a component is too large or too fine.
+    pub fn new(components: [f64; 3]) -> Option<Self> {
+        let decimals = |part: &f64| part.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len());
+        let is_sound = components.iter().all(|part| part.abs() <= Self::MOST && decimals(part) <= Self::DECIMALS);
+        (is_sound && vector::direction(components).is_some()).then_some(Self(components))
+    }
+
+    /// The normal of the surface, out of the material: against the probing, as long as the components that were given.
+    pub fn normal(self) -> [f64; 3] {
+        // Not -0.
+        self.0.map(|part| 0.0 - part)
+    }
+
+    /// The normal with length 1.
+    pub(super) fn unit_normal(self) -> [f64; 3] {
+        vector::unit(self.normal())
+    }
+}
 
 impl NcKind {
-    /// Which program measures it.
-    pub(super) const fn called(self) -> Called {
+    /// The callouts of its sizes, with their classes: two of a pocket or boss, none of a point.
+    pub fn callouts(&self) -> Vec<Callout> {
         match self {
-            Self::Diameter => Called::Diameter,
-            Self::Width(_) => Called::Width,
-            Self::Face(_) => Called::Face,
+            Self::Diameter(callout) | Self::Width(callout, _) | Self::Face(callout, _) => vec![*callout],
+            Self::Pocket(sides) | Self::Boss(sides) => sides.to_vec(),
+            Self::Point(..) => Vec::new(),
         }
     }
 
-    /// The number of the measured axis, 1 to 3; `None` for a diameter.
-    pub(super) const fn axis(self) -> Option<usize> {
-        match self {
-            Self::Diameter => None,
-            Self::Width(WidthAxis::X) | Self::Face(Towards { axis: Axis::First, .. }) => Some(1),
-            Self::Width(WidthAxis::Y) | Self::Face(Towards { axis: Axis::Second, .. }) => Some(2),
-            Self::Face(Towards { axis: Axis::Third, .. }) => Some(3),
+    /// What it asks for, as programs and pages have it: `25 H7`, `40 H7 x 25 H8`; the band of a point as the cycle takes
+    /// it, `0.1-0.05`.
+    pub fn asked(&self) -> String {
+        if let Self::Point(band, _) = self {
+            return band_text(*band);
         }
-    }
-
-    /// The unit vector of the measured axis, in the direction of the approach for a face.
-    pub(super) fn direction(self) -> [f64; 3] {
-        let sign = if let Self::Face(Towards { is_plus: false, .. }) = self { -1.0 } else { 1.0 };
-        [1, 2, 3].map(|axis| if self.axis() == Some(axis) { sign } else { 0.0 })
+        self.callouts().iter().map(ToString::to_string).collect::<Vec<_>>().join(" x ")
     }
 
     /// Its name in a plan.
-    pub const fn word(self) -> &'static str {
+    pub const fn word(&self) -> &'static str {
         match self {
-            Self::Diameter => "diameter",
-            Self::Width(_) => "width",
-            Self::Face(_) => "face",
+            Self::Diameter(_) => "diameter",
+            Self::Width(..) => "width",
+            Self::Face(..) => "face",
+            Self::Pocket(_) => "pocket",
+            Self::Boss(_) => "boss",
+            Self::Point(..) => "point",
         }
     }
 
     /// The names of all kinds in a plan.
-    pub const WORDS: [&'static str; 3] = ["diameter", "width", "face"];
-
-    /// The axes of a width.
-    pub const WIDTH_AXES: [&'static str; 2] = ["X", "Y"];
-
-    /// The directions of a face.
-    pub const FACE_AXES: [&'static str; 6] = ["+X", "-X", "+Y", "-Y", "+Z", "-Z"];
-
-    /// A kind by its name and its axis as a plan has them. A width without an axis lies along X.
-    ///
-    /// # Errors
-    /// The column that is wrong, and what it may hold; nothing where it must stay empty.
-    pub fn read(word: Option<&str>, axis: Option<&str>) -> Result<Self, (&'static str, &'static [&'static str])> {
-        let is = |known: &&str, given: &str| known.eq_ignore_ascii_case(given);
-        let word = word.unwrap_or("diameter");
-        match Self::WORDS.iter().position(|known| is(known, word)) {
-            Some(0) => {
-                if axis.is_none() {
-                    Ok(Self::Diameter)
-                } else {
-                    Err(("axis", &[]))
-                }
-            }
-            Some(1) => match axis {
-                None => Ok(Self::Width(WidthAxis::X)),
-                Some(axis) if is(&"X", axis) => Ok(Self::Width(WidthAxis::X)),
-                Some(axis) if is(&"Y", axis) => Ok(Self::Width(WidthAxis::Y)),
-                Some(_) => Err(("axis", &Self::WIDTH_AXES)),
-            },
-            Some(_) => {
-                let axis = axis.unwrap_or_default().replace('\u{2212}', "-");
-                let at =
-                    Self::FACE_AXES.iter().position(|known| is(known, &axis)).ok_or(("axis", &Self::FACE_AXES[..]))?;
-                let axis = [Axis::First, Axis::Second, Axis::Third].into_iter().nth(at / 2).unwrap_or(Axis::Third);
-                Ok(Self::Face(Towards { axis, is_plus: at % 2 == 0 }))
-            }
-            None => Err(("kind", &Self::WORDS)),
-        }
-    }
+    pub const WORDS: [&'static str; 6] = ["diameter", "width", "face", "pocket", "boss", "point"];
 }
 
-/// The parameter that replaces the nominal size where that must lie between the limits.
-pub(super) const BETWEEN: &str = "Q62";
-
-/// The parameter of the nominal size.
-pub(super) const NOMINAL: &str = "Q1";
+/// A band as the cycle takes it.
+pub(super) fn band_text(band: Deviations) -> String {
+    Value::Band(Some(band)).to_string()
+}

@@ -3,10 +3,14 @@
 //! | file | what |
 //! |---|---|
 //! | `plan`, `plan_csv` | which features are measured, and where; read from CSV |
-//! | `kind` | diameters, widths, faces: the cycle that measures each |
+//! | `kind` | what is measured: diameters, widths, faces, pockets, bosses, points |
+//! | `cells` | the same as a plan and the command line write it |
+//! | `called` | the cycle that measures each, and its parameters |
 //! | `workpiece` | the plan as a simulated part |
 //! | `names` | names of files and folders, by generation of controls |
-//! | `programs` | the main program, the check program and the mask of a set |
+//! | `programs` | the main program |
+//! | `check` | the called programs |
+//! | `masks` | their masks |
 //! | `tables` | the two tables: the 47 classes, and what else the plan needs |
 //! | `readme` | the page that says where each file goes |
 //! | `proof` | runs the set before it is handed over |
@@ -17,8 +21,12 @@
 //! `docs/SOURCES.md`, sets for a control.
 
 mod archive;
+mod called;
+mod cells;
+mod check;
 mod error;
 mod kind;
+mod masks;
 mod names;
 mod plan;
 mod plan_csv;
@@ -28,16 +36,17 @@ mod readme;
 mod tables;
 mod workpiece;
 
+pub use cells::KindCells;
 pub use error::{PlanError, PlanFault, ProofFault, SetError, SetRemark};
-pub use kind::{NcKind, Towards, WidthAxis};
+pub use kind::{Direction, NcKind, Towards, WidthAxis};
 pub use names::{Control, ControlFolder};
 pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, MOST_FEATURES, NcFeature, NcPlan};
 
 use super::program::Program;
 use crate::control::mask::{Mask, MaskWarning, MaskWarningKind};
-use crate::tolerance::{Feature, Limits, Sources};
+use crate::tolerance::{Callout, Feature, Limits, Sources};
 use crate::words::Dialogue;
-use kind::Called;
+use called::Called;
 use names::Names;
 
 /// Which control a set is for, and in which language.
@@ -80,7 +89,15 @@ pub struct NcSet {
 #[derive(Debug, Clone, Copy)]
 struct Planned<'a> {
     feature: &'a NcFeature,
-    limits: &'a Limits,
+    /// One of every size, or that of a point about its nominal place.
+    limits: &'a [Limits],
+}
+
+impl Planned<'_> {
+    /// The callout of every size with its limits; none of a point.
+    fn sizes(&self) -> impl Iterator<Item = (Callout, &Limits)> {
+        self.feature.kind.callouts().into_iter().zip(self.limits)
+    }
 }
 
 impl NcSet {
@@ -104,6 +121,7 @@ impl NcSet {
     /// set is returned unless the machine runs it to the plan's limits.
     pub fn make(plan: &NcPlan, target: &Target, sources: &Sources) -> Result<Self, SetError> {
         let names = Names::new(target);
+        plan.check_control(target.control)?;
         let limits = plan.limits(sources)?;
         let planned: Vec<Planned<'_>> =
             plan.features().iter().zip(&limits).map(|(feature, limits)| Planned { feature, limits }).collect();
@@ -114,14 +132,14 @@ impl NcSet {
             remarks.extend(worth_knowing);
             tables.push(SetFile { name: names.table(feature).to_owned(), bytes });
         }
-        remarks.extend(planned.iter().filter_map(|planned| programs::moved_nominal(*planned, target.control)));
+        remarks.extend(planned.iter().flat_map(|planned| programs::moved_nominals(*planned, target.control)));
         let mut files = vec![SetFile { name: names.main.clone(), bytes: programs::main(&names, &planned) }];
         for called in Called::ALL {
             // The program of diameters is in every set.
-            let is_wanted = |planned: &Planned<'_>| planned.feature.kind.called() == called;
+            let is_wanted = |planned: &Planned<'_>| Called::of(&planned.feature.kind) == called;
             if called == Called::Diameter || planned.iter().any(is_wanted) {
-                files.push(SetFile { name: names.check(called).clone(), bytes: programs::check(&names, called) });
-                files.push(SetFile { name: names.mask(called).clone(), bytes: programs::mask(target, called) });
+                files.push(SetFile { name: names.check(called).clone(), bytes: check::check(&names, called) });
+                files.push(SetFile { name: names.mask(called).clone(), bytes: masks::mask(target, called) });
             }
         }
         check_programs(&files)?;

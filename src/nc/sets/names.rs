@@ -4,10 +4,11 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::Target;
+use super::called::Called;
 use super::error::SetError;
-use super::kind::Called;
 use crate::control::table::Generation;
 use crate::nc::program::TextOperand;
+use crate::probing::cycle::{Cycle, Note};
 use crate::tolerance::Feature;
 
 /// A generation of controls that sets are written for.
@@ -77,6 +78,11 @@ impl Control {
         matches!(self, Self::Tnc7)
     }
 
+    /// Whether it has a cycle.
+    pub(super) fn has(self, cycle: &Cycle) -> bool {
+        self != Self::Itnc530 || !cycle.notes.contains(&Note::NotOnItnc530)
+    }
+
     /// The header of its tables.
     pub(super) const fn generation(self) -> Generation {
         match self {
@@ -124,10 +130,21 @@ impl FromStr for ControlFolder {
 pub(super) struct Names<'a> {
     pub(super) target: &'a Target,
     pub(super) main: String,
-    checks: [String; 3],
-    masks: [String; 3],
+    checks: [String; 5],
+    masks: [String; 5],
     tables: [&'static str; 2],
     pub(super) readme: &'static str,
+}
+
+/// The name for a kind of called program.
+const fn of(called: Called, [diameter, width, face, rectangle, point]: &[String; 5]) -> &String {
+    match called {
+        Called::Diameter => diameter,
+        Called::Width => width,
+        Called::Face => face,
+        Called::Rectangle => rectangle,
+        Called::Point => point,
+    }
 }
 
 impl<'a> Names<'a> {
@@ -138,12 +155,12 @@ impl<'a> Names<'a> {
         let ([main, hole, shaft], checks, masks) = match target.control {
             Control::Itnc530 => (
                 ["8255_", "82553_hole.tab", "82553_shaft.tab"],
-                ["82551_", "82551_width_", "82551_face_"],
-                ["82552_", "82552_width_", "82552_face_"],
+                ["82551_", "82551_width_", "82551_face_", "82551_rect_", "82551_point_"],
+                ["82552_", "82552_width_", "82552_face_", "82552_rect_", "82552_point_"],
             ),
             Control::Tnc640 | Control::Tnc7 => {
-                let checks = ["FIT_CHECK.H", "FIT_WIDTH.H", "FIT_FACE.H"];
-                let masks = ["FIT_STATUS.A", "FIT_WIDTH.A", "FIT_FACE.A"];
+                let checks = ["FIT_CHECK.H", "FIT_WIDTH.H", "FIT_FACE.H", "FIT_RECT.H", "FIT_POINT.H"];
+                let masks = ["FIT_STATUS.A", "FIT_WIDTH.A", "FIT_FACE.A", "FIT_RECT.A", "FIT_POINT.A"];
                 (["FIT_MAIN.H", "FIT_HOLE.TAB", "FIT_SHAFT.TAB"], checks, masks)
             }
         };
@@ -162,22 +179,12 @@ impl<'a> Names<'a> {
 
     /// The program that measures a kind of feature.
     pub(super) const fn check(&self, called: Called) -> &String {
-        let [diameter, width, face] = &self.checks;
-        match called {
-            Called::Diameter => diameter,
-            Called::Width => width,
-            Called::Face => face,
-        }
+        of(called, &self.checks)
     }
 
     /// Its mask.
     pub(super) const fn mask(&self, called: Called) -> &String {
-        let [diameter, width, face] = &self.masks;
-        match called {
-            Called::Diameter => diameter,
-            Called::Width => width,
-            Called::Face => face,
-        }
+        of(called, &self.masks)
     }
 
     /// The table of a kind of feature.

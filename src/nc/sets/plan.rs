@@ -1,12 +1,15 @@
 //! Which features a set measures, and where.
 
+use super::called::Called;
+use super::cells::is_band_of_cycle;
 use super::error::{PlanError, PlanFault};
 use super::kind::{NcKind, Towards};
+use super::names::Control;
 use crate::length::Length;
 use crate::message::Place;
 use crate::probing::cycle::{Angle, Axis, Meaning};
 use crate::probing::cycles::measuring;
-use crate::tolerance::{Callout, Feature, Limits, Sources, Tolerance};
+use crate::tolerance::{Callout, Feature, Limits, Source, Sources, Tolerance};
 
 /// The most features of a plan: a control opens a window for each.
 pub const MOST_FEATURES: usize = 1_000;
@@ -22,19 +25,17 @@ const LONGEST_NAME: usize = 20;
 
 /// A feature of a plan: the seven inputs of NC-Solution 8255 (NC-Solutions, description of NC program 8255), the
 /// clearance height, which that program leaves open, and a name.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct NcFeature {
-    /// What is measured of it.
+    /// What is measured of it, with nominal sizes and classes (Q1, QS1).
     pub kind: NcKind,
     /// Its name: ASCII letters, digits and `_`, at most 20; if empty, it becomes `F` and its number.
     pub name: String,
-    /// Nominal size and class (Q1, QS1).
-    pub callout: Callout,
-    /// Centre in X (Q11), ±99999.9999 mm.
+    /// Centre in X, or the point's place (Q11), ±99999.9999 mm.
     pub x: Length,
-    /// Centre in Y (Q21), ±99999.9999 mm.
+    /// Centre in Y, or the point's place (Q21), ±99999.9999 mm.
     pub y: Length,
-    /// Measuring height in Z (Q31), ±99999.9999 mm.
+    /// Measuring height in Z, or the point's place (Q31), ±99999.9999 mm.
     pub z: Length,
     /// Angle of the first contact from +X (Q41), ±360 degrees.
     pub angle: Angle,
@@ -45,12 +46,16 @@ pub struct NcFeature {
 }
 
 impl NcFeature {
-    /// A feature at X, Y, Z without a name; angle 0, and the usual clearances.
-    pub fn new(callout: Callout, [x, y, z]: [Length; 3]) -> Self {
+    /// A diameter at X, Y, Z without a name; angle 0, and the usual clearances.
+    pub fn new(callout: Callout, place: [Length; 3]) -> Self {
+        Self::of_kind(NcKind::Diameter(callout), place)
+    }
+
+    /// The same with anything that can be measured.
+    pub fn of_kind(kind: NcKind, [x, y, z]: [Length; 3]) -> Self {
         Self {
-            kind: NcKind::Diameter,
+            kind,
             name: String::new(),
-            callout,
             x,
             y,
             z,
@@ -62,11 +67,12 @@ impl NcFeature {
 
     /// Checks that a program can use it.
     fn check(&self) -> Result<(), PlanFault> {
-        let callout = self.callout;
-        match callout.tolerance() {
-            Tolerance::Class(_) => {}
-            Tolerance::Fit { .. } => return Err(PlanFault::Fit { callout }),
-            _ => return Err(PlanFault::NoClass { callout }),
+        for callout in self.kind.callouts() {
+            match callout.tolerance() {
+                Tolerance::Class(_) => {}
+                Tolerance::Fit { .. } => return Err(PlanFault::Fit { callout }),
+                _ => return Err(PlanFault::NoClass { callout }),
+            }
         }
         self.check_kind()?;
         let is_sound = |byte: u8| byte.is_ascii_alphanumeric() || byte == b'_';
@@ -86,27 +92,59 @@ impl NcFeature {
         Ok(())
     }
 
-    /// The coordinate of a face is the nominal size, and it is judged as an outside dimension: too large is rework.
     fn check_kind(&self) -> Result<(), PlanFault> {
-        let (callout, kind) = (self.callout, self.kind);
-        if kind != NcKind::Diameter && self.angle != Angle::default() {
-            return Err(PlanFault::NotOf { column: "angle", kind: kind.word() });
+        if !matches!(self.kind, NcKind::Diameter(_)) && self.angle != Angle::default() {
+            return Err(PlanFault::NotOf { column: "angle", kind: self.kind.word() });
         }
-        let NcKind::Face(Towards { axis, .. }) = kind else { return Ok(()) };
-        if callout.class().is_some_and(|class| class.feature() == Feature::Hole) {
+        match &self.kind {
+            NcKind::Diameter(_) | NcKind::Width(..) => Ok(()),
+            NcKind::Face(callout, towards) => self.check_face(*callout, *towards),
+            NcKind::Pocket(sides) => self.check_sides(sides, Feature::Hole, "H7"),
+            NcKind::Boss(sides) => self.check_sides(sides, Feature::Shaft, "h7"),
+            NcKind::Point(band, _) if is_band_of_cycle(band) => Ok(()),
+            NcKind::Point(band, _) => Err(PlanFault::BandSide { upper: band.upper(), lower: band.lower() }),
+        }
+    }
+
+    /// The coordinate of a face is the nominal size, and it is judged as an outside dimension: too large is rework.
+    fn check_face(&self, callout: Callout, towards: Towards) -> Result<(), PlanFault> {
+        if callout.feature() == Some(Feature::Hole) {
             return Err(PlanFault::FaceClass { callout });
         }
-        let coordinate = match axis {
+        let coordinate = match towards.axis {
             Axis::First => self.x,
             Axis::Second => self.y,
             Axis::Third => self.z,
         };
         if coordinate == callout.nominal() { Ok(()) } else { Err(PlanFault::FacePlace { callout, coordinate }) }
     }
+
+    /// The word and the letters say the same.
+    fn check_sides(&self, sides: &[Callout; 2], feature: Feature, example: &'static str) -> Result<(), PlanFault> {
+        match sides.iter().find(|callout| callout.feature() != Some(feature)) {
+            Some(callout) => Err(PlanFault::SideClass { callout: *callout, kind: self.kind.word(), example }),
+            None => Ok(()),
+        }
+    }
+
+    /// The limits of every size; those of a point count from its nominal place, as an outside dimension.
+    fn limits(&self, sources: &Sources) -> Result<Vec<Limits>, PlanFault> {
+        if let NcKind::Point(band, _) = self.kind {
+            return Ok(Limits::new(Feature::Shaft, Length::ZERO, band, Source::Callout).into_iter().collect());
+        }
+        let limits = self.kind.callouts().into_iter().map(|callout| {
+            let limits = sources.limits(&callout, None);
+            let limits = limits.map_err(|error| PlanFault::Limits { callout, error: Box::new(error) })?;
+            // Far below a millimetre a class can reach below 0, which no cycle accepts.
+            in_range(Meaning::MinimumDiameter, &limits.minimum())?;
+            Ok(limits)
+        });
+        limits.collect()
+    }
 }
 
 /// A plan that can become a program: at least one feature, every value in its range, no name twice.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub struct NcPlan {
     features: Vec<NcFeature>,
     /// The line of each feature in its file.
@@ -150,17 +188,26 @@ impl NcPlan {
         &self.features
     }
 
-    /// The limits of every feature.
-    pub(super) fn limits(&self, sources: &Sources) -> Result<Vec<Limits>, PlanError> {
-        let limits = self.features.iter().enumerate().map(|(number, feature)| {
-            let callout = feature.callout;
-            let limits =
-                sources.limits(&callout, None).map_err(|error| PlanFault::Limits { callout, error: Box::new(error) });
-            // Far below a millimetre a class can reach below 0, which no cycle accepts.
-            let checked =
-                limits.and_then(|limits| in_range(Meaning::MinimumDiameter, &limits.minimum()).map(|()| limits));
-            checked.map_err(|what| located(self.lines.get(number), what))
-        });
+    /// Refuses features that are measured by a cycle that the control does not have.
+    pub(super) fn check_control(&self, control: Control) -> Result<(), PlanError> {
+        for (number, feature) in self.features.iter().enumerate() {
+            let kind = &feature.kind;
+            // Both cycles of a kind are on the same controls.
+            if let Some(cycle) = Called::of(kind).cycle(Feature::Shaft).filter(|cycle| !control.has(cycle)) {
+                let (kind, cycle, control) = (kind.word(), cycle.code, control.name());
+                return Err(located(self.lines.get(number), PlanFault::NotOnControl { kind, cycle, control }));
+            }
+        }
+        Ok(())
+    }
+
+    /// The limits of every feature: one of each size.
+    pub(super) fn limits(&self, sources: &Sources) -> Result<Vec<Vec<Limits>>, PlanError> {
+        let limits = self
+            .features
+            .iter()
+            .enumerate()
+            .map(|(number, feature)| feature.limits(sources).map_err(|what| located(self.lines.get(number), what)));
         limits.collect()
     }
 }

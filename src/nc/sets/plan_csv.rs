@@ -1,20 +1,20 @@
 //! Plans as CSV: one feature per line.
 //!
-//! The header names the columns, in any order: `callout`, `x`, `y`, `z`, and if wanted `name`, `kind`, `axis`, `angle`,
-//! `clearance`, `clearance_height`. Comma, semicolon or tab separates cells; numbers have a point or a comma.
+//! The header names the columns, in any order: `callout`, `x`, `y`, `z`, and if wanted `name`, `kind`, `axis`,
+//! `callout2`, `angle`, `clearance`, `clearance_height`. Comma, semicolon or tab separates cells; numbers have a point or a comma.
 
 use std::str::FromStr;
 
+use super::cells::KindCells;
 use super::error::{PlanError, PlanFault};
-use super::kind::NcKind;
 use super::plan::{MOST_FEATURES, NcFeature, NcPlan};
 use crate::control::text::{decode, lines};
 use crate::length::LengthError;
 use crate::message::Place;
 
 /// The known columns.
-const COLUMNS: [&str; 10] =
-    ["name", "kind", "axis", "callout", "x", "y", "z", "angle", "clearance", "clearance_height"];
+const COLUMNS: [&str; 11] =
+    ["name", "kind", "axis", "callout", "callout2", "x", "y", "z", "angle", "clearance", "clearance_height"];
 
 /// The largest plan, 1 MiB: a kilobyte for every feature. Every cell takes memory and time, also an empty one.
 const LARGEST: usize = 1 << 20;
@@ -103,19 +103,14 @@ fn feature(columns: &[&'static str], row: &csv::StringRecord) -> Result<NcFeatur
         let at = columns.iter().position(|known| *known == column);
         at.and_then(|at| row.get(at)).filter(|cell| !cell.is_empty())
     };
-    let text = cell("callout").ok_or(PlanFault::NoCell { column: "callout" })?;
-    let callout = text
-        .parse()
-        .map_err(|error| PlanFault::Callout { text: text.chars().take(80).collect(), error: Box::new(error) })?;
+    let callout = cell("callout").ok_or(PlanFault::NoCell { column: "callout" })?;
+    let kind = KindCells { kind: cell("kind"), axis: cell("axis"), callout, second: cell("callout2") }.read()?;
     let needed = |column| match cell(column) {
         Some(text) => number(column, text),
         None => Err(PlanFault::NoCell { column }),
     };
-    let usual = NcFeature::new(callout, [needed("x")?, needed("y")?, needed("z")?]);
-    let kind = NcKind::read(cell("kind"), cell("axis"))
-        .map_err(|(column, known)| PlanFault::of_kind(column, cell(column), known))?;
+    let usual = NcFeature::of_kind(kind, [needed("x")?, needed("y")?, needed("z")?]);
     Ok(NcFeature {
-        kind,
         name: cell("name").unwrap_or_default().to_owned(),
         angle: cell("angle").map_or(Ok(usual.angle), |text| number("angle", text))?,
         clearance: cell("clearance").map_or(Ok(usual.clearance), |text| number("clearance", text))?,

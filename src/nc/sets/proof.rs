@@ -41,49 +41,46 @@ pub(super) fn run(files: &[SetFile], planned: &[Planned<'_>], names: &Names<'_>)
         }
     }
     let measured = machine.cycles().iter().map(|run| &run.result);
-    let found: Vec<_> = measured.map(|result| (result.status, result.checks.first())).collect();
+    let found: Vec<_> = measured.map(|result| (result.status, &result.checks)).collect();
     if found.len() != planned.len() || machine.windows().len() != planned.len() {
         return Err(failed(ProofFault::Count { found: found.len(), expected: planned.len() }));
     }
-    for (planned, (status, check)) in planned.iter().zip(found) {
-        let limits = check.map(|check| (check.minimum, check.maximum));
-        let expected = (planned.limits.minimum(), planned.limits.maximum());
-        if status != Some(Status::Good) || limits != Some(expected) {
+    for (planned, (status, checks)) in planned.iter().zip(found) {
+        let limits = checks.iter().map(|check| (check.minimum, check.maximum));
+        let expected = planned.limits.iter().map(|limits| (limits.minimum(), limits.maximum()));
+        if status != Some(Status::Good) || !limits.eq(expected) {
             return Err(failed(ProofFault::OtherVerdict { name: planned.feature.name.clone() }));
         }
     }
     Ok(())
 }
 
-/// The contacts on a workpiece in the middle of the zone: four of a diameter, two of a width, one of a face.
+/// The contacts on a workpiece in the middle of the zone, in the order of the cycle.
 fn contacts(planned: &Planned<'_>) -> Vec<Contact> {
     let feature = planned.feature;
     let place = [feature.x, feature.y, feature.z].map(Length::to_mm_f64);
-    let middle = planned.limits.middle().to_mm_f64();
-    match feature.kind {
-        NcKind::Diameter => round_contacts(planned).to_vec(),
-        NcKind::Width(_) => {
-            let across = feature.kind.direction();
-            [1.0, -1.0].map(|sign| Contact::at(along(place, across, sign * middle / 2.0))).to_vec()
+    let middles: Vec<f64> = planned.limits.iter().map(|limits| limits.middle().to_mm_f64()).collect();
+    let middle = |side: usize| middles.get(side).copied().unwrap_or_default();
+    let at = |direction: [f64; 3], distance: f64| Contact::at(along(place, direction, distance));
+    match &feature.kind {
+        NcKind::Diameter(_) => [0, 1, 2, 3]
+            .map(|number| {
+                let [cos, sin] = feature.angle.stepped(Angle::from_degrees(90), number).direction();
+                at([cos, sin, 0.0], middle(0) / 2.0)
+            })
+            .to_vec(),
+        NcKind::Width(_, axis) => [1.0, -1.0].map(|sign| at(axis.vector(), sign * middle(0) / 2.0)).to_vec(),
+        NcKind::Pocket(_) | NcKind::Boss(_) => {
+            let ways = [([1.0, 0.0, 0.0], 0), ([0.0, 1.0, 0.0], 1), ([-1.0, 0.0, 0.0], 0), ([0.0, -1.0, 0.0], 1)];
+            ways.map(|(way, side)| at(way, middle(side) / 2.0)).to_vec()
         }
-        NcKind::Face(_) => {
-            let on_axis = feature.kind.direction().map(|part| 0.0 < part.abs());
-            let [x, y, z] = place;
-            let [is_x, is_y, is_z] = on_axis;
-            let one = |is_measured, part| if is_measured { middle } else { part };
+        NcKind::Face(_, towards) => {
+            let ([x, y, z], [is_x, is_y, is_z]) = (place, towards.vector().map(|part| 0.0 < part.abs()));
+            let one = |is_measured, part| if is_measured { middle(0) } else { part };
             vec![Contact::at([one(is_x, x), one(is_y, y), one(is_z, z)])]
         }
+        NcKind::Point(_, direction) => vec![at(direction.unit_normal(), middle(0))],
     }
-}
-
-fn round_contacts(planned: &Planned<'_>) -> [Contact; 4] {
-    let feature = planned.feature;
-    let radius = planned.limits.middle().to_mm_f64() / 2.0;
-    let [x, y, z] = [feature.x, feature.y, feature.z].map(Length::to_mm_f64);
-    [0, 1, 2, 3].map(|number| {
-        let [cos, sin] = feature.angle.stepped(Angle::from_degrees(90), number).direction();
-        Contact { x: x + radius * cos, y: y + radius * sin, z }
-    })
 }
 
 #[cfg(test)]

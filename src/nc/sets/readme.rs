@@ -4,8 +4,8 @@
 //! `{features}` and `{nominal}` are alone on their lines and become as many lines as needed.
 
 use super::Planned;
+use super::called::Called;
 use super::error::SetRemark;
-use super::kind::Called;
 use super::names::Names;
 use crate::shipped;
 use crate::tolerance::Feature;
@@ -46,10 +46,15 @@ fn for_control<'a>(line: &'a str, code: &str) -> Option<&'a str> {
 
 /// Whether a line that names the program of a kind of feature is for this plan.
 fn is_for(line: &str, planned: &[Planned<'_>]) -> bool {
-    let has = |called| planned.iter().any(|planned| planned.feature.kind.called() == called);
-    [("{width}", Called::Width), ("{face}", Called::Face)]
-        .iter()
-        .all(|(mark, called)| !line.contains(mark) || has(*called))
+    let has = |called| planned.iter().any(|planned| Called::of(&planned.feature.kind) == called);
+    [
+        ("{width}", Called::Width),
+        ("{face}", Called::Face),
+        ("{rectangle}", Called::Rectangle),
+        ("{point}", Called::Point),
+    ]
+    .iter()
+    .all(|(mark, called)| !line.contains(mark) || has(*called))
 }
 
 fn filled(line: &str, names: &Names<'_>) -> String {
@@ -62,6 +67,10 @@ fn filled(line: &str, names: &Names<'_>) -> String {
         ("{width_mask}", names.mask(Called::Width).clone()),
         ("{face}", names.check(Called::Face).clone()),
         ("{face_mask}", names.mask(Called::Face).clone()),
+        ("{rectangle}", names.check(Called::Rectangle).clone()),
+        ("{rectangle_mask}", names.mask(Called::Rectangle).clone()),
+        ("{point}", names.check(Called::Point).clone()),
+        ("{point_mask}", names.mask(Called::Point).clone()),
         ("{hole}", names.table(Feature::Hole).to_owned()),
         ("{shaft}", names.table(Feature::Shaft).to_owned()),
         ("{result}", names.result("*")),
@@ -73,15 +82,19 @@ fn filled(line: &str, names: &Names<'_>) -> String {
     marks.into_iter().fold(line.to_owned(), |line, (mark, text)| line.replace(mark, &text))
 }
 
-/// Name, callout, limits and place of a feature: only figures, the same in every language.
+/// Name, callout, limits and place of a feature, and a line with callout and limits of a second side: only figures, the
+/// same in every language.
 fn feature(planned: Planned<'_>, names: &Names<'_>) -> String {
-    let (feature, limits) = (planned.feature, planned.limits);
-    let (callout, result) = (feature.callout.to_string(), names.result(&feature.name));
-    let limits = format!("{} ... {}", limits.minimum(), limits.maximum());
-    format!(
-        "  {:<20} {callout:<12} {limits:<24} X{} Y{} Z{} ({}) -> {result}",
-        feature.name, feature.x, feature.y, feature.z, feature.clearance_height
-    )
+    let (feature, result) = (planned.feature, names.result(&planned.feature.name));
+    let place = format!("X{} Y{} Z{} ({}) -> {result}", feature.x, feature.y, feature.z, feature.clearance_height);
+    let callouts = feature.kind.callouts();
+    let asked = |number| callouts.get(number).map_or_else(|| feature.kind.asked(), ToString::to_string);
+    let lines = planned.limits.iter().enumerate().map(|(number, limits)| {
+        let (name, place) = if number == 0 { (feature.name.as_str(), place.as_str()) } else { ("", "") };
+        let limits = format!("{} ... {}", limits.minimum(), limits.maximum());
+        format!("  {name:<20} {:<12} {limits:<24} {place}", asked(number)).trim_end().to_owned()
+    });
+    lines.collect::<Vec<_>>().join("\r\n")
 }
 
 fn nominal(remark: &SetRemark) -> Option<String> {

@@ -10,7 +10,7 @@ use crate::control::shipped_tables;
 use crate::control::table::WriteError;
 use crate::length::Length;
 use crate::tolerance::table::Column;
-use crate::tolerance::{Callout, DeviationTable, Deviations, Feature, Source, Sources, ToleranceClass};
+use crate::tolerance::{Callout, DeviationTable, Deviations, Feature, Limits, Source, Sources, ToleranceClass};
 
 /// The table of holes or of shafts, with its remarks. Size ranges are those of the built-in table, divided where the
 /// user's own tables or the classes of the plan need it, so that no cell ever holds two values.
@@ -23,11 +23,12 @@ pub(super) fn table(
     names: &Names<'_>,
 ) -> Result<(Vec<u8>, Vec<SetRemark>), SetError> {
     let name = names.table(feature);
-    let asked: Vec<&Planned<'_>> = planned.iter().filter(|planned| planned.limits.feature == feature).collect();
+    let sizes = planned.iter().flat_map(Planned::sizes);
+    let asked: Vec<(Callout, &Limits)> = sizes.filter(|(_, limits)| limits.feature == feature).collect();
     let usual = usual_classes(feature);
     let mut own: Vec<ToleranceClass> = Vec::new();
     let mut wanted: Vec<ToleranceClass> = Vec::new();
-    for class in asked.iter().filter_map(|planned| planned.feature.callout.class()) {
+    for class in asked.iter().filter_map(|(callout, _)| callout.class()) {
         if !wanted.contains(&class) {
             wanted.push(class);
         }
@@ -61,12 +62,12 @@ fn usual_classes(feature: Feature) -> Vec<ToleranceClass> {
     classes.filter(|class| class.feature() == feature).collect()
 }
 
-fn ends(feature: Feature, asked: &[&Planned<'_>], sources: &Sources) -> Vec<Length> {
+fn ends(feature: Feature, asked: &[(Callout, &Limits)], sources: &Sources) -> Vec<Length> {
     let holds = |table: &DeviationTable| table.columns().iter().any(|column| column.class.feature() == feature);
     let tables = shipped_tables();
     let tables = tables.iter().chain(sources.tables()).filter(|table| holds(table));
     let mut ends: BTreeSet<Length> = tables.flat_map(|table| table.ends().iter().copied()).collect();
-    for (over, to) in asked.iter().filter_map(|planned| range(&planned.limits.source)) {
+    for (over, to) in asked.iter().filter_map(|(_, limits)| range(&limits.source)) {
         ends.extend([over, to]);
     }
     ends.remove(&Length::ZERO);

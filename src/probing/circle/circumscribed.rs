@@ -10,12 +10,6 @@ use super::frame::{circumcentre, midpoint, minus, norm};
 /// How far outside a point may lie because of rounding, as a fraction of the radius.
 const ROUNDING: f64 = 1e-14;
 
-/// How far apart two distances may be that ought to be equal: a fraction of them, and the last bits of the coordinates, which
-/// lie between -2 and 2. Of two points close together the distance from their middle is hardly more than these bits.
-fn are_equal_or_less(distance: f64, other: f64) -> bool {
-    distance <= other * (1.0 + 1e-12) + 8.0 * f64::EPSILON
-}
-
 /// Number of rounds after which the answer changes by rounding only.
 const MOST_ROUNDS: usize = 1_000;
 
@@ -65,22 +59,22 @@ fn farthest(points: &[[f64; 2]], centre: [f64; 2]) -> Option<(f64, [f64; 2])> {
     points.iter().map(|&point| (norm(minus(point, centre)), point)).max_by(|(a, _), (b, _)| a.total_cmp(b))
 }
 
-/// The smallest circle about a few points: the smallest of those on two or three of them that contain the others.
+/// The smallest circle about a few points: its centre is that of a circle on two or three of them, so of all these centres it is
+/// the one from which the farthest point is nearest. Nothing has to be equal to anything else but for rounding.
 fn smallest_about_few(points: &[[f64; 2]]) -> ([f64; 2], f64) {
     let mut best = ([0.0; 2], f64::INFINITY);
-    let mut consider = |centre: [f64; 2], on: [f64; 2]| {
+    let mut consider = |centre: [f64; 2]| {
         let radius = farthest(points, centre).map_or(0.0, |(distance, _)| distance);
-        // If the farthest point is not one of those that made the centre, this is still a circle, but not the best one.
-        if radius < best.1 && are_equal_or_less(radius, norm(minus(on, centre))) {
+        if radius < best.1 {
             best = (centre, radius);
         }
     };
     for (index, &first) in points.iter().enumerate() {
         for (second_index, &second) in points.iter().enumerate().skip(index + 1) {
-            consider(midpoint(first, second), first);
+            consider(midpoint(first, second));
             for &third in points.iter().skip(second_index + 1) {
                 if let Some(centre) = circumcentre(first, second, third) {
-                    consider(centre, first);
+                    consider(centre);
                 }
             }
         }

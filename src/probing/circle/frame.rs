@@ -133,6 +133,20 @@ pub(super) fn mean(vectors: &[[f64; 2]]) -> [f64; 2] {
 
 /// Centre of the circle through three points; `None` when they are collinear to the last bit.
 pub(super) fn circumcentre(first: [f64; 2], second: [f64; 2], third: [f64; 2]) -> Option<[f64; 2]> {
+    // Counted from the corner opposite the longest side: from the far end of a narrow triangle, the two long sides are nearly
+    // parallel, and their product would be rounding.
+    let squared = |from, to| {
+        let side = minus(to, from);
+        dot(side, side)
+    };
+    let (one, two, three) = (squared(first, second), squared(second, third), squared(third, first));
+    let (first, second, third) = if one.max(three) <= two {
+        (first, second, third)
+    } else if one.max(two) <= three {
+        (second, third, first)
+    } else {
+        (third, first, second)
+    };
     let (a, b) = (minus(second, first), minus(third, first));
     let twice_area = 2.0 * cross(a, b);
     let ([a_x, a_y], [b_x, b_y], [x, y]) = (a, b, first);

@@ -4,14 +4,27 @@
 //! points: closed form. More: Taubin's algebraic circle as the start, then full Newton steps where they help and halved
 //! Gauss-Newton steps where they do not, and at the end Newton steps to the last bit. A search that stops when the sum
 //! of squares stops falling would leave about 1e-8 mm on rough short arcs.
+//!
+//! The sum of squares may have several valleys, one of them towards a straight line (Chernov & Lesort 2005): where the best
+//! circle through three of the points is closer to all of them than what was found, the search begins again from there; among
+//! few points far from any circle it begins from every such circle.
 
-use super::frame::{circumcentre, count_f64, cross, dot, mean, minus, norm, unit};
+use super::frame::{circumcentre, count_f64, cross, dot, mean, midpoint, minus, norm, unit};
 
 /// More steps than any set needs: one point far inside takes plain Gauss-Newton about 50.
 const MOST_STEPS: usize = 500;
 
 /// A centre farther away than this many half extents of the contacts makes no circle: at 20 mm its arc rises 10 nm.
 const FARTHEST: f64 = 1e6;
+
+/// What distances are rounded by, in half extents of the contacts.
+const ROUNDING: f64 = 1e-14;
+
+/// So many points stand for all where the circles through three of them are tried.
+const SPREAD: usize = 8;
+
+/// Among more points than these, not every such circle begins a search.
+const MOST_FOR_EVERY_START: usize = 64;
 
 /// A least-squares circle.
 #[derive(Debug, Clone, Copy)]
@@ -53,7 +66,7 @@ fn mean_excess(points: &[[f64; 2]], centre: [f64; 2]) -> f64 {
 pub(super) fn fit(points: &[[f64; 2]]) -> Option<Fit> {
     let centre = match points {
         &[first, second, third] => circumcentre(first, second, third)?,
-        _ => search(points, start(points)?)?,
+        _ => search(points)?,
     };
     (norm(centre) <= FARTHEST).then(|| Fit::about(points, centre))
 }
@@ -133,7 +146,40 @@ fn moved([x, y]: [f64; 2], [step_x, step_y]: [f64; 2], part: f64) -> [f64; 2] {
     [x + part * step_x, y + part * step_y]
 }
 
-fn search(points: &[[f64; 2]], start: [f64; 2]) -> Option<[f64; 2]> {
+fn search(points: &[[f64; 2]]) -> Option<[f64; 2]> {
+    let mut best = start(points).and_then(|start| descend(points, start));
+    let others = centres_among(points);
+    if is_rough(points, best.as_ref()) && points.len() <= MOST_FOR_EVERY_START {
+        for other in others {
+            let other = descend(points, other);
+            best = other.filter(|(_, sums)| is_less(points, sums.squares, best.as_ref())).or(best);
+        }
+    } else {
+        let other = others.first().filter(|&&other| is_less(points, Sums::at(points, other).squares, best.as_ref()));
+        let other = other.and_then(|&other| descend(points, other));
+        best = other.filter(|(_, sums)| is_less(points, sums.squares, best.as_ref())).or(best);
+    }
+    let (centre, sums) = best?;
+    // A straight line that fits better leaves no circle.
+    (sums.squares < straight_squares(points)).then(|| polish(points, centre, sums))
+}
+
+/// Whether what was found is round to no more than a fiftieth of its radius: then there may be many valleys.
+fn is_rough(points: &[[f64; 2]], found: Option<&([f64; 2], Sums)>) -> bool {
+    found.is_none_or(|&(centre, ref sums)| {
+        let radius = norm(centre) + mean_excess(points, centre);
+        (0.02 * radius).powi(2) < sums.squares / count_f64(points.len())
+    })
+}
+
+/// Whether a sum of squares is less than that of what was found, by more than rounding.
+fn is_less(points: &[[f64; 2]], squares: f64, found: Option<&([f64; 2], Sums)>) -> bool {
+    let rounding = count_f64(points.len()) * ROUNDING * ROUNDING;
+    found.is_none_or(|(_, sums)| squares < sums.squares * (1.0 - 1e-9) - rounding)
+}
+
+/// Goes downhill from a centre to where no step helps; `None` towards a straight line.
+fn descend(points: &[[f64; 2]], start: [f64; 2]) -> Option<([f64; 2], Sums)> {
     let mut centre = start;
     let mut sums = Sums::at(points, centre);
     for _ in 0..MOST_STEPS {
@@ -147,10 +193,25 @@ fn search(points: &[[f64; 2]], start: [f64; 2]) -> Option<[f64; 2]> {
             break;
         }
     }
-    if straight_squares(points) <= sums.squares {
-        return None;
+    Some((centre, sums))
+}
+
+/// The centres of the circles through two (on a diameter) or three of some points, spread over all: that of the circle which is
+/// closest to these points first.
+fn centres_among(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let apart = points.len().div_ceil(SPREAD).max(1);
+    let some: Vec<[f64; 2]> = points.iter().copied().step_by(apart).collect();
+    let mut centres = Vec::new();
+    for (number, &first) in some.iter().enumerate() {
+        for (behind, &second) in some.iter().enumerate().skip(number + 1) {
+            centres.push(midpoint(first, second));
+            centres.extend(some.iter().skip(behind + 1).filter_map(|&third| circumcentre(first, second, third)));
+        }
     }
-    Some(polish(points, centre, sums))
+    centres.retain(|&centre| norm(centre) <= FARTHEST);
+    let mut centres: Vec<_> = centres.into_iter().map(|centre| (Sums::at(&some, centre).squares, centre)).collect();
+    centres.sort_by(|(one, _), (other, _)| one.total_cmp(other));
+    centres.into_iter().map(|(_, centre)| centre).collect()
 }
 
 /// A centre with a smaller sum of squares: by a Newton step, or by a Gauss-Newton step halved until it helps.

@@ -1,6 +1,6 @@
 //! How much a contact's scatter affects diameter and centre.
 
-use super::frame::{count_f64, mean, minus, unit};
+use super::frame::{count_f64, dot, mean, minus, unit};
 
 /// Standard uncertainties of the least-squares circle, in units of the uncertainty of one contact along the radius.
 ///
@@ -25,21 +25,27 @@ impl Uncertainty {
         let count = count_f64(points.len());
         let directions: Vec<[f64; 2]> = points.iter().map(|&point| unit(minus(point, centre))).collect();
         let [mean_x, mean_y] = mean(&directions);
+        let off: Vec<[f64; 2]> = directions.iter().map(|&direction| minus(direction, [mean_x, mean_y])).collect();
         let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
-        for &direction in &directions {
-            let [off_x, off_y] = minus(direction, [mean_x, mean_y]);
-            xx += off_x * off_x;
-            xy += off_x * off_y;
-            yy += off_y * off_y;
+        for &[x, y] in &off {
+            xx += x * x;
+            xy += x * y;
+            yy += y * y;
         }
-        let determinant = xx * yy - xy * xy;
-        let mean_carried = (mean_x * mean_x * yy - 2.0 * mean_x * mean_y * xy + mean_y * mean_y * xx) / determinant;
-        let half_trace = f64::midpoint(xx, yy);
-        let largest = half_trace + ((xx - yy) / 2.0).hypot(xy);
+        // The two directions in which the matrix stretches only. On a short arc one of them is so small that the determinant
+        // would be rounding; summed along these directions nothing cancels.
+        let angle = (2.0 * xy).atan2(xx - yy) / 2.0;
+        let wide = [angle.cos(), angle.sin()];
+        let narrow = [-angle.sin(), angle.cos()];
+        let stretch = |along| off.iter().map(|&off| dot(off, along).powi(2)).sum::<f64>();
+        let carried = |along| {
+            let carried = dot([mean_x, mean_y], along);
+            if carried.abs() <= 0.0 { 0.0 } else { carried * carried / stretch(along) }
+        };
         Self {
-            diameter: 2.0 * (1.0 / count + mean_carried).sqrt(),
-            centre_along: (largest / determinant).sqrt(),
-            centre_across: (1.0 / largest).sqrt(),
+            diameter: 2.0 * (1.0 / count + carried(wide) + carried(narrow)).sqrt(),
+            centre_along: (1.0 / stretch(narrow)).sqrt(),
+            centre_across: (1.0 / stretch(wide)).sqrt(),
         }
     }
 

@@ -2,7 +2,7 @@
 
 use super::key::Key;
 use super::name::ParameterName;
-use super::parameter::Range;
+use super::range::Range;
 use crate::length::{Length, LengthError};
 use crate::message::{Arg, Message, Say};
 use crate::probing::circle::CircleError;

@@ -3,7 +3,7 @@
 //! A cycle declares the meaning of each of its parameters; the drawings, the log and the status window go by meaning,
 //! never by the number of a parameter. A new cycle with meanings from here needs no drawing of its own.
 
-use super::parameter::Range;
+use super::range::Range;
 
 /// What a parameter means.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -9,7 +9,7 @@
 //! | `key` | what programs call a parameter or a result |
 //! | `name` | a parameter's name as errors say it |
 //! | `note` | what to know of a cycle before it is used on a control |
-//! | `parameter` | one parameter: key, name, question, range, default |
+//! | `parameter`, `range` | one parameter: key, name, question, default; which values it may have |
 //! | `meaning` | what a parameter means: its drawing and its sentence |
 //! | `shared` | parameters that several cycles have |
 //! | `value` | values of parameters and results: lengths, angles, numbers, texts |
@@ -29,6 +29,7 @@ mod meaning;
 mod name;
 mod note;
 mod parameter;
+mod range;
 mod result;
 pub(in crate::probing) mod shared;
 mod shown;
@@ -45,7 +46,8 @@ pub use name::ParameterName;
 pub use note::Note;
 use parameter::in_language;
 pub(crate) use parameter::number;
-pub use parameter::{Parameter, Range, Texts, Unset, UnsetWhere};
+pub use parameter::{Parameter, Texts, Unset, UnsetWhere};
+pub use range::Range;
 pub use result::{Check, CircleFound, CycleResult, Found, FoundName, LogTarget, Plane, Remark, Stop};
 pub use shown::{FigureKind, Log, LogFigure, TextLog, Window};
 pub(in crate::probing) use value::QUARTER_TURN;

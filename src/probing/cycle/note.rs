@@ -8,6 +8,8 @@ use crate::message::Say;
 pub enum Note {
     /// The machine builder must enable and adapt the cycle.
     MachineBuilder,
+    /// The manuals of the iTNC 530 do not have it: it is for TNC 320, 620, 640 and later controls.
+    NotOnItnc530,
     /// The normal is best taken from a CAD or CAM system.
     NormalFromCad,
     /// The control needs a software option.

@@ -5,9 +5,10 @@ use super::inputs::Inputs;
 use super::key::Key;
 use super::meaning::Meaning;
 use super::name::ParameterName;
+use super::range::{HIGHEST_TOOL, LONGEST_TEXT, Range};
 use super::value::{Angle, PREDEF, Value};
 use crate::length::{Length, LengthError};
-use crate::message::{Arg, Message, Say, display};
+use crate::message::{Arg, Say};
 use crate::tolerance::callout::qs400;
 use crate::words::Dialogue;
 
@@ -59,98 +60,6 @@ pub struct UnsetWhere {
     pub is: i64,
     /// The default in that case, as in [`Unset::Value`].
     pub default: i64,
-}
-
-/// The values that a parameter may have; both ends of a range are allowed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Range {
-    /// A length, mm.
-    Length {
-        /// From.
-        least: Length,
-        /// To.
-        most: Length,
-    },
-    /// An angle, degrees, at most `most` either way and at least `smallest` in size.
-    Angle {
-        /// The most either way.
-        most: Angle,
-        /// The least in size; zero where every size is allowed.
-        smallest: Angle,
-    },
-    /// One of a few numbers.
-    OneOf(&'static [i64]),
-    /// A number without a unit, at most `most` either way.
-    Number {
-        /// The most either way.
-        most: u16,
-    },
-    /// A tool by number, 0 to 99999.9 with 0 for none, or by name, at most 255 characters.
-    Tool,
-    /// A tolerance band as in QS400, or none.
-    Band,
-}
-
-/// The highest number of a tool; the digit after the point is its index.
-const HIGHEST_TOOL: f64 = 99_999.9;
-
-/// The most characters of a text parameter.
-const LONGEST_TEXT: usize = 255;
-
-display!(Range);
-
-/// What is allowed, as the second half of a range error.
-impl Say for Range {
-    fn message(&self) -> Message {
-        match self {
-            Self::Length { least, most } => Message::new("cycle-length-range").mm("least", least).mm("most", most),
-            Self::Angle { most, smallest } if *smallest == Angle::default() => {
-                Message::new("cycle-angle-range").mm("most", most)
-            }
-            Self::Angle { most, smallest } => {
-                Message::new("cycle-angle-size-range").mm("smallest", smallest).mm("most", most)
-            }
-            Self::OneOf(allowed) => Message::new("cycle-one-of").mm("allowed", listed(allowed)),
-            Self::Number { most } => Message::new("cycle-number-range").text("most", most),
-            Self::Tool => Message::new("cycle-tool-range"),
-            Self::Band => Message::new("cycle-band-range"),
-        }
-    }
-}
-
-impl Range {
-    /// The unit of the value, where it has one.
-    pub const fn unit(&self) -> Option<&'static str> {
-        match self {
-            Self::Length { .. } | Self::Band => Some("mm"),
-            Self::Angle { .. } => Some("°"),
-            Self::OneOf(_) | Self::Number { .. } | Self::Tool => None,
-        }
-    }
-
-    /// The range as a table shows it: `-99999.9999 … 99999.9999`, `0, 1, 2`.
-    pub fn short(&self) -> Message {
-        let figures = |text: String| Message::new("cycle-range").mm("range", text);
-        match self {
-            Self::Length { least, most } => figures(format!("{least} … {most}")),
-            Self::Angle { most, smallest } => {
-                let [most, smallest] = [most, smallest].map(|angle| angle.to_string().trim_end_matches('°').to_owned());
-                figures(if smallest == "0" {
-                    format!("-{most} … {most}")
-                } else {
-                    format!("±{smallest} … ±{most}")
-                })
-            }
-            Self::OneOf(allowed) => figures(listed(allowed)),
-            Self::Number { most } => figures(format!("-{most} … {most}")),
-            Self::Tool => Message::new("cycle-range-tool").mm("highest", HIGHEST_TOOL).text("longest", LONGEST_TEXT),
-            Self::Band => Message::new("cycle-range-band"),
-        }
-    }
-}
-
-fn listed(numbers: &[i64]) -> String {
-    numbers.iter().map(ToString::to_string).collect::<Vec<_>>().join(", ")
 }
 
 impl Parameter {

@@ -98,11 +98,10 @@ pub(in crate::probing) const STOP_IF_ERROR: Parameter = Parameter::choice(Key::Q
     .means(Meaning::Stop);
 
 /// The tool that is monitored, by number or name.
-pub(in crate::probing) const TOOL: Parameter =
-    Parameter::new(Key::Q(330), "TOOL NUMBER", super::parameter::Range::Tool)
-        .named(&[(Nl, "GEREEDSCHAP"), (It, "UTENSILE")])
-        .asked(&[(En, "Tool for monitoring?"), (Nl, "Gereedschap voor bewaking?"), (It, "Utensile per controllo?")])
-        .or(0);
+pub(in crate::probing) const TOOL: Parameter = Parameter::new(Key::Q(330), "TOOL NUMBER", super::range::Range::Tool)
+    .named(&[(Nl, "GEREEDSCHAP"), (It, "UTENSILE")])
+    .asked(&[(En, "Tool for monitoring?"), (Nl, "Gereedschap voor bewaking?"), (It, "Utensile per controllo?")])
+    .or(0);
 
 const REVERSE_TOOL: Texts = &[(Nl, "GEREEDSCHAP OMKEREN"), (It, "INVERSIONE UTENSILE")];
 const INCIDENCE: Texts = &[(Nl, "INVALSHOEK"), (It, "ANGOLO DI INCLINAZ.")];

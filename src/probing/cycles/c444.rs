@@ -31,7 +31,7 @@ pub(super) const CYCLE: Cycle = Cycle {
     code: "444",
     control: Control::Milling,
     names: &[(En, "PROBING IN 3-D"), (Nl, "TASTEN 3D")],
-    notes: &[Note::MachineBuilder, Note::NormalFromCad],
+    notes: &[Note::NotOnItnc530, Note::MachineBuilder, Note::NormalFromCad],
     parameters: &[
         POINT_1,
         POINT_2,

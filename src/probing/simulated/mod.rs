@@ -154,6 +154,11 @@ impl Machine {
         Some(Collision { place: along(found.place, self.misplaced, 1.0), ..found })
     }
 
+    /// Whether moves are looked at, with a stylus above the ball: not for a workpiece of a file without `[[feature]]`.
+    pub(crate) fn has_stylus(&self) -> bool {
+        self.space.only().is_none()
+    }
+
     /// The features that moves, or the stylus, are not looked at with: no closed form says how near they are.
     pub fn unchecked(&self) -> Vec<&str> {
         self.space.unchecked()

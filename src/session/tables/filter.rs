@@ -14,9 +14,9 @@ pub struct Filter {
 /// A word of the filter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Word<'a> {
-    /// Letters and a grade, `H7`.
+    /// Letters and a grade, `H7`, or the name of an own column with digits in it, `U1Z1`.
     Class(&'a str),
-    /// Letters alone, `h`.
+    /// Letters alone, `h`, or the name of an own column, `PF`.
     Letters(&'a str),
     /// A grade alone, `7`.
     Grade(&'a str),
@@ -85,7 +85,8 @@ impl<'a> Word<'a> {
     fn of(given: &'a str, table: &DeviationTable) -> Self {
         let bare = given.trim_start_matches(['Ø', 'ø', '⌀']);
         let letters = bare.trim_end_matches(|c: char| c.is_ascii_digit());
-        let is_letters = !letters.is_empty() && letters.bytes().all(|byte| byte.is_ascii_alphabetic());
+        let is_letters = bare.starts_with(|c: char| c.is_ascii_alphabetic())
+            && bare.bytes().all(|byte| byte.is_ascii_alphanumeric());
         let is_whole = !bare.is_empty() && letters.is_empty();
         let is_grade = || table.columns().iter().any(|column| grade_of(column.class.as_str()) == bare);
         match bare.parse() {

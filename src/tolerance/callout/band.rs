@@ -1,10 +1,10 @@
 //! Reading deviations: `+0.01 -0.015`, `±0.02`, `+0.2/0`, `-0.1`, `+10 µm -15 µm`.
 
-use super::Callout;
 use super::error::{CalloutError, shorten};
 use super::kind::{CalloutErrorKind as Kind, Part};
 use super::reading::{Grammar, Number, Reader, Size};
 use super::scanner::{Place, is_figure, is_minus, is_sign};
+use super::{Callout, signed};
 use crate::length::Length;
 use crate::tolerance::Deviations;
 
@@ -30,19 +30,75 @@ pub(super) struct Deviation<'a> {
     place: Place,
 }
 
+/// The deviations of a band as they were read.
+enum Pair<'a> {
+    /// `±0.02`.
+    Around(Deviation<'a>),
+    /// `+0.2`; the other is 0.
+    One(Deviation<'a>),
+    /// `+0.1 -0.2`.
+    Two(Deviation<'a>, Deviation<'a>),
+}
+
+/// Reads deviations without a nominal size, in the grammar of callouts: `±0.05`, `+0.1/-0.05`, `-20 µm`.
+///
+/// ```
+/// use fitcheck::tolerance::callout::band;
+///
+/// let deviations = band("+0,1/-0,05")?;
+/// assert_eq!((deviations.upper().to_string(), deviations.lower().to_string()), ("0.1".into(), "-0.05".into()));
+/// # Ok::<(), fitcheck::tolerance::CalloutError>(())
+/// ```
+///
+/// # Errors
+/// [`CalloutError`] for any other text, also for one that begins with a size, and for a lower deviation before the upper
+/// one.
+pub fn band(text: &str) -> Result<Deviations, CalloutError> {
+    Reader::new(text, Grammar::Callout).lone_band()
+}
+
 impl<'a> Reader<'a> {
     /// Reads one or two deviations after a size.
     pub(super) fn band(&mut self, size: Size) -> Result<Callout, CalloutError> {
+        match self.pair()? {
+            Pair::Around(one) => self.with_deviations(size, one.place, one.value, one.value.negated()),
+            Pair::One(only) => self.single(size, &only),
+            Pair::Two(first, second) => self.both(size, &first, &second),
+        }
+    }
+
+    /// Reads one or two deviations without a size.
+    pub(super) fn lone_band(&mut self) -> Result<Deviations, CalloutError> {
+        self.scanner.skip_blanks();
+        let (one, other) = match self.pair()? {
+            Pair::Around(one) => (one.value, one.value.negated()),
+            Pair::One(only) if only.value == Length::ZERO => {
+                let end = Place { start: only.place.end, end: only.place.end };
+                return Err(self.error(end, Kind::Missing { part: Part::Deviation }));
+            }
+            Pair::One(only) => (only.value, Length::ZERO),
+            Pair::Two(first, second) if first.value < second.value => {
+                let place = Place { start: first.place.start, end: second.place.end };
+                let offer = format!("{} {}", signed(second.value), signed(first.value));
+                return Err(self.error(place, Kind::LoneOrder { offer }));
+            }
+            Pair::Two(first, second) => (first.value, second.value),
+        };
+        self.end()?;
+        Ok(Deviations::spanning(one, other))
+    }
+
+    fn pair(&mut self) -> Result<Pair<'a>, CalloutError> {
         let first = self.deviation()?;
         self.refuse_no_sign(&first)?;
         if first.sign == Sign::Both {
-            return self.with_deviations(size, first.place, first.value, first.value.negated());
+            return Ok(Pair::Around(first));
         }
         self.scanner.skip_blanks();
         let stroke = self.scanner.eat(|c| c == '/');
         self.scanner.skip_blanks();
         if !stroke && !self.scanner.peek().is_some_and(|c| is_sign(c) || is_figure(c)) {
-            return self.single(size, &first);
+            return Ok(Pair::One(first));
         }
         let start = self.scanner.offset();
         let second = self.deviation()?;
@@ -52,7 +108,7 @@ impl<'a> Reader<'a> {
             return Err(self.error(second.place, Kind::NotA { part: Part::Deviation, found }));
         }
         self.refuse_one_unit(&first, &second)?;
-        self.both(size, &first, &second)
+        Ok(Pair::Two(first, second))
     }
 
     /// Reads a sign and a number with its unit.

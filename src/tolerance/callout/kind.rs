@@ -159,6 +159,11 @@ pub enum CalloutErrorKind {
     },
     /// A text of QS400 with the lower deviation first.
     BandOrder,
+    /// Deviations without a size, with the lower one first.
+    LoneOrder {
+        /// The deviations in the right order.
+        offer: String,
+    },
 }
 
 impl Part {
@@ -201,7 +206,8 @@ impl CalloutErrorKind {
             | Self::CycleSign { .. }
             | Self::NotInCycleText { .. }
             | Self::TooMuch { .. }
-            | Self::BandOrder => true,
+            | Self::BandOrder
+            | Self::LoneOrder { .. } => true,
         }
     }
 }

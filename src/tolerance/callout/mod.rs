@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `scanner` | a text, character by character |
 //! | `reading` | the one grammar: size, then class, fit or limits |
-//! | `band` | the grammar's deviations, with sign and unit |
+//! | `band` | the grammar's deviations, with sign and unit; also without a size |
 //! | `error` | why a text is not a callout, and at which character |
 //! | `kind` | the reasons |
 //! | `cycle_text` | the texts of cycles 14xx: a callout, or less, or more |
@@ -13,7 +13,7 @@
 //! ```text
 //! callout    = [ "Ø" ] size ( class | fit | general | deviations ) | [ "Ø" ] size "/" size ;
 //! size       = number [ "mm" ] ;
-//! class      = letters digit [ digit ] ;                    H7, js13
+//! class      = letter { letter | digit } ;                  H7, js13, PF: letters of one case, at most eight characters
 //! fit        = class ( "/" | "-" ) class ;                  hole first: H7/g6
 //! general    = "f" | "m" | "c" | "v" ;                      ISO 2768-1, with no digit behind it
 //! deviations = ( "±" | "+/-" ) value | signed [ [ "/" ] signed ] ;
@@ -21,8 +21,9 @@
 //! value      = number [ "mm" | "µm" | "um" ] ;
 //! number     = digits [ ( "." | "," ) digits ] ;            one kind of decimal sign in a text
 //! ```
-//! Blanks may separate the parts; U+2212 and U+2013 count as a minus. A callout says what is wanted; the sources of
-//! limits say whether a class is defined at its size.
+//! Blanks may separate the parts; U+2212 and U+2013 count as a minus. Names of units are no class ([`ToleranceClass`] has the
+//! rule), and in the texts of cycles 14xx a class has one or two digits behind its letters. A callout says what is wanted;
+//! the sources of limits say whether a class is defined at its size.
 
 mod band;
 mod cycle_text;
@@ -35,6 +36,7 @@ mod scanner;
 use std::fmt;
 use std::str::FromStr;
 
+pub use band::band;
 pub use cycle_text::{CycleSize, CycleText};
 pub use error::CalloutError;
 pub use kind::{CalloutErrorKind, Part};

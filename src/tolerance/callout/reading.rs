@@ -10,9 +10,6 @@ use crate::tolerance::{ClassError, GeneralClass, ToleranceClass};
 /// The unit that may follow a size.
 const SIZE_UNITS: [&str; 1] = ["mm"];
 
-/// A longer text is not a class, whatever it holds.
-const LONGEST_CLASS: usize = 16;
-
 /// What a text may be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Grammar {
@@ -230,14 +227,14 @@ impl<'a> Reader<'a> {
     }
 
     fn class(&self, token: &str, place: Place) -> Result<ToleranceClass, CalloutError> {
-        token.parse().map_err(|error| {
-            let error = match error {
-                ClassError::MixedCase { .. } if token.len() <= LONGEST_CLASS => error,
-                ClassError::Missing => error,
-                _ => ClassError::Malformed { text: shorten(token) },
-            };
-            self.error(place, Kind::Class(Box::new(error)))
-        })
+        let malformed = || ClassError::Malformed { text: shorten(token) };
+        let read = match token.parse::<ToleranceClass>() {
+            // Cycles 14xx compute limits by ISO 286: they know no table, and so no column of one.
+            Ok(class) if self.grammar == Grammar::Cycle && !class.has_grade() => Err(malformed()),
+            Err(ClassError::Malformed { .. }) => Err(malformed()),
+            read => read,
+        };
+        read.map_err(|error| self.error(place, Kind::Class(Box::new(error))))
     }
 
     /// The error where a number was expected and something else, or nothing, was found.

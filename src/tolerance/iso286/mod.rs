@@ -18,7 +18,7 @@ mod zone;
 
 pub use grade::{Grade, Letter};
 pub use remark::Remark;
-pub use undefined::{Reason, Undefined};
+pub use undefined::{Reason, Undefined, knows_letter};
 
 use serde::{Deserialize, Serialize};
 

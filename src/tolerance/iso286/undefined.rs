@@ -46,8 +46,13 @@ impl Undefined {
     }
 
     fn knows_letter(&self) -> bool {
-        Letter::from_letters(self.class.letters().as_bytes()).is_some()
+        knows_letter(self.class)
     }
+}
+
+/// Whether the standard has the letters of a class, with whatever grade.
+pub fn knows_letter(class: ToleranceClass) -> bool {
+    Letter::from_letters(class.letters().as_bytes()).is_some()
 }
 
 fn all_letters(class: ToleranceClass) -> String {
@@ -69,6 +74,9 @@ impl Say for Undefined {
     fn message(&self) -> Message {
         let Self { class, nominal, .. } = self;
         match self.reason {
+            Reason::NoClass if self.knows_letter() && !class.has_grade() => {
+                Message::new("iso286-grade-missing").with("class", class)
+            }
             Reason::NoClass if self.knows_letter() => {
                 Message::new("iso286-no-grade").with("class", class).with("grades", &all_grades())
             }

@@ -71,13 +71,13 @@ fn settings_of_machining_are_passed_over() {
         ("FN 19: PLC =+4 / Q120", "FN 19"),
         ("FN20: WAIT FOR SYNC", "FN 20"),
         ("FN 29: PLC = +99992 / +0 / +0", "FN 29"),
-        ("FN 37: EXPORT QS10", "FN 37"),
         ("FN 38: SEND /\"text %f\" / +Q1", "FN 38"),
     ] {
         assert_eq!(passed(text), (words.to_owned(), Goes::default(), vec![]), "{text}");
     }
-    // These touch files, run a program as a cycle, or are unknown.
+    // These touch files, run a program as a cycle, hand a value to the caller, or are unknown.
     for text in [
+        "FN 37: EXPORT QS10",
         "FUNCTION FILECOPY \"a\" TO \"b\"",
         "FUNCTION FILEDELETE \"a\"",
         "CYCL DEF 12.1 PGM A.H",

@@ -302,6 +302,14 @@ fn x_is_a_diameter() {
     assert_eq!(machine.position(), [Some(40.01 / 2.0 - 1.0), Some(0.0), Some(1.0)]);
     assert_eq!(ran("G0 X40 Z2\nG14 Q0").position(), [None, Some(0.0), None]);
     assert_eq!(ran("G0 X40 Z2\nG3 X60 Zi-5 R8").position(), [Some(30.0), Some(0.0), Some(-3.0)]);
+    // A subprogram in a file of its own counts in the unit of its caller.
+    let main = "%T.nc\n#EINHEIT INCH\nBEARBEITUNG\nG0 X4 Z2\nL\"SUB\" V1\nENDE";
+    let store = InMemory::new().with("SUB.ncs", "%SUB.ncs\nG0 X2 Z1\nRETURN\n");
+    let mut machine = machine_with(main.as_bytes(), store, Contacts::Perfect);
+    to_end(&mut machine);
+    assert_eq!(machine.position(), [Some(25.4), Some(0.0), Some(25.4)]);
+    let twice = read("%T.nc\n#EINHEIT INCH\n#EINHEIT METRISCH\nBEARBEITUNG\nENDE").1;
+    assert_eq!(twice, ["line 3, column 1: not understood: another unit is said before"]);
     // The same in inches.
     let text = "%T.nc\n#EINHEIT INCH\nBEARBEITUNG\nG0 X2 Z1\nENDE";
     let mut machine = machine_with(text.as_bytes(), InMemory::new(), Contacts::Perfect);
@@ -509,6 +517,10 @@ fn what_is_missing_in_a_program_is_told() {
     );
     let twice = "%A.nc\n#EINHEIT INCH\nBEARBEITUNG\nENDE\nSUBPROGRAM \"A\"\nRETURN\nSUBPROGRAM \"A\"\nRETURN\n";
     assert_eq!(said(twice), ["line 7, column 1: LBL \"A\" is already defined in line 5"]);
+    // In which unit it would be measured is not known.
+    let mut machine = machine_with(b"%A.nc\n#EINHEIT FOOT\nBEARBEITUNG\nENDE", InMemory::new(), Contacts::Perfect);
+    let stopped = machine.run(100).unwrap_err().to_string();
+    assert!(stopped.contains("line 2") && stopped.contains("#EINHEIT FOOT"), "{stopped}");
     // Nothing runs: that is no good end.
     let mut machine = machine_with(b"%A.nc\nN1 M30\nENDE", InMemory::new(), Contacts::Perfect);
     assert!(machine.run(100).is_err());

@@ -135,34 +135,72 @@ fn broken_ranges_and_pairs_are_refused() {
         &["! the table has both BEREICH and BEREIK: only one can hold the size ranges: own.tab, line 2, column 20"],
     );
     check(
-        &SOUND.replace("H7", "HX").replace("U1", "UX"),
+        &SOUND.replace("H7", "H_").replace("U1", "U_"),
         &["! no column is a tolerance class such as H7: own.tab, line 2, column 5"],
     );
 }
 
 #[test]
 fn other_columns_are_left_alone() {
-    // An own column as NC-Solution 8255 allows them: FN 28 reads it, and nothing else does.
-    let skipped = "is not letters and a number, so it was skipped: a table that is written from this one lacks it";
-    for name in ["NOTE", "PF"] {
+    // Names that no class has; TNC7 and others allow more than letters and digits in them.
+    let skipped =
+        "cannot be a tolerance class by its name, so it was skipped: a table that is written from this one lacks it";
+    for name in ["P_F", "MM", "M", "PRODUCTION"] {
         check(&SOUND.replace("U1", name), &[&format!("column {name} {skipped}: own.tab, line 2, column 20")]);
     }
-    check(&SOUND.replace("U1", "PF").replace("+8\n", "-\n").replace("+3\n", "-\n"), &[]);
-    check(
-        &SOUND.replace("+8\n", "ab\n").replace("+3\n", "cd\n"),
-        &["column U1 holds no numbers and was skipped: own.tab, line 2, column 20"],
-    );
-    check(
-        &SOUND.replace("U1", "Js7"),
-        &[
-            "column Js7 mixes upper and lower case, so it is not a tolerance class and was skipped: own.tab, line 2, column 20",
-        ],
-    );
+    check(&SOUND.replace("U1", "P_F").replace("+8\n", "-\n").replace("+3\n", "-\n"), &[]);
+    let texts = "holds texts and no deviations, so it was skipped: a table that is written from this one lacks it";
+    for name in ["U1", "NOTE"] {
+        let text = SOUND.replace("U1", name).replace("+8\n", "ab\n").replace("+3\n", "cd\n");
+        check(&text, &[&format!("column {name} {texts}: own.tab, line 2, column 20")]);
+    }
+    for name in ["Js7", "Pf"] {
+        let mixed = "mixes upper and lower case, so it is not a tolerance class and was skipped: a table that is written from this one lacks it";
+        check(&SOUND.replace("U1", name), &[&format!("column {name} {mixed}: own.tab, line 2, column 20")]);
+    }
     check(&SOUND.replace("BEREICH", "RANGE  "), &["skipped, not a table of deviations (no column BEREICH): own.tab"]);
     let both = SOUND.replace("U1", "h7");
     let (table, _) = read_table(both.as_bytes(), "own.tab", "own.tab", false).unwrap();
     let tables = fitcheck::tolerance::Sources::of_tables(vec![table.unwrap()]);
     assert_eq!((tables.classes(Feature::Hole).len(), tables.classes(Feature::Shaft).len()), (1, 1));
+}
+
+/// An own column as NC-Solution 8255 allows them, by the rules of every class.
+#[test]
+fn own_columns_are_read_like_classes() {
+    for name in ["PF", "pf", "P", "U1Z1", "PRODUKT1"] {
+        let own = SOUND.replace("U1", name);
+        check(&own, &[]);
+        check_cell(
+            &read_table(own.as_bytes(), "own.tab", "x", false).unwrap().0.unwrap(),
+            &format!("2 {name}"),
+            "8",
+            "3",
+        );
+    }
+    // Some numbers and some texts: an error with its place, as in every column of deviations.
+    check(
+        &SOUND.replace("U1", "PF").replace("+3\n", "ab\n"),
+        &["! column PF: ab is not a number: own.tab, line 4, column 20"],
+    );
+    check(
+        &SOUND.replace("U1", "PF").replace("+3\n", "+9\n"),
+        &["! column PF: upper deviation 0.008 mm is below lower deviation 0.009 mm: own.tab, line 4, column 20"],
+    );
+    // What a block calls a text is a remark, whatever stands in it; a column with a grade is a class all the same.
+    let described = |name: &str| {
+        let block = format!(
+            "#STRUCTBEGIN\nNAME = BEREICH\nTYPE = N\nNAME = H7\nTYPE = N\nNAME = {name}\nTYPE = C\n#STRUCTEND\nNR  BER"
+        );
+        SOUND.replace("U1", name).replace("NR  BER", &block)
+    };
+    let texts = "holds texts and no deviations, so it was skipped: a table that is written from this one lacks it";
+    check(&described("DOC"), &[&format!("column DOC {texts}: own.tab, line 10, column 20")]);
+    check(&described("U1"), &[]);
+    // A column without a value is kept.
+    let empty = SOUND.replace("U1", "PF").replace("+8\n", "-\n").replace("+3\n", "-\n");
+    let table = read_table(empty.as_bytes(), "own.tab", "own.tab", false).unwrap().0.unwrap();
+    assert_eq!(table.columns().len(), 2);
 }
 
 #[test]

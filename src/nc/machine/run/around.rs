@@ -16,7 +16,7 @@ impl Run {
             }
             Body::CycleDefinition(cycle) => {
                 self.around.pass_over(&format!("CYCL DEF {}", cycle.number));
-                self.around.stated(cycle, &mut self.values)?;
+                self.around.stated(cycle, self.flow.unit(), &mut self.values)?;
             }
             Body::GlobalDefinition(cycle) => self.around.define(cycle, self.flow.unit(), &self.values)?,
             Body::Mode(mode) => self.around.set_mode(*mode),

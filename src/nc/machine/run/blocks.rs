@@ -52,6 +52,9 @@ impl Run {
         if before == 0 && !travels.is_empty() {
             self.remarks.add_all(place, probed.unchecked().into_iter().collect());
         }
+        if plane != Plane::Xy && !travels.is_empty() && probed.has_stylus() {
+            self.remarks.add_once(place, Remark::StylusUnchecked);
+        }
         if !self.remarks.has_collision(place) {
             let found = travels.iter().find_map(|travel| probed.collision(travel, plane));
             self.remarks.add_all(place, found.into_iter().collect());
@@ -88,7 +91,7 @@ impl Run {
         match &block.body {
             Body::Begin { .. } | Body::Nothing | Body::Heading { .. } => {}
             Body::Label(label) => self.flow.pass_label(label),
-            Body::End { .. } => return Ok(self.end_program()),
+            Body::End { .. } => return self.end_program(),
             Body::CallLabel { label, repeat } => self.flow.call_label(at, label, *repeat, &self.values)?,
             Body::CallProgram(path) => {
                 let path = self.path_of(path)?;
@@ -117,8 +120,8 @@ impl Run {
             Body::TableOpen(_) | Body::TableRead { .. } | Body::TableWrite { .. } => {
                 self.table(at, &block.body, files)?;
             }
-            Body::ToolCall { tool, axis, .. } => {
-                self.around.call_tool(tool.is_some(), *axis);
+            Body::ToolCall { tool, axis, rest } => {
+                self.around.call_tool(tool.is_some(), *axis, rest);
                 self.cycles.call_tool(tool.as_ref(), &settings.probe_table, &self.values)?;
                 let remarks = self.tools.call(tool.as_ref(), &self.values)?;
                 self.remarks.add_all(&self.flow.place_of(at), remarks);
@@ -165,12 +168,12 @@ impl Run {
         Ok(self.flow.path().resolve(self.values.text_operand(operand)?)?)
     }
 
-    fn end_program(&mut self) -> Step {
-        if !self.flow.end_program() {
-            return Step::Ended;
+    fn end_program(&mut self) -> Result<Step, FaultKind> {
+        if !self.flow.end_program()? {
+            return Ok(Step::Ended);
         }
         self.values.leave_program();
-        Step::Went
+        Ok(Step::Went)
     }
 
     fn call_program(&mut self, at: usize, path: NcPath, files: &mut Files) -> Result<(), FaultKind> {
@@ -259,7 +262,7 @@ impl Run {
         let result = self.tools.seen(result?);
         hand_over(cycle, &result, &path, self.flow.unit(), &mut self.values)?;
         self.values.measured();
-        self.around.stated(block, &mut self.values)?;
+        self.around.stated(block, self.flow.unit(), &mut self.values)?;
         if let Some(log) = Log::of(cycle, &result, &self.flow, settings)? {
             log.write(place.clone(), &mut self.prints, files, &mut self.remarks)?;
         }

@@ -63,7 +63,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    pub(super) fn read(mut self) -> Vec<Block> {
+    pub(super) fn read(mut self) -> (Vec<Block>, bool) {
         for line in 0..self.source.count() {
             if !trimmed(self.source.line(line)).is_empty() {
                 let (number, body) = self.block(line);
@@ -71,7 +71,7 @@ impl<'a> Reader<'a> {
             }
         }
         self.end();
-        self.blocks
+        (self.blocks, self.unit.is_some())
     }
 
     /// A block that is not run, with the reason.
@@ -177,10 +177,15 @@ impl<'a> Reader<'a> {
     /// A line of data; the head says the unit.
     fn data(&mut self, line: usize, parts: Line<'_>, word: &'static str) -> Body {
         match language::unit(parts.code) {
+            // The head says it, once.
+            Some(Ok(unit)) if self.unit.is_some_and(|said| said != unit) => {
+                return self.refuse(line, parts.start, BlockFault::SecondUnit);
+            }
             Some(Ok(unit)) => self.unit = Some(unit),
             Some(Err(())) => {
                 let at = parts.start + parts.code.find(char::is_whitespace).map_or(0, |at| at + 1);
-                self.refuse(line, at, BlockFault::Missing(Wanted::Unit));
+                // Where millimetres cannot be told from inches, nothing is measured.
+                return self.refuse(line, at, BlockFault::Missing(Wanted::Unit));
             }
             None => {}
         }

@@ -26,7 +26,7 @@ use super::lines::{Lines, trimmed};
 use super::source::Source;
 
 /// Reads the blocks of a program.
-pub(super) fn read(source: Source<'_>) -> Vec<Block> {
+pub(super) fn read(source: Source<'_>) -> (Vec<Block>, bool) {
     blocks::Reader::new(source).read()
 }
 

@@ -1,10 +1,8 @@
 //! Blocks of address letters: `G1 X40 Z-30 F0.2 M8`. Several functions may stand in one block.
 
-use super::super::block::{
-    Axis, AxisWord, Body, CycleBlock, CycleLine, CycleName, CycleValue, MachineFunction, Operand, Place, TextOperand,
-    Tool,
-};
+use super::super::block::{Axis, AxisWord, Body, MachineFunction, Operand, Place, TextOperand, Tool};
 use super::super::cursor::{Cursor, Read, Stop};
+use super::super::cycle_block::{CycleBlock, CycleLine, CycleName, CycleValue};
 use super::super::fault::{BlockFault, Wanted};
 use super::language::{MOST, STARTS_AGAIN, STOPS};
 use super::motion;

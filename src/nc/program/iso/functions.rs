@@ -33,8 +33,8 @@ pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
             cursor.take_rest();
             Ok(Body::SystemRead { to })
         }
-        // What is handed to the machine, to other computers and to the calling program.
-        19 | 20 | 29 | 37 => {
+        // What is handed to the machine and to other computers.
+        19 | 20 | 29 => {
             cursor.take_rest();
             let words = format!("D{number:02}");
             Ok(Body::PassedOver(PassedOver { words, goes: Goes::default(), machine: Vec::new() }))

@@ -1,7 +1,8 @@
 //! From the lines of one block to what it says.
 
-use super::super::block::{Body, CycleBlock, Place};
+use super::super::block::{Body, Place};
 use super::super::cursor::{Cursor, Stop};
+use super::super::cycle_block::CycleBlock;
 use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::klartext::{cycle_head, cycle_line, defined, first_parameter, heading};

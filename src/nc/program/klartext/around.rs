@@ -3,9 +3,10 @@
 //! Known by their first words; what is passed over is not checked further. Forms: `docs/SOURCES.md`, "Around a measurement".
 
 use super::super::around::{Frame, Goes, Mode, PassedOver};
-use super::super::block::{Axis, AxisWord, Body, CycleBlock, CycleLine, CycleValue, MachineFunction, Operand};
-use super::super::cursor::{Cursor, Read};
-use super::super::fault::Wanted;
+use super::super::block::{Axis, AxisWord, Body, MachineFunction, Operand};
+use super::super::cursor::{Cursor, Read, Stop};
+use super::super::cycle_block::{CycleBlock, CycleLine, CycleValue};
+use super::super::fault::{BlockFault, Wanted};
 use super::super::words::AXES;
 use super::moves::{axis_letter, axis_word, is_machine_function, machine_functions};
 use crate::control::variables::Parameter;
@@ -108,8 +109,9 @@ pub(super) fn around(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
     }
     if cursor.take_word("FUNCTION") {
         let name = FUNCTIONS.into_iter().find(|name| cursor.take_prefix(name));
-        cursor.take_rest();
-        return Ok(name.map(|name| still(&format!("FUNCTION {name}"))));
+        // FUNCTION COUNT REPEAT LBL jumps.
+        let jumps = cursor.take_rest().split_whitespace().any(|word| word.eq_ignore_ascii_case("LBL"));
+        return Ok(name.filter(|_| !jumps).map(|name| still(&format!("FUNCTION {name}"))));
     }
     if cursor.take_word("PLANE") {
         return plane(cursor).map(|frame| Some(Body::Frame(frame)));
@@ -221,7 +223,12 @@ fn plane(cursor: &mut Cursor<'_>) -> Read<Frame> {
 fn transformation(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
     let frame = if cursor.take_word("DATUM") {
         if cursor.take_word("AXIS") {
-            Frame::Shift(axes(cursor)?)
+            let shift = axes(cursor)?;
+            if !cursor.is_at_end() {
+                cursor.take_rest();
+                return Ok(None);
+            }
+            Frame::Shift(shift)
         } else if cursor.take_word("RESET") {
             Frame::NoShift
         } else {
@@ -249,11 +256,35 @@ fn transformation(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
 
 /// Axes with their values, up to the first word that is none.
 fn axes(cursor: &mut Cursor<'_>) -> Read<Vec<AxisWord>> {
-    let mut found = Vec::new();
-    while let Some(word) = axis(cursor)? {
+    let mut found: Vec<AxisWord> = Vec::new();
+    loop {
+        cursor.blanks();
+        let at = cursor.at();
+        let Some(word) = axis(cursor)? else { return Ok(found) };
+        if found.iter().any(|known| known.axis == word.axis) {
+            return Err(Stop { at, reason: BlockFault::AxisTwice });
+        }
         found.push(word);
     }
-    Ok(found)
+}
+
+/// Axes with their values wherever they stand in the rest of a line, and whether everything else there begins with one of these
+/// words.
+fn axes_among(cursor: &mut Cursor<'_>, known: &[&str]) -> Read<(Vec<AxisWord>, bool)> {
+    let (mut found, mut is_known) = (Vec::new(), true);
+    while !cursor.is_at_end() {
+        if known.iter().any(|word| cursor.take_prefix(word)) {
+            cursor.take_while(|c| !c.is_whitespace());
+        } else {
+            let more = axes(cursor)?;
+            if more.is_empty() {
+                is_known = false;
+                cursor.take_while(|c| !c.is_whitespace());
+            }
+            found.extend(more);
+        }
+    }
+    Ok((found, is_known))
 }
 
 /// Letters of axes, up to the first word that is none.
@@ -295,7 +326,14 @@ pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
     *cursor = ahead;
     let frame = match (number.as_str(), part.as_str()) {
         ("7" | "8" | "10" | "11" | "19" | "26", "0") => {
-            cursor.take_rest();
+            let says_more = |word: &str| {
+                let is_axis = AXES.iter().any(|(letter, _)| letter.eq_ignore_ascii_case(word));
+                is_axis || word.contains(|c: char| c.is_ascii_digit())
+            };
+            // A value on the line of the name is not known to count, nor not to count.
+            if cursor.take_rest().split_whitespace().any(says_more) {
+                return Ok(Some(Body::Other));
+            }
             Frame::Title
         }
         ("7", _) if cursor.take('#') => {
@@ -308,26 +346,25 @@ pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
         ("11", "1") => scaled(cursor)?,
         ("19", "1") => {
             let angles: Vec<Operand> = axes(cursor)?.into_iter().map(|word| word.value).collect();
+            let is_alone = cursor.is_at_end();
+            let (more, is_known) = axes_among(cursor, &["ABST", "DIST", "F"])?;
             // Spatial angles and others are not looked at: only a line without words ends a tilt.
-            if angles.is_empty() && !cursor.is_at_end() {
-                cursor.take_rest();
+            if !is_known || !more.is_empty() || angles.is_empty() && !is_alone {
                 return Ok(Some(Body::Frame(Frame::OtherTilt)));
             }
-            cursor.take_rest();
             Frame::Tilt(angles)
         }
         // How the axes get there.
         ("19", _) => {
-            cursor.take_rest();
-            Frame::Title
+            let (angles, is_known) = axes_among(cursor, &["ABST", "DIST", "F"])?;
+            if angles.is_empty() && is_known { Frame::Title } else { Frame::OtherTilt }
         }
         ("26", "1") => {
-            let factors: Vec<Operand> = axes(cursor)?.into_iter().map(|word| word.value).collect();
-            cursor.take_rest();
-            if factors.is_empty() {
+            let (factors, is_known) = axes_among(cursor, &["CC"])?;
+            if factors.is_empty() || !is_known {
                 return Ok(Some(Body::Other));
             }
-            Frame::AxisScaling(factors)
+            Frame::AxisScaling(factors.into_iter().map(|word| word.value).collect())
         }
         // Further lines of these are not followed; cycle 12 makes a program into a cycle, which CYCL CALL would run.
         ("8" | "10" | "11" | "12" | "26", _) => {
@@ -353,9 +390,13 @@ pub(in super::super) fn defined(cycle: CycleBlock) -> Body {
         return Body::CycleDefinition(cycle);
     }
     let is_preset = |line: &&CycleLine| line.parameter == Parameter::q(339).into();
-    let preset = cycle.lines.iter().find(is_preset).and_then(|line| match line.value {
+    let mut presets = cycle.lines.iter().filter(is_preset).map(|line| match line.value {
         CycleValue::Number { value, .. } => Some(value),
         CycleValue::Text(_) | CycleValue::Word(_) => None,
     });
-    Body::Frame(Frame::Preset(preset))
+    match (presets.next(), presets.next()) {
+        (preset, None) => Body::Frame(Frame::Preset(preset.flatten())),
+        // Which of two presets counts is not known.
+        (_, Some(_)) => Body::Other,
+    }
 }

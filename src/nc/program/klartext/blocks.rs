@@ -1,6 +1,7 @@
 //! From lines to blocks.
 
-use super::super::block::{Block, Body, CycleBlock, Unit};
+use super::super::block::{Block, Body, Unit};
+use super::super::cycle_block::CycleBlock;
 use super::super::error::ProgramWarningKind;
 use super::super::lines::{Front, Piece, first, front, next, trimmed};
 use super::super::numbering::Numbering;

@@ -5,8 +5,9 @@
 //! that a comment's `~` has swallowed.
 
 use super::super::around::Frame;
-use super::super::block::{Block, Body, CycleBlock};
+use super::super::block::{Block, Body};
 use super::super::cursor::Cursor;
+use super::super::cycle_block::CycleBlock;
 use super::super::error::ProgramWarningKind;
 use super::super::lines::{Front, Piece, front};
 use super::body::body;

@@ -1,7 +1,8 @@
 //! Cycles: `TCH PROBE` and `CYCL DEF` with the lines after them.
 
-use super::super::block::{CycleBlock, CycleLine, CycleName, CycleValue, Place, TextOperand};
+use super::super::block::{Place, TextOperand};
 use super::super::cursor::{Cursor, Read, Stop};
+use super::super::cycle_block::{CycleBlock, CycleLine, CycleName, CycleValue};
 use super::super::fault::{BlockFault, Wanted};
 use super::super::lines::Piece;
 use crate::control::variables::Family;
