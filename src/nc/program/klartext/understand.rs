@@ -76,11 +76,11 @@ fn cycle(
     place: impl Fn(usize, usize) -> Place,
 ) -> Result<CycleBlock, Odd> {
     let mut cycle = cycle::head(&mut cursor).map_err(|Stop { at, reason }| not_understood(first, at, reason))?;
-    // The name ends where the first parameter begins.
+    // The name ends where the first parameter begins; a `~` between them comes from a line end that was lost.
     if let Some(at) = cycle::first_parameter(&cycle.name, |cursor| cursor.take('=')) {
         let from = first.code.len() - cycle.name.len() + at;
         cycle.name.truncate(at);
-        cycle.name.truncate(cycle.name.trim_end().len());
+        cycle.name.truncate(cycle.name.trim_end_matches(|c: char| c == '~' || c.is_whitespace()).len());
         let rest = Piece { code: first.code.get(from..).unwrap_or_default(), start: first.start + from, ..*first };
         cycle::line(&mut cycle, &rest, |at| place(rest.line, rest.start + at))
             .map_err(|Stop { at, reason }| not_understood(&rest, at, reason))?;
