@@ -86,6 +86,7 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
         let (form, packing) = self.form()?;
+        super::io::warn_of_repeats(&self.inputs, io);
         for input in &self.inputs {
             self.not_the_output(input)?;
         }

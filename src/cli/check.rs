@@ -10,7 +10,7 @@ use crate::files;
 use crate::journal::{Record, status_window};
 use crate::message::IntoArg as _;
 use crate::probing::measure::{ProbePosition, cycle_number, measure};
-use crate::probing::measurement::measure_contacts;
+use crate::probing::measurement::{Caveat, measure_contacts};
 use crate::probing::simulated::{Machine, Probe, Workpiece};
 use crate::probing::{Measurement, Origin};
 use crate::report::{csv, json};
@@ -186,10 +186,15 @@ impl Args {
     }
 }
 
-/// Warns about the measured value; what the measurement cannot tell is in CSV and JSON.
+/// Warns about the measured value; what else the measurement cannot tell is in CSV and JSON.
 fn warn(record: &Record, io: &mut Io<'_>) {
     if let Some(doubt) = record.doubt {
         io.warn(&doubt);
+    }
+    for caveat in record.measurement.caveats() {
+        if matches!(caveat, Caveat::ShortArc { .. }) {
+            io.warn(&caveat);
+        }
     }
     if let Source::Table { instead_of: Some(shipped), name, .. } = &record.limits.source {
         io.warn(&CliWarning::OwnTable { name, upper: shipped.upper(), lower: shipped.lower() });

@@ -79,6 +79,7 @@ impl Args {
         let now = self.time.unwrap_or_else(super::now);
         let mut printer = Printer::new(self.format, io)?;
         let mut tally = Tally::default();
+        super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {
             match files::read(path) {
                 Ok(bytes) => {

@@ -2,7 +2,7 @@
 
 use std::fmt::Display;
 use std::io::{BufRead, BufReader, BufWriter, Read as _, Write};
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use super::said::{CliRemark, CliWarning, about, remark, warning};
@@ -177,6 +177,18 @@ pub(super) fn read_contacts(path: &Path, io: &mut Io<'_>) -> Result<(String, Vec
         io.warn_about(&name, &CliWarning::ColumnNotUsed { column });
     }
     Ok((name, read.contacts))
+}
+
+/// Warns of inputs that are named twice: their rows are counted twice.
+pub(super) fn warn_of_repeats(paths: &[PathBuf], io: &mut Io<'_>) {
+    // What cannot be found is refused where it is read.
+    let places: Vec<_> = paths.iter().map(|path| path.canonicalize().ok()).collect();
+    for (number, (path, place)) in paths.iter().zip(&places).enumerate() {
+        let is_repeated = place.is_some() && places.iter().take(number).any(|before| before == place);
+        if is_repeated {
+            io.warn_about(&path.display().to_string(), &CliWarning::FileTwice);
+        }
+    }
 }
 
 /// A control table of deviations, the name to call it by, and its bytes.

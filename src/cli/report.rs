@@ -167,6 +167,7 @@ impl Args {
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
         let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now };
+        super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             match files::read(path) {

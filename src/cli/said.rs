@@ -14,6 +14,8 @@ pub(super) enum CliRemark {
     WroteFiles { path: String, count: usize },
     /// Nobody measured.
     Simulated,
+    /// A program that was run without a workpiece.
+    PerfectWorkpiece,
     /// A part can still be machined.
     Remove { limit: Length, middle: Length },
     /// Callouts without an answer.
@@ -38,6 +40,8 @@ pub(super) enum CliRemark {
 pub(super) enum CliWarning<'a> {
     /// A skipped column of a file of contacts.
     ColumnNotUsed { column: &'a str },
+    /// A file that is named twice among the inputs.
+    FileTwice,
     /// The user's own table differs from ISO 286.
     OwnTable { name: &'a str, upper: Length, lower: Length },
     /// A cell for which ISO 286 has no value, or several.

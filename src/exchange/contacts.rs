@@ -61,6 +61,8 @@ pub enum ContactsError {
         /// What was found.
         given: String,
     },
+    /// A comment that holds coordinates: a circle without them would be a guess.
+    Comment,
     /// A quotation mark that is not closed.
     OpenQuote,
     /// A row that is too long.
@@ -107,7 +109,15 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
             return Err(Located::in_line(line, ContactsError::TooMany));
         }
         let row: Vec<&str> = cells.iter().map(str::trim).collect();
-        if row.iter().all(|cell| cell.is_empty()) || row.first().is_some_and(|cell| cell.starts_with('#')) {
+        if row.iter().all(|cell| cell.is_empty()) {
+            continue;
+        }
+        if let Some((first, more)) = row.split_first().and_then(|(first, more)| Some((first.strip_prefix('#')?, more)))
+        {
+            // One number is a remark such as a count; two are a place.
+            if 2 <= more.iter().copied().chain([first.trim()]).filter(|cell| number(cell).is_some()).count() {
+                return Err(at_cell(line, 0, ContactsError::Comment));
+            }
             continue;
         }
         if !is_header(&row) {

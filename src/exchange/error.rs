@@ -50,6 +50,9 @@ pub enum ImportErrorKind {
         /// The column.
         column: String,
     },
+    /// A comment that holds a measurement: a row that somebody has put aside, or one whose name begins with `#`.
+    #[say(id = "exchange-warning-comment")]
+    Comment,
     /// Only a header, comments or blank lines.
     NoRows,
     /// A log that cannot be used.
@@ -191,7 +194,7 @@ pub enum ImportWarningKind {
         /// The line's text.
         text: String,
     },
-    /// A comment that holds a measurement.
+    /// A comment above the header that holds a measurement.
     Comment,
     /// A row that runs over several lines, within quotation marks.
     SeveralLines {

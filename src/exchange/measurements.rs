@@ -106,10 +106,15 @@ impl Reader<'_, '_> {
             return;
         }
         if columns::is_comment(cells) {
-            if columns::is_data(cells) {
-                self.warn(line, ImportWarningKind::Comment);
+            let rules = self.rules();
+            if !rules.hides_measurement(cells) {
+                return;
             }
-            return;
+            if self.columns.header.is_some_and(|header| line < header) {
+                return self.warn(line, ImportWarningKind::Comment);
+            }
+            let cell = Cell { at: None, text: cells.get(0).unwrap_or_default() };
+            return self.refuse(line, cell, ImportErrorKind::Comment);
         }
         match self.columns.header {
             Some(header) if line == header && self.columns.names_known => return,
@@ -121,11 +126,13 @@ impl Reader<'_, '_> {
         }
     }
 
+    fn rules(&self) -> Rules<'_> {
+        Rules { columns: self.columns, has_commas: self.separator == b',', sources: self.source.sources }
+    }
+
     /// Judges a row and keeps it, or names the cell that cannot be used.
     fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
-        let has_commas = self.separator == b',';
-        let rules = Rules { columns: self.columns, has_commas, sources: self.source.sources };
-        let Found { measured, asked, is_simulated } = rules.read(cells)?;
+        let Found { measured, asked, is_simulated } = self.rules().read(cells)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
         let time = self.time(line, cells);
         let Some((callout, limits)) = asked else {

@@ -49,6 +49,13 @@ impl Rules<'_> {
         Ok(Found { measured, asked: Some((callout, limits)), is_simulated })
     }
 
+    /// Whether a comment would be a row with a callout and its measured value, were it none: with its `#` or without.
+    pub(super) fn hides_measurement(&self, cells: &StringRecord) -> bool {
+        let bare = uncommented(cells);
+        let is_row = self.read(&bare).is_ok_and(|found| found.asked.is_some());
+        is_row || [cells, &bare].into_iter().any(columns::is_data)
+    }
+
     /// There must be enough cells for what is needed, and none beyond the columns.
     fn right_length<'c>(&self, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
         let expected = self.columns.count;
@@ -154,6 +161,12 @@ impl Rules<'_> {
             _ => Err((Cell { at: self.columns.simulated, text }, ImportErrorKind::Simulated { given: shorten(text) })),
         }
     }
+}
+
+/// A comment without its `#`.
+fn uncommented(cells: &StringRecord) -> StringRecord {
+    let first = cells.get(0).unwrap_or_default().trim_start().trim_start_matches('#');
+    std::iter::once(first).chain(cells.iter().skip(1)).collect()
 }
 
 fn is_blank(cells: &StringRecord, at: usize) -> bool {

@@ -483,9 +483,6 @@ fn imported(text: &[u8]) -> Vec<(usize, String)> {
         }
         Item::Unjudged(unjudged) => all.push((unjudged.line, format!("|||||{}", unjudged.why))),
         Item::Error(error) => all.push((error.place.line.unwrap(), format!("|||||{}", error.what.kind))),
-        Item::Warning(warning) if warning.what.kind.to_string().starts_with("a line that begins with #") => {
-            all.push((warning.place.line.unwrap(), format!("|||||{}", warning.what.kind)));
-        }
         Item::Warning(_) | Item::Contacts(_) => {}
     });
     all

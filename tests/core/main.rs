@@ -71,6 +71,7 @@ mod report_cli;
 
 mod rows;
 mod run_cli;
+mod run_doubts;
 mod session;
 mod session_actions;
 mod session_cycles;

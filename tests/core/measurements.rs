@@ -193,8 +193,8 @@ fn comments_blank_lines_and_what_stands_above_are_told_apart() {
         "Order 7;;\n\n# probed on machine 3\nid;callout;measured\n;;\n\"b1\";25 H7;25.012\n#b2;25 H7;25.013\n",
         &[
             "6 b1: 25 H7 is 25.012 GOOD",
+            "! line 7: a line that begins with # is a comment, but this one holds a measurement <#b2>",
             "? line 1: skipped, not a measurement: Order 7",
-            "? line 7: a line that begins with # is a comment, but this one holds a measurement",
         ],
     );
     check("sep=;\r\nid;callout;measured\r\nb1;25 H7;25,012\r\n", &["3 b1: 25 H7 is 25.012 GOOD"]);

@@ -73,7 +73,7 @@ fn the_window_is_printed_and_the_exit_code_follows_the_verdict() {
     let run = |bore: &str| fitcheck(&[&shop.path("fit_main.h"), "--workpiece", &shop.path(bore)]);
     let good = run("good.toml");
     assert_eq!(good.out, std::fs::read_to_string(samples().join("masks/status_en.expected.txt")).unwrap());
-    assert_eq!((good.code, good.err.as_str()), (Some(0), ""));
+    assert_eq!((good.code, good.err.as_str()), (Some(0), "note: simulated: nothing was measured\n"));
     let rework = run("rework.toml");
     assert!(rework.out.starts_with("FIT STATUS: REWORK\n"), "{}", rework.out);
     assert_eq!((rework.code, run("scrap.toml").code), (Some(10), Some(11)));
@@ -258,7 +258,8 @@ fn the_probe_comes_from_a_table() {
     let table = samples().join("tables/tchprobe.tp").display().to_string();
     let said = fitcheck(&[&shop.path("fit_main.h"), "--probe-table", &table]);
     assert_eq!(said.code, Some(0), "{}", said.err);
-    assert_eq!(said.err, "note: fit_check.h:34: tool TOUCH_PROBE is not in the touch-probe table: probe 1 was used\n");
+    let probe = "note: fit_check.h:34: tool TOUCH_PROBE is not in the touch-probe table: probe 1 was used\n";
+    assert!(said.err.starts_with(probe), "{}", said.err);
 }
 
 #[test]

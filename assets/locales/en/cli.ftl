@@ -79,6 +79,7 @@ cli-check-not-positive = measured value { $measured } mm is not above 0
 cli-remark-wrote = wrote { $path }
 cli-remark-wrote-files = wrote { $path } ({ $count } files)
 cli-remark-simulated = simulated: nothing was measured
+cli-remark-perfect-workpiece = simulated: every cycle measured a perfect workpiece at nominal; --workpiece FILE.toml gives another
 cli-remark-remove = remove { $limit } mm to the nearest limit, { $middle } mm to the middle of the zone
 cli-remark-refused = { $refused } of { $asked } callouts refused
 cli-remark-no-pair = no pair fits; the nearest is { $nearest }
@@ -90,6 +91,7 @@ cli-remark-clearance-height = the clearance height is { $height } mm: --clearanc
 
 # Warnings
 cli-warning-column-not-used = column { $column } is skipped
+cli-warning-file-twice = this file is named twice: its rows are counted twice
 cli-warning-own-table = table { $name } differs from ISO 286, which has { $upper } and { $lower } mm
 cli-warning-empty-cell = { $class } over { $over } up to { $to } mm is left empty: ISO 286 has no single value for all of it
 cli-warning-contacts-left = the cycle used { $used } of { $count } contacts

@@ -57,6 +57,7 @@ contacts-twice = columns { $first } and { $second } are both { $name }
 contacts-cells = expected { $wanted } cells, found { $cells }: { $given }
 contacts-not-a-number = { $name } is { $given }, not a number of millimetres
 contacts-row-too-long = the row is longer than { $most } KiB
+contacts-comment = a line that begins with # is a comment, but this one holds coordinates: take the # away, or the whole line
 contacts-too-many = the file has more than { $most } contacts
 contacts-open-quote = a quotation mark is not closed
 contacts-mixed-signs = { $given } has a different decimal sign than the rows before it

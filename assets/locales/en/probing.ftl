@@ -119,6 +119,10 @@ remark-outside-dimension = an outside dimension is assumed: above the maximum is
 remark-nominal-outside-limits = nominal diameter { $nominal } mm is not between the limits: a TNC7 refuses that
 remark-nominal-width-outside-limits = nominal width { $nominal } mm is not between the limits: a TNC7 refuses that
 remark-nominal-coordinate-outside-limits = nominal coordinate { $nominal } mm is not between the limits: by its manual a TNC7 may refuse that
+remark-contact-astray = { $count ->
+    [one] contact { $contact } lies { $distance } mm from where the cycle probes: perhaps it belongs to another feature
+   *[other] { $count } contacts lie apart from where the cycle probes, contact { $contact } by { $distance } mm: perhaps they belong to another feature
+}
 remark-deviation-without-parameter = the deviation has no parameter here: the manual says that a control stores it, but not in which one
 remark-variable-holds-diameter = #i99 is read as the diameter: the manual does not say which value it holds
 remark-no-tolerance = { $key } is not a tolerance: nothing is judged

@@ -79,6 +79,7 @@ cli-check-not-positive = gemeten waarde { $measured } mm is niet groter dan 0
 cli-remark-wrote = { $path } geschreven
 cli-remark-wrote-files = { $path } geschreven ({ $count } bestanden)
 cli-remark-simulated = gesimuleerd: er is niets gemeten
+cli-remark-perfect-workpiece = gesimuleerd: elke cyclus heeft een volmaakt werkstuk op nominale maat gemeten; --workpiece FILE.toml geeft een ander
 cli-remark-remove = { $limit } mm verspanen tot de dichtstbijzijnde grensmaat, { $middle } mm tot het midden van het tolerantieveld
 cli-remark-refused = { $refused } van { $asked } passingen geweigerd
 cli-remark-no-pair = geen enkele passing voldoet; de dichtstbijzijnde is { $nearest }
@@ -90,6 +91,7 @@ cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die me
 
 # Waarschuwingen
 cli-warning-column-not-used = kolom { $column } is overgeslagen
+cli-warning-file-twice = dit bestand is tweemaal genoemd: de rijen tellen dubbel
 cli-warning-own-table = tabel { $name } wijkt af van ISO 286, die { $upper } en { $lower } mm heeft
 cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft geen waarde die voor het hele bereik geldt
 cli-warning-contacts-left = de cyclus heeft { $used } van de { $count } meetpunten gebruikt

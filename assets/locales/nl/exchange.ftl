@@ -57,6 +57,7 @@ contacts-twice = kolommen { $first } en { $second } zijn allebei { $name }
 contacts-cells = { $wanted } cellen verwacht, { $cells } gevonden: { $given }
 contacts-not-a-number = { $name } is { $given }, geen getal in millimeters
 contacts-row-too-long = de rij is langer dan { $most } KiB
+contacts-comment = een regel die met # begint is commentaar, maar hier staan coördinaten in: haal de # weg, of de hele regel
 contacts-too-many = het bestand heeft meer dan { $most } meetpunten
 contacts-open-quote = een aanhalingsteken is niet gesloten
 contacts-mixed-signs = { $given } heeft een ander decimaalteken dan de rijen ervoor

@@ -119,6 +119,10 @@ remark-outside-dimension = een buitenmaat is aangenomen: boven het maximum is na
 remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat
 remark-nominal-width-outside-limits = nominale breedte { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat
 remark-nominal-coordinate-outside-limits = nominale coördinaat { $nominal } mm ligt niet tussen de grensmaten: volgens zijn handboek kan een TNC7 dat weigeren
+remark-contact-astray = { $count ->
+    [one] meetpunt { $contact } ligt { $distance } mm van waar de cyclus tast: misschien hoort het bij een ander kenmerk
+   *[other] { $count } meetpunten liggen niet waar de cyclus tast, meetpunt { $contact } het verst met { $distance } mm: misschien horen ze bij een ander kenmerk
+}
 remark-deviation-without-parameter = de afwijking heeft hier geen parameter: het handboek zegt dat een besturing haar opslaat, maar niet in welke
 remark-variable-holds-diameter = #i99 is als diameter gelezen: het handboek zegt niet welke waarde erin staat
 remark-no-tolerance = { $key } is geen tolerantie: er wordt niets beoordeeld

@@ -12,7 +12,7 @@ use crate::words::Dialogue;
 
 /// What the contacts cannot tell, and where the log differs.
 pub(super) fn warnings(run: &Run<'_>) -> Vec<String> {
-    let contacts = run.result.evaluation().into_iter().flat_map(|found| found.warnings);
+    let contacts = run.result.warnings().into_iter();
     contacts.map(|warning| warning.to_string()).chain(run.log.other.map(|other| other.to_string())).collect()
 }
 
@@ -47,7 +47,7 @@ pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError>
     let answer = Answer {
         cycle: run.cycle.code,
         name: run.cycle.name(Dialogue::En),
-        source: source(run),
+        source: source(run.source),
         probe: probe(run),
         inputs: inputs(run),
         contacts: &result.contacts,
@@ -101,8 +101,9 @@ fn inputs(run: &Run<'_>) -> Map<String, Json> {
     given.collect()
 }
 
-fn source(run: &Run<'_>) -> Json {
-    match run.source {
+/// Where the contacts come from.
+pub(in crate::cli) fn source(source: &Source) -> Json {
+    match source {
         Source::Perfect => json!({"kind": "perfect"}),
         Source::Workpiece { file, part } => json!({
             "kind": "simulated", "file": file, "seed": part.seed, "temperature_c": part.temperature,

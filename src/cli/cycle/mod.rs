@@ -111,7 +111,7 @@ pub(super) struct Args {
 
 /// Where the contacts come from.
 #[derive(Debug)]
-enum Source {
+pub(super) enum Source {
     /// A workpiece without faults and a point as the probe.
     Perfect,
     /// A file of a simulated workpiece.

@@ -6,7 +6,8 @@ use serde::ser::{Serialize, SerializeMap as _, Serializer};
 use serde_json::{Map, Value as Json, json};
 
 use super::super::CliRemark;
-use super::super::cycle::answer::{check, value as result_value};
+use super::super::cycle::Source;
+use super::super::cycle::answer::{check, source as result_source, value as result_value};
 use super::super::tools;
 use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::text::cut;
@@ -130,6 +131,7 @@ fn cycle(machine: &Machine, run: &CycleRun) -> Json {
         "stop": result.stop.as_ref().map(ToString::to_string),
         "contacts": result.contacts,
         "remarks": result.remarks.iter().map(ToString::to_string).collect::<Vec<_>>(),
+        "warnings": result.warnings().iter().map(ToString::to_string).collect::<Vec<_>>(),
     });
     placed(machine, &run.place, more)
 }
@@ -145,15 +147,16 @@ fn fault(fault: &Fault) -> Json {
 }
 
 /// Everything that a run gave.
-struct Answer<'a> {
-    machine: &'a Machine,
-    ended: &'a Ended,
-    trace: &'a Trace,
+pub(super) struct Answer<'a> {
+    pub(super) machine: &'a Machine,
+    pub(super) ended: &'a Ended,
+    pub(super) source: &'a Source,
+    pub(super) trace: &'a Trace,
 }
 
 impl Serialize for Answer<'_> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        let Self { machine, ended, trace } = *self;
+        let Self { machine, ended, source, trace } = *self;
         let window = |window: &Window| {
             let more = json!({"mask": window.mask.to_string(), "window": window.text, "is_open": window.is_open});
             placed(machine, &window.place, more)
@@ -169,6 +172,7 @@ impl Serialize for Answer<'_> {
         let mut answer = serializer.serialize_map(None)?;
         answer.serialize_entry("blocks", &machine.blocks_run())?;
         answer.serialize_entry("status", &machine.status().map(crate::verdict::Status::word))?;
+        answer.serialize_entry("source", &result_source(source))?;
         answer.serialize_entry("parameters", &parameters)?;
         answer.serialize_entry("files", &Each(|| machine.origins().iter().map(file)))?;
         answer.serialize_entry("windows", &Each(|| machine.windows().iter().map(window)))?;
@@ -213,6 +217,6 @@ fn traced(machine: &Machine, entry: &Entry) -> Json {
     placed(machine, &entry.at, json!({"changed": changed.collect::<Map<_, _>>()}))
 }
 
-pub(super) fn print(machine: &Machine, ended: &Ended, trace: &Trace, io: &mut Io<'_>) -> Result<(), CliError> {
-    io.json(&Answer { machine, ended, trace })
+pub(super) fn print(answer: &Answer<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
+    io.json(answer)
 }

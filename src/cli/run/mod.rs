@@ -14,7 +14,7 @@ use std::sync::Arc;
 use clap::ValueEnum;
 
 use super::args::dialogue;
-use super::cycle::{pairs, probe_table, read_workpiece};
+use super::cycle::{Source, pairs, probe_table, read_workpiece};
 use super::tools::ToolArgs;
 use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input};
 use crate::control::variables::{Parameter, Value};
@@ -135,7 +135,8 @@ trait Listener {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let language = self.language;
-        let (mut machine, warnings) = self.machine(language, io)?;
+        let source = self.source(io)?;
+        let (mut machine, warnings) = self.machine(&source, io)?;
         for (name, value) in pairs(&self.settings)? {
             set(&mut machine, name, value)?;
         }
@@ -144,6 +145,7 @@ impl Args {
                 let mut listener = text::Printer::new(self.trace);
                 let ended = run(&mut machine, &mut listener, io)?;
                 text::notes(&machine, &ended, self.trace, language.language(), io);
+                text::tell_source(&machine, &source, io);
                 self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io)?;
                 ended
             }
@@ -154,7 +156,10 @@ impl Args {
                 // Before the answer, which says whether the table is written; an error comes after it.
                 let written = self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io);
                 ended.tools_out = written.as_ref().ok().cloned().flatten();
-                answer::print(&machine, &ended, &listener, io)?;
+                answer::print(
+                    &answer::Answer { machine: &machine, ended: &ended, source: &source, trace: &listener },
+                    io,
+                )?;
                 written?;
                 ended
             }
@@ -167,7 +172,7 @@ impl Args {
     }
 
     /// The machine, and what the reader of the program has to say.
-    fn machine(&self, language: Dialogue, io: &mut Io<'_>) -> Result<(Machine, Vec<ProgramWarning>), CliError> {
+    fn machine(&self, source: &Source, io: &mut Io<'_>) -> Result<(Machine, Vec<ProgramWarning>), CliError> {
         let (name, bytes, beside) = self.read_program(io)?;
         let (program, warnings) = Program::read(&bytes).about(&name)?;
         for warning in &warnings {
@@ -187,14 +192,14 @@ impl Args {
             files::make_folder(folder)?;
             store = store.writing(folder);
         }
-        let mut settings = Settings::new(language, now());
+        let mut settings = Settings::new(self.language, now());
         settings.budget.blocks = self.max_blocks;
         settings.skip_unknown = self.skip_unknown;
         settings.assumes_tool = self.assume_tool;
         settings.block_skip = self.block_skip;
         settings.probe_table = probe_table(self.probe_table.as_deref(), io)?;
         settings.tool_table = self.tools.read(io)?;
-        let contacts = self.source(io)?;
+        let contacts = contacts_of(source);
         Ok((Machine::new(&name, Arc::new(program), store, contacts, settings), warnings))
     }
 
@@ -223,16 +228,26 @@ impl Args {
         Ok((name, bytes, if is_file { Folders::beside(&self.program) } else { Folders::new() }))
     }
 
-    fn source(&self, io: &mut Io<'_>) -> Result<Contacts, CliError> {
+    fn source(&self, io: &mut Io<'_>) -> Result<Source, CliError> {
         if let Some(path) = &self.contacts {
-            return Ok(Contacts::Recorded(read_contacts(path, io)?.1));
+            let (file, contacts) = read_contacts(path, io)?;
+            return Ok(Source::Contacts { file, contacts });
         }
-        let Some(path) = &self.workpiece else { return Ok(Contacts::Perfect) };
+        let Some(path) = &self.workpiece else { return Ok(Source::Perfect) };
         let (file, mut part) = read_workpiece(path, io)?;
         part.seed = self.seed.unwrap_or(part.seed);
         // Impossible figures are reported now, with the file's name, and not in the middle of the run.
         part.machine().about(&file)?;
-        Ok(Contacts::Workpiece(part))
+        Ok(Source::Workpiece { file, part })
+    }
+}
+
+/// What the machine probes.
+fn contacts_of(source: &Source) -> Contacts {
+    match source {
+        Source::Perfect => Contacts::Perfect,
+        Source::Workpiece { part, .. } => Contacts::Workpiece(part.clone()),
+        Source::Contacts { contacts, .. } => Contacts::Recorded(contacts.clone()),
     }
 }
 

@@ -1,6 +1,7 @@
 //! The result of a run, for people: windows and trace on standard output, notes on standard error.
 
 use super::super::CliRemark;
+use super::super::cycle::Source;
 use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::text::cut;
 use crate::message::Message;
@@ -75,12 +76,6 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, is_traced: bool, language:
     if let Some(passed_over) = machine.passed_over_message() {
         io.tell(format_args!("note: {}", words.say(&passed_over)));
     }
-    for run in machine.cycles() {
-        let (file, line) = place(machine, &run.place.program, run.place.block);
-        for remark in &run.result.remarks {
-            io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)));
-        }
-    }
     if is_traced {
         for (path, origin) in machine.origins() {
             io.tell(format_args!("note: {}", words.told(&FileRead::of(path, origin))));
@@ -97,6 +92,18 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, is_traced: bool, language:
     written.dedup();
     for path in written {
         io.tell(CliRemark::Wrote { path: path.to_string() });
+    }
+}
+
+/// That nobody measured, where anything was.
+pub(super) fn tell_source(machine: &Machine, source: &Source, io: &mut Io<'_>) {
+    if machine.cycles().is_empty() {
+        return;
+    }
+    match source {
+        Source::Perfect => io.remark(&CliRemark::PerfectWorkpiece),
+        Source::Workpiece { .. } => io.remark(&CliRemark::Simulated),
+        Source::Contacts { .. } => {}
     }
 }
 

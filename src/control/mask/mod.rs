@@ -26,6 +26,20 @@ pub struct Mask {
     lines: Vec<Line>,
 }
 
+impl Mask {
+    /// The parameters that it prints, those of every language.
+    pub fn parameters(&self) -> impl Iterator<Item = Parameter> {
+        let records = self.lines.iter().filter_map(|line| match line {
+            Line::Record(record) => Some(record),
+            Line::Keyword(_) | Line::Language(_) => None,
+        });
+        records.flat_map(|record| &record.parts).filter_map(|part| match part {
+            Part::Field { name: Name::Parameter(parameter), .. } => Some(*parameter),
+            Part::Field { .. } | Part::Text(_) => None,
+        })
+    }
+}
+
 /// One line that has an effect.
 #[derive(Debug, Clone, PartialEq, Eq)]
 enum Line {

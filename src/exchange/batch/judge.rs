@@ -320,15 +320,15 @@ impl Judge<'_> {
             let is_line = row.len() == 1 && !self.court.layout.is_typed;
             return if is_line { take.line(whole) } else { take.refused(row, "") };
         }
+        let columns = &self.court.layout.columns;
+        let rules = Rules { columns, has_commas: self.court.fast.has_commas, sources: self.court.sources };
         if self.court.fast.has_comments && columns::is_comment(&cells) {
-            if columns::is_data(&cells) {
-                return Self::refuse(row, None, &ImportWarningKind::Comment, tally, take);
+            if rules.hides_measurement(&cells) {
+                return Self::refuse(row, None, &ImportErrorKind::Comment, tally, take);
             }
             tally.comments += 1;
             return take.line(whole);
         }
-        let columns = &self.court.layout.columns;
-        let rules = Rules { columns, has_commas: self.court.fast.has_commas, sources: self.court.sources };
         match rules.read(&cells) {
             Ok(Found { measured, asked: Some((callout, limits)), is_simulated }) => {
                 let bounds = limits.bounds();

@@ -10,7 +10,7 @@ use super::judge::{Court, Judged, Take};
 use super::layout::Layout;
 use super::marks::{Fate, Part};
 use super::row::Row;
-use crate::exchange::error::{ImportErrorKind, ImportWarningKind, shorten};
+use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::imported::{Imported, Sink, WhyUnjudged};
 use crate::exchange::rules::Rules;
 use crate::exchange::{Source, columns, measurements};
@@ -84,7 +84,7 @@ impl Picker<'_> {
     /// Why a row of cells has no verdict.
     fn why(&self, cells: &StringRecord) -> Message {
         if columns::is_comment(cells) {
-            return ImportWarningKind::Comment.message();
+            return ImportErrorKind::Comment.message();
         }
         let court = self.court;
         let rules = Rules {

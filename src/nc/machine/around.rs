@@ -9,6 +9,7 @@ use super::fault::FaultKind;
 use super::path::NcPath;
 use super::placement::{Placement, plane};
 use super::remark::Remark;
+use super::tool_call::{Called, Named};
 use super::values::Values;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say;
@@ -49,8 +50,7 @@ pub enum Change {
 pub(super) struct Around {
     /// The plane of the last TOOL CALL that named a tool axis.
     plane: Option<Plane>,
-    /// What the last TOOL CALL adds to the tool's length or radius, as written.
-    offsets: Option<String>,
+    tool: Called,
     /// The M function that turns the spindle.
     spindle: Option<u32>,
     mode: Mode,
@@ -113,26 +113,12 @@ pub(super) struct Global {
     pub unit: Option<Unit>,
 }
 
-/// The words of a TOOL CALL that add to the tool's length or radius: `DL+0.1`, `DR2-Q5`; not where they add zero.
-fn offsets(rest: &str) -> Option<String> {
-    let is_offset = |word: &&str| {
-        let upper = word.to_ascii_uppercase();
-        let value = upper.strip_prefix("DL").or_else(|| upper.strip_prefix("DR2")).or_else(|| upper.strip_prefix("DR"));
-        value.is_some_and(|value| {
-            let value = value.trim_start_matches(['=', '+', '-']).replace(',', ".");
-            !value.parse::<f64>().is_ok_and(|value| value.abs() <= 0.0)
-        })
-    };
-    let words: Vec<&str> = rest.split_ascii_whitespace().filter(is_offset).collect();
-    (!words.is_empty()).then(|| words.join(" "))
-}
-
 impl Around {
     /// Before the first block. A lathe has no tool axis to name: its cycles say in which plane they measure.
     pub(super) fn new(notation: Notation) -> Self {
         Self {
             plane: (notation == Notation::DinPlus).then(Plane::default),
-            offsets: None,
+            tool: Called::default(),
             spindle: None,
             mode: Mode::Mill,
             globals: BTreeMap::new(),
@@ -165,15 +151,12 @@ impl Around {
     }
 
     /// TOOL CALL: a tool's axis, if one is named; the spindle stops for another tool. `rest` is what stands behind.
-    pub(super) fn call_tool(&mut self, is_change: bool, axis: Option<Axis>, rest: &str) {
+    pub(super) fn call_tool(&mut self, named: Named, axis: Option<Axis>, rest: &str) {
         self.plane = axis.and_then(plane).or(self.plane);
-        let offsets = offsets(rest);
-        if is_change {
+        if named != Named::Nothing {
             self.spindle = None;
-            self.offsets = offsets;
-        } else {
-            self.offsets = offsets.or(self.offsets.take());
         }
+        self.tool.call(named, rest);
     }
 
     /// M3, M4, M13, M14 turn the spindle, M5 stops it.
@@ -395,8 +378,7 @@ impl Around {
         let spindle = self.spindle.map(|function| Remark::SpindleTurns { function });
         let axes: Vec<String> = self.turned.iter().map(|axis| format!("{axis:?}")).collect();
         let turned = (!axes.is_empty()).then(|| Remark::RotaryMoved { axes: axes.join(", ") });
-        let offsets = self.offsets.clone().map(|offsets| Remark::ToolOffsets { offsets });
-        assumed.into_iter().chain(spindle).chain(turned).chain(offsets).collect()
+        assumed.into_iter().chain(spindle).chain(turned).chain(self.tool.odd()).collect()
     }
 
     /// The parameters of a cycle that nothing here runs, as a program may read them afterwards.

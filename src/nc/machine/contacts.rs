@@ -40,6 +40,11 @@ impl Probed {
         }
     }
 
+    /// Whether every cycle meets what it expects.
+    pub(super) const fn is_perfect(&self) -> bool {
+        matches!(self, Self::Perfect)
+    }
+
     /// How many recorded contacts there are and how many the cycles took, unless they took all.
     pub(super) fn left(&self) -> Option<(usize, usize)> {
         let Self::Recorded(recorded) = self else { return None };

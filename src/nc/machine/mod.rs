@@ -9,6 +9,7 @@
 //! | `prints`, `logs` | FN 16: windows and files; the measuring logs of cycles (Q281) |
 //! | `around`, `placement` | what is set up around measurements: tool axis, mode, global values, zero; where a cycle measures |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
+//! | `tool_call` | the tool in the spindle, as TOOL CALL says |
 //! | `tools` | the tool table: the called tool, the tool of Q330 |
 //! | `moves` | straight lines and the path of the ball's centre |
 //! | `files`, `store` | what the run reads and writes, counted; where it comes from (`files::Folders`, or memory) |
@@ -37,6 +38,7 @@ mod run;
 mod step;
 mod store;
 mod tables;
+mod tool_call;
 mod tools;
 mod values;
 

@@ -156,6 +156,7 @@ pub(super) fn rendered(
     warnings.retain(|warning| warning.what != MaskWarningKind::NoSemicolon);
     let refused = |error| FaultKind::Render { mask: mask.clone(), error: Box::new(error) };
     let output = read.render(values.all(), context).map_err(refused)?;
+    values.printed(read.parameters());
     Ok((output, Remark::read(mask, &warnings)))
 }
 

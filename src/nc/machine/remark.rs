@@ -9,6 +9,8 @@ use crate::control::tool_table::ToolNumber;
 use crate::control::variables::Parameter;
 use crate::length::Length;
 use crate::message::{Arg, Message, Say};
+use crate::probing::circle::CircleWarning;
+use crate::probing::cycle::{Control, Cycle, CycleResult};
 use crate::probing::simulated::{Collision, Mover};
 
 /// Something worth knowing.
@@ -62,6 +64,22 @@ pub enum Remark {
         /// The column that the table has.
         other: String,
     },
+    /// The rows of a table have other numbers in NR than those that FN 27 and FN 28 count from 0.
+    RowNumber {
+        /// The table's file name.
+        table: String,
+        /// The first such row, from 0.
+        row: usize,
+        /// Its number in NR.
+        found: String,
+    },
+    /// A column of type LENGTH was converted between mm and inches.
+    LengthConverted {
+        /// The table's file name.
+        table: String,
+        /// The column.
+        column: String,
+    },
     /// M2 or M30 in a called program ended the whole run.
     EndedWithin {
         /// The M function.
@@ -74,6 +92,18 @@ pub enum Remark {
         /// Its value.
         value: Arg,
     },
+    /// A value that was given before the run was not used: no block read it before another value took its place.
+    GivenWithoutEffect {
+        /// The parameter.
+        parameter: Parameter,
+    },
+    /// What a measuring cycle has to say of its inputs, or its contacts of the circle through them.
+    Measured {
+        /// What it says.
+        what: Message,
+    },
+    /// A measuring cycle has compared nothing with limits.
+    NotJudged,
     /// FN 16, FN 27 or a measuring log wrote no file: no folder was chosen.
     NotWritten {
         /// The file.
@@ -142,6 +172,17 @@ pub enum Remark {
         /// As written.
         offsets: String,
     },
+    /// The cycle names no nominal size: the perfect workpiece has one that its path meets.
+    NoNominal,
+    /// Tool 0 was called before a measuring cycle: no probe is in the spindle then.
+    EmptySpindle,
+    /// Every TOOL CALL before a measuring cycle names an axis or a speed, and none a tool.
+    NoToolNamed,
+    /// Words of a TOOL CALL that it does not have.
+    ToolCallWords {
+        /// As written.
+        words: String,
+    },
     /// The tool is not in the touch-probe table; the first probe was used.
     OtherProbe {
         /// The tool.
@@ -185,6 +226,17 @@ impl From<Collision> for Remark {
 }
 
 impl Remark {
+    /// What is worth knowing about what a cycle found. That three or four contacts tell little of the form is left out:
+    /// the block asks for them. A lathe's cycle has no limits; its program compares.
+    pub(super) fn of_cycle(cycle: &Cycle, result: &CycleResult) -> Vec<Self> {
+        let doubtful = result.warnings().into_iter().filter(CircleWarning::is_of_diameter);
+        let said = result.remarks.iter().map(Say::message).chain(doubtful.map(|warning| warning.message()));
+        let mut remarks: Vec<_> = said.map(|what| Self::Measured { what }).collect();
+        let is_unjudged = cycle.control == Control::Milling && result.verdict().is_none();
+        remarks.extend(is_unjudged.then_some(Self::NotJudged));
+        remarks
+    }
+
     /// What the reader of a file has to say.
     pub(super) fn read(path: &NcPath, warnings: &[impl Say]) -> Vec<Self> {
         warnings.iter().map(|warning| Self::Read { path: path.clone(), what: warning.message() }).collect()

@@ -3,6 +3,7 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::around::INCH;
 use super::fault::{BlockPlace, Counted, FaultKind};
 use super::files::Files;
 use super::path::NcPath;
@@ -10,9 +11,12 @@ use super::remark::{Remark, Remarks};
 use super::values::Values;
 use crate::control::deviations::other_spelling;
 use crate::control::mask::FileUse;
-use crate::control::table::{TableFile, WriteError, is_blank, is_number};
+use crate::control::table::{TableFile, TableUnit, WriteError, is_blank, is_number};
 use crate::control::variables::{Family, Parameter, Value};
-use crate::nc::program::{Columns, Operand};
+use crate::nc::program::{Columns, Operand, Unit};
+
+/// The value of a cell, and what is worth knowing about its column.
+type Cell = (Value, Vec<Remark>);
 
 /// A table that FN 26 has opened.
 #[derive(Debug, Clone)]
@@ -32,10 +36,10 @@ impl OpenTable {
 
     /// The number of a column; names are case-sensitive. NC-Solution 8255 spells its range column in two ways: a table that
     /// has only the other one is taken to mean it, and the remark says so.
-    fn column(&self, name: &str) -> Result<(usize, Option<Remark>), FaultKind> {
+    fn column(&self, name: &str) -> Result<(usize, Vec<Remark>), FaultKind> {
         let table = &self.file.table;
         if let Some(number) = table.column(name) {
-            return Ok((number, None));
+            return Ok((number, Vec::new()));
         }
         let other = other_spelling(name).and_then(|other| Some((other, table.column(other)?)));
         let (other, number) = other.ok_or_else(|| {
@@ -43,7 +47,26 @@ impl OpenTable {
             FaultKind::NoColumn { table: self.name(), column: name.to_owned(), columns: columns.join(", ") }
         })?;
         let remark = Remark::OtherSpelling { table: self.name(), column: name.to_owned(), other: other.to_owned() };
-        Ok((number, Some(remark)))
+        Ok((number, vec![remark]))
+    }
+
+    /// How many mm the unit of a column and that of the program have, where they differ: columns of type LENGTH are in the unit
+    /// of the table, mm where its first line names none (heidenhain, section 2.4), and a control converts them.
+    fn units(&self, number: usize, unit: Option<Unit>) -> Option<[f64; 2]> {
+        let kind = self.file.table.columns.get(number)?.kind.as_deref()?;
+        let is_inch = [self.file.table.unit == Some(TableUnit::Inch), unit == Some(Unit::Inch)];
+        let [of_table, of_program] = is_inch.map(|is_inch| if is_inch { INCH } else { 1.0 });
+        let differ = is_inch == [true, false] || is_inch == [false, true];
+        (kind.eq_ignore_ascii_case("LENGTH") && differ).then_some([of_table, of_program])
+    }
+
+    /// The first row whose number in the column NR is not the one that FN 27 and FN 28 count, from 0.
+    fn odd_row(&self) -> Option<Remark> {
+        let table = &self.file.table;
+        let number = table.column("NR")?;
+        let cells = (0..table.rows.len()).map(|row| (row, table.cell(row, number)));
+        let (row, found) = cells.into_iter().find(|(row, cell)| cell.parse::<usize>().ok() != Some(*row))?;
+        Some(Remark::RowNumber { table: self.name(), row, found: found.to_owned() })
     }
 
     fn check_row(&self, row: usize) -> Result<(), FaultKind> {
@@ -56,13 +79,13 @@ impl OpenTable {
     }
 
     /// The value of a cell for a parameter.
-    fn read(&self, row: usize, column: &str, to: Parameter) -> Result<(Value, Option<Remark>), FaultKind> {
-        let (number, remark) = self.column(column)?;
+    fn read(&self, row: usize, name: &str, to: Parameter, unit: Option<Unit>) -> Result<Cell, FaultKind> {
+        let (number, mut remarks) = self.column(name)?;
         self.check_row(row)?;
         let cell = self.file.table.cell(row, number);
-        let (table, column) = (self.name(), column.to_owned());
+        let (table, column) = (self.name(), name.to_owned());
         if to.family == Family::Qs && !cell.is_empty() {
-            return Ok((Value::Text(cell.to_owned()), remark));
+            return Ok((Value::Text(cell.to_owned()), remarks));
         }
         if is_blank(cell) {
             return Err(FaultKind::EmptyCell { table, row, column });
@@ -71,14 +94,26 @@ impl OpenTable {
             return Err(FaultKind::Touches { table, row, column });
         }
         let plain = cell.replace(',', ".").replace('\u{2212}', "-");
-        match plain.parse() {
-            Ok(value) if is_number(cell) => Ok((Value::Number(value), remark)),
+        match plain.parse::<f64>() {
+            Ok(value) if is_number(cell) => {
+                let Some([of_table, of_program]) = self.units(number, unit) else {
+                    return Ok((Value::Number(value), remarks));
+                };
+                remarks.push(Remark::LengthConverted { table, column });
+                Ok((Value::Number(value * of_table / of_program), remarks))
+            }
             _ => Err(FaultKind::NoNumberInCell { table, row, column, cell: cell.to_owned() }),
         }
     }
 
     /// What a parameter writes into a cell: a text, or a number with the column's decimals.
-    fn text(&self, row: usize, number: usize, from: Parameter, values: &Values) -> Result<String, FaultKind> {
+    fn text(
+        &self,
+        (row, number): (usize, usize),
+        from: Parameter,
+        unit: Option<Unit>,
+        values: &Values,
+    ) -> Result<String, FaultKind> {
         let Some(column) = self.file.table.columns.get(number) else { return Ok(String::new()) };
         let text = if from.family == Family::Qs {
             let text = values.text(from)?.to_owned();
@@ -87,7 +122,12 @@ impl OpenTable {
             }
             text
         } else {
-            values.decimal(Operand::Parameter { parameter: from, is_negative: false }, column.decimals)?
+            let operand = Operand::Parameter { parameter: from, is_negative: false };
+            let operand = match self.units(number, unit) {
+                Some([of_table, of_program]) => Operand::Number(values.operand(operand)? * of_program / of_table),
+                None => operand,
+            };
+            values.decimal(operand, column.decimals)?
         };
         // At least one blank must remain between the columns.
         if column.width <= text.chars().count() {
@@ -146,8 +186,9 @@ impl Tables {
             return Ok(Vec::new());
         }
         let (file, bytes) = files.table(&path)?;
-        let remarks = Remark::read(&path, &file.warnings);
-        self.open = Some(OpenTable { path, file, bytes, changed_at: None });
+        let mut remarks = Remark::read(&path, &file.warnings);
+        let open = self.open.insert(OpenTable { path, file, bytes, changed_at: None });
+        remarks.extend(open.odd_row());
         Ok(remarks)
     }
 
@@ -157,15 +198,16 @@ impl Tables {
         to: Parameter,
         row: Operand,
         columns: &Columns,
+        unit: Option<Unit>,
         values: &Values,
     ) -> Result<CellsRead, FaultKind> {
         let open = self.open_table()?;
         let row = values.whole(Counted::Row, row)?;
         let mut cells = CellsRead::default();
         for (column, to) in names(columns, values)?.into_iter().zip(following(to)) {
-            let (value, remark) = open.read(row, column, to)?;
+            let (value, remarks) = open.read(row, column, to, unit)?;
             cells.values.push((to, value));
-            cells.remarks.extend(remark);
+            cells.remarks.extend(remarks);
         }
         Ok(cells)
     }
@@ -176,16 +218,20 @@ impl Tables {
         row: Operand,
         columns: &Columns,
         from: Parameter,
+        unit: Option<Unit>,
         values: &Values,
     ) -> Result<Cells, FaultKind> {
         let open = self.open_table()?;
         let row = values.whole(Counted::Row, row)?;
         let mut cells = Cells { row, texts: Vec::new(), remarks: Vec::new() };
         for (column, from) in names(columns, values)?.into_iter().zip(following(from)) {
-            let (number, remark) = open.column(column)?;
+            let (number, remarks) = open.column(column)?;
             open.check_row(row)?;
-            cells.texts.push((number, open.text(row, number, from, values)?));
-            cells.remarks.extend(remark);
+            cells.texts.push((number, open.text((row, number), from, unit, values)?));
+            cells.remarks.extend(remarks);
+            let converted = open.units(number, unit).filter(|_units| from.family != Family::Qs);
+            let (table, column) = (open.name(), column.to_owned());
+            cells.remarks.extend(converted.map(|_units| Remark::LengthConverted { table, column }));
         }
         Ok(cells)
     }

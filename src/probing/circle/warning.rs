@@ -75,6 +75,13 @@ pub enum CircleWarning {
     },
 }
 
+impl CircleWarning {
+    /// Whether it puts the least-squares diameter in doubt, other than by the number of contacts.
+    pub const fn is_of_diameter(&self) -> bool {
+        matches!(self, Self::ShortArc { .. } | Self::Coinciding { .. } | Self::Apart { .. })
+    }
+}
+
 /// All warnings about an evaluation.
 pub(super) fn all(evaluation: &Evaluation, repeated: &[[usize; 2]]) -> Vec<CircleWarning> {
     let mut warnings = Vec::new();

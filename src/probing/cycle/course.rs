@@ -2,7 +2,9 @@
 //!
 //! All places are those of the ball's centre in workpiece coordinates, millimetres.
 
+use super::astray::Astray;
 use super::error::CycleError;
+use super::result::Remark;
 use crate::length::Length;
 use crate::probing::contact::{Contact, NoContact, Prober, Touch};
 use crate::probing::vector::along;
@@ -56,11 +58,12 @@ pub struct Course<'a> {
     moves: Vec<Move>,
     at: Option<[f64; 3]>,
     touches: usize,
+    astray: Astray,
 }
 
 impl<'a> Course<'a> {
     pub(super) fn new(prober: &'a mut dyn Prober, position: Option<[f64; 3]>) -> Self {
-        Self { prober, moves: Vec::new(), at: position, touches: 0 }
+        Self { prober, moves: Vec::new(), at: position, touches: 0, astray: Astray::default() }
     }
 
     /// The ball's radius, mm; zero where contacts are already points of the surface.
@@ -68,8 +71,9 @@ impl<'a> Course<'a> {
         self.prober.ball_radius()
     }
 
-    pub(super) fn into_moves(self) -> Vec<Move> {
-        self.moves
+    /// The path, and what is worth knowing about where the contacts lie.
+    pub(super) fn into_parts(self) -> (Vec<Move>, Option<Remark>) {
+        (self.moves, self.astray.remark())
     }
 
     /// Moves in a straight line on the way to the next contact.
@@ -99,6 +103,7 @@ impl<'a> Course<'a> {
         match self.prober.touch(touch) {
             Ok(contact) => {
                 let met = contact.place();
+                self.astray.look(self.touches, touch, &contact);
                 self.at = Some(touch.from);
                 self.go(Phase::Approach, met, None);
                 let number = Some(self.touches);

@@ -15,11 +15,13 @@
 //! | `value` | values of parameters and results: lengths, angles, numbers, texts |
 //! | `inputs` | all values of a run, the probe, the position of the machine |
 //! | `course` | the path of the probe, move by move |
+//! | `astray` | contacts that lie apart from where the cycle probes |
 //! | `result` | what a cycle found |
 //! | `correction` | what it says about the tool that made the surface |
 //! | `shown` | its status window and its measuring log |
 //! | `error` | why a cycle did not run |
 
+mod astray;
 mod correction;
 mod course;
 mod error;
@@ -187,10 +189,11 @@ impl Cycle {
         };
         let mut course = Course::new(prober, inputs.position);
         let measured = (self.run)(&inputs, &mut course);
-        let path = course.into_moves();
+        let (path, astray) = course.into_parts();
         let result = measured.map(|measured| {
             let mut remarks = self.remarks(&inputs);
             remarks.extend(measured.remarks);
+            remarks.extend(astray);
             CycleResult {
                 path: path.clone(),
                 contacts: measured.contacts,

@@ -6,7 +6,7 @@ use super::key::Key;
 use super::value::Value;
 use crate::length::Length;
 use crate::message::{Message, Say, display};
-use crate::probing::circle::{Circle, Evaluation, evaluate};
+use crate::probing::circle::{Circle, CircleWarning, Evaluation, evaluate};
 use crate::probing::contact::Contact;
 use crate::verdict::{PositionVerdict, Removal, Status};
 
@@ -65,6 +65,11 @@ impl CycleResult {
     pub fn plane_contacts(&self) -> Vec<Contact> {
         let plane = self.circle.as_ref().map_or(Plane::Xy, |circle| circle.plane);
         self.contacts.iter().map(|contact| Contact::at(plane.within(contact.place()))).collect()
+    }
+
+    /// What its contacts cannot tell of the circle; nothing for cycles without one.
+    pub fn warnings(&self) -> Vec<CircleWarning> {
+        self.evaluation().map(|evaluation| evaluation.warnings).unwrap_or_default()
     }
 
     /// The evaluation of a circle's contacts by every criterion; `None` for cycles without a circle.
@@ -379,6 +384,15 @@ pub enum Remark {
     NominalCoordinateOutsideLimits {
         /// The nominal coordinate.
         nominal: Length,
+    },
+    /// Contacts lie apart from where the cycle probes.
+    ContactAstray {
+        /// How many do.
+        count: usize,
+        /// The number of the one that is farthest, from 1.
+        contact: usize,
+        /// How far it is from the probing movement, mm.
+        distance: Length,
     },
     /// A control stores the deviation, but the manual names no parameter for it.
     DeviationWithoutParameter,

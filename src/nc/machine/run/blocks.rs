@@ -11,12 +11,13 @@ use super::super::path::NcPath;
 use super::super::prints::rendered;
 use super::super::remark::Remark;
 use super::super::step::{Pause, Step};
+use super::super::tool_call::{Named, unknown_words};
 use super::super::values::shown_arg;
 use super::Run;
 use crate::control::mask::Context;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
-use crate::nc::program::{Block, Body, CycleBlock, MachineFunction, PassedOver, TextOperand};
+use crate::nc::program::{Axis, Block, Body, CycleBlock, MachineFunction, PassedOver, TextOperand, Tool};
 use crate::probing::cycle::{Control, LogTarget, Plane};
 
 impl Run {
@@ -33,6 +34,9 @@ impl Run {
         if matches!(done, Ok(Step::Ended)) {
             if let Some(left) = self.cycles.contacts_left() {
                 self.remark(at, left);
+            }
+            for parameter in self.values.given_without_effect() {
+                self.remark(at, Remark::GivenWithoutEffect { parameter });
             }
             // A second error at the end counts as an error of the block that ended the run.
             if let Err(kind) = self.close_table(files) {
@@ -121,7 +125,7 @@ impl Run {
                 self.table(at, &block.body, files)?;
             }
             Body::ToolCall { tool, axis, rest } => {
-                self.around.call_tool(tool.is_some(), *axis, rest);
+                self.call_tool(at, tool.as_ref(), *axis, rest)?;
                 self.cycles.call_tool(tool.as_ref(), &settings.probe_table, &self.values)?;
                 let remarks = self.tools.call(tool.as_ref(), &self.values)?;
                 self.remarks.add_all(&self.flow.place_of(at), remarks);
@@ -157,6 +161,22 @@ impl Run {
             Body::Other => return Err(FaultKind::UnknownBlock),
         }
         Ok(Step::Went)
+    }
+
+    /// What TOOL CALL says of the tool in the spindle.
+    fn call_tool(&mut self, at: usize, tool: Option<&Tool>, axis: Option<Axis>, rest: &str) -> Result<(), FaultKind> {
+        let named = match tool {
+            None => Named::Nothing,
+            Some(Tool::Number(number)) if self.values.operand(*number)?.abs() <= 0.0 => Named::Empty,
+            Some(_) => Named::Tool,
+        };
+        self.around.call_tool(named, axis, rest);
+        // On a lathe M functions may stand beside the tool.
+        let is_milling = self.flow.program().notation().control() == Control::Milling;
+        if let Some(words) = unknown_words(rest).filter(|_| is_milling) {
+            self.remark(at, Remark::ToolCallWords { words });
+        }
+        Ok(())
     }
 
     pub(super) fn remark(&mut self, at: usize, remark: Remark) {
@@ -252,14 +272,17 @@ impl Run {
             self.remark(at, other);
         }
         self.remarks.add_all(&place, self.tools.called());
-        if cycle.control == Control::Lathe && self.way.place().is_none() {
-            self.remark(at, Remark::PositionUnknown);
+        if cycle.control == Control::Lathe {
+            let unknown = self.way.place().is_none().then_some(Remark::PositionUnknown);
+            let without_size = self.cycles.probed().is_perfect().then_some(Remark::NoNominal);
+            self.remarks.add_all(&place, unknown.into_iter().chain(without_size).collect());
         }
         let asked = Asked { block, unit: self.flow.unit(), placement, position: self.way.place() };
         let (path, result) = self.cycles.measure(cycle, &asked, &self.around, &self.values)?;
         let path = placement.moves(&path);
         self.way.follow(&place, &path)?;
         let result = self.tools.seen(result?);
+        self.remarks.add_all(&place, Remark::of_cycle(cycle, &result));
         hand_over(cycle, &result, &path, self.flow.unit(), &mut self.values)?;
         self.values.measured();
         self.around.stated(block, self.flow.unit(), &mut self.values)?;

@@ -23,12 +23,12 @@ impl Run {
         match body {
             Body::TableOpen(path) => self.open_table(at, path, files),
             Body::TableRead { to, row, columns } => {
-                let found = self.tables.read(*to, *row, columns, &self.values)?;
+                let found = self.tables.read(*to, *row, columns, self.flow.unit(), &self.values)?;
                 self.remarks.add_all(&self.flow.place_of(at), found.remarks);
                 found.values.into_iter().try_for_each(|(to, value)| self.values.put(to, value))
             }
             Body::TableWrite { row, columns, from } => {
-                let mut cells = self.tables.cells(*row, columns, *from, &self.values)?;
+                let mut cells = self.tables.cells(*row, columns, *from, self.flow.unit(), &self.values)?;
                 self.remarks.add_all(&self.flow.place_of(at), std::mem::take(&mut cells.remarks));
                 self.tables.write(at, cells, files)
             }

@@ -4,12 +4,13 @@
 //! |---|---|
 //! | `expressions` | formulas that give a number, and the conditions of jumps |
 //! | `texts` | formulas that give a text |
+//! | `given` | values that were given before the run |
 
 mod expressions;
+mod given;
 mod texts;
 
 use std::cell::Cell;
-use std::collections::BTreeMap;
 
 use jiff::civil::DateTime;
 
@@ -20,6 +21,7 @@ use crate::length::Length;
 use crate::message::Arg;
 use crate::nc::program::{Expression, Operand, TextExpression, TextOperand};
 use expressions::reads;
+use given::Given;
 use texts::text_reads;
 
 /// The range of values on a control: 10^10 either way.
@@ -35,8 +37,7 @@ pub(super) struct Values {
     variables: Variables,
     /// The parameters that the last block has set.
     changed: Vec<Parameter>,
-    /// Values that were given before the run and that no block has replaced yet.
-    given: BTreeMap<Parameter, Value>,
+    given: Given,
     /// The local parameters of the calling programs, the outermost first.
     locals: Vec<Vec<(Parameter, Value)>>,
     /// The most characters of a text.
@@ -54,7 +55,7 @@ impl Values {
         Self {
             variables: Variables::new(),
             changed: Vec::new(),
-            given: BTreeMap::new(),
+            given: Given::default(),
             locals: Vec::new(),
             longest: settings.budget.text,
             time: settings.time,
@@ -70,6 +71,16 @@ impl Values {
 
     pub(super) fn changed(&self) -> &[Parameter] {
         &self.changed
+    }
+
+    /// The parameters of a mask were printed.
+    pub(super) fn printed(&self, parameters: impl IntoIterator<Item = Parameter>) {
+        parameters.into_iter().for_each(|parameter| self.given.used(parameter));
+    }
+
+    /// The parameters whose value, given before the run, had no effect.
+    pub(super) fn given_without_effect(&self) -> Vec<Parameter> {
+        self.given.without_effect()
     }
 
     /// A new block begins.
@@ -92,7 +103,7 @@ impl Values {
     /// Gives a parameter a value before the run.
     pub(super) fn give(&mut self, parameter: Parameter, value: Value) -> Result<(), FaultKind> {
         self.put(parameter, value.clone())?;
-        self.given.insert(parameter, value);
+        self.given.add(parameter, value);
         Ok(())
     }
 
@@ -114,6 +125,7 @@ impl Values {
 
     /// The number that a parameter holds.
     pub(super) fn number(&self, parameter: Parameter) -> Result<f64, FaultKind> {
+        self.given.used(parameter);
         if parameter.family == Family::LatheControl {
             self.read.set(Some(parameter));
         }
@@ -127,6 +139,7 @@ impl Values {
 
     /// The text that a parameter holds.
     pub(super) fn text(&self, parameter: Parameter) -> Result<&str, FaultKind> {
+        self.given.used(parameter);
         match self.variables.get(parameter) {
             Some(Value::Text(text)) => Ok(text),
             Some(Value::Number(_) | Value::Length(_)) => Err(FaultKind::NotText(parameter)),
@@ -209,6 +222,7 @@ impl Values {
             (Value::Length(_), false) => {}
         }
         check_whole(parameter, &value)?;
+        self.given.overwritten(parameter);
         self.variables.set(parameter, value);
         self.changed.push(parameter);
         Ok(())
@@ -263,6 +277,7 @@ impl Values {
     pub(super) fn undefine(&mut self, parameter: Parameter, is_main: bool) -> Option<Value> {
         let given = self.given(parameter, is_main, || false);
         if given.is_none() {
+            self.given.overwritten(parameter);
             self.variables.unset(parameter);
             self.changed.push(parameter);
         }
@@ -272,10 +287,11 @@ impl Values {
     /// The value that was given before the run, if it takes the place of this assignment: the first one in the main
     /// program, unless the assignment uses the parameter's own value.
     fn given(&mut self, parameter: Parameter, is_main: bool, counts_on: impl Fn() -> bool) -> Option<Value> {
-        let value = if is_main { self.given.remove(&parameter)? } else { return None };
+        let value = if is_main { self.given.take(parameter)? } else { return None };
         if counts_on() {
             return None;
         }
+        self.given.used(parameter);
         self.changed.push(parameter);
         Some(value)
     }
