@@ -34,7 +34,7 @@ impl Astray {
         let Self { count, farthest, number } = *self;
         // To a hundredth, which is more than enough to find it.
         let distance = Length::from_mm_f64((farthest * 100.0).round() / 100.0).unwrap_or(Length::MAX);
-        (0 < count).then(|| Remark::ContactAstray { count, contact: number, distance })
+        (0 < count).then_some(Remark::ContactAstray { count, contact: number, distance })
     }
 }
 
