@@ -42,8 +42,8 @@ described in fitcheck cycle --help.
 With --tools, cycles with Q330 correct DR or DL of that tool for the rest of the run; a broken
 tool is locked (TL), and the run stops. --tools-out writes the changed table, also after a fault.
 
-Text: the windows on standard output, notes on standard error. JSON: program, blocks, status, parameters,
-windows, outputs, cycles, tool changes, pauses, remarks, faults, trace.
+Text: the windows on standard output, notes on standard error. JSON: blocks, status, source, parameters,
+files, windows, outputs, cycles, tool changes, pauses, remarks, faults, trace.
 
 Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure, 1 a fault or bad data, 2 wrong usage.";
 
