@@ -477,6 +477,18 @@ fn contacts_close_together_have_the_circle_that_meets_them_all_and_not_a_huge_on
 }
 
 #[test]
+fn among_several_valleys_of_rough_contacts_the_deepest_is_found() {
+    // The circle on the diameter between the first two fits to 0.39364 mm; a search from one start ends at 0.39631 mm.
+    let places = [[1.0, 0.0], [-18688.0, 14342.0], [178.0, 1280.0], [1280.0, 0.0]];
+    let repeated = std::iter::repeat_n([0.0, 0.0], 5);
+    let contacts: Vec<_> =
+        places.into_iter().chain(repeated).map(|place| contact(place.map(|at| at * 0.001))).collect();
+    let found = evaluate(&contacts).unwrap().residuals;
+    let rms = (found.iter().map(|residual| residual * residual).sum::<f64>() / 9.0).sqrt();
+    assert!(rms <= 0.393_642_465, "{rms}");
+}
+
+#[test]
 fn repeated_contacts_are_listed_but_not_by_the_thousand() {
     let angles = evenly(0.0, 90.0, 4).repeat(100);
     let said: Vec<_> =

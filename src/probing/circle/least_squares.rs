@@ -164,11 +164,12 @@ fn search(points: &[[f64; 2]]) -> Option<[f64; 2]> {
     (sums.squares < straight_squares(points)).then(|| polish(points, centre, sums))
 }
 
-/// Whether what was found is round to no more than a fiftieth of its radius: then there may be many valleys.
+/// Whether what was found is round to no more than half a hundredth of its radius, or of the half extent of the points where they
+/// cover only an arc: then there may be many valleys.
 fn is_rough(points: &[[f64; 2]], found: Option<&([f64; 2], Sums)>) -> bool {
     found.is_none_or(|&(centre, ref sums)| {
         let radius = norm(centre) + mean_excess(points, centre);
-        (0.02 * radius).powi(2) < sums.squares / count_f64(points.len())
+        (0.005 * radius.min(1.0)).powi(2) < sums.squares / count_f64(points.len())
     })
 }
 
