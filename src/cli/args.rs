@@ -47,6 +47,7 @@ pub(super) struct TableArgs(GivenTables);
 
 /// Where the tables come from.
 #[derive(Debug, Clone, clap::Args)]
+#[group(id = "TableArgs")]
 struct GivenTables {
     /// Folder with your own control tables (*.tab); they come first for the classes and sizes that they hold
     #[arg(long, value_name = "FOLDER", global = false)]

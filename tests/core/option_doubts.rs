@@ -162,7 +162,7 @@ fn a_batch_names_only_so_many_classes_that_differ() {
     let classes: Vec<String> =
         (6..=18).flat_map(|grade| ["H", "G", "F"].map(|letter| format!("{letter}{grade}"))).collect();
     let table = |from: usize| {
-        let line = |cells: Vec<&str>| cells.iter().map(|cell| format!(" {cell:<5}")).collect::<String>();
+        let line = |cells: Vec<&str>| cells.iter().map(|cell| format!(" {cell:<5}")).collect::<Vec<_>>().concat();
         let names: Vec<&str> = classes.iter().skip(from).take(13).map(String::as_str).collect();
         let row = |cell| line(vec![cell; names.len()]);
         let (head, upper, lower) = (line(names.clone()), row("+999"), row("+1"));
@@ -171,7 +171,7 @@ fn a_batch_names_only_so_many_classes_that_differ() {
     for from in [0, 13, 26] {
         shop.file(&format!("own/t{from}.tab"), &table(from));
     }
-    let rows: String = classes.iter().map(|class| format!("25 {class},25.5\n")).collect();
+    let rows = classes.iter().map(|class| format!("25 {class},25.5\n")).collect::<Vec<_>>().concat();
     let (code, _, said) =
         with_input(&["batch", "-", "--tables", &shop.at("own")], &format!("callout,measured\n{rows}"));
     assert_eq!(code, Some(0), "{said}");

@@ -58,8 +58,9 @@ impl LogArgs {
             };
             if is_due {
                 io.warn(&warning);
+            } else {
+                self.warn_of_heading(io);
             }
-            self.warn_of_heading(io);
             return Ok(Kept::default());
         };
         let mut kept = Kept { shown: None, other: log.other_verdict(result, language) };
