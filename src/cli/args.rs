@@ -113,7 +113,7 @@ impl FromArgMatches for TableArgs {
         match option.filter(|_| !given.source.is_standard()) {
             Some((_, option)) => {
                 let why = CliError::OptionOfStandard { option };
-                Err(clap::Error::raw(ErrorKind::ArgumentConflict, format!("{why}\n")))
+                Err(clap::Error::raw(ErrorKind::ArgumentConflict, why.to_string()))
             }
             None => Ok(Self(given)),
         }
