@@ -26,7 +26,7 @@ pub use forms::{FORMS, Form, Rendering, WithRendering};
 pub use stream::{Packing, Stream};
 pub use text::{Input, Making, Sink, run, run_into};
 
-use crate::exchange::batch::{Counts, Judge, Tally};
+use crate::exchange::batch::{Counts, Figures, Judge, Met, Tally};
 use crate::tolerance::ToleranceClass;
 
 /// How far a run has come, for whoever watches it, and its end.
@@ -49,6 +49,8 @@ pub struct Summary {
     pub by_class: Vec<(ToleranceClass, Counts)>,
     /// The verdicts of callouts without a class.
     pub others: Counts,
+    /// What to check about the figures behind the limits.
+    pub figures: Figures,
 }
 
 /// How a run is done.
@@ -207,17 +209,17 @@ impl Summary {
 
     /// Adds what another stream had.
     pub fn append(&mut self, other: Self) {
-        let Self { tally, by_class, others } = other;
+        let Self { tally, by_class, others, figures } = other;
         self.tally.add(tally);
-        self.classes(by_class, others);
+        self.met(Met { by_class, others, figures });
     }
 
     fn add(&mut self, judge: Judge<'_>) {
-        let (by_class, others) = judge.by_class();
-        self.classes(by_class, others);
+        self.met(judge.met());
     }
 
-    fn classes(&mut self, by_class: Vec<(ToleranceClass, Counts)>, others: Counts) {
+    fn met(&mut self, Met { by_class, others, mut figures }: Met) {
+        self.figures.append(&mut figures);
         for (class, counts) in by_class {
             match self.by_class.binary_search_by_key(&class, |(known, _)| *known) {
                 Ok(at) => self.by_class.iter_mut().skip(at).take(1).for_each(|(_, known)| sum(known, counts)),

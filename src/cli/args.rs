@@ -2,8 +2,10 @@
 
 use std::path::PathBuf;
 
-use clap::ValueEnum;
 use clap::builder::{PossibleValue, PossibleValuesParser, TypedValueParser};
+use clap::error::ErrorKind;
+use clap::parser::ValueSource;
+use clap::{ArgMatches, Command, FromArgMatches, ValueEnum};
 
 use super::{CliError, Io, Refused as _};
 use crate::control::shipped_tables;
@@ -39,9 +41,14 @@ pub(super) enum Format {
     Json,
 }
 
+/// Where limits are looked up; options of ISO 286 are refused where the control's tables answer.
+#[derive(Debug, Clone)]
+pub(super) struct TableArgs(GivenTables);
+
 /// Where the tables come from.
 #[derive(Debug, Clone, clap::Args)]
-pub(super) struct TableArgs {
+#[group(id = "TableArgs")]
+struct GivenTables {
     /// Folder with your own control tables (*.tab); they come first for the classes and sizes that they hold
     #[arg(long, value_name = "FOLDER", global = false)]
     tables: Option<PathBuf>,
@@ -76,6 +83,9 @@ pub(super) struct StandardArgs {
 }
 
 impl StandardArgs {
+    /// The names of the options, as fields and as they are given.
+    const OPTIONS: [(&'static str, &'static str); 2] = [("edition", "edition"), ("js_rounded", "js-rounded")];
+
     /// The options of the standard.
     pub(super) const fn options(&self) -> iso286::Options {
         iso286::Options {
@@ -85,11 +95,42 @@ impl StandardArgs {
     }
 }
 
+impl clap::Args for TableArgs {
+    fn augment_args(command: Command) -> Command {
+        GivenTables::augment_args(command)
+    }
+
+    fn augment_args_for_update(command: Command) -> Command {
+        GivenTables::augment_args_for_update(command)
+    }
+}
+
+impl FromArgMatches for TableArgs {
+    fn from_arg_matches(matches: &ArgMatches) -> Result<Self, clap::Error> {
+        let given = GivenTables::from_arg_matches(matches)?;
+        let is_given = |id| matches.value_source(id) == Some(ValueSource::CommandLine);
+        let option = StandardArgs::OPTIONS.into_iter().find(|(id, _)| is_given(id));
+        match option.filter(|_| !given.source.is_standard()) {
+            Some((_, option)) => {
+                let why = CliError::OptionOfStandard { option };
+                Err(clap::Error::raw(ErrorKind::ArgumentConflict, why.to_string()))
+            }
+            None => Ok(Self(given)),
+        }
+    }
+
+    fn update_from_arg_matches(&mut self, matches: &ArgMatches) -> Result<(), clap::Error> {
+        *self = Self::from_arg_matches(matches)?;
+        Ok(())
+    }
+}
+
 impl TableArgs {
     /// Where limits are looked up; warnings about the user's own tables go to standard error.
     pub(super) fn load(&self, io: &mut Io<'_>) -> Result<Sources, CliError> {
-        let sources = Sources::default().with_base(self.source, shipped_tables).with_options(self.standard.options());
-        let Some(folder) = &self.tables else { return Ok(sources) };
+        let GivenTables { tables, source, standard } = &self.0;
+        let sources = Sources::default().with_base(*source, shipped_tables).with_options(standard.options());
+        let Some(folder) = tables else { return Ok(sources) };
         let own = files::read_tables(folder).said()?;
         for warning in &own.warnings {
             io.warn(warning);

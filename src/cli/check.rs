@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use super::args::dialogue;
-use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
+use super::{CliError, CliRemark, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::control::mask::Mask;
 use crate::files;
 use crate::journal::{Record, status_window};
@@ -14,7 +14,7 @@ use crate::probing::measurement::{Caveat, measure_contacts};
 use crate::probing::simulated::{Machine, Probe, Workpiece};
 use crate::probing::{Measurement, Origin};
 use crate::report::{csv, json};
-use crate::tolerance::{Callout, Feature, Limits, LimitsError, Source};
+use crate::tolerance::{Callout, Feature, FigureWarning, Limits, LimitsError, Sources};
 use crate::verdict::Status;
 use crate::words::Dialogue;
 
@@ -130,7 +130,7 @@ impl Args {
             let (minimum, maximum) = (record.limits.minimum(), record.limits.maximum());
             return Err(CliError::ReworkOrScrap { asked, measured, minimum, maximum });
         }
-        warn(&record, io);
+        warn(&record, &sources, io);
         if record.measurement.origin.is_simulated() && matches!(self.format, Format::Text) {
             io.tell(CliRemark::Simulated);
         }
@@ -174,6 +174,9 @@ impl Args {
                 for warning in warnings {
                     io.warn_about(&name, &warning);
                 }
+                if let Some(warning) = mask.other_languages(language) {
+                    io.warn_about(&name, &warning);
+                }
                 status_window(record, language, Some(&mask)).about(&name)?
             }
         };
@@ -186,8 +189,9 @@ impl Args {
     }
 }
 
-/// Warns about the measured value; what else the measurement cannot tell is in CSV and JSON.
-fn warn(record: &Record, io: &mut Io<'_>) {
+/// Warns about the measured value and the figures behind its limits; what else the measurement cannot tell is in CSV
+/// and JSON.
+fn warn(record: &Record, sources: &Sources, io: &mut Io<'_>) {
     if let Some(doubt) = record.doubt {
         io.warn(&doubt);
     }
@@ -196,8 +200,9 @@ fn warn(record: &Record, io: &mut Io<'_>) {
             io.warn(&caveat);
         }
     }
-    if let Source::Table { instead_of: Some(shipped), name, .. } = &record.limits.source {
-        io.warn(&CliWarning::OwnTable { name, upper: shipped.upper(), lower: shipped.lower() });
+    let figure = record.callout.and_then(|callout| FigureWarning::of_limits(&callout, &record.limits, sources));
+    if let Some(warning) = figure {
+        io.warn(&warning);
     }
 }
 

@@ -31,6 +31,8 @@ pub(super) enum CliError {
 
     /// A measured diameter of zero or less.
     NotAboveZero { diameter: Length },
+    /// An option of ISO 286, where the control's tables answer.
+    OptionOfStandard { option: &'static str },
     /// A line of standard input that is longer than the reader's limit.
     #[say(args(limit = LONGEST_LINE))]
     LineTooLong,

@@ -42,8 +42,14 @@ pub(super) enum CliWarning<'a> {
     ColumnNotUsed { column: &'a str },
     /// A file that is named twice among the inputs.
     FileTwice,
-    /// The user's own table differs from ISO 286.
-    OwnTable { name: &'a str, upper: Length, lower: Length },
+    /// Figures to check beyond those that are listed.
+    MoreFigures { count: usize },
+    /// A position for a cycle that does not begin there.
+    PositionUnused { code: &'a str },
+    /// What PREDEF stands for, of a parameter that is not set to it.
+    PredefUnused { name: &'a str },
+    /// An option of the log, without a log.
+    LogOption { option: &'a str },
     /// A cell for which ISO 286 has no value, or several.
     EmptyCell {
         #[say(with = ToString::to_string)]

@@ -2,12 +2,13 @@
 
 use std::cell::RefCell;
 use std::collections::HashMap;
+use std::ffi::OsString;
 use std::path::{Path, PathBuf};
 
 use super::names::Names;
 use super::{FileError, LARGEST, read, system, write};
 use crate::control::mask::FileUse;
-use crate::nc::machine::{NcPath, Origin, Shipped, Store, StoreError};
+use crate::nc::machine::{NcPath, Origin, OtherNames, Shipped, Store, StoreError};
 
 /// Folders to read from and one to write into. `TNC:\fit\a.h` is looked for as `fit/a.h` and then as `a.h` in each of
 /// them, first in the one that is written into; the built-in files come last.
@@ -54,14 +55,20 @@ impl Folders {
     }
 
     /// The first file on this path, and the folder in which it was looked for.
-    fn find(&self, path: &NcPath) -> Option<(&Path, PathBuf)> {
+    fn find(&self, path: &NcPath) -> Result<Option<(&Path, PathBuf)>, StoreError> {
         let parts: Vec<&str> = path.parts().collect();
         let mut names = self.names.borrow_mut();
         let mut search = Search { names: &mut names, found: HashMap::new() };
         let folders = self.writing.iter().chain(&self.reading);
         // The user may have copied a folder on the path without those above it.
-        let mut places = folders.flat_map(|folder| (0..parts.len()).map(move |skipped| (folder, skipped)));
-        places.find_map(|(folder, skipped)| Some((folder.as_path(), search.find(folder, parts.get(skipped..)?)?)))
+        let places = folders.flat_map(|folder| (0..parts.len()).map(move |skipped| (folder, skipped)));
+        for (folder, skipped) in places {
+            let found = search.find(folder, parts.get(skipped..).unwrap_or_default());
+            if let Some(found) = found.map_err(|names| StoreError::Ambiguous { path: path.clone(), names })? {
+                return Ok(Some((folder, found)));
+            }
+        }
+        Ok(None)
     }
 
     /// How many times a folder was listed: the expensive part of looking for files.
@@ -72,7 +79,7 @@ impl Folders {
 
 impl Store for Folders {
     fn read(&self, path: &NcPath) -> Result<Vec<u8>, StoreError> {
-        match self.find(path) {
+        match self.find(path)? {
             Some((folder, found)) => bytes_of(folder, &found, path),
             None if self.is_alone => Err(StoreError::Missing { path: path.clone() }),
             None => Shipped.read(path),
@@ -81,10 +88,25 @@ impl Store for Folders {
 
     fn origin(&self, path: &NcPath) -> Origin {
         match self.find(path) {
-            Some((_, found)) => Origin::Given(Some(found)),
-            None if self.reading.is_empty() => Origin::BuiltIn,
-            None => Origin::BuiltInInstead,
+            Ok(Some((_, found))) => Origin::Given(Some(found)),
+            // What is ambiguous is never read.
+            _ if self.reading.is_empty() => Origin::BuiltIn,
+            _ => Origin::BuiltInInstead,
         }
+    }
+
+    fn other_names(&self, path: &NcPath) -> Vec<OtherNames> {
+        let Ok(Some((folder, found))) = self.find(path) else { return Vec::new() };
+        let mut names = self.names.borrow_mut();
+        let inside = found.ancestors().take_while(|at| *at != folder);
+        let others = inside.filter_map(|at| {
+            let read = at.file_name()?;
+            let mut others = names.find(at.parent()?, &read.to_string_lossy());
+            others.retain(|other| other != read);
+            let read = read.to_string_lossy().into_owned();
+            (!others.is_empty()).then(|| OtherNames { read, others: listed(&others) })
+        });
+        others.collect()
     }
 
     fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError> {
@@ -106,27 +128,48 @@ impl Store for Folders {
 struct Search<'a> {
     names: &'a mut Names,
     /// What was found under a name in a folder.
-    found: HashMap<PathBuf, Option<PathBuf>>,
+    found: HashMap<PathBuf, Found>,
 }
+
+/// An entry of a folder, or the names of several that a control would take for one.
+type Found = Result<Option<PathBuf>, String>;
 
 impl Search<'_> {
     /// The entry below a folder, with the same name or one that differs only by case; links are not followed yet.
-    fn find(&mut self, folder: &Path, parts: &[&str]) -> Option<PathBuf> {
-        parts.iter().try_fold(folder.to_owned(), |at, part| self.entry(&at, part))
+    fn find(&mut self, folder: &Path, parts: &[&str]) -> Found {
+        let mut at = folder.to_owned();
+        for part in parts {
+            let Some(entry) = self.entry(&at, part)? else { return Ok(None) };
+            at = entry;
+        }
+        Ok(Some(at))
     }
 
     /// An entry of a folder: the exact name first, so that what the run itself has just written is found.
-    fn entry(&mut self, folder: &Path, name: &str) -> Option<PathBuf> {
+    fn entry(&mut self, folder: &Path, name: &str) -> Found {
         let exact = folder.join(name);
         if let Some(found) = self.found.get(&exact) {
             return found.clone();
         }
         let is_there = exact.symlink_metadata().is_ok();
-        let found =
-            if is_there { Some(exact.clone()) } else { self.names.find(folder, name).map(|other| folder.join(other)) };
+        let found = if is_there {
+            Ok(Some(exact.clone()))
+        } else {
+            match self.names.find(folder, name).as_slice() {
+                [] => Ok(None),
+                [other] => Ok(Some(folder.join(other))),
+                several => Err(listed(several)),
+            }
+        };
         self.found.insert(exact, found.clone());
         found
     }
+}
+
+/// Names in one text.
+fn listed(names: &[OsString]) -> String {
+    let names: Vec<_> = names.iter().map(|name| name.to_string_lossy()).collect();
+    names.join(", ")
 }
 
 /// The bytes of a file that must lie below the folder, links followed.

@@ -30,12 +30,15 @@ struct Known {
 }
 
 impl Names {
-    /// The entry of a folder that has this name in any case; the first one that the system lists, if there are several.
-    pub(super) fn find(&mut self, folder: &Path, name: &str) -> Option<OsString> {
+    /// The entries of a folder that have this name in any case, in order.
+    pub(super) fn find(&mut self, folder: &Path, name: &str) -> Vec<OsString> {
         let wanted = OsStr::new(name).to_ascii_lowercase();
-        let known = self.of(folder)?;
+        let Some(known) = self.of(folder) else { return Vec::new() };
         let at = known.names.partition_point(|known| known.to_ascii_lowercase() < wanted);
-        known.names.get(at).filter(|known| known.eq_ignore_ascii_case(&wanted)).cloned()
+        let same = known.names.iter().skip(at).take_while(|known| known.eq_ignore_ascii_case(&wanted));
+        let mut same: Vec<OsString> = same.cloned().collect();
+        same.sort_unstable();
+        same
     }
 
     /// How many times a folder was listed.
@@ -113,17 +116,17 @@ mod tests {
         let mut names = Names::default();
         for name in ["fit", "FIT", "none", "Fit", "fi", "fitt"] {
             let is_there = name.eq_ignore_ascii_case("fit");
-            assert_eq!(names.find(path, name), is_there.then(|| OsString::from("Fit")), "{name}");
+            assert_eq!(names.find(path, name), Vec::from_iter(is_there.then(|| OsString::from("Fit"))), "{name}");
         }
         assert_eq!(names.listed(), 1);
         std::fs::create_dir(path.join("Other")).unwrap();
         // The clock of a file system may stand still between two changes.
         let later = SystemTime::now() + std::time::Duration::from_secs(1);
         std::fs::File::open(path).unwrap().set_modified(later).unwrap();
-        assert_eq!((names.find(path, "other"), names.listed()), (Some("Other".into()), 2));
+        assert_eq!((names.find(path, "other"), names.listed()), (vec!["Other".into()], 2));
         names.writing(path, "Third", || std::fs::create_dir(path.join("Third"))).unwrap();
-        assert_eq!((names.find(path, "third"), names.listed()), (Some("Third".into()), 2));
-        assert_eq!(names.find(&path.join("none"), "x"), None);
+        assert_eq!((names.find(path, "third"), names.listed()), (vec!["Third".into()], 2));
+        assert!(names.find(&path.join("none"), "x").is_empty());
     }
 
     #[test]
@@ -133,7 +136,7 @@ mod tests {
         let mut names = Names::default();
         for number in 0..2 * MOST_FOLDERS {
             std::fs::create_dir(path(number)).unwrap();
-            assert_eq!(names.find(&path(number), "x"), None);
+            assert!(names.find(&path(number), "x").is_empty());
         }
         assert_eq!(names.known.len(), MOST_FOLDERS);
         assert_eq!(names.known[0].folder, path(2 * MOST_FOLDERS - 1));

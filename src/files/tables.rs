@@ -6,6 +6,7 @@ use super::{FileError, no_half_set, read, system};
 use crate::control::deviations::{DeviationError, DeviationWarning, read_table};
 use crate::message::Say;
 use crate::tolerance::DeviationTable;
+use crate::tolerance::compare::{Contradiction, contradiction};
 
 /// What a folder of tables holds.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -26,6 +27,9 @@ pub enum OwnTablesError {
     /// A table is broken.
     #[say(transparent)]
     Table(#[from] DeviationError),
+    /// Two tables have different values for the same class and size.
+    #[say(transparent)]
+    Contradiction(#[from] Contradiction),
     /// There is no table of deviations in the folder.
     #[say(id = "deviations-no-tables")]
     NoTables {
@@ -37,7 +41,8 @@ pub enum OwnTablesError {
 /// Reads every `.tab` file of a folder, in the order of their names.
 ///
 /// # Errors
-/// [`OwnTablesError`] where the folder has no table of deviations, or one of its tables is broken: then none is used.
+/// [`OwnTablesError`] where the folder has no table of deviations, one of its tables is broken, or two contradict each
+/// other: then none is used.
 pub fn read_tables(folder: &Path) -> Result<OwnTables, OwnTablesError> {
     no_half_set(folder)?;
     let mut own = OwnTables::default();
@@ -51,7 +56,7 @@ pub fn read_tables(folder: &Path) -> Result<OwnTables, OwnTablesError> {
     if own.tables.is_empty() {
         return Err(OwnTablesError::NoTables { folder: folder.to_owned() });
     }
-    Ok(own)
+    contradiction(&own.tables).map_or(Ok(own), |found| Err(found.into()))
 }
 
 fn files_of(folder: &Path) -> Result<Vec<PathBuf>, FileError> {

@@ -1,13 +1,17 @@
-//! Compares a table of deviations with ISO 286, cell by cell.
+//! Compares a table of deviations with ISO 286, cell by cell, and own tables with each other.
 //!
 //! A table's range may cover several steps of the standard; it is compared with each of them, so that a range over 50
 //! up to 80 mm is reported for r6, whose deviations change at 65 mm.
 
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
 use super::class::ToleranceClass;
 use super::iso286::{self, Undefined};
 use super::limits::Deviations;
-use super::table::DeviationTable;
+use super::table::{Column, DeviationTable};
 use crate::length::Length;
+use crate::message::Say;
 
 /// What a comparison found.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -97,4 +101,72 @@ fn differences(
         over = end;
     }
     found
+}
+
+/// Two tables that have different values of a class for the same sizes: which one applies would depend on their names.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(id = "tables-contradict", error, args(one = cell_text(*one), other = cell_text(*other)))]
+pub struct Contradiction {
+    /// The first table.
+    pub first: Arc<str>,
+    /// The second one.
+    pub second: Arc<str>,
+    /// The class.
+    pub class: ToleranceClass,
+    /// The first sizes for which they differ: above this,
+    pub over: Length,
+    /// up to and including this.
+    pub to: Length,
+    /// What the first one says; `None` for an empty cell.
+    #[say(skip)]
+    pub one: Option<Deviations>,
+    /// What the second one says.
+    #[say(skip)]
+    pub other: Option<Deviations>,
+}
+
+/// `0 / +21`, or the word for an empty cell.
+fn cell_text(cell: Option<Deviations>) -> String {
+    let figures = |cell: Deviations| format!("{} / {}", cell.lower().signed_um(), cell.upper().signed_um());
+    cell.map_or_else(|| "none".to_owned(), figures)
+}
+
+/// The first class and sizes for which two of the tables have different values. Sizes that only one of them reaches
+/// are no contradiction, nor are equal values.
+pub fn contradiction<'a>(tables: impl IntoIterator<Item = &'a DeviationTable>) -> Option<Contradiction> {
+    let mut known: BTreeMap<ToleranceClass, Vec<(&DeviationTable, &Column)>> = BTreeMap::new();
+    for table in tables {
+        for column in table.columns() {
+            let before = known.entry(column.class).or_default();
+            if let Some(found) = before.iter().find_map(|first| contradicts(*first, (table, column))) {
+                return Some(found);
+            }
+            before.push((table, column));
+        }
+    }
+    None
+}
+
+fn contradicts(
+    (first, one): (&DeviationTable, &Column),
+    (second, other): (&DeviationTable, &Column),
+) -> Option<Contradiction> {
+    let mut ends: Vec<Length> = first.ends().iter().chain(second.ends()).copied().collect();
+    ends.sort_unstable();
+    ends.dedup();
+    let cell = |table: &DeviationTable, column: &Column, end| {
+        let (number, ..) = table.range(end)?;
+        column.cells.get(number).copied()
+    };
+    let mut over = Length::ZERO;
+    for to in ends {
+        // Beyond the last range of either there is nothing to compare.
+        let (here, there) = (cell(first, one, to)?, cell(second, other, to)?);
+        if here != there {
+            let (first, second) = (Arc::clone(&first.name), Arc::clone(&second.name));
+            return Some(Contradiction { first, second, class: one.class, over, to, one: here, other: there });
+        }
+        over = to;
+    }
+    None
 }

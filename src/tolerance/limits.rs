@@ -73,6 +73,8 @@ pub enum Source {
         to: Length,
         /// Its name and step, and what a reader should know about the figure.
         said: Message,
+        /// Why the figure may be wrong for a reader: contested, for trial use.
+        doubt: Option<Message>,
     },
     /// ISO 2768-1, general tolerances of linear sizes.
     Iso2768 {
@@ -112,6 +114,17 @@ pub enum Source {
 display!(Source);
 
 impl Source {
+    /// The size range in which the figure was found, where it has one: above, and up to and including.
+    pub fn range(&self) -> Option<(Length, Length)> {
+        match self {
+            Self::Standard { over, to, .. } | Self::Iso2768 { over, to, .. } | Self::Table { over, to, .. } => {
+                Some((*over, *to))
+            }
+            Self::WithoutOwn { source, .. } => source.range(),
+            Self::Callout | Self::File(_) => None,
+        }
+    }
+
     /// In English for files and machines, with what ISO 286 says where a user's own table differs:
     /// `table own.tab, over 0 up to 3 mm, instead of 0 / +10 µm in ISO 286`.
     pub fn with_difference(&self) -> String {

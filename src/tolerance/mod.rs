@@ -6,6 +6,7 @@
 //! | `callout` | what people type: `25 H7`, `25 H7/g6`, `10m`, `12 +0.01 -0.015`, `12.01/11.985` |
 //! | `iso2768` | general tolerances: `10m` |
 //! | `limits` | deviations and limits of size, and where they come from |
+//! | `figure` | figures to check: contested ones, and those of own tables that differ from the standard |
 //! | `table` | size ranges and deviations as a control's table holds them |
 //! | `table_edit` | a table that is being edited, and tables made from the standard |
 //! | `compare` | a table against the standard, cell by cell |
@@ -18,6 +19,7 @@
 pub mod callout;
 pub mod class;
 pub mod compare;
+mod figure;
 pub mod fit;
 pub mod iso2768;
 pub mod iso286;
@@ -29,6 +31,7 @@ pub mod table_edit;
 
 pub use callout::{Callout, CalloutError, CalloutErrorKind, CycleText, Tolerance};
 pub use class::{ClassError, Feature, ToleranceClass};
+pub use figure::FigureWarning;
 pub use iso2768::GeneralClass;
 pub use limits::{Bounds, Deviations, DeviationsError, Limits, Source};
 pub use sources::{Absent, Base, LimitsError, Sources};

@@ -52,6 +52,7 @@ mod nc_cli;
 mod nc_paths;
 mod nc_plans;
 mod nc_sets;
+mod option_doubts;
 mod own_columns;
 #[cfg(feature = "parquet")]
 mod parquet;

@@ -48,6 +48,7 @@ cli-inputs-too-large = the inputs of a cycle have at most { $most } KiB
 cli-not-an-object = the inputs must be a JSON object such as {"{"}"Q263": 35{"}"}: { $error }
 cli-not-an-input = { $name } = { $value }: expected a number or a text
 cli-given-twice = { $name } is given twice
+cli-option-of-standard = --{ $option } has no effect with --source control: the control's tables have one edition of ISO 286
 cli-set-twice = { $name } is set twice
 cli-other-cycle = this is cycle { $given }, not { $wanted }
 cli-not-predef = PREDEF is not allowed for parameter { $name }
@@ -92,7 +93,10 @@ cli-remark-clearance-height = the clearance height is { $height } mm: --clearanc
 # Warnings
 cli-warning-column-not-used = column { $column } is skipped
 cli-warning-file-twice = this file is named twice: its rows are counted twice
-cli-warning-own-table = table { $name } differs from ISO 286, which has { $upper } and { $lower } mm
+cli-warning-position-unused = --position has no effect: cycle { $code } does not begin where the ball is
+cli-warning-predef-unused = --predef has no effect on { $name }: it is not set to PREDEF
+cli-warning-log-option = --{ $option } has no effect: no log is written or shown
+cli-warning-more-figures = { $count } more such figures are not listed
 cli-warning-empty-cell = { $class } over { $over } up to { $to } mm is left empty: ISO 286 has no single value for all of it
 cli-warning-contacts-left = the cycle used { $used } of { $count } contacts
 cli-warning-no-tool-monitored = the tool table is not used: no tool is given in Q330

@@ -12,6 +12,7 @@ mask-unknown-parameter = { $found } is not a parameter: allowed are Q, QL, QR, Q
 mask-no-semicolon = the ; at the end is missing
 mask-unknown-word = { $word } is unknown and has no effect
 mask-behind-semicolon = { $found } after the ; is skipped
+mask-other-languages = the mask has text for { $languages } and none for { $wanted }
 mask-undefined = { $name } is not defined
 mask-text-as-number = { $name } is a text, the format needs a number
 mask-number-as-text = { $name } is a number, the format needs a text
@@ -61,6 +62,7 @@ table-short-row = the row ends before column { $name }: fill it with spaces, or 
 table-truncated = the file ends within this row and without [END]: it may be cut off
 table-text-after-end = text after [END]: { $found }
 table-no-end = [END] is missing
+table-no-unit = the table does not name its unit: its lengths were read as millimetres
 table-begin-word = { $word } has no known meaning in the BEGIN line
 table-width = column { $name } is { $found } characters wide here but { $described } in the description; the line of column names is used
 table-not-in-table = column { $name } is described but not in the table
@@ -73,6 +75,13 @@ table-write-reads-otherwise = the table cannot be written so that it reads back 
 
 ## Tables of deviations
 deviations-no-tables = no table of deviations (*.tab with a column BEREICH) in this folder: { $folder }
+tables-contradict = { $first } and { $second } contradict each other, { $class } over { $over } up to { $to } mm: { $one ->
+        [none] no value
+       *[other] { $one } µm
+    } and { $other ->
+        [none] no value
+       *[other] { $other } µm
+    }: remove the column from one of them
 deviations-two-range-columns = the table has both BEREICH and BEREIK: only one can hold the size ranges
 deviations-inch = the table is in inch: write size ranges in millimetres and deviations in micrometres
 deviations-no-class = no column is a tolerance class such as H7

@@ -10,6 +10,7 @@ machine-store-missing = file not found: { $path }
 machine-store-outside = { $path } leads out of the given folders
 machine-store-no-file = { $path } is not a file
 machine-store-too-large = { $path } is larger than { $most } MiB
+machine-store-ambiguous = { $path } is there in several spellings, { $names }, and a control has one file of a name: remove or rename the others
 machine-store-read-only = no output folder was chosen
 machine-store-system = { $path }: { $reason }
 
@@ -95,6 +96,7 @@ machine-remark-spindle-turns = the spindle turns since M{ $function }: a control
 machine-remark-rotary-moved = { $axes } moved before: the workpiece was measured as if not turned
 machine-remark-other-preset = preset { $number }: the workpiece was taken to lie there, too
 machine-remark-built-in = { $path } is not among the given files: the built-in one was read
+machine-remark-other-names = { $read } was read, and { $others } is there, too: a control has one file of a name
 machine-remark-read = { $path }: { $what }
 machine-remark-other-spelling = table { $table } has no column { $column }: { $other } was taken, the other spelling in NC-Solution 8255
 machine-remark-row-number = table { $table }: NR is { $found } in row { $row }: FN 27 and FN 28 count rows from 0

@@ -33,5 +33,6 @@ nc-proof-other-verdict = { $name }: the verdict differs from Fitcheck's
 nc-archive = the zip file cannot be made: { $reason }
 nc-workpiece = the workpiece cannot be written: { $reason }
 nc-own-column = { $class } is not one of the 47 classes of NC-Solution 8255: { $table } gets an extra column
+nc-figure = { $what }
 nc-fewer-columns = column limit of an iTNC 530: { $table } has only the plan's classes, { $classes }
 nc-moved-nominal = { $name }: the nominal size of { $callout } is outside the limits, which a TNC7 refuses: { $parameter } is { $value } mm, and { $deviation } counts from there

@@ -48,6 +48,7 @@ cli-inputs-too-large = de invoer van een cyclus heeft hoogstens { $most } KiB
 cli-not-an-object = de invoer moet een JSON-object zijn, zoals {"{"}"Q263": 35{"}"}: { $error }
 cli-not-an-input = { $name } = { $value }: een getal of een tekst verwacht
 cli-given-twice = { $name } is twee keer opgegeven
+cli-option-of-standard = --{ $option } heeft geen effect met --source control: de tabellen van de besturing hebben één uitgave van ISO 286
 cli-set-twice = { $name } is twee keer ingesteld
 cli-other-cycle = dit is cyclus { $given }, niet { $wanted }
 cli-not-predef = voor parameter { $name } is PREDEF niet toegestaan
@@ -92,7 +93,10 @@ cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die me
 # Waarschuwingen
 cli-warning-column-not-used = kolom { $column } is overgeslagen
 cli-warning-file-twice = dit bestand is tweemaal genoemd: de rijen tellen dubbel
-cli-warning-own-table = tabel { $name } wijkt af van ISO 286, die { $upper } en { $lower } mm heeft
+cli-warning-position-unused = --position heeft geen effect: cyclus { $code } begint niet waar de kogel is
+cli-warning-predef-unused = --predef heeft geen effect op { $name }: die staat niet op PREDEF
+cli-warning-log-option = --{ $option } heeft geen effect: er wordt geen meetprotocol geschreven of getoond
+cli-warning-more-figures = nog { $count } zulke waarden zijn niet vermeld
 cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft geen waarde die voor het hele bereik geldt
 cli-warning-contacts-left = de cyclus heeft { $used } van de { $count } meetpunten gebruikt
 cli-warning-no-tool-monitored = de gereedschapstabel wordt niet gebruikt: Q330 noemt geen gereedschap

@@ -12,6 +12,7 @@ mask-unknown-parameter = { $found } is geen parameter: toegestaan zijn Q, QL, QR
 mask-no-semicolon = de ; aan het einde ontbreekt
 mask-unknown-word = { $word } is onbekend en heeft geen werking
 mask-behind-semicolon = { $found } na de ; is overgeslagen
+mask-other-languages = het masker heeft tekst voor { $languages } en geen voor { $wanted }
 mask-undefined = { $name } is niet gedefinieerd
 mask-text-as-number = { $name } is een tekst: het formaat verwacht een getal
 mask-number-as-text = { $name } is een getal: het formaat verwacht een tekst
@@ -61,6 +62,7 @@ table-short-row = de rij eindigt vóór kolom { $name }: vul de rij aan met spat
 table-truncated = het bestand eindigt midden in deze rij, zonder [END]: misschien is het afgekapt
 table-text-after-end = tekst na [END]: { $found }
 table-no-end = [END] ontbreekt
+table-no-unit = de tabel noemt haar eenheid niet: de lengten zijn als millimeters gelezen
 table-begin-word = { $word } heeft in de BEGIN-regel geen bekende betekenis
 table-width = kolom { $name } is hier { $found } tekens breed, maar in de beschrijving { $described }; de regel met kolomnamen geldt
 table-not-in-table = kolom { $name } is beschreven maar staat niet in de tabel
@@ -73,6 +75,13 @@ table-write-reads-otherwise = de tabel kan niet zo worden geschreven dat dezelfd
 
 ## Tabellen met afwijkingen
 deviations-no-tables = geen tabel met afwijkingen (*.tab met een kolom BEREICH) in deze map: { $folder }
+tables-contradict = { $first } en { $second } spreken elkaar tegen, { $class } boven { $over } tot en met { $to } mm: { $one ->
+        [none] geen waarde
+       *[other] { $one } µm
+    } en { $other ->
+        [none] geen waarde
+       *[other] { $other } µm
+    }: verwijder de kolom uit een van beide
 deviations-two-range-columns = de tabel heeft zowel BEREICH als BEREIK: maar één ervan kan de maatbereiken bevatten
 deviations-inch = de tabel is in inch: schrijf maatbereiken in millimeters en afwijkingen in micrometers
 deviations-no-class = geen enkele kolom is een tolerantieklasse zoals H7

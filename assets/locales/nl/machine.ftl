@@ -10,6 +10,7 @@ machine-store-missing = bestand niet gevonden: { $path }
 machine-store-outside = { $path } leidt buiten de opgegeven mappen
 machine-store-no-file = { $path } is geen bestand
 machine-store-too-large = { $path } is groter dan { $most } MiB
+machine-store-ambiguous = { $path } is er in verschillende schrijfwijzen, { $names }, en een besturing heeft één bestand met een naam: verwijder of hernoem de andere
 machine-store-read-only = er is geen map voor uitvoer gekozen
 machine-store-system = { $path }: { $reason }
 
@@ -95,6 +96,7 @@ machine-remark-spindle-turns = de spil draait sinds M{ $function }: een besturin
 machine-remark-rotary-moved = { $axes } zijn voordien verplaatst: het werkstuk is gemeten alsof het niet gedraaid is
 machine-remark-other-preset = referentiepunt { $number }: het werkstuk wordt geacht ook daar te liggen
 machine-remark-built-in = { $path } is niet bij de opgegeven bestanden: het ingebouwde is gelezen
+machine-remark-other-names = { $read } is gelezen, en { $others } is er ook: een besturing heeft één bestand met een naam
 machine-remark-read = { $path }: { $what }
 machine-remark-other-spelling = tabel { $table } heeft geen kolom { $column }: { $other } is genomen, de andere schrijfwijze in NC-Solution 8255
 machine-remark-row-number = tabel { $table }: NR is { $found } in rij { $row }: FN 27 en FN 28 tellen de rijen vanaf 0

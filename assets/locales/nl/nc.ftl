@@ -33,5 +33,6 @@ nc-proof-other-verdict = { $name }: het oordeel wijkt af van dat van Fitcheck
 nc-archive = het zipbestand kan niet worden gemaakt: { $reason }
 nc-workpiece = het werkstuk kan niet worden geschreven: { $reason }
 nc-own-column = { $class } is geen van de 47 klassen van NC-Solution 8255: { $table } krijgt een extra kolom
+nc-figure = { $what }
 nc-fewer-columns = kolomgrens van een iTNC 530: { $table } heeft alleen de klassen van het plan, { $classes }
 nc-moved-nominal = { $name }: de nominale maat van { $callout } ligt buiten de grensmaten, en dat weigert een TNC7: { $parameter } is { $value } mm, en { $deviation } telt vanaf daar

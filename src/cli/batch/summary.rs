@@ -2,7 +2,7 @@
 
 use crate::batch::Summary;
 use crate::cli::io::Listener;
-use crate::cli::{CliRemark, Io, Outcome, said};
+use crate::cli::{CliRemark, CliWarning, Io, Outcome, said};
 use crate::exchange::batch::{Counts, FIRST, Kind, Tally};
 use crate::exchange::{ImportErrorKind, ImportWarningKind};
 use crate::verdict::Status;
@@ -46,7 +46,13 @@ impl<'a> Told<'a> {
 
 /// `5000 rows: 4000 GOOD, 600 REWORK, 399 SCRAP, 1 not judged`, and what else there was to say.
 pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
-    let Summary { tally, by_class, others } = summary;
+    let Summary { tally, by_class, others, figures } = summary;
+    for warning in figures.values().take(FIRST) {
+        io.warn(warning);
+    }
+    if FIRST < figures.len() {
+        io.warn(&CliWarning::MoreFigures { count: figures.len() - FIRST });
+    }
     let mut classes: Vec<(&str, Counts, u64)> = by_class
         .iter()
         .map(|(class, counts)| (class.as_str(), *counts))

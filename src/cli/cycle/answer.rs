@@ -107,6 +107,7 @@ pub(in crate::cli) fn source(source: &Source) -> Json {
         Source::Perfect => json!({"kind": "perfect"}),
         Source::Workpiece { file, part } => json!({
             "kind": "simulated", "file": file, "seed": part.seed, "temperature_c": part.temperature,
+            "expansion_um_per_m_k": part.expansion,
         }),
         Source::Contacts { file, .. } => json!({"kind": "contacts", "file": file}),
     }

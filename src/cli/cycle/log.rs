@@ -58,6 +58,8 @@ impl LogArgs {
             };
             if is_due {
                 io.warn(&warning);
+            } else {
+                self.warn_of_heading(io);
             }
             return Ok(Kept::default());
         };
@@ -69,12 +71,26 @@ impl LogArgs {
                 kept.shown = Some(decode(&bytes).replace("\r\n", "\n"));
             }
             // Nothing is written, so nothing differs.
-            _ => kept.other = None,
+            _ => {
+                kept.other = None;
+                self.warn_of_heading(io);
+            }
         }
         if let (LogTarget::Screen, Some(_)) = (result.log, &self.log_folder) {
             io.warn(&CliWarning::LogOnScreen);
         }
         Ok(kept)
+    }
+}
+
+impl LogArgs {
+    /// Warns of what a log would have said, where there is none.
+    fn warn_of_heading(&self, io: &mut Io<'_>) {
+        for (option, is_given) in [("program", self.program.is_some()), ("time", self.time.is_some())] {
+            if is_given {
+                io.warn(&CliWarning::LogOption { option });
+            }
+        }
     }
 }
 

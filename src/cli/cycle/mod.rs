@@ -27,7 +27,7 @@ use crate::control::tool_table::{Changed, ToolChange};
 use crate::length::Length;
 use crate::message::Located;
 use crate::nc::machine::Remark;
-use crate::probing::cycle::{Cycle, CycleResult, Inputs, Key, Move, Phase};
+use crate::probing::cycle::{Control, Cycle, CycleResult, Inputs, Key, Move, Phase, Value};
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::{Part, Shape};
 use crate::probing::{self, Contact, Prober, Recorded, SourceError, TouchProbe};
@@ -51,6 +51,13 @@ fn codes() -> String {
 
 /// The largest JSON object of inputs in bytes: a real one has some hundred, and in memory it takes many times as many.
 const LARGEST_INPUTS: usize = 1 << 20;
+
+/// The options of a run, by their fields: without one they have no effect.
+const OF_RUN: [&str; 10] =
+    ["workpiece", "contacts", "seed", "from", "to", "position", "path", "log_folder", "program", "time"];
+
+/// The options that give parameters and probe.
+const OF_INPUTS: [&str; 6] = ["settings", "globals", "inputs", "block", "probe_table", "probe"];
 
 /// Everything that `fitcheck cycle` may be given.
 #[derive(Debug, clap::Args)]
@@ -77,7 +84,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE.csv")]
     contacts: Option<PathBuf>,
     /// Seed of the scatter, instead of the workpiece file's
-    #[arg(long, value_name = "N", conflicts_with = "contacts")]
+    #[arg(long, value_name = "N", requires = "workpiece", conflicts_with = "contacts")]
     seed: Option<u64>,
     /// Touch-probe table of a control, instead of the built-in one
     #[arg(long, value_name = "FILE.tp")]
@@ -94,10 +101,10 @@ pub(super) struct Args {
     #[arg(long)]
     path: bool,
     /// Show the parameters of the cycle and run nothing
-    #[arg(long)]
+    #[arg(long, conflicts_with_all = OF_RUN, conflicts_with_all = OF_INPUTS)]
     list: bool,
     /// Print the cycle's block for an NC program, in the given language, and run nothing
-    #[arg(long, conflicts_with = "list")]
+    #[arg(long, conflicts_with = "list", conflicts_with_all = OF_RUN)]
     as_block: bool,
     #[command(flatten)]
     log: log::LogArgs,
@@ -159,6 +166,7 @@ impl Args {
             write!(io.data(), "{}", block.said()?)?;
             return Ok(Outcome::Done);
         }
+        self.warn_without_effect(&inputs, io);
         let (source, mut prober) = self.source(&inputs, io)?;
         let (path, result) = self.cycle.measure_along(&inputs, &mut *prober);
         remark_on_moves(&source, &inputs, &path, io);
@@ -201,6 +209,19 @@ impl Args {
             return Ok(Outcome::BadData);
         }
         Ok(result.verdict().map_or(Outcome::Done, Outcome::Judged))
+    }
+
+    /// Warns of options that this cycle and its parameters make no use of.
+    fn warn_without_effect(&self, inputs: &Inputs, io: &mut Io<'_>) {
+        if self.position.is_some() && self.cycle.control == Control::Milling {
+            io.warn(&CliWarning::PositionUnused { code: self.cycle.code });
+        }
+        for (name, _) in pairs(&self.globals).unwrap_or_default() {
+            let key = self.cycle.parameter_named(name).map(|parameter| parameter.key);
+            if key.and_then(|key| inputs.value(key)) != Some(&Value::Predef) {
+                io.warn(&CliWarning::PredefUnused { name });
+            }
+        }
     }
 
     /// Monitors the tool of Q330, where a tool table is given.
@@ -260,7 +281,7 @@ impl Args {
     }
 
     fn with_json(&self, mut inputs: Inputs, path: &Path, io: &mut Io<'_>) -> Result<Inputs, CliError> {
-        use serde_json::Value;
+        use serde_json::Value as Json;
         let (name, bytes) = read_input(path, io)?;
         if LARGEST_INPUTS < bytes.len() {
             return Err(CliError::InputsTooLarge { most: LARGEST_INPUTS >> 10 }).about(&name);
@@ -271,8 +292,8 @@ impl Args {
         let mut given: BTreeSet<Key> = BTreeSet::new();
         for (key, value) in &object {
             let text = match value {
-                Value::Number(number) => number.to_string(),
-                Value::String(text) => text.clone(),
+                Json::Number(number) => number.to_string(),
+                Json::String(text) => text.clone(),
                 other => {
                     let wrong = CliError::NotAnInput { name: key.clone(), value: other.to_string() };
                     return Err(wrong).about(&name);

@@ -3,6 +3,7 @@
 use super::answer::warnings;
 use super::{CliError, Io, Run, Source};
 use crate::probing::cycle::{LogTarget, Move, Unset};
+use crate::probing::simulated::Part;
 
 pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(), CliError> {
     let (cycle, result) = (run.cycle, run.result);
@@ -80,7 +81,14 @@ fn source(run: &Run<'_>) -> String {
     match run.source {
         Source::Perfect => "perfect workpiece at nominal, probe without faults".to_owned(),
         Source::Workpiece { file, part } => {
-            format!("simulated workpiece {file}, {} °C, seed {}", part.temperature, part.seed)
+            let Part { temperature, expansion, seed, .. } = part;
+            // At the reference temperature nothing expands.
+            let expansion = if part.is_at_reference() {
+                String::new()
+            } else {
+                format!(", expansion {expansion} millionths per kelvin")
+            };
+            format!("simulated workpiece {file}, {temperature} °C{expansion}, seed {seed}")
         }
         Source::Contacts { file, .. } => format!("contacts from {file}"),
     }

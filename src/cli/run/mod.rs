@@ -8,6 +8,7 @@
 mod answer;
 mod text;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -65,7 +66,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE.csv")]
     contacts: Option<PathBuf>,
     /// Seed of the scatter, instead of the workpiece file's
-    #[arg(long, value_name = "N", conflicts_with = "contacts")]
+    #[arg(long, value_name = "N", requires = "workpiece", conflicts_with = "contacts")]
     seed: Option<u64>,
     /// Folder with programs, tables and masks, besides the program's own
     #[arg(long = "folder", value_name = "FOLDER")]
@@ -137,8 +138,11 @@ impl Args {
         let language = self.language;
         let source = self.source(io)?;
         let (mut machine, warnings) = self.machine(&source, io)?;
+        let mut names = BTreeSet::new();
         for (name, value) in pairs(&self.settings)? {
-            set(&mut machine, name, value)?;
+            if !names.insert(set(&mut machine, name, value)?) {
+                return Err(CliError::SetTwice { name: name.to_owned() });
+            }
         }
         let ended = match self.format {
             RunFormat::Text => {
@@ -251,7 +255,8 @@ fn contacts_of(source: &Source) -> Contacts {
     }
 }
 
-fn set(machine: &mut Machine, name: &str, value: &str) -> Result<(), CliError> {
+/// Sets a parameter and returns it.
+fn set(machine: &mut Machine, name: &str, value: &str) -> Result<Parameter, CliError> {
     let what = What::Set { name, value };
     let parameter: Parameter = name.parse().about(&what)?;
     let value = if parameter.family.is_text() {
@@ -262,7 +267,8 @@ fn set(machine: &mut Machine, name: &str, value: &str) -> Result<(), CliError> {
         let number = plain.parse().ok().filter(|_| is_decimal);
         Value::Number(number.ok_or(CliError::NotANumber).about(&what)?)
     };
-    machine.set(parameter, value).about(&what)
+    machine.set(parameter, value).about(&what)?;
+    Ok(parameter)
 }
 
 /// Runs to the end or to a fault; pauses are remembered and skipped.

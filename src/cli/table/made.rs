@@ -11,7 +11,7 @@ use crate::control::shipped_tables;
 use crate::exchange::tables::{PARQUET, TABLE_FORMATS, TableFormat, parquet_of};
 use crate::files;
 use crate::length::Length;
-use crate::tolerance::compare::compare;
+use crate::tolerance::compare::{compare, contradiction};
 use crate::tolerance::table_edit::{standard_table, table_of_standard};
 use crate::tolerance::{DeviationTable, Feature, ToleranceClass};
 
@@ -70,6 +70,7 @@ pub(super) struct NewArgs {
 /// Write tables of deviations for other tools
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXPORT_EXAMPLES)]
+#[command(mut_args(only_with_classes))]
 pub(super) struct ExportArgs {
     /// Control tables (*.tab); default: the two built-in ones, or ISO 286 with --classes
     #[arg(conflicts_with = "classes")]
@@ -85,6 +86,14 @@ pub(super) struct ExportArgs {
     /// The file to write; - or no file is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
+}
+
+/// Options of a table that is made have no effect on one that is copied.
+fn only_with_classes(arg: clap::Arg) -> clap::Arg {
+    match arg.get_id().as_str() {
+        "to" | "ends" | "edition" | "js_rounded" => arg.requires("classes").conflicts_with("files"),
+        _ => arg,
+    }
 }
 
 impl NewArgs {
@@ -205,7 +214,13 @@ impl ExportArgs {
         if self.files.is_empty() {
             return Ok(shipped_tables());
         }
-        self.files.iter().map(|path| Ok(Arc::new(read_table(path, io)?.0))).collect()
+        let tables: Result<Vec<_>, CliError> =
+            self.files.iter().map(|path| Ok(Arc::new(read_table(path, io)?.0))).collect();
+        let tables = tables?;
+        match contradiction(tables.iter().map(Arc::as_ref)) {
+            Some(found) => Err(found).said(),
+            None => Ok(tables),
+        }
     }
 }
 

@@ -19,6 +19,8 @@ pub(crate) use render::decimal;
 pub use render::{Context, FileUse, Output};
 
 use super::variables::Parameter;
+use crate::message::Say;
+use crate::words::Dialogue;
 
 /// A mask that can be rendered.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -27,6 +29,24 @@ pub struct Mask {
 }
 
 impl Mask {
+    /// Whether it has text in `L_` sections, and none of them is for this language.
+    pub fn other_languages(&self, wanted: Dialogue) -> Option<OtherLanguages> {
+        let wanted = &wanted.words().mask_language;
+        let (mut section, mut languages) = (None, Vec::new());
+        for line in &self.lines {
+            match line {
+                Line::Language(language) => section = language.as_deref(),
+                Line::Record(_) => match section {
+                    Some(language) if language == wanted => return None,
+                    Some(language) if !languages.contains(&language) => languages.push(language),
+                    Some(_) | None => {}
+                },
+                Line::Keyword(_) => {}
+            }
+        }
+        (!languages.is_empty()).then(|| OtherLanguages { languages: languages.join(", "), wanted: wanted.clone() })
+    }
+
     /// The parameters that it prints, those of every language.
     pub fn parameters(&self) -> impl Iterator<Item = Parameter> {
         let records = self.lines.iter().filter_map(|line| match line {
@@ -38,6 +58,16 @@ impl Mask {
             Part::Field { .. } | Part::Text(_) => None,
         })
     }
+}
+
+/// A mask has text in sections of other languages, and none in one of the language that it is printed in.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(id = "mask-other-languages")]
+pub struct OtherLanguages {
+    /// The languages that it has text for.
+    pub languages: String,
+    /// The language that it is printed in.
+    pub wanted: String,
 }
 
 /// One line that has an effect.

@@ -101,6 +101,8 @@ pub enum TableFault {
 pub enum TableWarningKind {
     /// The file has no end line.
     NoEnd,
+    /// The BEGIN line has no unit, and the table has lengths.
+    NoUnit,
     /// A word in the BEGIN line that is neither unit, version nor mark; it is kept as the mark.
     BeginWord {
         /// The word or words.

@@ -22,8 +22,9 @@ pub use fault::{ToolTableError, ToolTableFault};
 pub use monitor::{Breakage, Changed, Monitored, ToolChange, ToolFault};
 pub use number::{NoToolNumber, ToolNumber};
 
-use super::table::{ControlTable, TableFile, TableWarning, WriteError, is_blank};
+use super::table::{ControlTable, TableFile, TableWarning, TableWarningKind, WriteError, is_blank};
 use crate::length::{Length, Unit};
+use crate::message::{Located, Place};
 use columns::Columns;
 
 /// TYP of a touch probe (manual TNC7, tool types).
@@ -114,7 +115,8 @@ pub struct ToolTable {
 }
 
 impl ToolTable {
-    /// Reads a table; `file` is its name in messages. Lengths are in the unit of the BEGIN line, else in millimetres.
+    /// Reads a table; `file` is its name in messages. Lengths are in the unit of the BEGIN line, else in
+    /// millimetres, with a warning.
     /// Rows may end where only blank cells follow; blank numbers are 0.
     ///
     /// ```
@@ -130,7 +132,12 @@ impl ToolTable {
     /// # Errors
     /// [`ToolTableError`] with file, line and column.
     pub fn read(bytes: &[u8], file: &str) -> Result<Self, ToolTableError> {
-        let file = ControlTable::read_with_short_rows(bytes, file)?;
+        let name: Arc<str> = file.into();
+        let mut file = ControlTable::read_with_short_rows(bytes, &name)?;
+        if file.table.unit.is_none() {
+            let place = Place { file: Some(name), ..Place::default() };
+            file.warnings.push(Located { what: TableWarningKind::NoUnit, place });
+        }
         let columns = Columns::of(&file)?;
         let (mut tools, mut numbers, mut names) = (Vec::new(), BTreeMap::new(), BTreeMap::<_, Vec<_>>::new());
         for row in 0..file.table.rows.len() {

@@ -5,7 +5,7 @@ use std::fmt;
 use super::LONGEST_ROW;
 use super::cut::Block;
 use super::index::{Broken, Index};
-use super::known::{Classes, Steps};
+use super::known::{Classes, Figures, Steps};
 use super::layout::{Layout, utf8};
 use super::row::{Part, Row};
 use super::tally::{Kind, Tally};
@@ -159,6 +159,17 @@ pub struct Judge<'a> {
 /// How many rows are good, rework, to be measured again, scrap: in the order of [`Status::ALL`].
 pub type Counts = [u64; Status::ALL.len()];
 
+/// What a judge has met.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Met {
+    /// The classes with their verdicts.
+    pub by_class: Vec<(ToleranceClass, Counts)>,
+    /// The verdicts of callouts without a class.
+    pub others: Counts,
+    /// What to check about the figures behind the limits.
+    pub figures: Figures,
+}
+
 impl Judge<'_> {
     /// The layout of the rows.
     #[cfg(feature = "parquet")]
@@ -252,10 +263,10 @@ impl Judge<'_> {
         counts.push_mut(Counts::default())
     }
 
-    /// The classes that were met with their verdicts, and those of callouts without a class.
-    pub fn by_class(self) -> (Vec<(ToleranceClass, Counts)>, Counts) {
+    /// What it has met.
+    pub fn met(self) -> Met {
         let classes = (0..).zip(self.counts).filter_map(|(number, counts)| Some((self.classes.class(number)?, counts)));
-        (classes.collect(), self.others)
+        Met { by_class: classes.collect(), others: self.others, figures: self.classes.into_figures() }
     }
 
     /// Judges a plain row; `None` for every row that is not plain.
@@ -333,6 +344,7 @@ impl Judge<'_> {
             Ok(Found { measured, asked: Some((callout, limits)), is_simulated }) => {
                 let bounds = limits.bounds();
                 let class = callout.class().map(|class| (self.classes.number_of(class), class));
+                self.classes.note(&callout, &limits);
                 tally.simulated += u64::from(is_simulated);
                 self.give(row, &Judged::new(bounds, measured), class, tally, take);
             }

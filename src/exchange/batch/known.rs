@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 
 use super::row::Part;
 use crate::length::Length;
-use crate::tolerance::{Callout, Deviations, Feature, Sources, ToleranceClass};
+use crate::tolerance::{Callout, Deviations, Feature, FigureWarning, Limits, Sources, ToleranceClass};
 
 /// How many places the table of texts has: several times the classes of ISO 286.
 const PLACES: usize = 1 << 12;
@@ -85,12 +85,17 @@ pub(super) struct Classes<'a> {
     cells: Vec<Cell>,
     /// The deviations that no cell has room for, by class and step.
     wide: BTreeMap<(usize, usize), Deviations>,
+    /// What to check about the figures that were looked up, by class and step.
+    figures: Figures,
 }
+
+/// What to check about figures, by class and the end of the size step.
+pub type Figures = BTreeMap<(ToleranceClass, Length), FigureWarning>;
 
 impl<'a> Classes<'a> {
     pub(super) fn new(sources: &'a Sources, steps: &'a Steps) -> Self {
         let (places, wide) = (vec![(0, 0); PLACES], BTreeMap::new());
-        Self { sources, steps, places, used: 0, known: Vec::new(), cells: Vec::new(), wide }
+        Self { sources, steps, places, used: 0, known: Vec::new(), cells: Vec::new(), wide, figures: Figures::new() }
     }
 
     /// The number of the class that a text names.
@@ -160,11 +165,12 @@ impl<'a> Classes<'a> {
         let cell = self.cells.get_mut(number * self.steps.ends.len() + step)?;
         if *cell == Cell::NOT_ASKED {
             let callout = Callout::new(nominal, class).ok();
-            let limits = callout.and_then(|callout| self.sources.limits(&callout, None).ok());
+            let limits = callout.as_ref().and_then(|callout| self.sources.limits(callout, None).ok());
             let Some(limits) = limits else {
                 *cell = Cell::NONE;
                 return None;
             };
+            note(&mut self.figures, callout.as_ref(), &limits, self.sources);
             let [upper, lower] = [limits.deviations.upper(), limits.deviations.lower()];
             let narrow = |deviation: Length| i32::try_from(deviation.nanometres()).ok();
             let known = narrow(upper).zip(narrow(lower)).map(|(upper, lower)| Cell { upper, lower });
@@ -177,10 +183,25 @@ impl<'a> Classes<'a> {
         self.wide.get(&(number, step)).copied()
     }
 
+    /// Notes what to check about limits that were looked up elsewhere.
+    pub(super) fn note(&mut self, callout: &Callout, limits: &Limits) {
+        note(&mut self.figures, Some(callout), limits, self.sources);
+    }
+
+    /// What to check about the figures that were looked up.
+    pub(super) fn into_figures(self) -> Figures {
+        self.figures
+    }
+
     /// The class with a number.
     pub(super) fn class(&self, number: usize) -> Option<ToleranceClass> {
         self.known.get(number).map(|known| known.class)
     }
+}
+
+fn note(figures: &mut Figures, callout: Option<&Callout>, limits: &Limits, sources: &Sources) {
+    let warning = callout.and_then(|callout| FigureWarning::of_limits(callout, limits, sources));
+    figures.extend(warning.map(|warning| (warning.cell(), warning)));
 }
 
 /// A place for a number: the upper bits of a product spread over all places.

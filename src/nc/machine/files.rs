@@ -7,7 +7,7 @@ use super::budget::{Budget, UsedUp};
 use super::fault::FaultKind;
 use super::path::NcPath;
 use super::remark::Remark;
-use super::store::{Origin, Store, StoreError};
+use super::store::{Origin, OtherNames, Store, StoreError};
 use crate::control::mask::FileUse;
 use crate::control::table::{ControlTable, TableFile};
 use crate::nc::program::Program;
@@ -34,8 +34,8 @@ pub(super) struct Files {
     tables: Vec<(NcPath, Vec<u8>, Arc<TableFile>)>,
     /// Where each file comes from that was read.
     origins: BTreeMap<NcPath, Origin>,
-    /// Those among them that are built in, read since somebody asked, and take the place of others.
-    instead: Vec<NcPath>,
+    /// What is worth knowing about those that were read since somebody asked.
+    told: Vec<Remark>,
     kept_bytes: usize,
     traffic: usize,
     /// The folders that were written into, and those above them.
@@ -52,7 +52,7 @@ impl Files {
             odd: BTreeMap::new(),
             tables: Vec::new(),
             origins: BTreeMap::new(),
-            instead: Vec::new(),
+            told: Vec::new(),
             kept_bytes: 0,
             traffic: 0,
             folders: BTreeSet::new(),
@@ -66,7 +66,7 @@ impl Files {
         (self.kept_bytes, self.traffic) = (0, 0);
         self.folders.clear();
         self.origins.clear();
-        self.instead.clear();
+        self.told.clear();
     }
 
     /// Where each file comes from that was read.
@@ -74,9 +74,10 @@ impl Files {
         &self.origins
     }
 
-    /// The built-in files that took the place of others since this was asked.
-    pub(super) fn take_instead(&mut self) -> Vec<NcPath> {
-        std::mem::take(&mut self.instead)
+    /// What is worth knowing about the files that were read since this was asked: built-in ones that took the place of
+    /// others, and those that a control would have in one spelling only.
+    pub(super) fn take_told(&mut self) -> Vec<Remark> {
+        std::mem::take(&mut self.told)
     }
 
     pub(super) fn read(&mut self, path: &NcPath) -> Result<Vec<u8>, FaultKind> {
@@ -86,8 +87,10 @@ impl Files {
         if !self.origins.contains_key(path) {
             let origin = self.store.origin(path);
             if origin == Origin::BuiltInInstead {
-                self.instead.push(path.clone());
+                self.told.push(Remark::BuiltIn { path: path.clone() });
             }
+            let others = self.store.other_names(path).into_iter();
+            self.told.extend(others.map(|OtherNames { read, others }| Remark::OtherNames { read, others }));
             self.origins.insert(path.clone(), origin);
         }
         Ok(bytes)

@@ -54,6 +54,6 @@ pub use prints::{Window, Written};
 pub use remark::Remark;
 pub use run::Machine;
 pub use step::{Pause, Step};
-pub use store::{FileRead, InMemory, Origin, Shipped, Store, StoreError};
+pub use store::{FileRead, InMemory, Origin, OtherNames, Shipped, Store, StoreError};
 pub use tools::ToolChanged;
 pub use values::shown;

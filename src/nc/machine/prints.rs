@@ -157,7 +157,9 @@ pub(super) fn rendered(
     let refused = |error| FaultKind::Render { mask: mask.clone(), error: Box::new(error) };
     let output = read.render(values.all(), context).map_err(refused)?;
     values.printed(read.parameters());
-    Ok((output, Remark::read(mask, &warnings)))
+    let mut remarks = Remark::read(mask, &warnings);
+    remarks.extend(Remark::read(mask, read.other_languages(context.language).as_slice()));
+    Ok((output, remarks))
 }
 
 /// Writes a file and returns whether it is there now.

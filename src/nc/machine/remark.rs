@@ -48,6 +48,13 @@ pub enum Remark {
         /// The file.
         path: NcPath,
     },
+    /// A file was read, and another one has its name in another spelling.
+    OtherNames {
+        /// The one that was read.
+        read: String,
+        /// The others.
+        others: String,
+    },
     /// A called program or a mask can be read, but not all of it means what it seems to.
     Read {
         /// The file.

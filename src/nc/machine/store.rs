@@ -22,6 +22,12 @@ pub trait Store: Send {
         Origin::Given(None)
     }
 
+    /// What else is there under the name of a file that was read, where a control would have one file. The default
+    /// implementation has no other.
+    fn other_names(&self, _path: &NcPath) -> Vec<OtherNames> {
+        Vec::new()
+    }
+
     /// Writes what FN 16 prints, or a table that FN 27 has changed, and returns how many bytes the file has then. The
     /// default implementation writes nothing.
     ///
@@ -41,6 +47,15 @@ pub enum Origin {
     BuiltIn,
     /// It is built in and takes the place of one that is not among those that were given.
     BuiltInInstead,
+}
+
+/// A file or folder that was read, and others beside it whose names differ only by case.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct OtherNames {
+    /// The one that was read.
+    pub read: String,
+    /// The others.
+    pub others: String,
 }
 
 /// A file that a run has read, and where it comes from.
@@ -103,6 +118,13 @@ pub enum StoreError {
         path: NcPath,
         /// What is allowed, MiB.
         most: u64,
+    },
+    /// Several files or folders have the name in different spellings, and none has exactly it.
+    Ambiguous {
+        /// The path.
+        path: NcPath,
+        /// What is there.
+        names: String,
     },
     /// No folder was chosen for outputs.
     ReadOnly,

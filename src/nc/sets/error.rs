@@ -2,7 +2,7 @@
 
 use crate::control::table::WriteError;
 use crate::length::{Length, LengthError};
-use crate::message::{Located, Say};
+use crate::message::{Located, Message, Say};
 use crate::nc::machine::Fault;
 use crate::nc::program::ProgramError;
 use crate::probing::cycle::{CycleError, Key};
@@ -277,6 +277,11 @@ pub enum SetRemark {
         table: &'static str,
         /// The classes in it.
         classes: String,
+    },
+    /// A figure behind the limits is contested, for trial use, or not that of ISO 286.
+    Figure {
+        /// What it says.
+        what: Message,
     },
     /// The cycle's nominal size is the limit next to the nominal size, which lies outside the limits.
     MovedNominal {

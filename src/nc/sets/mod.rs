@@ -36,6 +36,8 @@ mod readme;
 mod tables;
 mod workpiece;
 
+use std::collections::BTreeMap;
+
 pub use cells::KindCells;
 pub use error::{PlanError, PlanFault, ProofFault, SetError, SetRemark};
 pub use kind::{Direction, NcKind, Towards, WidthAxis};
@@ -44,7 +46,8 @@ pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, MOST_FEATURES, NcFea
 
 use super::program::Program;
 use crate::control::mask::{Mask, MaskWarning, MaskWarningKind};
-use crate::tolerance::{Callout, Feature, Limits, Sources};
+use crate::message::Say as _;
+use crate::tolerance::{Callout, Feature, FigureWarning, Limits, Sources};
 use crate::words::Dialogue;
 use called::Called;
 use names::Names;
@@ -132,6 +135,7 @@ impl NcSet {
             remarks.extend(worth_knowing);
             tables.push(SetFile { name: names.table(feature).to_owned(), bytes });
         }
+        remarks.extend(figures(&planned, sources));
         remarks.extend(planned.iter().flat_map(|planned| programs::moved_nominals(*planned, target.control)));
         let mut files = vec![SetFile { name: names.main.clone(), bytes: programs::main(&names, &planned) }];
         for called in Called::ALL {
@@ -156,6 +160,14 @@ impl NcSet {
     pub fn zip(&self) -> Result<Vec<u8>, SetError> {
         archive::zip(&self.files)
     }
+}
+
+/// What to check about the figures behind the limits, once for each class and size step.
+fn figures(planned: &[Planned<'_>], sources: &Sources) -> Vec<SetRemark> {
+    let sizes = planned.iter().flat_map(Planned::sizes);
+    let warnings = sizes.filter_map(|(callout, limits)| FigureWarning::of_limits(&callout, limits, sources));
+    let once: BTreeMap<_, _> = warnings.map(|warning| (warning.cell(), warning)).collect();
+    once.into_values().map(|warning| SetRemark::Figure { what: warning.message() }).collect()
 }
 
 /// The files must read back without a warning, or the control would not read them either.

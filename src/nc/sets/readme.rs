@@ -102,6 +102,6 @@ fn nominal(remark: &SetRemark) -> Option<String> {
         SetRemark::MovedNominal { name, callout, value, parameter, .. } => {
             Some(format!("  {name:<20} {callout}: {parameter} = {value}"))
         }
-        SetRemark::OwnColumn { .. } | SetRemark::FewerColumns { .. } => None,
+        SetRemark::OwnColumn { .. } | SetRemark::FewerColumns { .. } | SetRemark::Figure { .. } => None,
     }
 }

@@ -10,7 +10,7 @@ use crate::control::shipped_tables;
 use crate::control::table::WriteError;
 use crate::length::Length;
 use crate::tolerance::table::Column;
-use crate::tolerance::{Callout, DeviationTable, Deviations, Feature, Limits, Source, Sources, ToleranceClass};
+use crate::tolerance::{Callout, DeviationTable, Deviations, Feature, Limits, Sources, ToleranceClass};
 
 /// The table of holes or of shafts, with its remarks. Size ranges are those of the built-in table, divided where the
 /// user's own tables or the classes of the plan need it, so that no cell ever holds two values.
@@ -67,20 +67,11 @@ fn ends(feature: Feature, asked: &[(Callout, &Limits)], sources: &Sources) -> Ve
     let tables = shipped_tables();
     let tables = tables.iter().chain(sources.tables()).filter(|table| holds(table));
     let mut ends: BTreeSet<Length> = tables.flat_map(|table| table.ends().iter().copied()).collect();
-    for (over, to) in asked.iter().filter_map(|(_, limits)| range(&limits.source)) {
+    for (over, to) in asked.iter().filter_map(|(_, limits)| limits.source.range()) {
         ends.extend([over, to]);
     }
     ends.remove(&Length::ZERO);
     ends.into_iter().collect()
-}
-
-/// The size range in which limits were found.
-fn range(source: &Source) -> Option<(Length, Length)> {
-    match source {
-        Source::Standard { over, to, .. } | Source::Table { over, to, .. } => Some((*over, *to)),
-        Source::WithoutOwn { source, .. } => range(source),
-        Source::Iso2768 { .. } | Source::Callout | Source::File(_) => None,
-    }
 }
 
 fn made(
@@ -99,6 +90,6 @@ fn made(
 fn cell(class: ToleranceClass, (over, to): (Length, Length), sources: &Sources) -> Option<Deviations> {
     let callout = Callout::new(to, class).ok()?;
     let (deviations, source) = sources.deviations(&callout, None).ok()?;
-    let (from, _) = range(&source)?;
+    let (from, _) = source.range()?;
     (from <= over).then_some(deviations)
 }

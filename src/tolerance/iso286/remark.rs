@@ -19,6 +19,13 @@ pub enum Remark {
     TrialUse,
 }
 
+impl Remark {
+    /// Whether the figure may be another one elsewhere. Rounding was asked for.
+    pub const fn is_doubt(self) -> bool {
+        matches!(self, Self::ContestedEf | Self::OlderIt5 | Self::TrialUse)
+    }
+}
+
 /// The most important remark about a cell.
 pub(super) fn remark(
     letter: Letter,

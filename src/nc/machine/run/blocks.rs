@@ -29,8 +29,7 @@ impl Run {
         let travels = self.way.travels().len();
         let mut done = self.block(at, files, settings);
         self.look_at_travels(&place, travels, settings);
-        let instead = files.take_instead().into_iter().map(|path| Remark::BuiltIn { path }).collect();
-        self.remarks.add_all(&place, instead);
+        self.remarks.add_all(&place, files.take_told());
         if matches!(done, Ok(Step::Ended)) {
             if let Some(left) = self.cycles.contacts_left() {
                 self.remark(at, left);

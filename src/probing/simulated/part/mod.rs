@@ -75,6 +75,13 @@ pub struct PartFeature {
     pub extent: Extent,
 }
 
+impl Part {
+    /// Whether it has the temperature that sizes refer to, so that it has not expanded.
+    pub fn is_at_reference(&self) -> bool {
+        (self.temperature - REFERENCE).abs() < f64::EPSILON
+    }
+}
+
 impl PartFeature {
     /// A surface without ends and without a name.
     pub const fn endless(surface: Surface) -> Self {

@@ -27,5 +27,6 @@ fn deviations(class: ToleranceClass, nominal: Length, options: Options) -> Resul
         None => Message::new("source-iso286"),
         Some(remark) => Message::new("source-iso286-remark").with("remark", &remark),
     };
-    Ok((deviations, Source::Standard { over, to, said: said.with("over", &over).with("to", &to) }))
+    let doubt = remark.filter(|remark| remark.is_doubt()).map(|remark| remark.message());
+    Ok((deviations, Source::Standard { over, to, said: said.with("over", &over).with("to", &to), doubt }))
 }
