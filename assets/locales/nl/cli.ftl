@@ -95,6 +95,11 @@ cli-warning-file-twice = dit bestand is tweemaal genoemd: de rijen tellen dubbel
 cli-warning-own-table = tabel { $name } wijkt af van ISO 286, die { $upper } en { $lower } mm heeft
 cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft geen waarde die voor het hele bereik geldt
 cli-warning-contacts-left = de cyclus heeft { $used } van de { $count } meetpunten gebruikt
+cli-warning-not-in-csv = CSV heeft geen plaats voor { $options }: HTML en JSON wel
+cli-warning-notes-not-in-csv = { $count ->
+    [one] { $count } opmerking staat niet in de CSV: in HTML en JSON wel
+   *[other] { $count } opmerkingen staan niet in de CSV: in HTML en JSON wel
+}
 cli-warning-no-tool-monitored = de gereedschapstabel wordt niet gebruikt: Q330 noemt geen gereedschap
 cli-warning-log-unknown = er wordt geen meetprotocol geschreven: dat van cyclus { $code } is niet bekend
 cli-warning-log-off = er wordt geen meetprotocol geschreven: Q281 = 0
