@@ -6,6 +6,7 @@ use std::str::FromStr;
 use super::args::dialogue;
 use super::{CliError, CliRemark, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::control::mask::Mask;
+use crate::exchange::contacts::Contacts;
 use crate::files;
 use crate::journal::{Record, status_window};
 use crate::message::IntoArg as _;
@@ -148,7 +149,7 @@ impl Args {
             return Ok(Measurement::of_diameter(diameter, Origin::Typed));
         }
         if let Some(path) = &self.source.contacts {
-            let (name, contacts) = super::read_contacts(path, io)?;
+            let (name, Contacts { contacts, .. }) = super::read_contacts(path, io)?;
             let origin = Origin::Contacts { file: name.as_str().into() };
             return measure_contacts(&contacts, origin).about(&name);
         }
@@ -196,7 +197,7 @@ fn warn(record: &Record, sources: &Sources, io: &mut Io<'_>) {
         io.warn(&doubt);
     }
     for caveat in record.measurement.caveats() {
-        if matches!(caveat, Caveat::ShortArc { .. }) {
+        if matches!(caveat, Caveat::ShortArc { .. } | Caveat::Heights { .. }) {
             io.warn(&caveat);
         }
     }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use serde::Serialize;
 
 use super::{CliError, Format, Io, Outcome, Refused as _, read_contacts};
+use crate::exchange::contacts::Contacts;
 use crate::probing::Circle;
 use crate::probing::circle::{Evaluation, TwoPoint, Zone, evaluate};
 
@@ -69,7 +70,7 @@ struct Pair {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let (name, contacts) = read_contacts(&self.file, io)?;
+        let (name, Contacts { contacts, .. }) = read_contacts(&self.file, io)?;
         let evaluation = evaluate(&contacts).about(&name)?;
         if self.format != Format::Json {
             for warning in &evaluation.warnings {

@@ -12,7 +12,6 @@ use crate::exchange::contacts;
 use crate::files::{self, FileError};
 use crate::length::Length;
 use crate::message::{IntoArg, Say};
-use crate::probing::Contact;
 use crate::tolerance::DeviationTable;
 
 /// The standard streams, as arguments so that tests can bring their own.
@@ -170,13 +169,13 @@ pub(super) fn read_input(path: &Path, io: &mut Io<'_>) -> Result<(String, Vec<u8
 }
 
 /// A file of contacts, and the name to call it by.
-pub(super) fn read_contacts(path: &Path, io: &mut Io<'_>) -> Result<(String, Vec<Contact>), CliError> {
+pub(super) fn read_contacts(path: &Path, io: &mut Io<'_>) -> Result<(String, contacts::Contacts), CliError> {
     let (name, bytes) = read_input(path, io)?;
     let read = contacts::read(&bytes).about(&name)?;
     for column in &read.ignored {
         io.warn_about(&name, &CliWarning::ColumnNotUsed { column });
     }
-    Ok((name, read.contacts))
+    Ok((name, read))
 }
 
 /// Warns of inputs that are named twice: their rows are counted twice.

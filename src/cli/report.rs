@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use jiff::civil::DateTime;
 
 use super::args::one_of;
-use super::{CliError, Io, Outcome, TableArgs};
+use super::{CliError, CliWarning, Io, Outcome, TableArgs};
 use crate::exchange::{Item, import_each};
 use crate::files;
 use crate::journal::Record;
@@ -73,8 +73,9 @@ Examples:
   fitcheck report bores.csv TCHPR421.TXT -o report.html
   fitcheck report --check \"25 H7=25.012\" -o - --format json
 
-The exit code is that of the worst check. A check that cannot be read or judged is named on standard error
-and in the report; the others are reported, and the exit code is 1.";
+The exit code is that of the worst check. A check that cannot be read or judged is named on standard
+error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. CSV has
+the checks alone: standard error tells what it does not hold.";
 
 /// Why a `--check` is not a check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
@@ -197,11 +198,32 @@ impl Args {
             notes: collected.notes(),
             ..Report::new(now, given)
         };
+        if rendering.name == report::csv::RENDERING.name {
+            self.warn_of_csv(report.notes.len(), io);
+        }
         match &self.output {
             Output::Standard => (rendering.render)(&report, &words, io.data())?,
             Output::File(path, _) => super::save_with(path, &mut |out| (rendering.render)(&report, &words, out), io)?,
         }
         Ok(if bad { Outcome::BadData } else { Outcome::Judged(worst) })
+    }
+
+    /// Warns of what CSV has no place for.
+    fn warn_of_csv(&self, notes: usize, io: &mut Io<'_>) {
+        let given = [
+            ("--title", &self.title),
+            ("--part", &self.part),
+            ("--order", &self.order),
+            ("--inspector", &self.inspector),
+        ];
+        let options: Vec<&str> =
+            given.into_iter().filter(|(_, text)| text.is_some()).map(|(option, _)| option).collect();
+        if !options.is_empty() {
+            io.warn(&CliWarning::NotInCsv { options: &options.join(", ") });
+        }
+        if 0 < notes {
+            io.warn(&CliWarning::NotesNotInCsv { count: notes });
+        }
     }
 
     /// The rendering of the file's ending, or of `--format` for standard output.

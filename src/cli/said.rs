@@ -57,6 +57,10 @@ pub(super) enum CliWarning<'a> {
         over: Length,
         to: Length,
     },
+    /// Options of a report that CSV has no place for.
+    NotInCsv { options: &'a str },
+    /// What a report says beside its checks, which CSV has no place for.
+    NotesNotInCsv { count: usize },
     /// Recorded contacts that the cycle did not ask for.
     ContactsLeft { used: usize, count: usize },
     /// A tool table, and a cycle that names no tool.

@@ -4,11 +4,15 @@
 
 use csv::StringRecord;
 
+use super::cells::{
+    self, WholeNumbers, decimals, is_blank, is_callout, is_class, is_class_with_grade, is_comment, is_data, is_number,
+    is_whole, may_be_names, own_callout,
+};
 use super::delimited::{Item, Rows, SEPARATORS};
 use super::error::{ImportErrorKind, Role};
+use super::units;
 use super::words::{self, Rank};
-use crate::length::{Length, Unit};
-use crate::tolerance::{Callout, ToleranceClass};
+use crate::length::Unit;
 
 /// How many rows are examined to find out what a file is.
 const SAMPLE: usize = 200;
@@ -50,8 +54,22 @@ pub(super) struct Columns {
     pub(super) ignored: Vec<String>,
     /// The decimal sign of the measured values, if any has one.
     pub(super) decimal_sign: Option<char>,
-    /// Whether the cells after measured values with a decimal sign are whole numbers of their own.
-    pub(super) whole_numbers_behind: bool,
+    /// The whole numbers of their own after measured values with a decimal sign, where most of these have one.
+    pub(super) behind: Option<WholeNumbers>,
+    /// The fewest decimals of the first measured values, without that of a last line that has no line end.
+    pub(super) fewest_decimals: Option<usize>,
+}
+
+impl Columns {
+    /// The units that unknown names say, where there is one for each column.
+    fn with_units(&mut self, names: &StringRecord) -> Result<(), ImportErrorKind> {
+        if names.len() == self.count {
+            for column in self.nominal.iter_mut().chain([&mut self.measured]) {
+                column.unit = unit_of(names.get(column.at).unwrap_or_default())?;
+            }
+        }
+        Ok(())
+    }
 }
 
 /// The first rows of a text, split at one separator.
@@ -61,6 +79,8 @@ pub(super) struct Sample {
     header: Option<usize>,
     /// How many rows come before the measurements.
     above: usize,
+    /// Whether the last of the rows ends the text, without a line end.
+    is_last_open: bool,
 }
 
 impl Sample {
@@ -70,7 +90,7 @@ impl Sample {
         let samples = tried.iter().map(|&separator| Self::split(text, first_line, separator));
         // The first of equals: the separators are in order of trust.
         let best = samples.reduce(|best, other| if best.sense() < other.sense() { other } else { best });
-        best.unwrap_or(Self { separator: b';', rows: Vec::new(), header: None, above: 0 })
+        best.unwrap_or(Self { separator: b';', rows: Vec::new(), header: None, above: 0, is_last_open: false })
     }
 
     fn split(text: &str, first_line: usize, separator: u8) -> Self {
@@ -79,17 +99,25 @@ impl Sample {
             Item::Row { .. } | Item::OpenQuote { .. } | Item::TooLong { .. } => None,
         });
         let mut bytes = 0;
-        let is_enough = |(_, cells): &(usize, StringRecord)| {
+        let mut is_enough = |(_, cells): &(usize, StringRecord)| {
             let before = bytes;
             bytes += cells.as_slice().len() + cells.len();
             before < SAMPLE_BYTES
         };
-        let rows: Vec<_> = rows.take(SAMPLE).take_while(is_enough).collect();
+        let mut rows = rows.peekable();
+        let mut sample = Vec::new();
+        while sample.len() < SAMPLE
+            && let Some(row) = rows.next_if(&mut is_enough)
+        {
+            sample.push(row);
+        }
+        let is_last_open = !text.ends_with(['\n', '\r']) && rows.next().is_none();
+        let rows = sample;
         let header = header(&rows);
         // Unknown names are not a measurement either.
         let unknown = rows.first().is_some_and(|(_, cells)| may_be_names(cells));
         let above = header.map_or(usize::from(unknown), |header| header + 1);
-        Self { separator, rows, header, above }
+        Self { separator, rows, header, above, is_last_open }
     }
 
     /// How many columns the header names, how many rows hold a callout and a number, and how many rows have cells.
@@ -112,16 +140,20 @@ impl Sample {
             self.by_header(*line, cells)?
         } else {
             let mut columns = self.by_content()?;
-            columns.header = self.above.checked_sub(1).and_then(|at| self.rows.get(at)).map(|(line, _)| *line);
+            if let Some((line, names)) = self.above.checked_sub(1).and_then(|at| self.rows.get(at)) {
+                columns.header = Some(*line);
+                columns.with_units(names)?;
+            }
             columns
         };
-        columns.decimal_sign = self.decimal_sign(columns.measured.at);
-        columns.whole_numbers_behind = self.whole_numbers_behind(columns.measured.at);
+        columns.decimal_sign = cells::decimal_sign(self.cells(columns.measured.at));
+        columns.behind = self.behind(columns.measured.at);
+        columns.fewest_decimals = self.fewest_decimals(columns.measured.at);
         Ok(columns)
     }
 
     /// The cells of a column below the header.
-    fn cells(&self, at: usize) -> impl Iterator<Item = &str> {
+    fn cells(&self, at: usize) -> impl Iterator<Item = &str> + Clone {
         let data = self.rows.iter().skip(self.above);
         data.filter_map(move |(_, cells)| cells.get(at)).map(str::trim).filter(|cell| !cell.is_empty())
     }
@@ -165,9 +197,7 @@ impl Sample {
         let id = best(Role::Id, &sure)?;
         let simulated = best(Role::Simulated, &sure)?;
         let column = |at: usize| -> Result<LengthColumn, ImportErrorKind> {
-            let unit =
-                words::unit(header.get(at).unwrap_or_default()).map_err(|unit| ImportErrorKind::Unit { unit })?;
-            Ok(LengthColumn { at, unit: unit.unwrap_or(Unit::Millimetre) })
+            Ok(LengthColumn { at, unit: unit_of(header.get(at).unwrap_or_default())? })
         };
         let used: Vec<usize> = [id, tolerance, nominal, simulated, Some(measured_at)]
             .into_iter()
@@ -187,13 +217,14 @@ impl Sample {
             names_known: true,
             ignored: ignored.take(NAMED + 1).map(|(at, name)| name_of(at, name)).collect(),
             decimal_sign: None,
-            whole_numbers_behind: false,
+            behind: None,
+            fewest_decimals: None,
         })
     }
 
     /// Without a header: the column of callouts, or of classes with the nominal sizes before them, and the only column
-    /// of numbers after it, or the only one at all. Names of own columns, such as PF, are words like any other, so they are
-    /// told apart by the measured value only, and only in callouts.
+    /// of numbers after it, or the only one at all beside a callout. Names of own columns, such as PF, are words like any
+    /// other, so they are told apart by the measured value only, and only in callouts.
     fn by_content(&self) -> Result<Columns, ImportErrorKind> {
         let width = self.rows.iter().map(|(_, cells)| cells.len()).max().unwrap_or_default();
         // The count that most rows have; a longer row is reported.
@@ -220,6 +251,11 @@ impl Sample {
         let behind: Vec<usize> =
             free.iter().copied().filter(|at| tolerance.is_some_and(|before| before < *at)).collect();
         let measured = match (behind.as_slice(), free.as_slice()) {
+            // Of two numbers before a class, either may be the nominal size.
+            ([], [_, ..]) if nominal.is_some() => {
+                let before: Vec<usize> = free.iter().copied().chain(nominal).collect();
+                return Err(several(Role::Measured, &no_header, &before));
+            }
             ([at], _) | ([], [at]) => *at,
             ([], []) => return Err(ImportErrorKind::NoMeasuredColumn),
             ([], several_are) | (several_are, _) => return Err(several(Role::Measured, &no_header, several_are)),
@@ -243,7 +279,8 @@ impl Sample {
                 .map(|at| name_of(at, ""))
                 .collect(),
             decimal_sign: None,
-            whole_numbers_behind: false,
+            behind: None,
+            fewest_decimals: None,
         })
     }
 
@@ -255,35 +292,27 @@ impl Sample {
         (all < are * 2).then_some(first)
     }
 
-    fn whole_numbers_behind(&self, at: usize) -> bool {
+    /// What stands after the measured values with a decimal sign, where most of these cells are whole numbers.
+    fn behind(&self, at: usize) -> Option<WholeNumbers> {
         let data = self.rows.iter().skip(self.above);
         let with_sign = data.filter(|(_, cells)| cells.get(at).is_some_and(|cell| cell.contains('.')));
+        let mut numbers = WholeNumbers::default();
         let (whole, all) = with_sign.fold((0, 0), |(whole, all), (_, cells)| {
-            (whole + usize::from(cells.get(at + 1).is_some_and(is_whole)), all + 1)
+            let behind = cells.get(at + 1).map(str::trim).filter(|behind| is_whole(behind));
+            if let Some(behind) = behind {
+                numbers.see(behind);
+            }
+            (whole + usize::from(behind.is_some()), all + 1)
         });
-        all < whole * 2
+        (all < whole * 2).then_some(numbers)
     }
 
-    /// The decimal sign that most values of a column have; in a tie, the first one.
-    fn decimal_sign(&self, at: usize) -> Option<char> {
-        let signs = || {
-            self.cells(at).filter_map(|cell| match (cell.contains('.'), cell.contains(',')) {
-                (true, false) => Some('.'),
-                (false, true) => Some(','),
-                _ => None,
-            })
-        };
-        let first = signs().next()?;
-        let (same, all) = signs().fold((0, 0), |(same, all), sign| (same + usize::from(sign == first), all + 1));
-        let other = if first == '.' { ',' } else { '.' };
-        Some(if same * 2 < all { other } else { first })
+    /// The fewest decimals of a column's numbers. A last line without a line end is not asked: it may be cut off.
+    fn fewest_decimals(&self, at: usize) -> Option<usize> {
+        let data = self.rows.len() - usize::from(self.is_last_open && self.above < self.rows.len());
+        let data = self.rows.get(..data)?.iter().skip(self.above);
+        data.filter_map(|(_, cells)| cells.get(at)).filter(|cell| is_number(cell)).map(decimals).min()
     }
-}
-
-/// Whether a cell is nothing but digits: one half of a number whose decimal comma was taken for a separator.
-pub(super) fn is_whole(cell: &str) -> bool {
-    let cell = cell.trim();
-    !cell.is_empty() && cell.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// Whether a text is a list of contacts: a header x, y or rows of two or three numbers, and no callout.
@@ -325,66 +354,6 @@ fn named(cells: &StringRecord) -> usize {
     cells.iter().filter(|cell| words::role(cell).is_some()).count()
 }
 
-/// Whether a row holds no figures: neither numbers nor callouts, nor anything meant as one.
-fn may_be_names(cells: &StringRecord) -> bool {
-    let begins_with_digit =
-        |cell: &str| cell.trim().trim_start_matches(['Ø', '⌀']).starts_with(|c: char| c.is_ascii_digit());
-    !has_number(cells) && !cells.iter().any(begins_with_digit)
-}
-
-fn has_number(cells: &StringRecord) -> bool {
-    cells.iter().any(is_number)
-}
-
-/// Whether a row holds a callout or class, and a number.
-pub(super) fn is_data(cells: &StringRecord) -> bool {
-    has_number(cells)
-        && (cells.iter().any(|cell| is_callout(cell) || is_class_with_grade(cell)) || own_callout(cells).is_some())
-}
-
-pub(super) fn is_blank(cells: &StringRecord) -> bool {
-    cells.iter().all(|cell| cell.trim().is_empty())
-}
-
-pub(super) fn is_comment(cells: &StringRecord) -> bool {
-    cells.get(0).is_some_and(|cell| cell.trim_start().starts_with('#'))
-}
-
-fn is_number(cell: &str) -> bool {
-    Length::parse_in(cell, Unit::Millimetre).is_ok()
-}
-
-fn is_callout(cell: &str) -> bool {
-    // Deviations and limits look like dates and part numbers: 2024-03-14, 17-3. "3 pcs" may be a callout, and seldom is.
-    cell.parse::<Callout>().is_ok_and(|callout| callout.class().is_some_and(ToleranceClass::has_grade))
-}
-
-/// The cell with the callout of an own column: `25 PF` and not `3 pcs`, because another cell holds a number within a tenth
-/// of its nominal size.
-fn own_callout(cells: &StringRecord) -> Option<usize> {
-    let nominal = |cell: &str| {
-        let callout = cell.parse::<Callout>().ok()?;
-        callout.class().map(|_class| callout.nominal())
-    };
-    let is_near = |cell: &str, nominal: Length| {
-        let number = Length::parse_in(cell, Unit::Millimetre).unwrap_or_default();
-        let apart = number.saturating_sub(nominal).abs();
-        apart.nanometres() <= nominal.nanometres() / 10
-    };
-    let has_measured = |nominal: Length| cells.iter().any(|cell| is_near(cell, nominal));
-    cells.iter().position(|cell| nominal(cell).is_some_and(has_measured))
-}
-
-/// Whether a cell of a column that is named is a class.
-fn is_class(cell: &str) -> bool {
-    cell.parse::<ToleranceClass>().is_ok()
-}
-
-/// Whether a cell of a column without a name is a class: there a word such as GOOD is none.
-fn is_class_with_grade(cell: &str) -> bool {
-    cell.parse::<ToleranceClass>().is_ok_and(ToleranceClass::has_grade)
-}
-
 fn several(role: Role, header: &StringRecord, columns: &[usize]) -> ImportErrorKind {
     let columns = columns.iter().take(NAMED + 1);
     let names: Vec<String> = columns.map(|&at| name_of(at, header.get(at).unwrap_or_default())).collect();
@@ -398,6 +367,12 @@ pub(super) fn listed(names: &[String]) -> String {
         list.push_str(", …");
     }
     list
+}
+
+/// The unit that a column's name says; millimetres where it says none.
+fn unit_of(name: &str) -> Result<Unit, ImportErrorKind> {
+    let unit = units::unit(name).map_err(|unit| ImportErrorKind::Unit { unit: super::error::shorten(&unit) })?;
+    Ok(unit.unwrap_or(Unit::Millimetre))
 }
 
 /// The number of a column, and its name where it has one.

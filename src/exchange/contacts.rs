@@ -13,9 +13,12 @@ pub const MOST_CONTACTS: usize = 500_000;
 
 /// What a file of contacts holds.
 #[derive(Debug, Clone, PartialEq)]
+#[expect(clippy::struct_field_names, reason = "the contacts of a file are contacts")]
 pub struct Contacts {
     /// The contacts in the file's order.
     pub contacts: Vec<Contact>,
+    /// Whether the file has a column z; without one all heights are 0.
+    pub has_heights: bool,
     /// Names of the skipped columns.
     pub ignored: Vec<String>,
 }
@@ -96,7 +99,7 @@ struct Places {
 pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
     let text = text::decode(bytes);
     let separator = separator(&text);
-    let mut read = Contacts { contacts: Vec::new(), ignored: Vec::new() };
+    let mut read = Contacts { contacts: Vec::new(), has_heights: false, ignored: Vec::new() };
     let mut places: Option<Places> = None;
     let mut decimal_sign = None;
     for item in Rows::new(&text, 1, separator) {
@@ -135,6 +138,7 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
             }
         }
     }
+    read.has_heights = places.is_some_and(|places| places.z.is_some());
     if read.contacts.is_empty() {
         return Err(Located { what: ContactsError::FileEmpty, place: Place::default() });
     }

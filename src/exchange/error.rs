@@ -206,6 +206,18 @@ pub enum ImportWarningKind {
         /// What was given.
         given: String,
     },
+    /// There is a column for the time, and the row has none.
+    NoTime,
+    /// A time with an offset from UTC, which no record has.
+    Offset {
+        /// What was given.
+        given: String,
+    },
+    /// The measured value ends the file, and may have had more decimals.
+    CutOff {
+        /// What is left of it.
+        given: String,
+    },
 }
 
 impl ImportWarningKind {

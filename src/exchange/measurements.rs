@@ -8,6 +8,7 @@ use std::sync::Arc;
 use csv::StringRecord;
 use jiff::civil::{DateTime, Time};
 
+use super::cells;
 use super::columns::{self, Columns, Sample};
 use super::delimited::{Item, LONGEST_ROW, Rows, without_separator_line};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
@@ -43,13 +44,16 @@ fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
     let separator = sample.separator;
     // The first rows are read once more with the rest.
     drop(sample);
-    let mut reader = Reader { source, columns: &columns, separator, sink };
+    let mut reader = Reader { source, columns: &columns, separator, sink, is_open: false };
     reader.warn_of_columns(first_line);
     let nothing = Cell { at: None, text: "" };
-    for item in Rows::new(text, first_line, separator) {
+    let has_end = text.ends_with(['\n', '\r']);
+    let mut rows = Rows::new(text, first_line, separator).peekable();
+    while let Some(item) = rows.next() {
         if reader.sink.is_full(item.line()) {
             break;
         }
+        reader.is_open = !has_end && rows.peek().is_none();
         match item {
             Item::Row { line, cells } => reader.row(line, &cells),
             Item::OpenQuote { line, text } => reader.refuse(line, Cell { at: None, text }, ImportErrorKind::OpenQuote),
@@ -70,7 +74,7 @@ pub(super) fn read_row(
     (line, cells): (usize, &StringRecord),
     sink: &mut Sink<'_>,
 ) {
-    let mut reader = Reader { source, columns, separator, sink };
+    let mut reader = Reader { source, columns, separator, sink, is_open: false };
     if let Err((cell, reason)) = reader.measurement(line, cells) {
         reader.refuse(line, cell, reason);
     }
@@ -81,6 +85,8 @@ struct Reader<'a, 's> {
     columns: &'a Columns,
     separator: u8,
     sink: &'a mut Sink<'s>,
+    /// Whether the row is the last one and has no line end.
+    is_open: bool,
 }
 
 impl Reader<'_, '_> {
@@ -102,10 +108,10 @@ impl Reader<'_, '_> {
     }
 
     fn row(&mut self, line: usize, cells: &StringRecord) {
-        if columns::is_blank(cells) {
+        if cells::is_blank(cells) {
             return;
         }
-        if columns::is_comment(cells) {
+        if cells::is_comment(cells) {
             let rules = self.rules();
             if !rules.hides_measurement(cells) {
                 return;
@@ -134,6 +140,10 @@ impl Reader<'_, '_> {
     fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
         let Found { measured, asked, is_simulated } = self.rules().read(cells)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
+        if let Some(given) = self.rules().cut_off(cells).filter(|_| self.is_open) {
+            let reason = ImportWarningKind::CutOff { given: shorten(given) };
+            self.sink.warn(Place::line(line), Some(line), reason);
+        }
         let time = self.time(line, cells);
         let Some((callout, limits)) = asked else {
             let why = WhyUnjudged::NoCallout;
@@ -151,15 +161,25 @@ impl Reader<'_, '_> {
     fn time(&mut self, line: usize, cells: &StringRecord) -> DateTime {
         let texts = self.columns.time.iter().filter_map(|&at| cells.get(at)).map(str::trim);
         let given = texts.filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" ");
-        if given.is_empty() {
-            return self.source.now;
-        }
-        date_time(&given).unwrap_or_else(|| {
-            let reason = ImportWarningKind::Time { given: shorten(&given) };
+        let read = date_time(&given);
+        let reason = match read {
+            _ if self.columns.time.is_empty() => None,
+            None if given.is_empty() => Some(ImportWarningKind::NoTime),
+            None => Some(ImportWarningKind::Time { given: shorten(&given) }),
+            Some(_) if has_offset(&given) => Some(ImportWarningKind::Offset { given: shorten(&given) }),
+            Some(_) => None,
+        };
+        if let Some(reason) = reason {
             self.sink.warn(Place::line(line), Some(line), reason);
-            self.source.now
-        })
+        }
+        read.unwrap_or(self.source.now)
     }
+}
+
+/// Whether a date and time says how far it is from UTC, or in which time zone it is.
+fn has_offset(given: &str) -> bool {
+    let time = given.split_once(['T', 't', ' ']).map_or("", |(_, time)| time);
+    given.contains('[') || time.contains(['+', '-', '\u{2212}'])
 }
 
 /// `2024-03-14 08:05:09` as in ISO 8601 (the time is optional), or day first: `14.3.2024 8:05`.

@@ -8,7 +8,8 @@
 //! | `point_log` | logs of points as deviations along the normal |
 //! | `contacts` | CSV of x, y and optionally z |
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
-//! | `columns`, `words` | which column of a CSV is which, by header or content |
+//! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
+//! | `cells` | what a cell or a row of a CSV seems to hold |
 //! | `tables` | tables of deviations for controls and other tools |
 //! | `sql` | limits and verdicts as plain SQL |
 //! | `delimited` | rows and cells, with their lines |
@@ -19,6 +20,7 @@
 //! Nothing here opens a file: a name, bytes, tables and the time come in as arguments.
 
 pub mod batch;
+mod cells;
 mod columns;
 pub mod contacts;
 mod delimited;
@@ -32,6 +34,7 @@ mod point_log;
 mod rules;
 pub mod sql;
 pub mod tables;
+mod units;
 mod words;
 
 use std::borrow::Cow;

@@ -4,7 +4,8 @@
 
 use csv::StringRecord;
 
-use super::columns::{self, Columns, LengthColumn};
+use super::cells;
+use super::columns::{Columns, LengthColumn};
 use super::error::{ImportErrorKind, shorten};
 use crate::length::Length;
 use crate::tolerance::{Callout, CalloutError, Limits, Sources};
@@ -49,11 +50,17 @@ impl Rules<'_> {
         Ok(Found { measured, asked: Some((callout, limits)), is_simulated })
     }
 
+    /// The measured value of a last row that has no line end, where it ends the row and has fewer decimals than the others.
+    pub(super) fn cut_off<'c>(&self, cells: &'c StringRecord) -> Option<&'c str> {
+        let given = cells.get(self.columns.measured.at).filter(|_| cells.len() == self.columns.measured.at + 1)?;
+        (cells::decimals(given) < self.columns.fewest_decimals?).then(|| given.trim())
+    }
+
     /// Whether a comment would be a row with a callout and its measured value, were it none: with its `#` or without.
     pub(super) fn hides_measurement(&self, cells: &StringRecord) -> bool {
         let bare = uncommented(cells);
         let is_row = self.read(&bare).is_ok_and(|found| found.asked.is_some());
-        is_row || [cells, &bare].into_iter().any(columns::is_data)
+        is_row || [cells, &bare].into_iter().any(cells::is_data)
     }
 
     /// There must be enough cells for what is needed, and none beyond the columns.
@@ -82,11 +89,11 @@ impl Rules<'_> {
             return Err((cell, ImportErrorKind::DecimalSign { given: given(), sign }));
         }
         // 25,012 between separating commas: 25 in this column and 012 in the next one.
-        let behind = cells.get(self.columns.measured.at + 1).filter(|behind| columns::is_whole(behind));
+        let behind = cells.get(self.columns.measured.at + 1).filter(|behind| cells::is_whole(behind));
         if let Some(behind) = behind
             && self.has_commas
-            && columns::is_whole(cell.text)
-            && !self.columns.whole_numbers_behind
+            && cells::is_whole(cell.text)
+            && !self.columns.behind.is_some_and(|numbers| numbers.may_have(behind))
         {
             let joined = format!("{},{}", given(), shorten(behind.trim()));
             return Err((cell, ImportErrorKind::DecimalComma { joined }));

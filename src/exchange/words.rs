@@ -1,10 +1,10 @@
-//! The words that people use to name columns, in English, Dutch, German and Italian, and the units after them.
+//! The words that people use to name columns, in English, Dutch, German and Italian; `units` has the units beside them.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
 use super::error::Role;
-use crate::length::Unit;
+use super::units::{self, Parts};
 
 /// How sure a name is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -45,6 +45,31 @@ const OTHER: &str = "deviation|dev|afwijking|abweichung|scostamento|error|fout|f
     temperature|temperatuur|temperatur|temperatura|position|positie|posizione|x|y|z|status|result|resultaat|ergebnis|\
     risultato|count|anzahl|aantal|plus|minus|um|form|rundheit|roundness|rondheid|type|typ|tipo";
 
+/// Words that say another measurement or another quantity than the diameter that was measured now. In a name for a part they
+/// say nothing.
+const STRANGE: &str = "simulated|simulation|sim|previous|prev|prior|old|former|earlier|last|expected|predicted|estimated|\
+    calculated|computed|assumed|planned|reference|ref|radius|radial|roughness|depth|angle|runout|concentricity|\
+    cylindricity|flatness|straightness|parallelism|wear|correction|uncertainty|sigma|std|stdev|range|spread|scatter|\
+    force|torque|pressure|humidity|\
+    gesimuleerd|gesimuleerde|simulatie|vorig|vorige|eerder|eerdere|oud|oude|laatste|verwacht|verwachte|geschat|\
+    geschatte|berekend|berekende|referentie|straal|ruwheid|diepte|hoek|slingering|cilindriciteit|vlakheid|rechtheid|\
+    slijtage|correctie|onzekerheid|spreiding|\
+    simuliert|simulierter|simulierte|simuliertes|vorherig|vorheriger|vorherige|vorheriges|voriger|voriges|früher|\
+    früherer|frühere|früheres|alt|alter|alte|altes|letzter|letzte|letztes|erwartet|erwarteter|erwartete|erwartetes|\
+    geschätzt|geschätzter|geschätzte|geschätztes|berechnet|berechneter|berechnete|berechnetes|referenz|halbmesser|\
+    rauheit|rauigkeit|rauhigkeit|tiefe|winkel|rundlauf|zylindrizität|ebenheit|geradheit|parallelität|verschleiß|\
+    verschleiss|korrektur|unsicherheit|streuung|spannweite|\
+    simulato|simulata|precedente|vecchio|vecchia|ultimo|ultima|atteso|attesa|previsto|prevista|stimato|stimata|\
+    calcolato|calcolata|riferimento|raggio|rugosità|rugosita|profondità|profondita|angolo|cilindricità|planarità|\
+    usura|correzione|incertezza|dispersione";
+
+/// Words beside a measured value that say how it was found and leave it what it is.
+const BESIDE: &str = "average|avg|mean|median|final|raw|corrected|in|gemiddeld|gemiddelde|mediaan|mittel|mittelwert|mittlerer|\
+    mittlere|median|media|medio|mediana|of|the|a|an|de|het|een|van|der|die|das|des|von|il|la|lo|di|del|della|bei|bij|a|\
+    with|mit|met|con|probe|taster|tastsystem|tastatore|cmm|kmg|machine|maschine|messmaschine|meetmachine|macchina|\
+    point|points|punkt|punkte|punt|punten|punto|punti|two|three|four|inner|outer|inside|outside|innen|außen|aussen|\
+    binnen|buiten|interno|esterno|round|zone|hand|val|eff|mis|act|meas|dim|1st|2nd|3rd|4th";
+
 /// The lists above, to be asked by a word.
 struct Known {
     /// What a whole name says.
@@ -52,6 +77,9 @@ struct Known {
     /// What a word within a longer name says; the first of these roles counts.
     within: HashMap<&'static str, usize>,
     other: HashSet<&'static str>,
+    strange: HashSet<&'static str>,
+    /// Every word of any list: none of them is a unit.
+    words: HashSet<&'static str>,
 }
 
 /// The roles that one word within a longer name is enough for, the most telling first.
@@ -80,14 +108,33 @@ static KNOWN: LazyLock<Known> = LazyLock::new(|| {
             within.entry(word).or_insert(place);
         }
     }
-    Known { whole, within, other: OTHER.split('|').collect() }
+    let names = whole.keys().flat_map(|name| name.split(' '));
+    let words = names.chain([OTHER, STRANGE, BESIDE].into_iter().flat_map(|list| list.split('|'))).collect();
+    Known { words, whole, within, other: OTHER.split('|').collect(), strange: STRANGE.split('|').collect() }
 });
+
+/// Whether a word, in small letters, says something else than a unit.
+pub(super) fn is_word(word: &str) -> bool {
+    KNOWN.words.contains(word)
+}
 
 /// What a column with this name holds.
 pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
-    let name = bare(header);
-    if let Some(known) = KNOWN.whole.get(name.as_str()) {
-        return Some(*known);
+    let Parts { mut name, inside, is_remark, .. } = units::split(header);
+    let is_strange = |words: &[String]| words.iter().any(|word| KNOWN.strange.contains(word.as_str()));
+    // A remark in brackets is no part of a name, but it may say that a size is another one.
+    let is_size = |role: Role| matches!(role, Role::Measured | Role::Nominal | Role::Tolerance);
+    let is_other = is_strange(&name) || is_strange(&inside);
+    let is_other_size = is_strange(&inside);
+    if !is_remark {
+        name.extend(inside.iter().cloned());
+    }
+    let name = name.join(" ");
+    let is_nominal = inside.iter().any(|word| KNOWN.within.get(word.as_str()) == Some(&0));
+    if let Some(known) = KNOWN.whole.get(name.as_str()).filter(|(role, _)| !is_other_size || !is_size(*role)) {
+        // "diameter (nominal)"
+        let is_measured = known.1 != Rank::Weak || !is_nominal;
+        return Some(if is_measured { *known } else { (Role::Nominal, Rank::Contained) });
     }
     if name.split(' ').any(|part| KNOWN.other.contains(part)) {
         return None;
@@ -96,70 +143,16 @@ pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
     if name.split(' ').any(is_id) {
         return Some((Role::Id, Rank::Contained));
     }
+    if is_other {
+        return None;
+    }
     let place = name.split(' ').filter_map(|part| KNOWN.within.get(part)).min()?;
     WITHIN.get(*place).map(|(role, _)| (*role, Rank::Contained))
 }
 
-/// The name in small letters, without its unit, with single blanks between words.
+/// The name in small letters, without its unit and what stands in brackets, with single blanks between words.
 pub(super) fn bare(header: &str) -> String {
-    let (name, _) = split_unit(header);
-    let mut bare = String::new();
-    let mut before = ' ';
-    for c in name.chars() {
-        if c == '⌀' {
-            bare.push('ø');
-        } else if !c.is_alphanumeric() {
-            bare.push(' ');
-        } else {
-            // measuredValue
-            if before.is_lowercase() && c.is_uppercase() {
-                bare.push(' ');
-            }
-            bare.extend(c.to_lowercase());
-        }
-        before = c;
-    }
-    bare.split_whitespace().collect::<Vec<_>>().join(" ")
-}
-
-/// The unit that a column's name ends in.
-///
-/// # Errors
-/// The unit, where it is a length that is not read.
-pub(super) fn unit(header: &str) -> Result<Option<Unit>, String> {
-    let (_, unit) = split_unit(header);
-    let Some(unit) = unit else { return Ok(None) };
-    match unit.to_lowercase().as_str() {
-        "mm" | "millimeter" | "millimetre" | "millimetri" => Ok(Some(Unit::Millimetre)),
-        "\u{b5}m" | "\u{3bc}m" | "um" | "micron" | "microns" | "micrometer" | "micrometre" => {
-            Ok(Some(Unit::Micrometre))
-        }
-        "in" | "inch" | "inches" | "zoll" | "pollici" | "\"" => Ok(Some(Unit::Inch)),
-        "cm" | "dm" | "m" | "nm" | "mil" | "mils" | "thou" | "ft" => Err(unit.to_owned()),
-        _ => Ok(None),
-    }
-}
-
-/// A name and the unit after it: `measured [mm]`, `measured (mm)`, `measured_mm`, `measured mm`, `measured in mm`.
-fn split_unit(header: &str) -> (&str, Option<&str>) {
-    let header = header.trim().trim_end_matches([':', '.']);
-    for (open, close) in [('[', ']'), ('(', ')'), ('{', '}'), ('<', '>')] {
-        if let Some((name, unit)) = header.strip_suffix(close).and_then(|rest| rest.rsplit_once(open)) {
-            return (name, Some(unit.trim()));
-        }
-    }
-    for sign in ['_', ' ', '/', ',', '-'] {
-        if let Some((name, unit)) = header.rsplit_once(sign)
-            && matches!(
-                unit.to_lowercase().as_str(),
-                "mm" | "\u{b5}m" | "\u{3bc}m" | "um" | "inch" | "inches" | "zoll" | "cm" | "mil"
-            )
-        {
-            let name = name.trim_end().strip_suffix(" in").unwrap_or(name);
-            return (name, Some(unit));
-        }
-    }
-    (header, None)
+    units::split(header).name.join(" ")
 }
 
 #[cfg(test)]
@@ -197,22 +190,6 @@ mod tests {
             ("", None),
         ] {
             assert_eq!(role(name), expected, "{name}");
-        }
-    }
-
-    #[test]
-    fn units_stand_behind_names() {
-        for (name, expected) in [
-            ("measured", Ok(None)),
-            ("measured [mm]", Ok(Some(Unit::Millimetre))),
-            ("measured_um", Ok(Some(Unit::Micrometre))),
-            ("Istmaß (µm)", Ok(Some(Unit::Micrometre))),
-            ("actual [inch]", Ok(Some(Unit::Inch))),
-            ("actual (in)", Ok(Some(Unit::Inch))),
-            ("measured (average)", Ok(None)),
-            ("measured [cm]", Err("cm".to_owned())),
-        ] {
-            assert_eq!(unit(name), expected, "{name}");
         }
     }
 }

@@ -20,7 +20,6 @@ use crate::exchange::{self, contacts};
 use crate::files;
 use crate::message::{Message, Say as _};
 use crate::nc::program::ProgramWarning;
-use crate::probing::Contact;
 use crate::probing::simulated::Simulation;
 use crate::session::program::Document;
 use crate::session::{
@@ -329,11 +328,12 @@ fn read_program(path: &Path) -> Result<(Box<Document>, Vec<ProgramWarning>), Mes
     Ok((Box::new(document), warnings))
 }
 
-fn read_contacts(path: &Path) -> Result<(Vec<Contact>, Vec<Message>), Message> {
+fn read_contacts(path: &Path) -> Result<(contacts::Contacts, Vec<Message>), Message> {
     let bytes = files::read_file(path).map_err(|error| error.message())?;
     let read = contacts::read(&bytes).map_err(|error| error.message())?;
     let ignored = read.ignored.iter().map(|column| Message::new("cycles-column-ignored").text("column", column));
-    Ok((read.contacts, ignored.collect()))
+    let ignored = ignored.collect();
+    Ok((read, ignored))
 }
 
 fn read_workpiece(path: &Path) -> Result<Box<Simulation>, Message> {

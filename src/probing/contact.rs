@@ -82,6 +82,11 @@ pub enum NoContact {
         /// The other feature's name.
         other: String,
     },
+    /// A recorded contact has no height, and the height is measured.
+    NoHeight {
+        /// Which contact of the cycle, from 1.
+        number: usize,
+    },
     /// The recorded contacts are used up.
     UsedUp {
         /// Which contact of the cycle, from 1.
@@ -104,6 +109,11 @@ pub trait Prober {
     fn ball_radius(&self) -> f64 {
         0.0
     }
+
+    /// Whether the height of its contacts is known. Where it is not, they have the height 0 and nothing may depend on it.
+    fn has_heights(&self) -> bool {
+        true
+    }
 }
 
 /// Contacts recorded in a file, returned in their order, whichever probings the cycle asks for.
@@ -111,12 +121,20 @@ pub trait Prober {
 pub struct Recorded {
     contacts: Vec<Contact>,
     next: usize,
+    has_heights: bool,
 }
 
 impl Recorded {
     /// Contacts in probing order.
     pub const fn new(contacts: Vec<Contact>) -> Self {
-        Self { contacts, next: 0 }
+        Self { contacts, next: 0, has_heights: true }
+    }
+
+    /// The same, and whether their heights were recorded, too.
+    #[must_use]
+    pub const fn with_heights(mut self, has_heights: bool) -> Self {
+        self.has_heights = has_heights;
+        self
     }
 
     /// How many contacts there are, and how many of them have been returned.
@@ -134,5 +152,9 @@ impl Prober for Recorded {
         let contact = self.contacts.get(self.next).copied();
         self.next += 1;
         contact.ok_or(NoContact::UsedUp { number: self.next, available: self.contacts.len() })
+    }
+
+    fn has_heights(&self) -> bool {
+        self.has_heights
     }
 }

@@ -82,6 +82,18 @@ pub enum Caveat {
         #[say(name = "arc")]
         arc_deg: u16,
     },
+    /// The contacts lie at very different heights.
+    Heights {
+        /// The largest height minus the smallest, to the nearest micrometre.
+        #[say(with = three_decimals)]
+        spread: Length,
+    },
+}
+
+/// A length in millimetres with three decimals.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "derive(Say) hands over references")]
+fn three_decimals(length: &Length) -> String {
+    format!("{:.3}", length.to_mm_f64())
 }
 
 /// Measures a circle from any number of contacts, at least three: the least-squares circle.
@@ -136,6 +148,10 @@ impl Measurement {
                 )]
                 caveats.push(Caveat::ShortArc { arc_deg: arc_deg as u16 });
             }
+            let spread = super::circle::heights(&self.contacts, circle.diameter);
+            caveats.extend(
+                spread.map(|spread| Caveat::Heights { spread: Length::from_mm_f64(spread).unwrap_or(Length::MAX) }),
+            );
         }
         caveats
     }

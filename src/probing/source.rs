@@ -15,7 +15,12 @@ pub enum Source<'a> {
     /// A simulated part with any number of features.
     Part(&'a Part),
     /// Contacts in probing order, points of the surface.
-    Recorded(&'a [Contact]),
+    Recorded {
+        /// The contacts.
+        contacts: &'a [Contact],
+        /// Whether their heights were recorded, too.
+        has_heights: bool,
+    },
 }
 
 /// Why there is nothing to probe.
@@ -37,7 +42,9 @@ impl Source<'_> {
     /// [`SourceError`] where the inputs or the figures do not describe a possible workpiece.
     pub fn prober(self, cycle: &Cycle, inputs: &Inputs) -> Result<Box<dyn Prober>, SourceError> {
         let machine = match self {
-            Self::Recorded(contacts) => return Ok(Box::new(Recorded::new(contacts.to_vec()))),
+            Self::Recorded { contacts, has_heights } => {
+                return Ok(Box::new(Recorded::new(contacts.to_vec()).with_heights(has_heights)));
+            }
             Self::Simulated(simulation) => simulation.machine(),
             Self::Part(part) => part.machine(),
             Self::Perfect => Simulation::perfect(cycle.nominal(inputs)?).machine(),
@@ -56,7 +63,7 @@ impl Source<'_> {
 
     /// How many recorded contacts a path did not use.
     pub fn unused(self, path: &[Move]) -> usize {
-        let Self::Recorded(contacts) = self else { return 0 };
+        let Self::Recorded { contacts, .. } = self else { return 0 };
         contacts.len().saturating_sub(path.iter().filter(|step| step.phase == Phase::Contact).count())
     }
 }

@@ -5,6 +5,7 @@ use std::sync::Arc;
 use super::command::{CycleFile, Purpose};
 use super::cycles::{WorkpieceField, WorkpieceForm};
 use super::shared::{News, Shared};
+use crate::exchange::contacts::Contacts;
 use crate::message::Message;
 use crate::probing::Contact;
 use crate::probing::cycle::Plane;
@@ -30,7 +31,7 @@ pub enum WorkpieceCommand {
         /// Its name without the folder.
         name: String,
         /// The contacts, and warnings.
-        result: Result<(Vec<Contact>, Vec<Message>), Message>,
+        result: Result<(Contacts, Vec<Message>), Message>,
     },
 }
 
@@ -41,6 +42,8 @@ pub struct RecordedContacts {
     pub name: String,
     /// The contacts in probing order.
     pub contacts: Vec<Contact>,
+    /// Whether the file has their heights.
+    pub has_heights: bool,
 }
 
 /// The simulated workpiece as it is typed, and the contacts that were read.
@@ -95,9 +98,9 @@ impl Shared {
                 }
             }
             WorkpieceCommand::ContactsRead { name, result } => {
-                if let Some((contacts, details)) = self.file_answered(result) {
+                if let Some((Contacts { contacts, has_heights, .. }, details)) = self.file_answered(result) {
                     self.note_details(Message::new("cycles-contacts-loaded").text("name", &name), details);
-                    self.workpiece.recorded = Some(Arc::new(RecordedContacts { name, contacts }));
+                    self.workpiece.recorded = Some(Arc::new(RecordedContacts { name, contacts, has_heights }));
                     self.spread(News::ContactsTaken);
                 }
             }

@@ -298,7 +298,7 @@ fn a_machine_file_names_what_is_needed_in_a_user_s_words() {
         "line 1: invalid value: integer `-1`, expected a whole number from 0 to 9223372036854775807",
     );
     refused(&format!("{bore}diameter = inf\n"), "line 3: diameter = inf: at least 0.001, at most 100000");
-    refused("[bore]\ncentre = [0]\ndiameter = 25\n", "line 2: invalid length 1, expected an array of length 2");
+    refused("[bore]\ncentre = [0]\ndiameter = 25\n", "line 2: centre: expected 2 numbers, found 1");
 }
 
 #[test]

@@ -14,6 +14,7 @@ mod circles;
 mod contacts;
 mod control_texts;
 mod corpus;
+mod csv_doubts;
 mod cycle_cli;
 mod cycle_declaration;
 mod cycle_logs;

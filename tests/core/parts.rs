@@ -273,10 +273,7 @@ fn bad_files_are_refused_with_feature_key_line_and_column() {
             "[[feature]]\nname = \"\"\nkind = \"stud\"\ncentre = [0, 0]\ndiameter = 2\n",
             "line 7, column 1: F2: a name has 1 to 40 characters on one line",
         ),
-        (
-            "[[feature]]\nkind = \"bore\"\ncentre = [0]\n",
-            "line 8, column 10: F2: invalid length 1, expected an array of length 2",
-        ),
+        ("[[feature]]\nkind = \"bore\"\ncentre = [0]\n", "line 8, column 10: F2: centre: expected 2 numbers, found 1"),
         ("[[feature]]\ncentre = [0, 0]\n", "line 6, column 1: F2: missing field `kind`"),
         ("[probe]\nball_radius = -1\n", "line 7: ball radius = -1: at least 0, at most 100"),
         ("[probe]\nstylus_radius = 101\n", "line 7: stylus radius = 101: at least 0, at most 100"),

@@ -1,5 +1,6 @@
 //! The cycles page without a window: what fields mean, what a run keeps, and what clears it.
 
+use fitcheck::exchange::contacts::Contacts;
 use fitcheck::length::Length;
 use fitcheck::probing::Contact;
 use fitcheck::probing::cycle::{Key, Value};
@@ -11,6 +12,11 @@ use fitcheck::session::{
 };
 use fitcheck::verdict::Status;
 use fitcheck::words::{Dialogue, Language, Words};
+
+/// Contacts as a file with x, y and z gives them.
+fn read(contacts: &[Contact]) -> Contacts {
+    Contacts { contacts: contacts.to_vec(), has_heights: true, ignored: Vec::new() }
+}
 
 fn send(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
     session.apply(command.into(), jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0))
@@ -274,7 +280,10 @@ fn recorded_contacts_are_measured_in_their_order() {
     assert_eq!(problem(&session), "no file of contacts has been opened yet");
     let places = [[12.5, 0.0, 0.0], [0.0, 12.502, 0.0], [-12.5, 0.0, 0.0], [0.0, -12.502, 0.0], [1.0, 1.0, 1.0]];
     let contacts = places.map(Contact::at).to_vec();
-    send(&mut session, WorkpieceCommand::ContactsRead { name: "bore.csv".into(), result: Ok((contacts, Vec::new())) });
+    send(
+        &mut session,
+        WorkpieceCommand::ContactsRead { name: "bore.csv".into(), result: Ok((read(&contacts), Vec::new())) },
+    );
     send(&mut session, CyclesCommand::Run);
     assert_eq!(status(&session), Some(Status::Good));
     let run = session.cycles().run().unwrap();
@@ -378,7 +387,7 @@ fn a_shown_result_is_always_that_of_what_is_on_screen() {
         CyclesCommand::TypeBlock("TCH PROBE 421 ~\nQ273=0~\nQ274=0~\nQ262=25.01~\nQ275=25.02~\nQ276=25".into()).into(),
         CyclesCommand::TakeBlock.into(),
         CyclesCommand::CopyResults.into(),
-        WorkpieceCommand::ContactsRead { name: "a.csv".into(), result: Ok((contacts.to_vec(), Vec::new())) }.into(),
+        WorkpieceCommand::ContactsRead { name: "a.csv".into(), result: Ok((read(&contacts), Vec::new())) }.into(),
         WorkpieceCommand::Read(Ok(bench("[bore]\ncentre = [0, 0]\ndiameter = 25.03\n"))).into(),
         WorkpieceCommand::Read(Ok(bench("seed = 4\n[point]\npoint = [0, 0, 5]\nnormal = [0, 0, 1]\n"))).into(),
         WorkpieceCommand::Read(Err(fitcheck::message::Message::new("cycles-no-workpiece"))).into(),

@@ -99,6 +99,11 @@ cli-warning-log-option = --{ $option } has no effect: no log is written or shown
 cli-warning-more-figures = { $count } more such figures are not listed
 cli-warning-empty-cell = { $class } over { $over } up to { $to } mm is left empty: ISO 286 has no single value for all of it
 cli-warning-contacts-left = the cycle used { $used } of { $count } contacts
+cli-warning-not-in-csv = CSV has no place for { $options }: HTML and JSON have
+cli-warning-notes-not-in-csv = { $count ->
+    [one] { $count } note is not in the CSV: HTML and JSON have it
+   *[other] { $count } notes are not in the CSV: HTML and JSON have them
+}
 cli-warning-no-tool-monitored = the tool table is not used: no tool is given in Q330
 cli-warning-log-unknown = no log is written: the log of cycle { $code } is unknown
 cli-warning-log-off = no log is written: Q281 = 0

@@ -49,6 +49,9 @@ exchange-warning-not-used = skipped, not a measurement: { $text }
 exchange-warning-comment = a line that begins with # is a comment, but this one holds a measurement
 exchange-warning-several-lines = the row runs over { $lines } lines within quotation marks
 exchange-warning-time = { $given } is not a date and time: the time of import is used
+exchange-warning-no-time = no date and time here: the time of import is used
+exchange-warning-offset = { $given } is kept as local time without its offset from UTC
+exchange-warning-cut-off = the file ends here without a line end, and { $given } has fewer decimals than the other values: it may be cut off
 
 # Contacts
 contacts-file-empty = the file holds no contacts

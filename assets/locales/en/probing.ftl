@@ -12,7 +12,9 @@ caveat-three-contacts = 3 contacts: form cannot be measured
 caveat-four-contacts = 4 contacts: no form beyond ovality is detected
 caveat-few-contacts = { $contacts } contacts: form between them is not detected
 caveat-short-arc = contacts cover only { $arc }°: scatter is magnified in diameter and centre
+caveat-heights = the contacts' heights differ by { $spread } mm: on a cone or a tilted axis that changes the diameter
 contact-missed = contact { $number }: the probe met nothing on the probing path
+contact-no-height = contact { $number } has no height: give the file a column z
 contact-used-up = contact { $number }: the file has only { $available ->
     [one] { $available } contact
    *[other] { $available } contacts
@@ -62,6 +64,7 @@ circle-too-many-contacts = maximum inscribed circle and minimum zone are not com
 circle-short-chord = contacts { $first } and { $second } are opposite each other but off the centre: this size is { $short } µm too small
 circle-more-of-a-kind = the same holds for { $more } more
 circle-apart = contact { $contact } lies { $apart } mm off the circle, far more than the others: dust or a false trigger?
+circle-heights = the contacts' heights differ by { $spread } mm: on a cone or a tilted axis that changes the diameter
 
 ## Measuring cycles: errors, results, remarks
 contact-out-of-reach = contact { $number }: the probe met nothing within the probing path of { $longest } mm

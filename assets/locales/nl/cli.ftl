@@ -99,6 +99,11 @@ cli-warning-log-option = --{ $option } heeft geen effect: er wordt geen meetprot
 cli-warning-more-figures = nog { $count } zulke waarden zijn niet vermeld
 cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft geen waarde die voor het hele bereik geldt
 cli-warning-contacts-left = de cyclus heeft { $used } van de { $count } meetpunten gebruikt
+cli-warning-not-in-csv = CSV heeft geen plaats voor { $options }: HTML en JSON wel
+cli-warning-notes-not-in-csv = { $count ->
+    [one] { $count } opmerking staat niet in de CSV: in HTML en JSON wel
+   *[other] { $count } opmerkingen staan niet in de CSV: in HTML en JSON wel
+}
 cli-warning-no-tool-monitored = de gereedschapstabel wordt niet gebruikt: Q330 noemt geen gereedschap
 cli-warning-log-unknown = er wordt geen meetprotocol geschreven: dat van cyclus { $code } is niet bekend
 cli-warning-log-off = er wordt geen meetprotocol geschreven: Q281 = 0

@@ -49,6 +49,9 @@ exchange-warning-not-used = overgeslagen, geen meting: { $text }
 exchange-warning-comment = een regel die met # begint is commentaar, maar hier staat een meting in
 exchange-warning-several-lines = de rij loopt binnen aanhalingstekens over { $lines } regels
 exchange-warning-time = { $given } is geen datum en tijd: het tijdstip van importeren is gebruikt
+exchange-warning-no-time = hier staat geen datum en tijd: de tijd van de import geldt
+exchange-warning-offset = { $given } wordt bewaard als lokale tijd zonder het verschil met UTC
+exchange-warning-cut-off = het bestand eindigt hier zonder regeleinde, en { $given } heeft minder decimalen dan de andere waarden: het is misschien afgekapt
 
 # Meetpunten
 contacts-file-empty = het bestand bevat geen meetpunten

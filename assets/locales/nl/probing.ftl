@@ -11,7 +11,9 @@ caveat-three-contacts = 3 meetpunten: de vorm is niet te meten
 caveat-four-contacts = 4 meetpunten: behalve ovaliteit is geen vorm te zien
 caveat-few-contacts = { $contacts } meetpunten: de vorm ertussen is niet te zien
 caveat-short-arc = de meetpunten beslaan maar { $arc }°: spreiding werkt versterkt door in diameter en midden
+caveat-heights = de hoogten van de meetpunten verschillen { $spread } mm: op een kegel of scheve as verandert dat de diameter
 contact-missed = meetpunt { $number }: de taster heeft op de tastweg niets geraakt
+contact-no-height = meetpunt { $number } heeft geen hoogte: geef het bestand een kolom z
 contact-used-up = meetpunt { $number }: het bestand heeft maar { $available ->
     [one] { $available } meetpunt
    *[other] { $available } meetpunten
@@ -62,6 +64,7 @@ circle-too-many-contacts = grootste ingeschreven cirkel en minimale zone worden 
 circle-short-chord = meetpunten { $first } en { $second } liggen tegenover elkaar, maar naast het midden: deze maat is { $short } µm te klein
 circle-more-of-a-kind = hetzelfde geldt voor nog { $more }
 circle-apart = meetpunt { $contact } ligt { $apart } mm naast de cirkel, veel verder dan de andere: vuil of een valse tasting?
+circle-heights = de hoogten van de meetpunten verschillen { $spread } mm: op een kegel of scheve as verandert dat de diameter
 
 ## Measuring cycles: errors, results, remarks
 contact-out-of-reach = meetpunt { $number }: de taster heeft binnen de tastweg van { $longest } mm niets geraakt

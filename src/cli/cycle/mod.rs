@@ -24,6 +24,7 @@ use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
 use crate::control::tool_table::{Changed, ToolChange};
+use crate::exchange::contacts;
 use crate::length::Length;
 use crate::message::Located;
 use crate::nc::machine::Remark;
@@ -124,7 +125,7 @@ pub(super) enum Source {
     /// A file of a simulated workpiece.
     Workpiece { file: String, part: Part },
     /// A file of contacts.
-    Contacts { file: String, contacts: Vec<Contact> },
+    Contacts { file: String, contacts: Vec<Contact>, has_heights: bool },
 }
 
 /// Everything that is printed.
@@ -315,9 +316,9 @@ impl Args {
 
     fn source(&self, inputs: &Inputs, io: &mut Io<'_>) -> Result<(Source, Box<dyn Prober>), CliError> {
         if let Some(path) = &self.contacts {
-            let (file, contacts) = read_contacts(path, io)?;
-            let prober = Box::new(Recorded::new(contacts.clone()));
-            return Ok((Source::Contacts { file, contacts }, prober));
+            let (file, contacts::Contacts { contacts, has_heights, .. }) = read_contacts(path, io)?;
+            let prober = Box::new(Recorded::new(contacts.clone()).with_heights(has_heights));
+            return Ok((Source::Contacts { file, contacts, has_heights }, prober));
         }
         let Some(path) = &self.workpiece else {
             return match probing::Source::Perfect.prober(self.cycle, inputs) {
@@ -373,8 +374,9 @@ fn remark_on_moves(source: &Source, inputs: &Inputs, path: &[Move], io: &mut Io<
 
 /// Warns of contacts that the cycle did not ask for.
 fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) {
-    let Source::Contacts { file, contacts } = source else { return };
-    let (count, unused) = (contacts.len(), probing::Source::Recorded(contacts).unused(path));
+    let Source::Contacts { file, contacts, has_heights } = source else { return };
+    let (count, unused) =
+        (contacts.len(), probing::Source::Recorded { contacts, has_heights: *has_heights }.unused(path));
     if 0 < unused {
         io.warn_about(file, &CliWarning::ContactsLeft { used: count - unused, count });
     }

@@ -19,6 +19,7 @@ use super::cycle::{Source, pairs, probe_table, read_workpiece};
 use super::tools::ToolArgs;
 use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input};
 use crate::control::variables::{Parameter, Value};
+use crate::exchange::contacts;
 use crate::files::{self, FileError, Folders};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::{Program, ProgramWarning};
@@ -234,8 +235,8 @@ impl Args {
 
     fn source(&self, io: &mut Io<'_>) -> Result<Source, CliError> {
         if let Some(path) = &self.contacts {
-            let (file, contacts) = read_contacts(path, io)?;
-            return Ok(Source::Contacts { file, contacts });
+            let (file, contacts::Contacts { contacts, has_heights, .. }) = read_contacts(path, io)?;
+            return Ok(Source::Contacts { file, contacts, has_heights });
         }
         let Some(path) = &self.workpiece else { return Ok(Source::Perfect) };
         let (file, mut part) = read_workpiece(path, io)?;
@@ -251,7 +252,7 @@ fn contacts_of(source: &Source) -> Contacts {
     match source {
         Source::Perfect => Contacts::Perfect,
         Source::Workpiece { part, .. } => Contacts::Workpiece(part.clone()),
-        Source::Contacts { contacts, .. } => Contacts::Recorded(contacts.clone()),
+        Source::Contacts { contacts, has_heights, .. } => Contacts::of_file(contacts.clone(), *has_heights),
     }
 }
 

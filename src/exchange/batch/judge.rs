@@ -10,8 +10,8 @@ use super::layout::{Layout, utf8};
 use super::row::{Part, Row};
 use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
-use crate::exchange::columns;
-use crate::exchange::error::ImportErrorKind;
+use crate::exchange::cells;
+use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::rules::{Found, Rules};
 use crate::length::{Length, Unit, Window};
@@ -274,7 +274,10 @@ impl Judge<'_> {
     #[inline(always)]
     fn fast(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) -> Option<()> {
         let fast = &self.court.fast;
-        if row.len() != fast.count || LONGEST_ROW < row.end - row.start || fast.has_comments && may_be_comment(row) {
+        if row.len() != fast.count
+            || LONGEST_ROW < row.end - row.start
+            || fast.has_comments && (may_be_comment(row) || row.text.len() == row.end)
+        {
             return None;
         }
         let (measured, sign) = number(row, fast.measured)?;
@@ -326,14 +329,14 @@ impl Judge<'_> {
             return Self::broken(Broken::TooLong, whole, tally, take);
         }
         let cells = row.record();
-        if columns::is_blank(&cells) {
+        if cells::is_blank(&cells) {
             // With separators alone it has the cells of a row, and gets those that are added.
             let is_line = row.len() == 1 && !self.court.layout.is_typed;
             return if is_line { take.line(whole) } else { take.refused(row, "") };
         }
         let columns = &self.court.layout.columns;
         let rules = Rules { columns, has_commas: self.court.fast.has_commas, sources: self.court.sources };
-        if self.court.fast.has_comments && columns::is_comment(&cells) {
+        if self.court.fast.has_comments && cells::is_comment(&cells) {
             if rules.hides_measurement(&cells) {
                 return Self::refuse(row, None, &ImportErrorKind::Comment, tally, take);
             }
@@ -342,6 +345,13 @@ impl Judge<'_> {
         }
         match rules.read(&cells) {
             Ok(Found { measured, asked: Some((callout, limits)), is_simulated }) => {
+                if self.court.fast.has_comments
+                    && row.line_end().is_empty()
+                    && let Some(given) = rules.cut_off(&cells)
+                {
+                    let warning = ImportWarningKind::CutOff { given: shorten(given) };
+                    tally.note(Kind::CutOff, Some(columns.measured.at), || warning.message());
+                }
                 let bounds = limits.bounds();
                 let class = callout.class().map(|class| (self.classes.number_of(class), class));
                 self.classes.note(&callout, &limits);

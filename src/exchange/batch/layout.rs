@@ -7,6 +7,7 @@ use super::index::Index;
 use super::row::Row;
 use super::{LONGEST_ROW, index};
 use crate::control::text::windows_1252;
+use crate::exchange::cells;
 use crate::exchange::columns::{self, Columns, Sample};
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
@@ -45,7 +46,8 @@ pub struct Layout {
     pub is_utf8: bool,
     /// Whether the rows come from columns with types: what stands in a cell is a cell, whatever its signs would mean in CSV.
     pub(super) is_typed: bool,
-    /// What is to be said of lines above the rows, which are passed on as they are: the line, and a warning.
+    /// What is to be said of lines above the rows, which are passed on as they are, and of columns that no verdict depends on: the
+    /// line, and a warning.
     pub warnings: Vec<(usize, ImportWarningKind)>,
 }
 
@@ -97,6 +99,7 @@ impl Layout {
             // It is used after all.
             warnings.retain(|(at, _)| Some(*at) != columns.header);
         }
+        warnings.extend(skipped(&columns, first_line));
         Ok(Self {
             columns,
             separator,
@@ -126,6 +129,7 @@ impl Layout {
         known_format(&head, "")?;
         let text = utf8(sample);
         let columns = Sample::of(&text, 1, Some(b',')).columns()?;
+        let warnings = skipped(&columns, 1).into_iter().collect();
         Ok(Self {
             columns: Columns { count: names.len(), ..columns },
             separator: b',',
@@ -139,7 +143,7 @@ impl Layout {
             line_end: b"\n",
             is_utf8: true,
             is_typed: true,
-            warnings: Vec::new(),
+            warnings,
         })
     }
 
@@ -161,6 +165,13 @@ impl Layout {
     pub const fn separator(&self) -> u8 {
         self.separator
     }
+}
+
+/// The columns that are skipped, with the line of their names.
+fn skipped(columns: &Columns, first_line: usize) -> Option<(usize, ImportWarningKind)> {
+    let names = columns::listed(&columns.ignored);
+    let warning = ImportWarningKind::IgnoredColumns { columns: names };
+    (!columns.ignored.is_empty()).then(|| (columns.header.unwrap_or(first_line), warning))
 }
 
 /// Whether a text is of the one format that can be judged row by row.
@@ -210,11 +221,11 @@ impl Above {
             }
             let row = Row::new(text, above.length, ends);
             let cells = row.record();
-            if columns::is_comment(&cells) {
-                if columns::is_data(&cells) {
+            if cells::is_comment(&cells) {
+                if cells::is_data(&cells) {
                     above.warnings.push((above.line, ImportWarningKind::Comment));
                 }
-            } else if !columns::is_blank(&cells) {
+            } else if !cells::is_blank(&cells) {
                 above.warnings.push((above.line, ImportWarningKind::not_used(&cells)));
             }
             above.header_start = above.length;

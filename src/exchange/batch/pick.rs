@@ -13,7 +13,7 @@ use super::row::Row;
 use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::imported::{Imported, Sink, WhyUnjudged};
 use crate::exchange::rules::Rules;
-use crate::exchange::{Source, columns, measurements};
+use crate::exchange::{Source, cells, measurements};
 use crate::message::{Message, Say as _};
 use crate::tolerance::Sources;
 
@@ -83,7 +83,7 @@ impl Picker<'_> {
 
     /// Why a row of cells has no verdict.
     fn why(&self, cells: &StringRecord) -> Message {
-        if columns::is_comment(cells) {
+        if cells::is_comment(cells) {
             return ImportErrorKind::Comment.message();
         }
         let court = self.court;

@@ -14,11 +14,13 @@ pub enum Kind {
     Doubt,
     /// It runs over several lines.
     SeveralLines,
+    /// It is the last one and may be cut off.
+    CutOff,
 }
 
 impl Kind {
     /// Every kind, the most important first.
-    pub const ALL: [Self; 3] = [Self::Refused, Self::Doubt, Self::SeveralLines];
+    pub const ALL: [Self; 4] = [Self::Refused, Self::Doubt, Self::SeveralLines, Self::CutOff];
 }
 
 /// Something to be said of a row.

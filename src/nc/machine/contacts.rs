@@ -17,6 +17,8 @@ pub enum Contacts {
     Workpiece(Part),
     /// Contacts in probing order, points of the surface, for all cycles of the run one after the other.
     Recorded(Vec<Contact>),
+    /// The same from a file without heights.
+    WithoutHeights(Vec<Contact>),
 }
 
 /// The contacts during the run.
@@ -31,12 +33,20 @@ pub(super) enum Probed {
 /// The path of the probe, and the outcome.
 type Measured = (Vec<Move>, Result<CycleResult, CycleError>);
 
+impl Contacts {
+    /// Contacts of a file, with or without heights.
+    pub fn of_file(contacts: Vec<Contact>, has_heights: bool) -> Self {
+        if has_heights { Self::Recorded(contacts) } else { Self::WithoutHeights(contacts) }
+    }
+}
+
 impl Probed {
     pub(super) fn new(contacts: Contacts) -> Self {
         match contacts {
             Contacts::Perfect => Self::Perfect,
             Contacts::Workpiece(part) => Self::Workpiece(Box::new(part)),
             Contacts::Recorded(contacts) => Self::Recorded(Recorded::new(contacts)),
+            Contacts::WithoutHeights(contacts) => Self::Recorded(Recorded::new(contacts).with_heights(false)),
         }
     }
 

@@ -62,10 +62,18 @@ impl<P: Prober> Prober for Placed<'_, P> {
         let direction = placement.plane.place(touch.direction);
         let from = placement.out_of_cycle(touch.from);
         let contact = prober.touch(&Touch { from, direction, longest: touch.longest })?;
+        // Z is an axis of every plane but X/Y.
+        if placement.plane != Plane::Xy && !prober.has_heights() {
+            return Err(NoContact::NoHeight { number: 1 });
+        }
         Ok(Contact::at(placement.into_cycle(contact.place())))
     }
 
     fn ball_radius(&self) -> f64 {
         self.prober.ball_radius()
+    }
+
+    fn has_heights(&self) -> bool {
+        self.prober.has_heights()
     }
 }

@@ -32,6 +32,7 @@ use frame::{Frame, count_f64};
 pub use two_point::TwoPoint;
 pub use uncertainty::Uncertainty;
 pub use warning::CircleWarning;
+pub(in crate::probing) use warning::heights;
 pub use zone::Zone;
 
 /// A circle in millimetres.
@@ -78,7 +79,7 @@ impl Evaluation {
     /// Spread of the residuals of the least-squares circle: largest minus smallest. Zero for three contacts, whatever
     /// the form of the workpiece.
     pub fn form(&self) -> f64 {
-        let (least, most) = spread(&self.residuals);
+        let (least, most) = spread(self.residuals.iter().copied());
         most - least
     }
 
@@ -90,10 +91,8 @@ impl Evaluation {
 }
 
 /// Smallest and largest of some numbers.
-fn spread(numbers: &[f64]) -> (f64, f64) {
-    numbers
-        .iter()
-        .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), &number| (least.min(number), most.max(number)))
+fn spread(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
+    numbers.fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), number| (least.min(number), most.max(number)))
 }
 
 /// The geometric least-squares circle through contacts.
@@ -138,7 +137,7 @@ pub fn evaluate(contacts: &[Contact]) -> Result<Evaluation, CircleError> {
         uncertainty: Uncertainty::of(points, fit.centre),
         warnings: Vec::new(),
     };
-    evaluation.warnings = warning::all(&evaluation, frame.repeated());
+    evaluation.warnings = warning::all(&evaluation, contacts, frame.repeated());
     Ok(evaluation)
 }
 

@@ -2,12 +2,18 @@
 
 use super::{Evaluation, MOST_FOR_ZONE};
 use crate::message::{Say, printed};
+use crate::probing::contact::Contact;
 
 /// An arc from here on counts as half a circle or more: rounding may make a half circle a little too short.
 const HALF_CIRCLE_DEG: f64 = 180.0 - 1e-6;
 
 /// A chord that is shorter than its diameter by more than this gets a warning: 0.1 µm. Our choice.
 const SHORT_CHORD_MM: f64 = 1e-4;
+
+/// From which spread of heights on the contacts may not be those of one circle: half a millimetre, and for large circles a
+/// tenth of the diameter. Our choice.
+const HEIGHTS_MM: f64 = 0.5;
+const HEIGHTS_OF_DIAMETER: f64 = 0.1;
 
 /// At most this many warnings of a kind are listed: a file may hold a million repeated contacts.
 const MOST_OF_A_KIND: usize = 5;
@@ -65,6 +71,12 @@ pub enum CircleWarning {
         /// How many.
         more: usize,
     },
+    /// The contacts lie at very different heights.
+    Heights {
+        /// The largest height minus the smallest in millimetres, three decimals.
+        #[say(with = printed)]
+        spread: String,
+    },
     /// One contact lies apart from all others.
     Apart {
         /// Its number, from 1.
@@ -78,12 +90,12 @@ pub enum CircleWarning {
 impl CircleWarning {
     /// Whether it puts the least-squares diameter in doubt, other than by the number of contacts.
     pub const fn is_of_diameter(&self) -> bool {
-        matches!(self, Self::ShortArc { .. } | Self::Coinciding { .. } | Self::Apart { .. })
+        matches!(self, Self::ShortArc { .. } | Self::Coinciding { .. } | Self::Apart { .. } | Self::Heights { .. })
     }
 }
 
 /// All warnings about an evaluation.
-pub(super) fn all(evaluation: &Evaluation, repeated: &[[usize; 2]]) -> Vec<CircleWarning> {
+pub(super) fn all(evaluation: &Evaluation, places: &[Contact], repeated: &[[usize; 2]]) -> Vec<CircleWarning> {
     let mut warnings = Vec::new();
     let contacts = evaluation.residuals.len();
     match contacts {
@@ -97,6 +109,8 @@ pub(super) fn all(evaluation: &Evaluation, repeated: &[[usize; 2]]) -> Vec<Circl
         warnings.push(CircleWarning::ShortArc { arc, factor: format!("{factor:.1}") });
         warnings.push(CircleWarning::CircumscribedOfShortArc);
     }
+    let spread = heights(places, evaluation.least_squares.diameter);
+    warnings.extend(spread.map(|spread| CircleWarning::Heights { spread: format!("{spread:.3}") }));
     let twice = repeated.iter().map(|&[first, second]| CircleWarning::Coinciding { first, second });
     warnings.extend(first_few(twice, repeated.len()));
     warnings.extend(apart(&evaluation.residuals));
@@ -117,6 +131,14 @@ pub(super) fn all(evaluation: &Evaluation, repeated: &[[usize; 2]]) -> Vec<Circl
     });
     warnings.extend(first_few(chords, short.len()));
     warnings
+}
+
+/// How much the heights of contacts differ in millimetres, where that is too much for one circle.
+pub(in crate::probing) fn heights(contacts: &[Contact], diameter: f64) -> Option<f64> {
+    let (least, most) = super::spread(contacts.iter().map(|contact| contact.z));
+    let spread = most - least;
+    // A spread that was written as half a millimetre is no more, whatever binary fractions make of it.
+    (HEIGHTS_MM.max(HEIGHTS_OF_DIAMETER * diameter) + 1e-9 < spread).then_some(spread)
 }
 
 /// The first warnings of a kind, and how many more there are.

@@ -18,9 +18,9 @@ pub(super) struct Astray {
 }
 
 impl Astray {
-    /// Looks at the contact of a probing, by its number from 1.
-    pub(super) fn look(&mut self, number: usize, touch: &Touch, contact: &Contact) {
-        let distance = distance(touch, contact);
+    /// Looks at the contact of a probing, by its number from 1, and at its height where that is known.
+    pub(super) fn look(&mut self, number: usize, touch: &Touch, contact: &Contact, has_height: bool) {
+        let distance = distance(touch, contact, has_height);
         if NEAR < distance {
             self.count += 1;
             if self.farthest < distance {
@@ -38,11 +38,11 @@ impl Astray {
     }
 }
 
-/// How far a contact is from the probing movement, mm. A contact at height 0 is one of a file without heights.
-fn distance(touch: &Touch, contact: &Contact) -> f64 {
+/// How far a contact is from the probing movement, mm; seen from above where its height is not known.
+fn distance(touch: &Touch, contact: &Contact, has_height: bool) -> f64 {
     let minus = |[x, y, z]: [f64; 3], [ox, oy, oz]: [f64; 3]| [x - ox, y - oy, z - oz];
-    let has_height = contact.z.abs() > 0.0;
-    let from = if has_height { touch.from } else { [touch.from[0], touch.from[1], 0.0] };
+    let [x, y, _] = touch.from;
+    let from = if has_height { touch.from } else { [x, y, contact.z] };
     let way = dot(minus(contact.place(), from), touch.direction).clamp(0.0, touch.longest);
     norm(minus(contact.place(), along(from, touch.direction, way)))
 }

@@ -71,6 +71,12 @@ impl<'a> Course<'a> {
         self.prober.ball_radius()
     }
 
+    /// Refuses contacts without heights, for a cycle whose answer depends on them.
+    pub(in crate::probing) fn needs_heights(&self) -> Result<(), CycleError> {
+        let number = self.touches + 1;
+        if self.prober.has_heights() { Ok(()) } else { Err(NoContact::NoHeight { number }.into()) }
+    }
+
     /// The path, and what is worth knowing about where the contacts lie.
     pub(super) fn into_parts(self) -> (Vec<Move>, Option<Remark>) {
         (self.moves, self.astray.remark())
@@ -103,7 +109,8 @@ impl<'a> Course<'a> {
         match self.prober.touch(touch) {
             Ok(contact) => {
                 let met = contact.place();
-                self.astray.look(self.touches, touch, &contact);
+                let has_height = self.prober.has_heights();
+                self.astray.look(self.touches, touch, &contact, has_height);
                 self.at = Some(touch.from);
                 self.go(Phase::Approach, met, None);
                 let number = Some(self.touches);

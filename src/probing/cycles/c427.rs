@@ -124,6 +124,9 @@ fn corrects(result: &CycleResult) -> Option<Correction> {
 /// probe's length that is the same: the surface lies a radius ahead of the ball's centre.
 fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
     let limits = limits(inputs, 289, 288)?;
+    if inputs.whole(272) == 3 {
+        course.needs_heights()?;
+    }
     let contact = met_at(point(inputs), direction(inputs), inputs, course)?;
     course.leave(inputs.mm(260));
     let measured = nearest(match inputs.whole(272) {

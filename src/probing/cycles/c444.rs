@@ -100,6 +100,7 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
     let ball_radius = course.ball_radius();
     let distance = ball_radius + inputs.probe().set_up.to_mm_f64() + inputs.mm(320);
     let touch = probing(inputs, along(point(inputs), normal, distance), inwards);
+    course.needs_heights()?;
     course.pre_position_from_above(touch.from, inputs.mm(260));
     let ball = course.touch(&touch)?;
     let back =

@@ -166,6 +166,9 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         return Err(CycleError::NoPath { key: PATH, name: ParameterName::new(PATH_NAME, PATH_NAMES) });
     }
     let plane = plane(inputs);
+    if plane != Plane::Xy {
+        course.needs_heights()?;
+    }
     let [first, second] = centre(inputs);
     let mut contacts = Vec::new();
     for touch in touches(inputs) {

@@ -178,6 +178,7 @@ pub(super) const fn steel() -> f64 {
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Round {
+    #[serde(deserialize_with = "exactly")]
     pub(super) centre: [f64; 2],
     pub(super) diameter: f64,
     #[serde(default)]
@@ -206,6 +207,7 @@ impl Round {
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Pair {
+    #[serde(deserialize_with = "exactly")]
     pub(super) centre: [f64; 2],
     pub(super) width: f64,
     #[serde(default)]
@@ -218,7 +220,9 @@ pub(super) struct Pair {
 #[derive(Debug, Clone, Copy, Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub(super) struct Rectangle {
+    #[serde(deserialize_with = "exactly")]
     pub(super) centre: [f64; 2],
+    #[serde(deserialize_with = "exactly")]
     pub(super) lengths: [f64; 2],
     #[serde(default)]
     pub(super) angle: f64,
@@ -331,6 +335,21 @@ impl Simulation {
     }
 }
 
+/// An array of as many numbers as are wanted: the TOML reader passes over further ones, which a decimal comma makes.
+pub(super) fn exactly<'de, D: serde::Deserializer<'de>, const N: usize>(reader: D) -> Result<[f64; N], D::Error> {
+    let numbers = Vec::<f64>::deserialize(reader)?;
+    let refused =
+        |numbers: Vec<f64>| serde::de::Error::custom(format_args!("expected {N} numbers, found {}", numbers.len()));
+    numbers.try_into().map_err(refused)
+}
+
+/// The same where nothing may be given.
+pub(super) fn exactly_or_none<'de, D: serde::Deserializer<'de>, const N: usize>(
+    reader: D,
+) -> Result<Option<[f64; N]>, D::Error> {
+    exactly(reader).map(Some)
+}
+
 /// A table of a file, either as a hole's or as a shaft's.
 const fn hole_or_shaft<T: Copy>(feature: Feature, table: T) -> (Option<T>, Option<T>) {
     match feature {
@@ -352,6 +371,12 @@ pub(super) fn plain(error: &toml::de::Error, text: &str) -> String {
     let said = error.message().replace("expected f64", "expected a number");
     let said = said.replace("expected u64", "expected a whole number from 0 to 9223372036854775807");
     let said = said.replace(" as i128", "").replace("expected u32", "expected a whole number from 0");
+    let key = error
+        .span()
+        .and_then(|span| text.get(..span.start)?.trim_end().strip_suffix('=')?.split_whitespace().next_back());
+    if let Some(key) = key.filter(|_| error.message().contains(" numbers, found ")) {
+        return format!("{key}: {said}");
+    }
     match error.span().and_then(|span| text.get(span)) {
         Some(key) if said == "duplicate key" => format!("{said} {key}"),
         _ => said,

@@ -2,6 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::file::exactly;
 use super::nearest::{least, trace};
 use super::{FARTHEST, Figure, Shape, Walls, Workpiece, WorkpieceError, in_range};
 use crate::probing::cycle::Plane;
@@ -26,8 +27,10 @@ pub enum Surface {
 #[serde(deny_unknown_fields)]
 pub struct Face {
     /// A point of the face; a wave has its crest there.
+    #[serde(deserialize_with = "exactly")]
     pub point: [f64; 3],
     /// Its normal out of the material, of any length except zero.
+    #[serde(deserialize_with = "exactly")]
     pub normal: [f64; 3],
     /// Waviness.
     #[serde(default)]
@@ -46,6 +49,7 @@ pub struct Wave {
     /// The distance from crest to crest.
     pub length: f64,
     /// The direction in which the waves follow each other; its share along the normal does not count.
+    #[serde(deserialize_with = "exactly")]
     pub direction: [f64; 3],
 }
 
@@ -54,8 +58,10 @@ pub struct Wave {
 #[serde(deny_unknown_fields)]
 pub struct FreePoint {
     /// Where the point should be.
+    #[serde(deserialize_with = "exactly")]
     pub point: [f64; 3],
     /// The normal there out of the material, of any length except zero.
+    #[serde(deserialize_with = "exactly")]
     pub normal: [f64; 3],
     /// How far out along the normal the surface really lies; below zero, material is missing.
     #[serde(default)]

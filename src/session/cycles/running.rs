@@ -180,7 +180,8 @@ impl CyclesPage {
                 let recorded = shared.workpiece.recorded.as_ref();
                 let recorded = recorded.ok_or_else(|| Message::new("cycles-no-contacts"))?;
                 let said = Message::new("cycles-from-recorded").text("file", &recorded.name);
-                Ok((Source::Recorded(&recorded.contacts), said))
+                let source = Source::Recorded { contacts: &recorded.contacts, has_heights: recorded.has_heights };
+                Ok((source, said))
             }
         }
     }

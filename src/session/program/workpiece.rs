@@ -106,7 +106,7 @@ impl ProgramPage {
                 None => Err(Message::new("program-page-refused-workpiece")),
             },
             WorkpieceFrom::Recorded => match &shared.workpiece.recorded {
-                Some(recorded) => Ok(Contacts::Recorded(recorded.contacts.clone())),
+                Some(recorded) => Ok(Contacts::of_file(recorded.contacts.clone(), recorded.has_heights)),
                 None => Err(Message::new("program-page-refused-no-contacts")),
             },
         }

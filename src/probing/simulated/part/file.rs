@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use super::super::figure::Table;
 use super::super::file::{
-    LARGEST, Pair, Rectangle, Round, bounded, column_at, first_seed, line_at, plain, reference, steel,
+    LARGEST, Pair, Rectangle, Round, bounded, column_at, exactly_or_none, first_seed, line_at, plain, reference, steel,
 };
 use super::super::{
     Face, FreePoint, Lobes, Probe, Shape, Simulation, SimulationError, Surface, Walls, Wave, WorkpieceError,
@@ -87,6 +87,7 @@ struct ProbeTable {
     stylus_radius: Option<f64>,
     #[serde(default)]
     calibration_error: f64,
+    #[serde(default, deserialize_with = "exactly_or_none")]
     offset: Option<[f64; 2]>,
     #[serde(default)]
     lobing: Lobes,
@@ -110,13 +111,17 @@ impl ProbeTable {
 struct FeatureTable {
     name: Option<String>,
     kind: String,
+    #[serde(default, deserialize_with = "exactly_or_none")]
     centre: Option<[f64; 2]>,
     diameter: Option<f64>,
     width: Option<f64>,
+    #[serde(default, deserialize_with = "exactly_or_none")]
     lengths: Option<[f64; 2]>,
     angle: Option<f64>,
     plane: Option<Plane>,
+    #[serde(default, deserialize_with = "exactly_or_none")]
     point: Option<[f64; 3]>,
+    #[serde(default, deserialize_with = "exactly_or_none")]
     normal: Option<[f64; 3]>,
     deviation: Option<f64>,
     radius: Option<f64>,
