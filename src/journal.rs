@@ -21,7 +21,7 @@ pub use window::{status_variables, status_window};
 
 use crate::probing::Measurement;
 use crate::tolerance::{Callout, Limits};
-use crate::verdict::{Doubt, PositionVerdict, Verdict, doubt, judge};
+use crate::verdict::{Doubt, PositionVerdict, Rule, Verdict, doubt, judge, judge_by};
 
 /// One check.
 #[derive(Debug, Clone, PartialEq)]
@@ -56,5 +56,12 @@ impl Record {
         let measured = measurement.diameter;
         let (verdict, doubt) = (judge(&limits, measured, position), doubt(&limits, measured));
         Self { time, id, callout, limits, measurement, verdict, doubt }
+    }
+
+    /// The same, judged by a rule.
+    #[must_use]
+    pub fn by(mut self, rule: Rule) -> Self {
+        self.verdict = judge_by(rule, &self.limits, self.measurement.diameter, self.verdict.position);
+        self
     }
 }

@@ -4,6 +4,8 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use super::args::dialogue;
+use super::rule::RuleArgs;
+use super::said::percent;
 use super::{CliError, CliRemark, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::control::mask::Mask;
 use crate::exchange::contacts::Contacts;
@@ -24,6 +26,7 @@ const EXAMPLES: &str = "Examples:
   fitcheck check \"25 H7\" --measured 25,012 --mask nl
   fitcheck check \"25 H7\" --contacts bore.csv --format json
   fitcheck check \"25 h6\" --simulate --seed 7
+  fitcheck check \"25 H7\" --measured 25.0195 --rule iso14253-2017 --u 1.2
 
 Exit codes: 0 good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage.";
 
@@ -53,6 +56,8 @@ pub(super) struct Args {
     /// Format of the answer; text prints the mask's text and nothing else
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    #[command(flatten)]
+    rule: RuleArgs,
     #[command(flatten)]
     tables: TableArgs,
 }
@@ -108,6 +113,7 @@ impl FromStr for MaskArg {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let rule = self.rule.rule()?;
         let sources = self.tables.load(io)?;
         let asked = self.callout.trim();
         let asked = if asked.is_empty() { What::Callout.arg() } else { asked.arg() };
@@ -125,13 +131,16 @@ impl Args {
         let measurement = self.measurement(&limits, io)?;
         let measured = measurement.diameter;
         let callout = callout.of_part(limits.feature);
-        let record = Record::judged(super::now(), String::new(), Some(callout), limits, measurement, None);
+        let record = Record::judged(super::now(), String::new(), Some(callout), limits, measurement, None).by(rule);
         let status = record.verdict.status();
         if unstated && (status == Status::Rework || status == Status::Scrap) {
             let (minimum, maximum) = (record.limits.minimum(), record.limits.maximum());
             return Err(CliError::ReworkOrScrap { asked, measured, minimum, maximum });
         }
         warn(&record, &sources, io);
+        if matches!(self.format, Format::Text) {
+            tell_rule(&record, io);
+        }
         if record.measurement.origin.is_simulated() && matches!(self.format, Format::Text) {
             io.tell(CliRemark::Simulated);
         }
@@ -204,6 +213,27 @@ fn warn(record: &Record, sources: &Sources, io: &mut Io<'_>) {
     let figure = record.callout.and_then(|callout| FigureWarning::of_limits(&callout, &record.limits, sources));
     if let Some(warning) = figure {
         io.warn(&warning);
+    }
+}
+
+/// What a decision rule says of the value; nothing by the control's own rule without an uncertainty.
+fn tell_rule(record: &Record, io: &mut Io<'_>) {
+    let rule = record.verdict.rule;
+    if rule.is_plain() {
+        return;
+    }
+    let bounds = record.limits.bounds();
+    let (zones, measured) = (rule.zones(&bounds), record.measurement.diameter);
+    io.remark(&CliRemark::Rule { rule });
+    match zones.accepted {
+        Some([least, most]) => io.remark(&CliRemark::Accepted { least, most }),
+        None => io.remark(&CliRemark::NothingAccepted),
+    }
+    if let Some(is_proven) = zones.is_proven(measured) {
+        io.remark(&if is_proven { CliRemark::Proven } else { CliRemark::NotProven });
+    }
+    if let Some(conformity) = rule.conformity(&bounds, measured) {
+        io.remark(&CliRemark::Conformity { percent: percent(conformity.within) });
     }
 }
 

@@ -33,6 +33,20 @@ pub(super) enum CliError {
     NotAboveZero { diameter: Length },
     /// An option of ISO 286, where the control's tables answer.
     OptionOfStandard { option: &'static str },
+    /// Not a multiple of an uncertainty.
+    NotAMultiple { given: String },
+    /// Limits of which none was given, or of which the lower is not below the upper.
+    NoLimits,
+    /// Risks of a process need the uncertainty.
+    RiskWithoutUncertainty,
+    /// The accepted values for a risk need the process.
+    RiskWithoutProcess,
+    /// Not a probability.
+    NotARisk { given: String },
+    /// Not the shape and the scale of a gamma law.
+    NotAGamma { given: String },
+    /// No accepted values have this risk.
+    NoZoneForRisk,
     /// A line of standard input that is longer than the reader's limit.
     #[say(args(limit = LONGEST_LINE))]
     LineTooLong,

@@ -9,6 +9,7 @@
 //! |---|---|
 //! | `args` | arguments of several subcommands: format, tables, dialogue language |
 //! | `io` | the standard streams, reading and saving files |
+//! | `rule` | the decision rule and the uncertainty |
 //! | `tools` | the tool table of a control, read and written |
 //! | `answers` | callouts answered one by one as text, CSV or JSON |
 //! | `error` | why a subcommand could not do its work |
@@ -39,6 +40,7 @@ mod batch;
 mod check;
 mod circle;
 mod cycle;
+mod decide;
 mod error;
 mod fit;
 mod import;
@@ -46,6 +48,7 @@ mod io;
 mod limits;
 mod nc;
 mod report;
+mod rule;
 mod run;
 mod said;
 mod sql;
@@ -88,6 +91,7 @@ subcommands! {
     Batch(batch::Args),
     Circle(circle::Args),
     Cycle(cycle::Args),
+    Decide(decide::Args),
     Nc(nc::Args),
     Report(report::Args),
     Run(run::Args),

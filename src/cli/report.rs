@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use jiff::civil::DateTime;
 
 use super::args::one_of;
+use super::rule::RuleArgs;
 use super::{CliError, CliWarning, Io, Outcome, TableArgs};
 use crate::exchange::{Item, import_each};
 use crate::files;
@@ -15,7 +16,7 @@ use crate::message::{Message, Say};
 use crate::probing::{Measurement, Origin};
 use crate::report::{self, Checks, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
-use crate::verdict::Status;
+use crate::verdict::{Rule, Status};
 use crate::words::{Language, Words};
 
 /// Write an inspection report of one or more checks
@@ -60,6 +61,9 @@ pub(super) struct Args {
     /// Date and time of the report, and of checks without their own; default: now
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
     time: Option<DateTime>,
+
+    #[command(flatten)]
+    rule: RuleArgs,
 
     #[command(flatten)]
     tables: TableArgs,
@@ -132,6 +136,7 @@ struct Given {
     typed: Vec<Record>,
     sources: Sources,
     now: DateTime,
+    rule: Rule,
 }
 
 impl Checks for Given {
@@ -142,12 +147,17 @@ impl Checks for Given {
                 if seen.is_ok()
                     && let Item::Record { record, .. } = item
                 {
-                    seen = see(&record);
+                    seen = see(&record.by(self.rule));
                 }
             });
             seen?;
         }
         self.typed.iter().try_for_each(see)
+    }
+
+    /// One rule judges all of them.
+    fn is_guarded(&self) -> io::Result<bool> {
+        Ok(!self.rule.is_plain())
     }
 }
 
@@ -163,11 +173,12 @@ struct Collected {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let rendering = self.rendering()?;
+        let rule = self.rule.rule()?;
         let sources = self.tables.load(io)?;
         let words = Words::new(self.language);
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
-        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now };
+        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, rule };
         super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -182,6 +193,7 @@ impl Args {
         for text in &self.checks {
             match record(text, &given.sources, now) {
                 Ok(record) => {
+                    let record = record.by(rule);
                     collected.see(&record);
                     given.typed.push(record);
                 }
@@ -244,7 +256,7 @@ impl Collected {
     fn file(&mut self, name: &str, bytes: &[u8], given: &Given, io: &mut Io<'_>) {
         let line = |line: usize| Message::new("report-note-line").text("place", name).text("line", line);
         import_each(name, bytes, &given.sources, given.now, &mut |item| match item {
-            Item::Record { record, .. } => self.see(&record),
+            Item::Record { record, .. } => self.see(&record.by(given.rule)),
             Item::Unjudged(unjudged) => self.refuse(line(unjudged.line), unjudged.why.message(), io),
             Item::Error(error) => self.refuse(Message::new("report-note").text("place", name), error.message(), io),
             Item::Warning(warning) => {

@@ -1,8 +1,9 @@
 //! What a subcommand says on standard error besides errors: remarks and warnings.
 
 use crate::length::Length;
-use crate::message::{IntoArg, Message, Say};
+use crate::message::{IntoArg, Message, Say, printed};
 use crate::tolerance::ToleranceClass;
+use crate::verdict::Rule;
 
 /// What is worth knowing about an answer.
 #[derive(Debug, Say)]
@@ -14,6 +15,24 @@ pub(super) enum CliRemark {
     WroteFiles { path: String, count: usize },
     /// Nobody measured.
     Simulated,
+    /// The decision rule.
+    Rule {
+        #[say(with = Say::message)]
+        rule: Rule,
+    },
+    /// The values that it accepts.
+    Accepted { least: Length, most: Length },
+    /// It accepts no value: the uncertainty is too large for the tolerance.
+    NothingAccepted,
+    /// It proves the status.
+    Proven,
+    /// It does not.
+    NotProven,
+    /// The probability that the part conforms.
+    Conformity {
+        #[say(with = printed)]
+        percent: String,
+    },
     /// A program that was run without a workpiece.
     PerfectWorkpiece,
     /// A part can still be machined.
@@ -88,4 +107,11 @@ pub(super) fn remark(what: &impl Say) -> Message {
 /// A sentence after what it is about.
 pub(super) fn about(what: &(impl IntoArg + ?Sized), sentence: &impl Say) -> Message {
     Message::new("cli-about").with("what", what).with("error", sentence)
+}
+
+/// A probability in percent: two decimals, more near 0 and 1, where two would say certain.
+pub(super) fn percent(probability: f64) -> String {
+    let rest = probability.min(1.0 - probability);
+    let decimals = [(1e-4, 2), (1e-6, 4), (1e-8, 6)].into_iter().find(|(least, _)| *least <= rest);
+    format!("{:.*}", decimals.map_or(2, |(_, decimals)| decimals), probability * 100.0)
 }

@@ -21,25 +21,41 @@ use crate::words::Words;
 pub const RENDERING: Rendering = Rendering { name: "csv", endings: &["csv"], render: render_report };
 
 fn render_report(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Result<()> {
-    line(names(&COLUMNS), out)?;
-    report.checks.each(&mut |record| line(cells(&COLUMNS, &Row::of(record)), out))
+    let is_guarded = report.checks.is_guarded()?;
+    header(is_guarded, out)?;
+    report.checks.each(&mut |record| check(&Row::of(record), is_guarded, out))
 }
 
 /// The records as CSV, with a header, in their order.
 pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
-    render_rows(records.iter().map(Row::of))
+    render_rows(records.iter().map(Row::of), guarded(records))
 }
 
 /// The same with an empty feature: the callouts do not say hole or shaft, and it did not matter.
 pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError> {
-    render_rows(records.iter().map(|record| Row { feature: "", ..Row::of(record) }))
+    render_rows(records.iter().map(|record| Row { feature: "", ..Row::of(record) }), guarded(records))
 }
 
-fn render_rows(mut rows: impl Iterator<Item = Row>) -> Result<Vec<u8>, RenderError> {
+fn guarded(records: &[Record]) -> bool {
+    records.iter().any(|record| !record.verdict.rule.is_plain())
+}
+
+fn render_rows(mut rows: impl Iterator<Item = Row>, is_guarded: bool) -> Result<Vec<u8>, RenderError> {
     let mut bytes = Vec::new();
-    let written = line(names(&COLUMNS), &mut bytes)
-        .and_then(|()| rows.try_for_each(|row| line(cells(&COLUMNS, &row), &mut bytes)));
+    let written =
+        header(is_guarded, &mut bytes).and_then(|()| rows.try_for_each(|row| check(&row, is_guarded, &mut bytes)));
     written.map(|()| bytes).map_err(|error| RenderError::writer("csv", &error))
+}
+
+/// The names of the columns; those of decision rules only where a check has one.
+fn header(is_guarded: bool, out: &mut dyn Write) -> io::Result<()> {
+    let more = names(&GUARDED).into_iter().filter(|_name| is_guarded);
+    line(names(&COLUMNS).into_iter().chain(more), out)
+}
+
+fn check(row: &Row, is_guarded: bool, out: &mut dyn Write) -> io::Result<()> {
+    let more = cells(&GUARDED, row).filter(|_cell| is_guarded);
+    line(cells(&COLUMNS, row).chain(more), out)
 }
 
 /// Writes a line. Into memory first: so an error of the stream stays what it is.
@@ -72,6 +88,17 @@ pub(super) const COLUMNS: [Column<Row>; 21] = [
     ("rule", |row| row.rule.cell()),
     ("warnings", |row| row.warnings.join(" | ").cell()),
     ("simulated", |row| row.simulated.cell()),
+];
+
+/// What a decision rule adds; without one a file has none of these columns.
+const GUARDED: [Column<Row>; 7] = [
+    ("rule_name", |row| row.guarded.as_ref()?.rule_name.cell()),
+    ("u_um", |row| Some(row.guarded.as_ref()?.u_um?.to_string())),
+    ("k", |row| Some(row.guarded.as_ref()?.k?.to_string())),
+    ("zone_min_mm", |row| row.guarded.as_ref()?.zone_min_mm?.text(3).cell()),
+    ("zone_max_mm", |row| row.guarded.as_ref()?.zone_max_mm?.text(3).cell()),
+    ("conformity", |row| Some(row.guarded.as_ref()?.conformity?.to_string())),
+    ("proven", |row| row.guarded.as_ref()?.proven?.cell()),
 ];
 
 fn contacts(row: &Row) -> Option<String> {

@@ -63,6 +63,19 @@ pub trait Checks: std::fmt::Debug + Send + Sync {
     /// # Errors
     /// The error of what it was shown to.
     fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()>;
+
+    /// Whether any check was judged by another rule than the control's own.
+    ///
+    /// # Errors
+    /// As for [`Self::each`].
+    fn is_guarded(&self) -> io::Result<bool> {
+        let mut is_guarded = false;
+        self.each(&mut |record| {
+            is_guarded |= !record.verdict.rule.is_plain();
+            Ok(())
+        })?;
+        Ok(is_guarded)
+    }
 }
 
 impl Checks for &[Record] {

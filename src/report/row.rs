@@ -34,6 +34,47 @@ pub(super) struct Row {
     pub rule: String,
     pub warnings: Vec<String>,
     pub simulated: bool,
+    /// By a rule of its own only.
+    #[serde(flatten)]
+    pub guarded: Option<Guarded>,
+}
+
+/// What a decision rule adds.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Guarded {
+    /// The word of the rule.
+    pub rule_name: &'static str,
+    /// The standard uncertainty, µm, and its coverage factor.
+    pub u_um: Option<f64>,
+    pub k: Option<f64>,
+    /// The accepted values; none where the rule accepts no value.
+    pub zone_min_mm: Option<Millimetres>,
+    pub zone_max_mm: Option<Millimetres>,
+    /// The probability that the part conforms.
+    pub conformity: Option<f64>,
+    /// Whether the rule proves the status.
+    pub proven: Option<bool>,
+}
+
+impl Guarded {
+    fn of(record: &Record) -> Option<Self> {
+        let rule = record.verdict.rule;
+        if rule.is_plain() {
+            return None;
+        }
+        let bounds = record.limits.bounds();
+        let (zones, measured) = (rule.zones(&bounds), record.measurement.diameter);
+        let number = |text: String| text.parse().ok();
+        Some(Self {
+            rule_name: rule.name().word(),
+            u_um: rule.uncertainty().and_then(|uncertainty| number(uncertainty.um())),
+            k: rule.uncertainty().and_then(|uncertainty| number(uncertainty.k())),
+            zone_min_mm: zones.accepted.map(|[least, _]| Millimetres(least)),
+            zone_max_mm: zones.accepted.map(|[_, most]| Millimetres(most)),
+            conformity: rule.conformity(&bounds, measured).map(|conformity| conformity.within),
+            proven: zones.is_proven(measured),
+        })
+    }
 }
 
 /// A length as a number of millimetres.
@@ -101,6 +142,7 @@ impl Row {
             rule: verdict.rule.to_string(),
             warnings: warnings(record),
             simulated: measurement.origin.is_simulated(),
+            guarded: Guarded::of(record),
         }
     }
 }

@@ -6,9 +6,13 @@
 //! | file | what |
 //! |---|---|
 //! | here | the status, a diameter's and a centre's verdict, doubts about the measured value |
+//! | `rules` | decision rules: which values are accepted when the measurement is uncertain |
 //! | `fit` | two measured parts of a fit, or one of them |
 
 pub mod fit;
+pub mod rules;
+
+pub use rules::Rule;
 
 use crate::length::Length;
 use crate::message::Say;
@@ -24,7 +28,7 @@ pub enum Status {
     /// Outside, but material can still be taken off.
     #[serde(rename = "REWORK")]
     Rework,
-    /// Neither is proven (only with a guard band).
+    /// Nothing is decided: the value lies within a guard band of the rule.
     #[serde(rename = "RE-MEASURE")]
     ReMeasure,
     /// Outside, and material cannot be put back.
@@ -56,15 +60,6 @@ impl Status {
             Self::Scrap => "SCRAP",
         }
     }
-}
-
-/// The decision rule that a verdict was made with.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Say)]
-#[say(prefix = "rule")]
-pub enum Rule {
-    /// The control's own: no guard band, limits belong to the zone.
-    #[default]
-    Simple,
 }
 
 /// How much material to remove, as a diameter.
@@ -199,7 +194,23 @@ pub(crate) fn verdict_of(bounds: &Bounds, measured: Length, status: Status) -> S
 
 /// Judges a diameter and, where there is one, a centre by the control's default rule.
 pub fn judge(limits: &Limits, measured: Length, position: Option<PositionVerdict>) -> Verdict {
-    Verdict { size: judge_size(limits, measured), position, rule: Rule::Simple }
+    judge_by(Rule::SIMPLE, limits, measured, position)
+}
+
+/// Judges a diameter and, where there is one, a centre by a rule. The rule is about the diameter; the centre has its own
+/// tolerance.
+pub fn judge_by(rule: Rule, limits: &Limits, measured: Length, position: Option<PositionVerdict>) -> Verdict {
+    let bounds = limits.bounds();
+    let zones = rule.zones(&bounds);
+    let mut size = verdict_of(&bounds, measured, zones.status(bounds.feature, measured));
+    // What is removed must bring the size to where the rule accepts it, and never less far than the limit.
+    if let (Some(removal), Some([least, most])) = (&mut size.removal, zones.accepted) {
+        removal.to_limit = match bounds.feature {
+            Feature::Hole => least.max(bounds.minimum()).saturating_sub(measured),
+            Feature::Shaft => measured.saturating_sub(most.min(bounds.maximum())),
+        };
+    }
+    Verdict { size, position, rule }
 }
 
 /// What may be wrong with a measured value.

@@ -72,6 +72,7 @@ mod report;
 mod report_cli;
 
 mod rows;
+mod rules;
 mod run_cli;
 mod run_doubts;
 mod session;

@@ -31,6 +31,13 @@ cli-what-set = --set { $name }={ $value }
 
 # Errors
 cli-not-above-zero = { $diameter } mm is not above 0
+cli-not-a-multiple = { $given }: expected a number above 0 with at most three decimals
+cli-no-limits = give --lower, --upper or both, with the lower limit below the upper one
+cli-risk-without-uncertainty = the risks of a process need --u or --expanded
+cli-risk-without-process = --consumer-risk needs --process-mean and --process-sd, or --gamma
+cli-not-a-risk = risk { $given }: expected a probability between 0 and 1, such as 0.001
+cli-not-a-gamma = gamma law { $given }: expected its shape and its scale in µm, such as 4,0.25
+cli-no-zone-for-risk = no accepted values have this consumer's risk
 cli-line-too-long = the line is longer than { $limit } bytes
 cli-not-a-table = { $name } is not a table of deviations
 cli-add-feature = { $error }: add --feature hole or --feature shaft
@@ -81,6 +88,12 @@ cli-remark-wrote = wrote { $path }
 cli-remark-wrote-files = wrote { $path } ({ $count } files)
 cli-remark-simulated = simulated: nothing was measured
 cli-remark-perfect-workpiece = simulated: every cycle measured a perfect workpiece at nominal; --workpiece FILE.toml gives another
+cli-remark-rule = rule: { $rule }
+cli-remark-accepted = accepted: { $least } to { $most } mm
+cli-remark-nothing-accepted = the uncertainty is too large for this tolerance: no value is accepted
+cli-remark-proven = proven by this rule
+cli-remark-not-proven = not proven by this rule
+cli-remark-conformity = conforms with { $percent } % probability
 cli-remark-remove = remove { $limit } mm to the nearest limit, { $middle } mm to the middle of the zone
 cli-remark-refused = { $refused } of { $asked } callouts refused
 cli-remark-no-pair = no pair fits; the nearest is { $nearest }

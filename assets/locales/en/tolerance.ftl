@@ -61,6 +61,33 @@ status-rework = REWORK
 status-re-measure = RE-MEASURE
 status-scrap = SCRAP
 rule-simple = no guard band, limits belong to the zone
+rule-iso14253-2017 = ISO 14253-1:2017, 95 % conformity, { $prover ->
+    [customer] the customer proves nonconformity
+   *[supplier] the supplier proves conformity
+    }; { $u }
+rule-iso14253-1998 = ISO 14253-1:1998, guard band U, { $prover ->
+    [customer] the customer proves nonconformity
+   *[supplier] the supplier proves conformity
+    }; { $u }
+rule-ilac-g8 = ILAC-G8, guard band { $factor } U, { $prover ->
+    [customer] the customer proves nonconformity
+   *[supplier] the supplier proves conformity
+    }; { $u }
+rule-asme-simple = ASME B89.7.3.1, simple acceptance 4:1; { $u }
+rule-asme-stringent = ASME B89.7.3.1, stringent acceptance, guard band { $factor } U; { $u }
+rule-asme-relaxed = ASME B89.7.3.1, relaxed acceptance by { $factor } U; { $u }
+rule-fixed = guard band { $width } µm, { $prover ->
+    [customer] the customer proves nonconformity
+   *[supplier] the supplier proves conformity
+    }
+rule-no-uncertainty = rule { $rule } needs the uncertainty of the measured value
+rule-no-factor = rule { $rule } has no factor
+rule-no-width = rule { $rule } computes its guard band from the uncertainty
+rule-width-missing = rule { $rule } needs a guard band above 0 µm
+rule-no-prover = rule { $rule } does not depend on who has to prove
+uncertainty = u = { $u } µm, U = { $expanded } µm (k = { $k })
+uncertainty-not-positive = an uncertainty is above 0 µm
+uncertainty-factor = coverage factor { $given }: expected a number from 1 to 10, with at most three decimals
 doubt-times-inch = measured value is 25.4 times the nominal size: was it converted from inch twice?
 doubt-inches = measured value is the nominal size divided by 25.4: is it in inch?
 doubt-double = measured value is twice the nominal size: was a diameter taken for a radius?

@@ -31,6 +31,13 @@ cli-what-set = --set { $name }={ $value }
 
 # Fouten
 cli-not-above-zero = { $diameter } mm is niet groter dan 0
+cli-not-a-multiple = { $given }: een getal boven 0 met hoogstens drie decimalen verwacht
+cli-no-limits = geef --lower, --upper of beide, met de ondergrens onder de bovengrens
+cli-risk-without-uncertainty = voor de risico's van een proces is --u of --expanded nodig
+cli-risk-without-process = voor --consumer-risk zijn --process-mean en --process-sd nodig, of --gamma
+cli-not-a-risk = risico { $given }: een kans tussen 0 en 1 verwacht, zoals 0.001
+cli-not-a-gamma = gammaverdeling { $given }: vorm en schaal in µm verwacht, zoals 4,0.25
+cli-no-zone-for-risk = geen aanvaarde waarden hebben dit risico voor de afnemer
 cli-line-too-long = de regel is langer dan { $limit } bytes
 cli-not-a-table = { $name } is geen tabel met afwijkingen
 cli-add-feature = { $error }: geef --feature hole of --feature shaft op
@@ -81,6 +88,12 @@ cli-remark-wrote = { $path } geschreven
 cli-remark-wrote-files = { $path } geschreven ({ $count } bestanden)
 cli-remark-simulated = gesimuleerd: er is niets gemeten
 cli-remark-perfect-workpiece = gesimuleerd: elke cyclus heeft een volmaakt werkstuk op nominale maat gemeten; --workpiece FILE.toml geeft een ander
+cli-remark-rule = regel: { $rule }
+cli-remark-accepted = aanvaard: { $least } tot { $most } mm
+cli-remark-nothing-accepted = de onzekerheid is te groot voor deze tolerantie: geen waarde wordt aanvaard
+cli-remark-proven = bewezen volgens deze regel
+cli-remark-not-proven = niet bewezen volgens deze regel
+cli-remark-conformity = voldoet met { $percent } % kans
 cli-remark-remove = { $limit } mm verspanen tot de dichtstbijzijnde grensmaat, { $middle } mm tot het midden van het tolerantieveld
 cli-remark-refused = { $refused } van { $asked } passingen geweigerd
 cli-remark-no-pair = geen enkele passing voldoet; de dichtstbijzijnde is { $nearest }

@@ -60,7 +60,34 @@ status-good = GOED
 status-rework = NABEWERKING
 status-re-measure = OPNIEUW METEN
 status-scrap = AFGEKEURD
-rule-simple = geen veiligheidsmarge, de grensmaten horen bij het tolerantieveld
+rule-simple = geen veiligheidsmarge, grenzen horen bij het tolerantieveld
+rule-iso14253-2017 = ISO 14253-1:2017, 95 % conformiteit, { $prover ->
+    [customer] de afnemer bewijst afwijking
+   *[supplier] de leverancier bewijst conformiteit
+    }; { $u }
+rule-iso14253-1998 = ISO 14253-1:1998, veiligheidsmarge U, { $prover ->
+    [customer] de afnemer bewijst afwijking
+   *[supplier] de leverancier bewijst conformiteit
+    }; { $u }
+rule-ilac-g8 = ILAC-G8, veiligheidsmarge { $factor } U, { $prover ->
+    [customer] de afnemer bewijst afwijking
+   *[supplier] de leverancier bewijst conformiteit
+    }; { $u }
+rule-asme-simple = ASME B89.7.3.1, eenvoudige aanvaarding 4:1; { $u }
+rule-asme-stringent = ASME B89.7.3.1, strenge aanvaarding, veiligheidsmarge { $factor } U; { $u }
+rule-asme-relaxed = ASME B89.7.3.1, ruime aanvaarding met { $factor } U; { $u }
+rule-fixed = veiligheidsmarge { $width } µm, { $prover ->
+    [customer] de afnemer bewijst afwijking
+   *[supplier] de leverancier bewijst conformiteit
+    }
+rule-no-uncertainty = regel { $rule } heeft de onzekerheid van de gemeten waarde nodig
+rule-no-factor = regel { $rule } heeft geen factor
+rule-no-width = regel { $rule } berekent zijn veiligheidsmarge uit de onzekerheid
+rule-width-missing = regel { $rule } heeft een veiligheidsmarge boven 0 µm nodig
+rule-no-prover = regel { $rule } hangt niet af van wie moet bewijzen
+uncertainty = u = { $u } µm, U = { $expanded } µm (k = { $k })
+uncertainty-not-positive = een onzekerheid is groter dan 0 µm
+uncertainty-factor = dekkingsfactor { $given }: een getal van 1 tot 10 verwacht, met hoogstens drie decimalen
 doubt-times-inch = de gemeten waarde is 25,4 keer de nominale maat: is er twee keer uit inch omgerekend?
 doubt-inches = de gemeten waarde is de nominale maat gedeeld door 25,4: staat die in inch?
 doubt-double = de gemeten waarde is twee keer de nominale maat: is een diameter voor een radius aangezien?

@@ -1,0 +1,60 @@
+//! The decision rule of a subcommand: its options, and what they make.
+
+use super::args::one_of;
+use super::{CliError, Refused as _, What};
+use crate::length::{Length, Unit};
+use crate::verdict::Rule;
+use crate::verdict::rules::{Given, Prover, RuleName, Uncertainty, UncertaintyError, multiple};
+
+/// Which values are accepted when the measurement is uncertain.
+#[derive(Debug, Clone, clap::Args)]
+#[command(next_help_heading = "Decision rule")]
+pub(super) struct RuleArgs {
+    /// Which measured values are accepted: the limits themselves (simple, as a control), or with a guard band
+    #[arg(long, value_name = "RULE", default_value = "simple", value_parser = one_of(RuleName::ALL, |rule| rule.word()))]
+    rule: RuleName,
+    /// Standard uncertainty of the measured value in µm
+    #[arg(long, value_name = "UM", conflicts_with = "expanded")]
+    u: Option<String>,
+    /// Expanded uncertainty in µm, instead of --u; it is divided by --k
+    #[arg(long, value_name = "UM")]
+    expanded: Option<String>,
+    /// Coverage factor of the expanded uncertainty
+    #[arg(long, value_name = "K", default_value = "2")]
+    k: String,
+    /// Guard band as a multiple of the expanded uncertainty, for ilac-g8, asme-stringent and asme-relaxed; default: 1
+    #[arg(long, value_name = "H")]
+    factor: Option<String>,
+    /// Guard band in µm, for the rule fixed
+    #[arg(long, value_name = "UM")]
+    guard: Option<String>,
+    /// Who has to prove: the supplier conformity, or the customer nonconformity
+    #[arg(long, value_name = "WHO", default_value = "supplier", value_parser = one_of(PROVERS, |prover| prover.0))]
+    prover: (&'static str, Prover),
+}
+
+const PROVERS: [(&str, Prover); 2] = [("supplier", Prover::Supplier), ("customer", Prover::Customer)];
+
+impl RuleArgs {
+    /// The rule, and with it the uncertainty.
+    pub(super) fn rule(&self) -> Result<Rule, CliError> {
+        let k = Uncertainty::factor(&self.k).about(&What::Option { name: "k" })?;
+        let about = |name, read: Result<Uncertainty, UncertaintyError>| read.about(&What::Option { name });
+        let uncertainty = match (&self.u, &self.expanded) {
+            (Some(u), _) => Some(about("u", Uncertainty::standard(u))?.covered(k)),
+            (None, Some(expanded)) => Some(about("expanded", Uncertainty::expanded(expanded, k))?),
+            (None, None) => None,
+        };
+        let factor = self.factor.as_ref().map(|text| {
+            let factor = multiple(text).filter(|factor| 0 < *factor);
+            factor.ok_or(CliError::NotAMultiple { given: text.clone() }).about(&What::Option { name: "factor" })
+        });
+        let width = self
+            .guard
+            .as_ref()
+            .map(|text| Length::parse_in(text, Unit::Micrometre).about(&What::Option { name: "guard" }));
+        let given =
+            Given { uncertainty, factor: factor.transpose()?, width: width.transpose()?, prover: self.prover.1 };
+        Rule::new(self.rule, given).about(&What::Option { name: "rule" })
+    }
+}

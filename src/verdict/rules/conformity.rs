@@ -1,0 +1,52 @@
+//! The probability that a true value lies within limits, by a normal law about the measured value (JCGM 106).
+
+use libm::erfc;
+
+use super::Uncertainty;
+use crate::length::Length;
+use crate::tolerance::Bounds;
+
+/// Where the true value probably lies; the three sum to 1.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct Conformity {
+    /// Within the limits.
+    pub within: f64,
+    /// Below the lower limit.
+    pub below: f64,
+    /// Above the upper limit.
+    pub above: f64,
+}
+
+impl Conformity {
+    /// The probabilities for a measured value.
+    pub fn of(bounds: &Bounds, measured: Length, uncertainty: Uncertainty) -> Self {
+        let u = uncertainty.nm();
+        let away = |limit: Length| distance(limit, measured) / u;
+        let below = normal(away(bounds.minimum()));
+        let above = normal(-away(bounds.maximum()));
+        // The smaller part of a whole keeps its digits.
+        let within = if below + above < 0.5 {
+            1.0 - (below + above)
+        } else {
+            let (to_minimum, to_maximum) = (away(bounds.minimum()), away(bounds.maximum()));
+            // On the side where both are small.
+            if 0.0 < to_minimum {
+                normal(-to_minimum) - normal(-to_maximum)
+            } else {
+                normal(to_maximum) - normal(to_minimum)
+            }
+        };
+        Self { within: within.max(0.0), below, above }
+    }
+}
+
+/// A limit minus a value, nanometres; both are whole numbers of at most 1e15.
+#[expect(clippy::as_conversions, clippy::cast_precision_loss, reason = "far from a limit its last digits do not count")]
+fn distance(limit: Length, value: Length) -> f64 {
+    limit.saturating_sub(value).nanometres() as f64
+}
+
+/// The normal distribution.
+pub(super) fn normal(x: f64) -> f64 {
+    erfc(-x / std::f64::consts::SQRT_2) / 2.0
+}

@@ -1,0 +1,77 @@
+//! The list of decision rules.
+//!
+//! A new rule is a file beside this one with its declaration, its lines here (variant, `ALL`, `declaration`) and its sentence in
+//! the locale files. The command line, the pages, records and reports follow.
+
+use super::{
+    Declaration, asme_relaxed, asme_simple, asme_stringent, fixed, ilac_g8, iso14253_1998, iso14253_2017, simple,
+};
+
+/// Which rule.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+pub enum RuleName {
+    /// The control's own.
+    #[default]
+    Simple,
+    /// Conformity with 95 % probability.
+    Iso14253Of2017,
+    /// The expanded uncertainty.
+    Iso14253Of1998,
+    /// A multiple of the expanded uncertainty.
+    IlacG8,
+    /// No guard band, where the uncertainty is small enough.
+    AsmeSimple,
+    /// A smaller zone of acceptance.
+    AsmeStringent,
+    /// A larger zone of acceptance.
+    AsmeRelaxed,
+    /// A guard band of a given width.
+    Fixed,
+}
+
+impl RuleName {
+    /// Every rule, in the order of menus and help.
+    pub const ALL: [Self; 8] = [
+        Self::Simple,
+        Self::Iso14253Of2017,
+        Self::Iso14253Of1998,
+        Self::IlacG8,
+        Self::AsmeSimple,
+        Self::AsmeStringent,
+        Self::AsmeRelaxed,
+        Self::Fixed,
+    ];
+
+    pub(super) const fn declaration(self) -> &'static Declaration {
+        match self {
+            Self::Simple => &simple::DECLARATION,
+            Self::Iso14253Of2017 => &iso14253_2017::DECLARATION,
+            Self::Iso14253Of1998 => &iso14253_1998::DECLARATION,
+            Self::IlacG8 => &ilac_g8::DECLARATION,
+            Self::AsmeSimple => &asme_simple::DECLARATION,
+            Self::AsmeStringent => &asme_stringent::DECLARATION,
+            Self::AsmeRelaxed => &asme_relaxed::DECLARATION,
+            Self::Fixed => &fixed::DECLARATION,
+        }
+    }
+
+    /// The word for it on the command line, in files and in answers for programs.
+    pub const fn word(self) -> &'static str {
+        self.declaration().name
+    }
+
+    /// The rule with a word.
+    pub fn of_word(word: &str) -> Option<Self> {
+        Self::ALL.into_iter().find(|rule| rule.word() == word)
+    }
+
+    /// Whether its guard band is a multiple of the expanded uncertainty that may be chosen.
+    pub const fn takes_factor(self) -> bool {
+        self.declaration().takes_factor
+    }
+
+    /// Whether its guard band is given.
+    pub const fn takes_width(self) -> bool {
+        self.declaration().takes_width
+    }
+}
