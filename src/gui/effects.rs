@@ -15,6 +15,7 @@ use crate::control::deviations;
 use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
+use crate::control::tool_table::ToolTable;
 use crate::exchange::batch::Part;
 use crate::exchange::{self, contacts};
 use crate::files;
@@ -25,7 +26,7 @@ use crate::probing::simulated::Simulation;
 use crate::session::program::Document;
 use crate::session::{
     CheckCommand, Command, Content, CycleFile, CyclesCommand, Effect, Fate, FilesCommand, Launch, ProgramCommand,
-    Purpose, RowsCommand, TablesCommand, WorkpieceCommand,
+    Purpose, RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand,
 };
 use crate::tolerance::{DeviationTable, Sources};
 use crate::words::Words;
@@ -261,6 +262,7 @@ const fn is_read(command: &Command) -> bool {
         Command::Workpiece(WorkpieceCommand::ContactsRead { result, .. }) => result.is_ok(),
         Command::Workpiece(WorkpieceCommand::Read(result)) => result.is_ok(),
         Command::Cycles(CyclesCommand::ProbesRead { result, .. }) => result.is_ok(),
+        Command::Tools(ToolsCommand::Read { result, .. }) => result.is_ok(),
         _ => false,
     }
 }
@@ -284,6 +286,7 @@ fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> Co
         Purpose::OpenCycleFile(CycleFile::Probes) => {
             CyclesCommand::ProbesRead { name, result: read_probes(&path) }.into()
         }
+        Purpose::OpenTools => ToolsCommand::Read { name, result: read_tools(&path) }.into(),
         // These purposes write files.
         _ => Command::Picked(None),
     }
@@ -339,6 +342,11 @@ fn read_contacts(path: &Path) -> Result<(Vec<Contact>, Vec<Message>), Message> {
 fn read_workpiece(path: &Path) -> Result<Box<Simulation>, Message> {
     let bytes = files::read_file(path).map_err(|error| error.message())?;
     Simulation::read(&decode(&bytes)).map(Box::new).map_err(|error| error.message())
+}
+
+fn read_tools(path: &Path) -> Result<Box<ToolTable>, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    ToolTable::read(&bytes, &name(path)).map(Box::new).map_err(|error| error.message())
 }
 
 fn read_probes(path: &Path) -> Result<ProbeTable, Message> {

@@ -14,7 +14,7 @@
 //! | `tables` | tables of deviations against ISO 286 |
 //! | `program` | an NC program is run and stepped |
 //! | `rows` | the rows of a file that is too large for the history |
-//! | `shared`, `history`, `workpiece` | what belongs to every page; `readers` reads it |
+//! | `shared`, `history`, `workpiece`, `tools` | what belongs to every page; `readers` reads it |
 //! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
@@ -46,6 +46,7 @@ mod saved;
 mod shared;
 mod step;
 pub mod tables;
+mod tools;
 mod workpiece;
 
 use std::ops;
@@ -72,6 +73,7 @@ pub use saved::{Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInpu
 pub use shared::{MaskChoice, Notice};
 pub use step::Step;
 pub use tables::{TablesCommand, TablesField, TablesPage};
+pub use tools::{Monitoring, NamedTool, OpenTools, ToolsCommand, text_of_tool, tool_message};
 pub use workpiece::{RecordedContacts, WorkpieceCommand};
 
 use self::files::Places;
@@ -186,6 +188,7 @@ impl Session {
                     _ => Some(cycles.suited(shared)),
                 });
             }
+            Command::Tools(command) => shared.apply_tools(command),
             Command::OpenPage(page) => shared.open(page),
             Command::GoTo(field) => return vec![Effect::Focus(field)],
             Command::ShowKeypad(shown) => shared.keypad = shown,
@@ -261,6 +264,7 @@ impl Session {
                 parameter.is_some_and(|parameter| parameter.range == Range::Tool)
             }
             Field::Tables(field) => field == TablesField::Filter,
+            Field::Program(ProgramField::Tool(parameter)) => parameter.family.is_text(),
             Field::Program(field) => matches!(field, ProgramField::Filter | ProgramField::Name | ProgramField::Value),
             Field::Cycles(_) | Field::Fit(_) | Field::Workpiece(_) => false,
         }

@@ -82,6 +82,7 @@ mod session_program;
 mod session_saved;
 mod session_tables;
 mod session_tokens;
+mod session_tools;
 mod session_verdicts;
 mod session_workpiece;
 mod sources;

@@ -3,6 +3,7 @@
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, Grid, RichText, Sense, Ui, vec2};
 
+use super::tools_panel::tools_ui;
 use crate::gui::field::{Pairs, pairs_ui};
 use crate::gui::limits::source_ui;
 use crate::gui::shapes;
@@ -23,6 +24,7 @@ pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.separator();
     }
     workpiece_ui(ui, view);
+    tools_ui(ui, view);
     if has_inputs {
         ui.separator();
         native_ui(ui, view);

@@ -29,12 +29,13 @@ pub enum OpenError {
 
 impl Purpose {
     /// Everything that reads a file or a folder.
-    const READERS: [Self; 8] = [
+    const READERS: [Self; 9] = [
         Self::Import,
         Self::LoadMask,
         Self::LoadTables,
         Self::OpenTable,
         Self::OpenProgram,
+        Self::OpenTools,
         Self::OpenCycleFile(CycleFile::Contacts),
         Self::OpenCycleFile(CycleFile::Workpiece),
         Self::OpenCycleFile(CycleFile::Probes),
@@ -54,6 +55,7 @@ impl Purpose {
             Self::OpenCycleFile(CycleFile::Probes) => "probes",
             Self::SaveCycleLog => "log",
             Self::OpenProgram => "program",
+            Self::OpenTools | Self::SaveTools => "tools",
         }
     }
 
@@ -80,6 +82,7 @@ impl Purpose {
             // The endings that the control uses: text, and a page.
             Self::SaveCycleLog => vec!["txt", "html"],
             Self::OpenProgram => vec!["h", "i", "nc", "ncs"],
+            Self::OpenTools | Self::SaveTools => vec!["t"],
         }
     }
 
@@ -105,7 +108,9 @@ impl Purpose {
         let shows = match self {
             Self::Import => Page::Check,
             Self::OpenTable => Page::Tables,
-            Self::OpenProgram => Page::Program,
+            // Both pages monitor tools with it.
+            Self::OpenTools if open == Page::Cycles => open,
+            Self::OpenProgram | Self::OpenTools => Page::Program,
             // Both pages measure the workpiece and the contacts.
             Self::OpenCycleFile(CycleFile::Contacts | CycleFile::Workpiece) if open == Page::Program => open,
             Self::OpenCycleFile(_) => Page::Cycles,
@@ -128,6 +133,7 @@ impl Purpose {
             "h" | "i" | "nc" | "ncs" => Some(Self::OpenProgram),
             "tab" => Some(Self::OpenTable),
             "toml" => Some(Self::OpenCycleFile(CycleFile::Workpiece)),
+            "t" => Some(Self::OpenTools),
             "tp" => Some(Self::OpenCycleFile(CycleFile::Probes)),
             "a" => Some(Self::LoadMask),
             ending if PACKED.contains(&ending) => Some(Self::Import),
@@ -158,6 +164,8 @@ fn by_content(head: &[u8]) -> Option<Purpose> {
         Some(Purpose::OpenTable)
     } else if begins.contains(".TP") {
         Some(Purpose::OpenCycleFile(CycleFile::Probes))
+    } else if begins.split_whitespace().any(|word| word.ends_with(".T")) {
+        Some(Purpose::OpenTools)
     } else {
         None
     }

@@ -99,8 +99,8 @@ pub(super) fn length(text: &str) -> Result<Length, Message> {
     text.parse::<Length>().map_err(|error| error.message())
 }
 
-/// What a program assigns to the inputs before it calls, jumps or measures: plain values only.
-pub(super) fn assigned(program: &Program) -> BTreeMap<Input, String> {
+/// What a program assigns to parameters before it calls, jumps or measures: plain values only.
+pub(super) fn assigned(program: &Program) -> BTreeMap<Parameter, String> {
     let mut found = BTreeMap::new();
     for block in program.blocks() {
         let (to, text) = match &block.body {
@@ -118,9 +118,7 @@ pub(super) fn assigned(program: &Program) -> BTreeMap<Input, String> {
             | Body::Other => continue,
             _ => break,
         };
-        if let Some(input) = Input::of(to) {
-            found.entry(input).or_insert(text);
-        }
+        found.entry(to).or_insert(text);
     }
     found
 }
@@ -169,7 +167,7 @@ impl ProgramPage {
 
     /// What the open program itself assigns to an input.
     fn own(&self, input: Input) -> Option<&str> {
-        self.main()?.assigned().get(&input).map(String::as_str)
+        self.main()?.assigned().get(&input.parameter()).map(String::as_str)
     }
 
     /// The value of that.
@@ -205,6 +203,7 @@ impl ProgramPage {
                 self.errors.insert(field, problem);
             }
         }
+        self.check_tools();
         self.read_typed();
     }
 }

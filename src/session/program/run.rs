@@ -3,11 +3,13 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use crate::control::tool_table::ToolTable;
 use crate::control::variables::{Parameter, Value, Variables};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::nc::machine::{
-    BlockPlace, CycleRun, Fault, FileRead, Machine, NcPath, Pause, Remark, Step, Travel, TravelKind, Window, Written,
+    BlockPlace, CycleRun, Fault, FileRead, Machine, NcPath, Pause, Remark, Step, ToolChanged, Travel, TravelKind,
+    Window, Written,
 };
 use crate::nc::program::Program;
 use crate::probing::cycle::{Move, Phase};
@@ -183,6 +185,16 @@ impl Run {
     /// What was measured.
     pub fn cycles(&self) -> &[CycleRun] {
         self.machine.cycles()
+    }
+
+    /// What cycles with Q330 have changed in the tool table, in order.
+    pub fn tool_changes(&self) -> &[ToolChanged] {
+        self.machine.tool_changes()
+    }
+
+    /// The tool table as the run has changed it; `None` where it has changed nothing.
+    pub fn changed_tools(&self) -> Option<&ToolTable> {
+        self.machine.tool_table().filter(|_| !self.tool_changes().is_empty())
     }
 
     /// The worst status of what was measured.
