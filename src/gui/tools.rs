@@ -6,7 +6,7 @@ use std::hash::Hash;
 use eframe::egui::{Button, Color32, Id, Response, RichText, ScrollArea, Ui, vec2};
 
 use super::theme::{self, control, palette, sizes, space};
-use super::view::{View, list_height, list_ui, problem, quiet};
+use super::view::{View, keep_focus, list_height, list_ui, problem, quiet};
 use crate::control::text::cut;
 use crate::control::tool_table::{Tool, ToolTable};
 use crate::control::variables::Parameter;
@@ -60,6 +60,9 @@ pub(super) fn pick_ui(ui: &mut Ui, view: &View<'_>, salt: Id, pick: &Pick) -> (O
             ui.close();
         }
     });
+    if picked.is_some() {
+        keep_focus(ui, &list);
+    }
     (picked, list)
 }
 

@@ -16,3 +16,4 @@ mod program_page;
 mod rows;
 mod sizes;
 mod table_page;
+mod tools;

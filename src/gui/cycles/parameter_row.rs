@@ -2,11 +2,11 @@
 
 use eframe::egui::{Align, Event, Id, Layout, Rect, Response, RichText, Ui, vec2};
 
-use super::{keep_focus, wrong_field};
+use super::wrong_field;
 use crate::gui::field::{Look, error_ui, field_ui, select_all};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::tools::{Pick, named_ui, pick_ui, table_list_ui};
-use crate::gui::view::{View, list_ui, quiet, quiet_height, quiet_within};
+use crate::gui::view::{View, keep_focus, list_ui, quiet, quiet_height, quiet_within};
 use crate::message::Message;
 use crate::probing::cycle::{Meaning, Parameter, Range, Value};
 use crate::session::{CycleField, CyclesCommand, Field, NamedTool, Standing};
@@ -60,10 +60,9 @@ fn tool_ui(ui: &mut Ui, view: &mut View<'_>, parameter: &'static Parameter) {
     wide_row_ui(ui, view.words.say(&message), width, |ui, name| {
         let pick = Pick { parameter: None, chosen, width: width - space(1.0) };
         let (picked, list) = pick_ui(ui, view, Id::unique(("cycle-tool", key)), &pick);
-        let list = list.labelled_by(name);
+        list.labelled_by(name);
         if let Some(text) = picked {
             view.send(CyclesCommand::Type(CycleField::Parameter(key), text));
-            keep_focus(ui, &list);
         }
     });
     named_ui(ui, view, named.as_ref());
