@@ -103,6 +103,7 @@ pub(super) const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::SaveCycleLog => "cycles-dialog-save-log",
         Purpose::OpenTable => "tables-dialog-open",
         Purpose::OpenProgram => "program-page-dialog-open",
+        Purpose::OpenPart => "program-page-dialog-part",
         Purpose::OpenTools => "tools-dialog-open",
         Purpose::SaveTools => "tools-dialog-save",
         Purpose::SaveTable(_) => "tables-dialog-save",

@@ -22,7 +22,7 @@ use crate::files;
 use crate::message::{Message, Say as _};
 use crate::nc::program::ProgramWarning;
 use crate::probing::Contact;
-use crate::probing::simulated::Simulation;
+use crate::probing::simulated::{self, Simulation};
 use crate::session::program::Document;
 use crate::session::{
     CheckCommand, Command, Content, CycleFile, CyclesCommand, Effect, Fate, FilesCommand, Launch, ProgramCommand,
@@ -196,6 +196,9 @@ fn answers(
                 command if is_read(command) => Fate::Read,
                 _ => Fate::Refused,
             };
+            // A file is remembered as what it is.
+            let is_part = matches!(command, Command::Workpiece(WorkpieceCommand::PartRead { .. }));
+            let purpose = if is_part { Purpose::OpenPart } else { purpose };
             vec![FilesCommand::Seen { purpose, path, fate }.into(), command]
         }
         Effect::Save(path, content) => save(path, &content, false),
@@ -261,6 +264,7 @@ const fn is_read(command: &Command) -> bool {
         Command::Program(ProgramCommand::Read { result, .. }) => result.is_ok(),
         Command::Workpiece(WorkpieceCommand::ContactsRead { result, .. }) => result.is_ok(),
         Command::Workpiece(WorkpieceCommand::Read(result)) => result.is_ok(),
+        Command::Workpiece(WorkpieceCommand::PartRead { result, .. }) => result.is_ok(),
         Command::Cycles(CyclesCommand::ProbesRead { result, .. }) => result.is_ok(),
         Command::Tools(ToolsCommand::Read { result, .. }) => result.is_ok(),
         _ => false,
@@ -282,7 +286,7 @@ fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> Co
         Purpose::OpenCycleFile(CycleFile::Contacts) => {
             WorkpieceCommand::ContactsRead { name, result: read_contacts(&path) }.into()
         }
-        Purpose::OpenCycleFile(CycleFile::Workpiece) => WorkpieceCommand::Read(read_workpiece(&path)).into(),
+        Purpose::OpenCycleFile(CycleFile::Workpiece) | Purpose::OpenPart => read_workpiece(&path, name).into(),
         Purpose::OpenCycleFile(CycleFile::Probes) => {
             CyclesCommand::ProbesRead { name, result: read_probes(&path) }.into()
         }
@@ -339,9 +343,20 @@ fn read_contacts(path: &Path) -> Result<(Vec<Contact>, Vec<Message>), Message> {
     Ok((read.contacts, ignored.collect()))
 }
 
-fn read_workpiece(path: &Path) -> Result<Box<Simulation>, Message> {
-    let bytes = files::read_file(path).map_err(|error| error.message())?;
-    Simulation::read(&decode(&bytes)).map(Box::new).map_err(|error| error.message())
+/// A workpiece with one surface, or a part of several features: its file says which.
+fn read_workpiece(path: &Path, name: String) -> WorkpieceCommand {
+    let bytes = match files::read_file(path) {
+        Ok(bytes) => bytes,
+        Err(error) => return WorkpieceCommand::Read(Err(error.message())),
+    };
+    let text = decode(&bytes);
+    if !simulated::Part::is_file(&text) {
+        return WorkpieceCommand::Read(Simulation::read(&text).map(Box::new).map_err(|error| error.message()));
+    }
+    let result = simulated::Part::read(&text).map_err(|error| error.message());
+    // Impossible figures are said now, and not in the middle of a run.
+    let result = result.and_then(|part| part.machine().map(|_| Box::new(part)).map_err(|error| error.message()));
+    WorkpieceCommand::PartRead { name, result }
 }
 
 fn read_tools(path: &Path) -> Result<Box<ToolTable>, Message> {

@@ -145,6 +145,8 @@ pub enum Purpose {
     SaveCycleLog,
     /// Reading an NC program.
     OpenProgram,
+    /// Reading a simulated part of several features.
+    OpenPart,
     /// Reading a tool table.
     OpenTools,
     /// Writing the tool table as a run has changed it.
@@ -167,6 +169,7 @@ impl Purpose {
             | Self::OpenTable
             | Self::OpenCycleFile(_)
             | Self::OpenProgram
+            | Self::OpenPart
             | Self::OpenTools => true,
         }
     }

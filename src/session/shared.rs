@@ -69,6 +69,8 @@ pub(super) enum News {
     WorkpieceTaken,
     /// Contacts were read, and are what is measured from now on.
     ContactsTaken,
+    /// A part of several features was read, and is what is measured from now on.
+    PartTaken,
     /// Tools are monitored with another table, or with none.
     Tools,
     /// A part of this callout is to be checked.

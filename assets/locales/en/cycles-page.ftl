@@ -201,3 +201,15 @@ tools-none-named = Q330 names no tool: the tool table is not used
 tools-no-deviation = the measured value does not deviate: the tool is not changed
 tools-changed = Changed in the tool table
 tools-nothing-changed = no run has changed the tool table
+
+## A part of several features
+
+cycles-part-refused = the file has [[feature]] tables: a cycle on its own measures one surface; the program page and fitcheck run measure such a part
+part-of-features = { $name }, { $count ->
+    [one] one feature
+   *[other] { $count } features
+  }, ball radius { $ball } mm
+part-round = { $name }: { $kind } Ø { $size } mm, { $first } { $x } { $second } { $y }
+part-width = { $name }: { $kind } { $size } mm, { $first } { $x } { $second } { $y }
+part-sides = { $name }: { $kind } { $size } × { $size2 } mm, { $first } { $x } { $second } { $y }
+part-face = { $name }: { $kind } X { $x } Y { $y } Z { $z }

@@ -239,6 +239,7 @@ file-kind-workpiece = Simulated workpieces
 file-kind-probes = Touch-probe tables
 file-kind-log = Measuring logs
 file-kind-program = NC programs
+file-kind-part = Simulated parts
 file-kind-tools = Tool tables
 dialog-move = Go to another entry
 dialog-recent-folders = Recent folders
@@ -527,6 +528,10 @@ cycle-picture-any-length = { $name } A length
 cycle-picture-any-angle = { $name } An angle
 cycle-picture-any-choice = { $name } One of { $of }
 cycle-picture-any-number = { $name } A number
+cycle-picture-part = Part with { $count ->
+    [one] one feature
+   *[other] { $count } features
+  }: { $names }.
 cycle-picture-path = Path of the probe, { $step } of { $moves } moves done, { $contacts ->
     [one] 1 contact
    *[other] { $contacts } contacts

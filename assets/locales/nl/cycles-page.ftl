@@ -201,3 +201,15 @@ tools-none-named = Q330 noemt geen gereedschap: de gereedschapstabel wordt niet 
 tools-no-deviation = de gemeten waarde wijkt niet af: het gereedschap wordt niet gewijzigd
 tools-changed = Gewijzigd in de gereedschapstabel
 tools-nothing-changed = geen uitvoering heeft de gereedschapstabel gewijzigd
+
+## Een onderdeel met meerdere elementen
+
+cycles-part-refused = het bestand heeft [[feature]]-tabellen: een losse cyclus meet één oppervlak; de programmapagina en fitcheck run meten zo'n onderdeel
+part-of-features = { $name }, { $count ->
+    [one] één element
+   *[other] { $count } elementen
+  }, kogelradius { $ball } mm
+part-round = { $name }: { $kind } Ø { $size } mm, { $first } { $x } { $second } { $y }
+part-width = { $name }: { $kind } { $size } mm, { $first } { $x } { $second } { $y }
+part-sides = { $name }: { $kind } { $size } × { $size2 } mm, { $first } { $x } { $second } { $y }
+part-face = { $name }: { $kind } X { $x } Y { $y } Z { $z }

@@ -239,6 +239,7 @@ file-kind-workpiece = Gesimuleerde werkstukken
 file-kind-probes = Tastertabellen
 file-kind-log = Meetprotocollen
 file-kind-program = NC-programma's
+file-kind-part = Gesimuleerde onderdelen
 file-kind-tools = Gereedschapstabellen
 dialog-move = Naar een ander item gaan
 dialog-recent-folders = Recente mappen
@@ -527,6 +528,10 @@ cycle-picture-any-length = { $name } Een lengte
 cycle-picture-any-angle = { $name } Een hoek
 cycle-picture-any-choice = { $name } Een van { $of }
 cycle-picture-any-number = { $name } Een getal
+cycle-picture-part = Onderdeel met { $count ->
+    [one] één element
+   *[other] { $count } elementen
+  }: { $names }.
 cycle-picture-path = Weg van de taster, { $step } van { $moves } verplaatsingen gedaan, { $contacts ->
     [one] 1 meetpunt
    *[other] { $contacts } meetpunten

@@ -3,6 +3,7 @@
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, Grid, RichText, Sense, Ui, vec2};
 
+use super::part_panel::part_ui;
 use super::tools_panel::tools_ui;
 use crate::gui::field::{Pairs, pairs_ui};
 use crate::gui::limits::source_ui;
@@ -137,6 +138,7 @@ const fn from_id(from: WorkpieceFrom, has_limits: bool) -> &'static str {
         WorkpieceFrom::Perfect => "program-page-from-perfect",
         WorkpieceFrom::Given => "program-page-from-given",
         WorkpieceFrom::Simulated => "program-page-from-simulated",
+        WorkpieceFrom::Part => "program-page-from-part",
         WorkpieceFrom::Recorded => "program-page-from-recorded",
     }
 }
@@ -171,6 +173,7 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
                 problem(ui, view.words.say(&error));
             }
         }
+        WorkpieceFrom::Part => part_ui(ui, view),
         WorkpieceFrom::Recorded => {
             if let Some(recorded) = view.session.recorded() {
                 let message = Message::new("program-page-recorded").text("name", &recorded.name);

@@ -214,6 +214,8 @@ actions! {
 
     /// Reads an NC program.
     OpenProgram;
+    /// Reads a simulated part of several features.
+    OpenPart;
     /// Runs the program.
     RunProgram;
     /// Pauses it.

@@ -322,6 +322,7 @@ pub(super) fn row(action: Action) -> Row {
         Action::RemoveColumn => on(Page::Tables, "tables-remove-column", TablesCommand::RemoveColumn).when(has_cell),
         Action::MakeTable => on(Page::Tables, "tables-make", TablesCommand::Make),
 
+        Action::OpenPart => on(Page::Program, "program-page-open-part", open(Purpose::OpenPart)),
         Action::OpenProgram => {
             on(Page::Program, "program-page-open", open(Purpose::OpenProgram)).key(Shortcut::ctrl('O'))
         }

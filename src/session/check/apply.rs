@@ -108,6 +108,7 @@ impl PageState for CheckPage {
             | News::Workpiece
             | News::WorkpieceTaken
             | News::ContactsTaken
+            | News::PartTaken
             | News::Tools => {}
         }
     }

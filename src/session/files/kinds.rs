@@ -6,6 +6,7 @@ use crate::control::log::is_log;
 use crate::control::text::decode;
 use crate::exchange::{self, tables::TABLE_FORMATS};
 use crate::message::Say;
+use crate::probing::simulated::Part;
 use crate::report::RENDERINGS;
 use crate::session::command::{CycleFile, Page, Purpose};
 use crate::words::Words;
@@ -29,12 +30,13 @@ pub enum OpenError {
 
 impl Purpose {
     /// Everything that reads a file or a folder.
-    const READERS: [Self; 9] = [
+    const READERS: [Self; 10] = [
         Self::Import,
         Self::LoadMask,
         Self::LoadTables,
         Self::OpenTable,
         Self::OpenProgram,
+        Self::OpenPart,
         Self::OpenTools,
         Self::OpenCycleFile(CycleFile::Contacts),
         Self::OpenCycleFile(CycleFile::Workpiece),
@@ -55,6 +57,7 @@ impl Purpose {
             Self::OpenCycleFile(CycleFile::Probes) => "probes",
             Self::SaveCycleLog => "log",
             Self::OpenProgram => "program",
+            Self::OpenPart => "part",
             Self::OpenTools | Self::SaveTools => "tools",
         }
     }
@@ -77,7 +80,7 @@ impl Purpose {
             }
             Self::ExportStatus => vec!["txt"],
             Self::OpenCycleFile(CycleFile::Contacts) => vec!["csv", "txt"],
-            Self::OpenCycleFile(CycleFile::Workpiece) | Self::SaveWorkpiece => vec!["toml"],
+            Self::OpenCycleFile(CycleFile::Workpiece) | Self::SaveWorkpiece | Self::OpenPart => vec!["toml"],
             Self::OpenCycleFile(CycleFile::Probes) => vec!["tp"],
             // The endings that the control uses: text, and a page.
             Self::SaveCycleLog => vec!["txt", "html"],
@@ -110,7 +113,7 @@ impl Purpose {
             Self::OpenTable => Page::Tables,
             // Both pages monitor tools with it.
             Self::OpenTools if open == Page::Cycles => open,
-            Self::OpenProgram | Self::OpenTools => Page::Program,
+            Self::OpenProgram | Self::OpenPart | Self::OpenTools => Page::Program,
             // Both pages measure the workpiece and the contacts.
             Self::OpenCycleFile(CycleFile::Contacts | CycleFile::Workpiece) if open == Page::Program => open,
             Self::OpenCycleFile(_) => Page::Cycles,
@@ -132,6 +135,7 @@ impl Purpose {
         let purpose = match ending.as_deref().unwrap_or_default() {
             "h" | "i" | "nc" | "ncs" => Some(Self::OpenProgram),
             "tab" => Some(Self::OpenTable),
+            "toml" if Part::is_file(&decode(head)) => Some(Self::OpenPart),
             "toml" => Some(Self::OpenCycleFile(CycleFile::Workpiece)),
             "t" => Some(Self::OpenTools),
             "tp" => Some(Self::OpenCycleFile(CycleFile::Probes)),
