@@ -2,9 +2,12 @@
 
 use std::fmt::Debug;
 use std::hash::Hash;
+use std::ops::Range;
 
 use eframe::egui::{Button, Color32, Id, Response, RichText, ScrollArea, Ui, vec2};
 
+use super::dialogs::just_opened;
+use super::shapes::times;
 use super::theme::{self, control, palette, sizes, space};
 use super::view::{View, keep_focus, list_height, list_ui, problem, quiet};
 use crate::control::text::cut;
@@ -18,6 +21,9 @@ use crate::session::{Action, NamedTool, text_of_tool, tool_message};
 const NUMBER: usize = 8;
 const NAME: usize = 18;
 const LENGTHS: [(&str, usize); 6] = [("L", 11), ("R", 9), ("DL", 9), ("DR", 9), ("LBREAK", 8), ("RBREAK", 8)];
+
+/// Up to this many tools are listed at once.
+const MOST_AT_ONCE: usize = 8;
 
 /// Which table is open: a list that opens another one, or closes it; its caller names it.
 pub(super) fn table_list_ui(ui: &mut Ui, view: &mut View<'_>, salt: impl Hash + Debug, width: f32) -> Response {
@@ -66,7 +72,7 @@ pub(super) fn pick_ui(ui: &mut Ui, view: &View<'_>, salt: Id, pick: &Pick) -> (O
     (picked, list)
 }
 
-/// The rows in sight: there may be thousands.
+/// The rows of the table under the names of its columns.
 fn rows_ui(ui: &mut Ui, view: &View<'_>, table: &ToolTable, pick: &Pick) -> Option<String> {
     let font = theme::mono(sizes().small);
     let header = header();
@@ -83,17 +89,33 @@ fn rows_ui(ui: &mut Ui, view: &View<'_>, table: &ToolTable, pick: &Pick) -> Opti
         .filter_map(|(row, tool)| Some((row, tool, text_of_tool(pick.parameter, tool, row, table)?)))
         .collect();
     let mut picked = None;
-    let area = ScrollArea::vertical().max_height(list_height(ui) - space(12.0)).id_salt("tools");
-    area.show_rows(ui, control(ui), tools.len(), |ui, rows| {
-        for (row, tool, text) in tools.get(rows).unwrap_or_default() {
-            let button =
-                Button::selectable(pick.chosen == Some(*row), RichText::new(line(view, tool)).font(font.clone()));
-            let button = ui.add(button.truncate().min_size(vec2(0.0, control(ui))));
+    // The keys begin at the tool that is named now.
+    let is_new = just_opened(ui, Id::unique("tools-list"));
+    let focused = tools.iter().position(|(row, ..)| pick.chosen == Some(*row)).unwrap_or_default();
+    let mut list_rows = |ui: &mut Ui, rows: Range<usize>| {
+        for (number, (row, tool, text)) in rows.clone().zip(tools.get(rows).unwrap_or_default()) {
+            let shown = RichText::new(line(view, tool)).font(font.clone());
+            let button = Button::selectable(pick.chosen == Some(*row), shown).truncate();
+            let button = ui.add(button.min_size(vec2(0.0, control(ui))));
+            if is_new && number == focused {
+                button.request_focus();
+            }
             if button.accessible_name(view.words.say(&tool_message(tool))).clicked() {
                 picked = Some(text.clone());
             }
         }
-    });
+    };
+    if tools.len() <= MOST_AT_ONCE {
+        list_rows(ui, 0..tools.len());
+    } else {
+        // Only the rows in sight: there may be thousands.
+        let step = control(ui) + ui.spacing().item_spacing.y;
+        let mut area = ScrollArea::vertical().max_height(list_height(ui) - space(12.0)).id_salt("tools");
+        if is_new {
+            area = area.vertical_scroll_offset(times(step, focused.saturating_sub(2)));
+        }
+        area.show_rows(ui, control(ui), tools.len(), list_rows);
+    }
     let left_out = table.tools().len() - tools.len();
     if 0 < left_out {
         quiet(ui, view.words.say(&Message::new("tools-without-name").count("count", left_out)));
@@ -102,7 +124,7 @@ fn rows_ui(ui: &mut Ui, view: &View<'_>, table: &ToolTable, pick: &Pick) -> Opti
 }
 
 fn header() -> String {
-    let lengths: String = LENGTHS.iter().map(|(name, width)| format!("{name:>width$}")).collect();
+    let lengths = LENGTHS.map(|(name, width)| format!("{name:>width$}")).concat();
     format!("{:<NUMBER$}{:<NAME$}{lengths}  TL", "T", "NAME")
 }
 
@@ -111,8 +133,8 @@ fn line(view: &View<'_>, tool: &Tool) -> String {
     let none = Length::ZERO;
     let breakage = [tool.length_breakage, tool.radius_breakage].map(|most| most.unwrap_or(none));
     let values = [tool.length, tool.radius, tool.delta_length, tool.delta_radius].into_iter().chain(breakage);
-    let lengths: String =
-        values.zip(LENGTHS).map(|(value, (_, width))| format!("{:>width$}", view.words.mm(value, 0))).collect();
+    let width = |(value, (_, width)): (Length, (&str, usize))| format!("{:>width$}", view.words.mm(value, 0));
+    let lengths = values.zip(LENGTHS).map(width).collect::<Vec<_>>().concat();
     let lock = if tool.is_locked { "  L" } else { "" };
     format!("{:<NUMBER$}{:<NAME$}{lengths}{lock}", tool.number.to_string(), cut(&tool.name, NAME - 2))
 }
@@ -120,11 +142,10 @@ fn line(view: &View<'_>, tool: &Tool) -> String {
 /// The tool that is named, with its lengths and tolerances, or that the table does not have it; nothing without a table.
 pub(super) fn named_ui(ui: &mut Ui, view: &View<'_>, named: Option<&NamedTool>) {
     let (Some(tools), Some(named)) = (view.session.tools(), named) else { return };
-    match named.row(&tools.table).and_then(|row| tools.table.tools().get(row)) {
-        Some(tool) => _ = quiet(ui, view.words.say(&tool_message(tool))),
-        None => {
-            let message = Message::new("tools-not-in-table").text("tool", named.text());
-            problem(ui, view.words.say(&message));
-        }
+    if let Some(tool) = named.row(&tools.table).and_then(|row| tools.table.tools().get(row)) {
+        quiet(ui, view.words.say(&tool_message(tool)));
+    } else {
+        let message = Message::new("tools-not-in-table").text("tool", named.text());
+        problem(ui, view.words.say(&message));
     }
 }

@@ -5,7 +5,7 @@ use std::process::Command as Process;
 
 use fitcheck::message::{Message, Say as _};
 use fitcheck::probing::simulated::Part;
-use fitcheck::session::program::{Document, NoteKind, Run, State, WorkpieceFrom};
+use fitcheck::session::program::{Agreement, Document, NoteKind, Run, State, WorkpieceFrom};
 use fitcheck::session::{
     Command, Effect, FilesCommand, Page, ProgramCommand, Purpose, Session, WorkpieceCommand, feature_message,
 };
@@ -79,10 +79,17 @@ fn answers(session: &Session) -> Json {
         })
         .collect();
     let windows: Vec<&str> = run.windows().iter().map(|window| window.text.as_str()).collect();
-    let remarks: Vec<String> =
-        (0..run.remark_count()).filter_map(|number| run.remark(number)).map(|(_, remark)| remark.to_string()).collect();
+    // As the page lists them: without their block.
+    let page = session.program();
+    let notes = (0..page.note_count()).filter_map(|number| page.note(number));
+    let remarks: Vec<String> = notes
+        .filter(|note| note.kind == NoteKind::Remark)
+        .map(|note| said(&note.message).split_once(": ").unwrap().1.to_owned())
+        .collect();
     let fault = run.fault().map(|fault| fault.kind.to_string());
-    serde_json::json!({"cycles": cycles, "windows": windows, "remarks": remarks, "fault": fault})
+    let answers = serde_json::json!({"cycles": cycles, "windows": windows, "remarks": remarks, "fault": fault});
+    // Through text, as the command line's figures come.
+    answers.to_string().parse().unwrap()
 }
 
 /// The same from `fitcheck run`.
@@ -97,7 +104,9 @@ fn by_command(folder: &Path, program: &str, part: &str) -> Json {
         })
         .collect();
     let windows: Vec<Json> = list("windows").into_iter().map(|window| window["window"].clone()).collect();
-    let remarks: Vec<Json> = list("remarks").into_iter().map(|remark| remark["message"].clone()).collect();
+    let of_cycles = list("cycles").into_iter().flat_map(|cycle| cycle["remarks"].as_array().unwrap().clone());
+    let remarks = list("remarks").into_iter().map(|remark| remark["message"].clone());
+    let remarks: Vec<Json> = remarks.chain(of_cycles).collect();
     let fault = list("faults").first().map(|fault| fault["message"].clone());
     serde_json::json!({"cycles": cycles, "windows": windows, "remarks": remarks, "fault": fault})
 }
@@ -129,6 +138,9 @@ fn a_plan_of_fitcheck_nc_is_measured_in_the_window_as_by_the_command_line() {
     assert_eq!(answers["cycles"].as_array().unwrap().len(), 6);
     assert!(answers["cycles"].as_array().unwrap().iter().all(|cycle| cycle["status"] == "GOOD"), "{answers}");
     assert_eq!(answers, by_command(folder.path(), "set/FIT_MAIN.H", "part.toml"));
+    // The form is about the first feature: what is measured after it is not held against its limits.
+    assert_eq!(session.program().agreement(session.sources()), Some(Agreement::OtherInputs));
+    assert_eq!(session.program().verdict(session.sources()), None);
 }
 
 const PART: &str = "[[feature]]\nname = \"A1\"\nkind = \"bore\"\ncentre = [40, 30]\ndiameter = 25.0134\nbottom = -20\n\

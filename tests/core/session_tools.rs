@@ -86,8 +86,8 @@ fn saved(session: &mut Session) -> (String, Vec<u8>) {
 fn by_command(text: &str, diameter: &str, set: &[&str]) -> Vec<u8> {
     let folder = tempfile::tempdir().unwrap();
     let put = |name: &str, text: &str| {
-        std::io::Write::write_all(&mut std::fs::File::create(folder.path().join(name)).unwrap(), text.as_bytes())
-            .unwrap()
+        let mut file = std::fs::File::create(folder.path().join(name)).unwrap();
+        std::io::Write::write_all(&mut file, text.as_bytes()).unwrap();
     };
     put("own.h", text);
     put("bore.toml", &format!("[bore]\ncentre = [0.0, 0.0]\ndiameter = {diameter}\n"));

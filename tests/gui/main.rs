@@ -11,6 +11,7 @@ mod harness;
 mod history;
 mod keeping;
 mod keyboard;
+mod parts;
 mod pictures;
 mod program_page;
 mod rows;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::kittest::{AccessKitNode, NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::words::Language;
 
@@ -95,10 +95,9 @@ fn a_tool_is_picked_from_the_table_corrected_and_saved() {
     let new = folder.path().join("new.t");
     take_file(&mut page, &new);
     let before = std::fs::read_to_string(TABLE).unwrap();
-    let wanted = before.replacen("+5        +0        +0        +0 ", "+5        +0        +0        +0.015 ", 1);
     let written = std::fs::read_to_string(&new).unwrap();
     let changed: Vec<_> = before.lines().zip(written.lines()).filter(|(one, other)| one != other).collect();
-    assert_eq!(changed.len(), 1, "{changed:?} {}", wanted.len());
+    assert_eq!(changed.len(), 1, "{changed:?}");
     assert!(changed[0].1.contains("MILL_D10") && changed[0].1.contains("+0.015"), "{changed:?}");
     // Without a table the same run changes nothing.
     press(&mut page, Key::Escape);
@@ -111,7 +110,7 @@ fn a_tool_is_picked_from_the_table_corrected_and_saved() {
 
 /// The name of what has the focus.
 fn focused(page: &Harnessed) -> String {
-    let node = page.get_by(|node| node.is_focused());
+    let node = page.get_by(AccessKitNode::is_focused);
     node.accesskit_node().label().unwrap_or_default()
 }
 
@@ -226,9 +225,8 @@ fn the_form_of_a_cycle_picks_its_tool_from_the_table() {
 fn a_long_table_is_listed_as_far_as_it_is_seen() {
     let folder = tempfile::tempdir().unwrap();
     let mut text = "BEGIN TOOL.T MM\nT       NAME            L           R         DL        DR        TL\n".to_owned();
-    for number in 0..5000 {
-        text += &format!("{number:<8}MILL_{number:<11}+10         +5        +0        +0        0\n");
-    }
+    let row = |number: i32| format!("{number:<8}MILL_{number:<11}+10         +5        +0        +0        0\n");
+    text.extend((0..5000).map(row));
     let path = folder.path().join("tool.t");
     std::io::Write::write_all(&mut std::fs::File::create(&path).unwrap(), (text + "[END]\n").as_bytes()).unwrap();
     for (size, language) in [(vec2(1280.0, 800.0), Language::En), (vec2(800.0, 600.0), Language::Nl)] {

@@ -205,6 +205,7 @@ tools-nothing-changed = no run has changed the tool table
 ## A part of several features
 
 cycles-part-refused = the file has [[feature]] tables: a cycle on its own measures one surface; the program page and fitcheck run measure such a part
+part-features = Features of the part
 part-of-features = { $name }, { $count ->
     [one] one feature
    *[other] { $count } features

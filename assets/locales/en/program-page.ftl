@@ -65,6 +65,7 @@ program-page-differs-maximum = its maximum is { $program } mm, Fitcheck’s { $o
 program-page-differs-status = it says { $program }, Fitcheck says { $own }
 program-page-differs-fault = it stopped with an error
 program-page-differs-native-refuses = it gave a verdict, Fitcheck has no limits
+program-page-other-inputs = Not compared: the program has set other inputs since and measures another feature
 program-page-both-refuse = Neither the program nor Fitcheck gives an answer
 
 program-page-workpiece = Workpiece

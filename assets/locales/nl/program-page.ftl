@@ -65,6 +65,7 @@ program-page-differs-maximum = maximale maat { $program } mm, volgens Fitcheck {
 program-page-differs-status = het zegt { $program }, Fitcheck zegt { $own }
 program-page-differs-fault = het is met een fout gestopt
 program-page-differs-native-refuses = het geeft een oordeel, Fitcheck heeft geen grensmaten
+program-page-other-inputs = Niet vergeleken: het programma heeft intussen andere invoer ingesteld en meet een ander element
 program-page-both-refuse = Noch het programma noch Fitcheck geeft een antwoord
 
 program-page-workpiece = Werkstuk

@@ -159,7 +159,7 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, beside: bool) {
 /// The path up to a move.
 fn path_picture(ui: &mut Ui, view: &View<'_>, run: &CycleRun, height: f32) {
     let step = view.session.cycles().step();
-    let around = Surroundings { nominal: run.nominal, ball_radius: run.ball_radius, ..Surroundings::default() };
+    let around = Surroundings::of(run.nominal, run.ball_radius);
     of_height(ui, height, |ui| picture::path_picture(ui, view, &run.path, step + 1, around));
 }
 

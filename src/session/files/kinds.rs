@@ -168,7 +168,7 @@ fn by_content(head: &[u8]) -> Option<Purpose> {
         Some(Purpose::OpenTable)
     } else if begins.contains(".TP") {
         Some(Purpose::OpenCycleFile(CycleFile::Probes))
-    } else if begins.split_whitespace().any(|word| word.ends_with(".T")) {
+    } else if begins.split_whitespace().any(|word| word.rsplit_once('.').is_some_and(|(_, ending)| ending == "T")) {
         Some(Purpose::OpenTools)
     } else {
         None

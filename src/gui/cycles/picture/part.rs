@@ -126,7 +126,9 @@ pub(super) fn draw(canvas: &Canvas<'_>, scale: &Scale, features: &[PartFeature])
         }
     }
     if scale.eye() == Eye::Above && features.len() <= MOST_NAMES {
-        seen.iter().for_each(|(feature, seen)| name(canvas, &feature.name, seen));
+        for (feature, seen) in &seen {
+            name(canvas, &feature.name, seen);
+        }
     }
 }
 
@@ -142,10 +144,11 @@ fn body(canvas: &Canvas<'_>, seen: &Seen) {
 
 /// The material about a space.
 fn rim(canvas: &Canvas<'_>, seen: &Seen) {
-    let rim = Stroke::new(2.0 * RIM, canvas.palette.none.0);
+    let material = canvas.palette.none.0;
     match seen {
-        Seen::Circle(at, radius) => canvas.circle(*at, *radius, Color32::TRANSPARENT, rim),
-        Seen::Corners(corners) => polygon(canvas, corners, Color32::TRANSPARENT, rim),
+        Seen::Circle(at, radius) => canvas.circle(*at, *radius + RIM, material, Stroke::NONE),
+        // Half of the line lies within the space, which covers it.
+        Seen::Corners(corners) => polygon(canvas, corners, material, Stroke::new(2.0 * RIM, material)),
         Seen::Box(_) | Seen::Disc(..) | Seen::Line(..) => {}
     }
 }

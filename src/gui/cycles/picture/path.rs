@@ -29,6 +29,13 @@ pub(in crate::gui) struct Surroundings<'a> {
     pub ball_radius: f64,
 }
 
+impl Surroundings<'_> {
+    /// The surface that a cycle expects, and the ball.
+    pub fn of(nominal: Option<Surface>, ball_radius: f64) -> Self {
+        Self { nominal, ball_radius, ..Self::default() }
+    }
+}
+
 /// The path of the probe after `step` moves (0 to their number).
 pub(in crate::gui) fn path_picture(ui: &mut Ui, view: &View<'_>, path: &[Move], step: usize, around: Surroundings<'_>) {
     let moves: Vec<Move> = path.iter().copied().filter(is_finite).collect();
