@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::{AccessKitNode, NodeT as _, Queryable as _};
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::words::Language;
 
@@ -109,9 +109,8 @@ fn a_tool_is_picked_from_the_table_corrected_and_saved() {
 }
 
 /// The name of what has the focus.
-fn focused(page: &Harnessed) -> String {
-    let node = page.get_by(AccessKitNode::is_focused);
-    node.accesskit_node().label().unwrap_or_default()
+fn focused(window: &Harness<'_, App>) -> String {
+    window.get_by(|node| node.is_focused()).accesskit_node().label().unwrap_or_default()
 }
 
 #[test]
