@@ -109,6 +109,7 @@ fn a_tool_is_picked_from_the_table_corrected_and_saved() {
 }
 
 /// The name of what has the focus.
+#[expect(clippy::redundant_closure_for_method_calls, reason = "the method alone is not general over lifetimes")]
 fn focused(window: &Harness<'_, App>) -> String {
     window.get_by(|node| node.is_focused()).accesskit_node().label().unwrap_or_default()
 }
