@@ -17,6 +17,7 @@ fn dropped(ui: &Ui, view: &mut View<'_>) {
     for file in dropped {
         let purpose = match view.session.page() {
             Page::Tables => Purpose::OpenTable,
+            Page::Cycles if is_tools(file.path()) => Purpose::OpenTools,
             Page::Cycles => Purpose::OpenCycleFile(cycle_file(file.path())),
             Page::Program => program_file(file.path()),
             Page::Check | Page::Fit => Purpose::Import,
@@ -28,12 +29,18 @@ fn dropped(ui: &Ui, view: &mut View<'_>) {
 /// What kind a file dropped on the program page is, by its ending.
 fn program_file(path: &Path) -> Purpose {
     match cycle_file(path) {
+        _ if is_tools(path) => Purpose::OpenTools,
         CycleFile::Workpiece => Purpose::OpenCycleFile(CycleFile::Workpiece),
         _ if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) => {
             Purpose::OpenCycleFile(CycleFile::Contacts)
         }
         _ => Purpose::OpenProgram,
     }
+}
+
+/// Whether a file is a tool table, by its ending.
+fn is_tools(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("t"))
 }
 
 /// What kind a file dropped on the cycles page is, by its ending.
@@ -96,6 +103,9 @@ pub(super) const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::SaveCycleLog => "cycles-dialog-save-log",
         Purpose::OpenTable => "tables-dialog-open",
         Purpose::OpenProgram => "program-page-dialog-open",
+        Purpose::OpenPart => "program-page-dialog-part",
+        Purpose::OpenTools => "tools-dialog-open",
+        Purpose::SaveTools => "tools-dialog-save",
         Purpose::SaveTable(_) => "tables-dialog-save",
     }
 }

@@ -15,16 +15,17 @@ use crate::control::deviations;
 use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
+use crate::control::tool_table::ToolTable;
 use crate::exchange::batch::Part;
 use crate::exchange::{self, contacts};
 use crate::files;
 use crate::message::{Message, Say as _};
 use crate::nc::program::ProgramWarning;
-use crate::probing::simulated::Simulation;
+use crate::probing::simulated::{self, Simulation};
 use crate::session::program::Document;
 use crate::session::{
     CheckCommand, Command, Content, CycleFile, CyclesCommand, Effect, Fate, FilesCommand, Launch, ProgramCommand,
-    Purpose, RowsCommand, TablesCommand, WorkpieceCommand,
+    Purpose, RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand,
 };
 use crate::tolerance::{DeviationTable, Sources};
 use crate::words::Words;
@@ -194,6 +195,9 @@ fn answers(
                 command if is_read(command) => Fate::Read,
                 _ => Fate::Refused,
             };
+            // A file is remembered as what it is.
+            let is_part = matches!(command, Command::Workpiece(WorkpieceCommand::PartRead { .. }));
+            let purpose = if is_part { Purpose::OpenPart } else { purpose };
             vec![FilesCommand::Seen { purpose, path, fate }.into(), command]
         }
         Effect::Save(path, content) => save(path, &content, false),
@@ -259,7 +263,9 @@ const fn is_read(command: &Command) -> bool {
         Command::Program(ProgramCommand::Read { result, .. }) => result.is_ok(),
         Command::Workpiece(WorkpieceCommand::ContactsRead { result, .. }) => result.is_ok(),
         Command::Workpiece(WorkpieceCommand::Read(result)) => result.is_ok(),
+        Command::Workpiece(WorkpieceCommand::PartRead { result, .. }) => result.is_ok(),
         Command::Cycles(CyclesCommand::ProbesRead { result, .. }) => result.is_ok(),
+        Command::Tools(ToolsCommand::Read { result, .. }) => result.is_ok(),
         _ => false,
     }
 }
@@ -279,10 +285,11 @@ fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> Co
         Purpose::OpenCycleFile(CycleFile::Contacts) => {
             WorkpieceCommand::ContactsRead { name, result: read_contacts(&path) }.into()
         }
-        Purpose::OpenCycleFile(CycleFile::Workpiece) => WorkpieceCommand::Read(read_workpiece(&path)).into(),
+        Purpose::OpenCycleFile(CycleFile::Workpiece) | Purpose::OpenPart => read_workpiece(&path, name).into(),
         Purpose::OpenCycleFile(CycleFile::Probes) => {
             CyclesCommand::ProbesRead { name, result: read_probes(&path) }.into()
         }
+        Purpose::OpenTools => ToolsCommand::Read { name, result: read_tools(&path) }.into(),
         // These purposes write files.
         _ => Command::Picked(None),
     }
@@ -336,9 +343,25 @@ fn read_contacts(path: &Path) -> Result<(contacts::Contacts, Vec<Message>), Mess
     Ok((read, ignored))
 }
 
-fn read_workpiece(path: &Path) -> Result<Box<Simulation>, Message> {
+/// A workpiece with one surface, or a part of several features: its file says which.
+fn read_workpiece(path: &Path, name: String) -> WorkpieceCommand {
+    let bytes = match files::read_file(path) {
+        Ok(bytes) => bytes,
+        Err(error) => return WorkpieceCommand::Read(Err(error.message())),
+    };
+    let text = decode(&bytes);
+    if !simulated::Part::is_file(&text) {
+        return WorkpieceCommand::Read(Simulation::read(&text).map(Box::new).map_err(|error| error.message()));
+    }
+    let result = simulated::Part::read(&text).map_err(|error| error.message());
+    // Impossible figures are said now, and not in the middle of a run.
+    let result = result.and_then(|part| part.machine().map(|_| Box::new(part)).map_err(|error| error.message()));
+    WorkpieceCommand::PartRead { name, result }
+}
+
+fn read_tools(path: &Path) -> Result<Box<ToolTable>, Message> {
     let bytes = files::read_file(path).map_err(|error| error.message())?;
-    Simulation::read(&decode(&bytes)).map(Box::new).map_err(|error| error.message())
+    ToolTable::read(&bytes, &name(path)).map(Box::new).map_err(|error| error.message())
 }
 
 fn read_probes(path: &Path) -> Result<ProbeTable, Message> {

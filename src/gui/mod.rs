@@ -9,6 +9,7 @@
 //! | `theme` | colours, sizes, fonts |
 //! | `check`, `fit`, `cycles`, `tables`, `program` | the pages |
 //! | `top_bar`, `dialogs`, `folder_list` | what belongs to every page |
+//! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
 //! | `columns` | three columns, and how they fold |
 //! | `class_chooser`, `field`, `keypad`, `limits`, `popup`, `shapes`, `verdict_card` | widgets of our own |
@@ -36,6 +37,7 @@ mod shapes;
 mod store;
 mod tables;
 mod theme;
+mod tools;
 mod top_bar;
 mod verdict_card;
 mod view;

@@ -4,7 +4,7 @@ use std::fmt::Debug;
 use std::hash::Hash;
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{self, Button, ComboBox, Response, RichText, Ui, Vec2, WidgetInfo, WidgetText, vec2};
+use eframe::egui::{self, Button, ComboBox, Key, Response, RichText, Ui, Vec2, WidgetInfo, WidgetText, vec2};
 use egui_plot::Plot;
 
 use super::keys::told;
@@ -236,6 +236,13 @@ pub(super) fn list_ui(
 ) -> Response {
     let list = ComboBox::from_id_salt(salt).selected_text(shown).width(width).truncate().height(list_height(ui));
     list.show_ui(ui, content).response
+}
+
+/// Keeps the focus on a list after a choice by key; after a choice by pointer, Enter does what it did before.
+pub(super) fn keep_focus(ui: &Ui, list: &Response) {
+    if ui.input(|input| input.key_pressed(Key::Space) || input.key_pressed(Key::Enter)) {
+        list.request_focus();
+    }
 }
 
 /// Makes a widget a live region: a screen reader reads it whenever it changes.

@@ -14,6 +14,7 @@ use super::history::ListCommand;
 use super::program::ProgramCommand;
 use super::rows::RowsCommand;
 use super::tables::TablesCommand;
+use super::tools::ToolsCommand;
 use super::workpiece::WorkpieceCommand;
 use crate::control::mask::Mask;
 use crate::exchange::batch::Part;
@@ -37,6 +38,8 @@ pub enum Command {
     Program(ProgramCommand),
     /// Does something with the simulated workpiece or recorded contacts.
     Workpiece(WorkpieceCommand),
+    /// Does something with the tool table.
+    Tools(ToolsCommand),
     /// Does something with the file dialog, recent files or a file that was written.
     Files(FilesCommand),
     /// Opens a page.
@@ -115,7 +118,7 @@ impl From<ListCommand> for Command {
     }
 }
 
-from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand), Files(FilesCommand));
+from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand), Tools(ToolsCommand), Files(FilesCommand));
 
 /// What a file dialog is for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -142,21 +145,32 @@ pub enum Purpose {
     SaveCycleLog,
     /// Reading an NC program.
     OpenProgram,
+    /// Reading a simulated part of several features.
+    OpenPart,
+    /// Reading a tool table.
+    OpenTools,
+    /// Writing the tool table as a run has changed it.
+    SaveTools,
 }
 
 impl Purpose {
     /// Whether something is read; otherwise a file is written.
     pub const fn is_reading(self) -> bool {
         match self {
-            Self::Export(_) | Self::ExportStatus | Self::SaveTable(_) | Self::SaveWorkpiece | Self::SaveCycleLog => {
-                false
-            }
+            Self::Export(_)
+            | Self::ExportStatus
+            | Self::SaveTable(_)
+            | Self::SaveWorkpiece
+            | Self::SaveCycleLog
+            | Self::SaveTools => false,
             Self::Import
             | Self::LoadMask
             | Self::LoadTables
             | Self::OpenTable
             | Self::OpenCycleFile(_)
-            | Self::OpenProgram => true,
+            | Self::OpenProgram
+            | Self::OpenPart
+            | Self::OpenTools => true,
         }
     }
 }

@@ -95,6 +95,7 @@ impl Session {
             Purpose::SaveTable(format) => self.tables.file_name(format),
             Purpose::SaveCycleLog => self.cycles.log().map_or_else(String::new, |log| log.name.clone()),
             Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
+            Purpose::SaveTools => self.tools().map_or_else(String::new, |tools| tools.name.clone()),
             _ => String::new(),
         };
         self.shared.open_dialog(purpose, path);
@@ -176,6 +177,7 @@ impl Session {
             Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?.into(),
             Purpose::Export(format) => self.export(format, now)?,
             Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?.into(),
+            Purpose::SaveTools => self.tools_bytes()?.into(),
             Purpose::SaveCycleLog => {
                 let log = self.cycles.log().ok_or_else(|| Message::new("cycles-no-log"))?;
                 log.bytes.clone().into()

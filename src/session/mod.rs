@@ -14,7 +14,7 @@
 //! | `tables` | tables of deviations against ISO 286 |
 //! | `program` | an NC program is run and stepped |
 //! | `rows` | the rows of a file that is too large for the history |
-//! | `shared`, `history`, `workpiece` | what belongs to every page; `readers` reads it |
+//! | `shared`, `history`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
 //! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
@@ -39,6 +39,7 @@ mod field;
 mod files;
 mod fit;
 mod history;
+mod part;
 pub mod program;
 mod readers;
 mod rows;
@@ -46,6 +47,7 @@ mod saved;
 mod shared;
 mod step;
 pub mod tables;
+mod tools;
 mod workpiece;
 
 use std::ops;
@@ -66,13 +68,15 @@ pub use fit::{
     ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
 };
 pub use history::{ChangeId, History, ListCommand, status_text};
+pub use part::{feature_message, shape_id};
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
 pub use saved::{Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs};
 pub use shared::{MaskChoice, Notice};
 pub use step::Step;
 pub use tables::{TablesCommand, TablesField, TablesPage};
-pub use workpiece::{RecordedContacts, WorkpieceCommand};
+pub use tools::{Monitoring, NamedTool, OpenTools, ToolsCommand, text_of_tool, tool_message};
+pub use workpiece::{OpenPart, RecordedContacts, WorkpieceCommand};
 
 use self::files::Places;
 use self::shared::{PageState as _, Shared};
@@ -186,6 +190,7 @@ impl Session {
                     _ => Some(cycles.suited(shared)),
                 });
             }
+            Command::Tools(command) => shared.apply_tools(command),
             Command::OpenPage(page) => shared.open(page),
             Command::GoTo(field) => return vec![Effect::Focus(field)],
             Command::ShowKeypad(shown) => shared.keypad = shown,
@@ -261,6 +266,7 @@ impl Session {
                 parameter.is_some_and(|parameter| parameter.range == Range::Tool)
             }
             Field::Tables(field) => field == TablesField::Filter,
+            Field::Program(ProgramField::Tool(parameter)) => parameter.family.is_text(),
             Field::Program(field) => matches!(field, ProgramField::Filter | ProgramField::Name | ProgramField::Value),
             Field::Cycles(_) | Field::Fit(_) | Field::Workpiece(_) => false,
         }

@@ -8,7 +8,7 @@ use super::cycles::WorkpieceForm;
 use super::files::{Dialog, RecentFile};
 use super::history::History;
 use super::shared::{MaskChoice, Notice};
-use super::workpiece::RecordedContacts;
+use super::workpiece::{OpenPart, RecordedContacts};
 use super::{Session, tables};
 use crate::control::mask::Mask;
 use crate::message::Message;
@@ -94,6 +94,11 @@ impl Session {
     /// The recorded contacts that both pages measure.
     pub fn recorded(&self) -> Option<&RecordedContacts> {
         self.shared.workpiece.recorded.as_deref()
+    }
+
+    /// The simulated part of several features that the program page measures.
+    pub fn part(&self) -> Option<&OpenPart> {
+        self.shared.workpiece.part.as_deref()
     }
 
     /// What parts can be made of.

@@ -12,6 +12,7 @@ use jiff::civil::DateTime;
 use super::command::{Density, DialogId, Effect, Page, Purpose, Theme};
 use super::files::{Dialog, Places};
 use super::history::{ChangeId, History};
+use super::tools::OpenTools;
 use super::workpiece::SimulatedWorkpiece;
 use crate::control::mask::Mask;
 use crate::message::Message;
@@ -68,6 +69,10 @@ pub(super) enum News {
     WorkpieceTaken,
     /// Contacts were read, and are what is measured from now on.
     ContactsTaken,
+    /// A part of several features was read, and is what is measured from now on.
+    PartTaken,
+    /// Tools are monitored with another table, or with none.
+    Tools,
     /// A part of this callout is to be checked.
     Check(String),
 }
@@ -107,6 +112,8 @@ pub(super) struct Shared {
     pub materials: Materials,
     pub history: History,
     pub workpiece: SimulatedWorkpiece,
+    /// The tool table that was opened.
+    pub tools: Option<Arc<OpenTools>>,
     pub dialog: Option<Dialog>,
     /// How many dialogs were opened.
     dialogs: u64,

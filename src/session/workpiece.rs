@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::command::Page;
 use super::command::{CycleFile, Purpose};
 use super::cycles::{WorkpieceField, WorkpieceForm};
 use super::shared::{News, Shared};
@@ -9,7 +10,7 @@ use crate::exchange::contacts::Contacts;
 use crate::message::Message;
 use crate::probing::Contact;
 use crate::probing::cycle::Plane;
-use crate::probing::simulated::{Shape, Simulation};
+use crate::probing::simulated::{Part, Shape, Simulation};
 
 /// What can be done with the simulated workpiece and with recorded contacts.
 #[derive(Debug, Clone)]
@@ -26,6 +27,13 @@ pub enum WorkpieceCommand {
     Suit,
     /// A file of a simulated machine was read, or not.
     Read(Result<Box<Simulation>, Message>),
+    /// A file of a part with several features was read, or not.
+    PartRead {
+        /// Its name without the folder.
+        name: String,
+        /// The part.
+        result: Result<Box<Part>, Message>,
+    },
     /// A file of contacts was read, or not.
     ContactsRead {
         /// Its name without the folder.
@@ -46,6 +54,15 @@ pub struct RecordedContacts {
     pub has_heights: bool,
 }
 
+/// A simulated part of a file.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenPart {
+    /// The file's name.
+    pub name: String,
+    /// The part.
+    pub part: Part,
+}
+
 /// The simulated workpiece as it is typed, and the contacts that were read.
 #[derive(Debug, Default)]
 pub(super) struct SimulatedWorkpiece {
@@ -53,6 +70,8 @@ pub(super) struct SimulatedWorkpiece {
     /// Whether its dialog is open.
     pub is_open: bool,
     pub recorded: Option<Arc<RecordedContacts>>,
+    /// A part of several features.
+    pub part: Option<Arc<OpenPart>>,
 }
 
 impl SimulatedWorkpiece {
@@ -95,6 +114,15 @@ impl Shared {
                 if let Some(bench) = self.file_answered(result) {
                     self.workpiece.form = WorkpieceForm::of(&bench);
                     self.spread(News::WorkpieceTaken);
+                }
+            }
+            WorkpieceCommand::PartRead { name, result } => {
+                // A cycle on its own has no place on a part: its page measures one surface.
+                let refuses = self.page == Page::Cycles;
+                let result = if refuses { result.and(Err(Message::new("cycles-part-refused"))) } else { result };
+                if let Some(part) = self.file_answered(result) {
+                    self.workpiece.part = Some(Arc::new(OpenPart { name, part: *part }));
+                    self.spread(News::PartTaken);
                 }
             }
             WorkpieceCommand::ContactsRead { name, result } => {

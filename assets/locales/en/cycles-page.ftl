@@ -165,3 +165,52 @@ cycles-choice-plane-1 = Z/X, G18
 cycles-choice-plane-2 = Y/Z, G19
 cycles-choice-side-0 = inside
 cycles-choice-side-1 = outside
+
+## The tool table
+
+tools = Tool table
+tools-none = none
+tools-open-one = { $name }, { $count ->
+    [one] one tool
+   *[other] { $count } tools
+  }
+tools-open = Open a tool table…
+tools-close = No tool table
+tools-save = Save tool table…
+tools-save-hint = The table with these changes. The next run begins with the table as it was opened.
+tools-dialog-open = Open a tool table
+tools-dialog-save = Save the changed tool table
+tools-loaded = Tool table { $name } is used
+tools-pick = choose a tool
+tools-pick-of = { $parameter } from the tool table
+tools-input = { $parameter } Tool for monitoring (Q330)
+tools-fixed = Q330 = { $tool } in the program
+tools-more = { $count ->
+    [one] one more tool
+   *[other] { $count } more tools
+  }
+tools-row = { $tool }: L { $length }, R { $radius }, DL { $delta-length }, DR { $delta-radius }, LBREAK { $length-breakage }, RBREAK { $radius-breakage } mm
+tools-row-locked = { $tool }: L { $length }, R { $radius }, DL { $delta-length }, DR { $delta-radius }, LBREAK { $length-breakage }, RBREAK { $radius-breakage } mm, locked
+tools-without-name = { $count ->
+    [one] one tool is not listed: its name does not find it
+   *[other] { $count } tools are not listed: their names do not find them
+  }
+tools-not-in-table = Q330 = { $tool }: the tool table has no such tool
+tools-not-monitored = Without a tool table, no tool is monitored (Q330)
+tools-none-named = Q330 names no tool: the tool table is not used
+tools-no-deviation = the measured value does not deviate: the tool is not changed
+tools-changed = Changed in the tool table
+tools-nothing-changed = no run has changed the tool table
+
+## A part of several features
+
+cycles-part-refused = the file has [[feature]] tables: a cycle on its own measures one surface; the program page and fitcheck run measure such a part
+part-features = Features of the part
+part-of-features = { $name }, { $count ->
+    [one] one feature
+   *[other] { $count } features
+  }, ball radius { $ball } mm
+part-round = { $name }: { $kind } Ø { $size } mm, { $first } { $x } { $second } { $y }
+part-width = { $name }: { $kind } { $size } mm, { $first } { $x } { $second } { $y }
+part-sides = { $name }: { $kind } { $size } × { $size2 } mm, { $first } { $x } { $second } { $y }
+part-face = { $name }: { $kind } X { $x } Y { $y } Z { $z }

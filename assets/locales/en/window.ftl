@@ -239,6 +239,8 @@ file-kind-workpiece = Simulated workpieces
 file-kind-probes = Touch-probe tables
 file-kind-log = Measuring logs
 file-kind-program = NC programs
+file-kind-part = Simulated parts
+file-kind-tools = Tool tables
 dialog-move = Go to another entry
 dialog-recent-folders = Recent folders
 dialog-exists = { $name } already exists. Replace it?
@@ -526,6 +528,10 @@ cycle-picture-any-length = { $name } A length
 cycle-picture-any-angle = { $name } An angle
 cycle-picture-any-choice = { $name } One of { $of }
 cycle-picture-any-number = { $name } A number
+cycle-picture-part = Part with { $count ->
+    [one] one feature
+   *[other] { $count } features
+  }: { $names }.
 cycle-picture-path = Path of the probe, { $step } of { $moves } moves done, { $contacts ->
     [one] 1 contact
    *[other] { $contacts } contacts
@@ -566,7 +572,7 @@ cycle-picture-uncertainty = Scatter s of a contact gives { $diameter } s in the 
 saved-broken = the saved state cannot be read: { $reason }
 saved-newer = the saved state has version { $version }, this program knows versions up to { $known }
 window-no-display = no display: DISPLAY and WAYLAND_DISPLAY are not set. Log in on a desktop, connect with ssh -X, or use the command line, which needs no display: fitcheck check "25 H7" --measured 25.012; see fitcheck --help
-open-unknown = { $name } is not a file that the window opens; it opens measurements, measuring logs and contacts (.csv, .tsv, .txt, .html), NC programs (.h), tables (.tab), simulated workpieces (.toml), touch-probe tables (.tp) and masks (.a)
+open-unknown = { $name } is not a file that the window opens; it opens measurements, measuring logs and contacts (.csv, .tsv, .txt, .html), NC programs (.h), tables (.tab), tool tables (.t), simulated workpieces (.toml), touch-probe tables (.tp) and masks (.a)
 window-not-opened = the window cannot be opened: { $reason }; the command line works without a display, see fitcheck --help
 
 ## Rows of a large file

@@ -165,3 +165,52 @@ cycles-choice-plane-1 = Z/X, G18
 cycles-choice-plane-2 = Y/Z, G19
 cycles-choice-side-0 = binnen
 cycles-choice-side-1 = buiten
+
+## De gereedschapstabel
+
+tools = Gereedschapstabel
+tools-none = geen
+tools-open-one = { $name }, { $count ->
+    [one] één gereedschap
+   *[other] { $count } gereedschappen
+  }
+tools-open = Gereedschapstabel openen…
+tools-close = Geen gereedschapstabel
+tools-save = Gereedschapstabel opslaan…
+tools-save-hint = De tabel met deze wijzigingen. De volgende uitvoering begint met de tabel zoals hij is geopend.
+tools-dialog-open = Gereedschapstabel openen
+tools-dialog-save = Gewijzigde gereedschapstabel opslaan
+tools-loaded = Gereedschapstabel { $name } wordt gebruikt
+tools-pick = gereedschap kiezen
+tools-pick-of = { $parameter } uit de gereedschapstabel
+tools-input = { $parameter } Gereedschap voor bewaking (Q330)
+tools-fixed = Q330 = { $tool } in het programma
+tools-more = { $count ->
+    [one] nog één gereedschap
+   *[other] nog { $count } gereedschappen
+  }
+tools-row = { $tool }: L { $length }, R { $radius }, DL { $delta-length }, DR { $delta-radius }, LBREAK { $length-breakage }, RBREAK { $radius-breakage } mm
+tools-row-locked = { $tool }: L { $length }, R { $radius }, DL { $delta-length }, DR { $delta-radius }, LBREAK { $length-breakage }, RBREAK { $radius-breakage } mm, geblokkeerd
+tools-without-name = { $count ->
+    [one] één gereedschap staat niet in de lijst: zijn naam vindt het niet
+   *[other] { $count } gereedschappen staan niet in de lijst: hun namen vinden ze niet
+  }
+tools-not-in-table = Q330 = { $tool }: de gereedschapstabel heeft dit gereedschap niet
+tools-not-monitored = Zonder gereedschapstabel wordt geen gereedschap bewaakt (Q330)
+tools-none-named = Q330 noemt geen gereedschap: de gereedschapstabel wordt niet gebruikt
+tools-no-deviation = de gemeten waarde wijkt niet af: het gereedschap wordt niet gewijzigd
+tools-changed = Gewijzigd in de gereedschapstabel
+tools-nothing-changed = geen uitvoering heeft de gereedschapstabel gewijzigd
+
+## Een onderdeel met meerdere elementen
+
+cycles-part-refused = het bestand heeft [[feature]]-tabellen: een losse cyclus meet één oppervlak; de programmapagina en fitcheck run meten zo'n onderdeel
+part-features = Elementen van het onderdeel
+part-of-features = { $name }, { $count ->
+    [one] één element
+   *[other] { $count } elementen
+  }, kogelradius { $ball } mm
+part-round = { $name }: { $kind } Ø { $size } mm, { $first } { $x } { $second } { $y }
+part-width = { $name }: { $kind } { $size } mm, { $first } { $x } { $second } { $y }
+part-sides = { $name }: { $kind } { $size } × { $size2 } mm, { $first } { $x } { $second } { $y }
+part-face = { $name }: { $kind } X { $x } Y { $y } Z { $z }

@@ -239,6 +239,8 @@ file-kind-workpiece = Gesimuleerde werkstukken
 file-kind-probes = Tastertabellen
 file-kind-log = Meetprotocollen
 file-kind-program = NC-programma's
+file-kind-part = Gesimuleerde onderdelen
+file-kind-tools = Gereedschapstabellen
 dialog-move = Naar een ander item gaan
 dialog-recent-folders = Recente mappen
 dialog-exists = { $name } bestaat al. Vervangen?
@@ -526,6 +528,10 @@ cycle-picture-any-length = { $name } Een lengte
 cycle-picture-any-angle = { $name } Een hoek
 cycle-picture-any-choice = { $name } Een van { $of }
 cycle-picture-any-number = { $name } Een getal
+cycle-picture-part = Onderdeel met { $count ->
+    [one] één element
+   *[other] { $count } elementen
+  }: { $names }.
 cycle-picture-path = Weg van de taster, { $step } van { $moves } verplaatsingen gedaan, { $contacts ->
     [one] 1 meetpunt
    *[other] { $contacts } meetpunten
@@ -566,7 +572,7 @@ cycle-picture-uncertainty = Spreiding s van een meetpunt geeft { $diameter } s i
 saved-broken = de bewaarde toestand is onleesbaar: { $reason }
 saved-newer = de bewaarde toestand heeft versie { $version }, dit programma kent versies tot en met { $known }
 window-no-display = geen beeldscherm: DISPLAY en WAYLAND_DISPLAY zijn niet ingesteld. Meld aan op een bureaublad, maak verbinding met ssh -X, of gebruik de opdrachtregel, die geen beeldscherm nodig heeft: fitcheck check "25 H7" --measured 25.012; zie fitcheck --help
-open-unknown = { $name } is geen bestand dat het venster opent; het opent metingen, meetprotocollen en meetpunten (.csv, .tsv, .txt, .html), NC-programma's (.h), tabellen (.tab), gesimuleerde werkstukken (.toml), tastertabellen (.tp) en maskers (.a)
+open-unknown = { $name } is geen bestand dat het venster opent; het opent metingen, meetprotocollen en meetpunten (.csv, .tsv, .txt, .html), NC-programma's (.h), tabellen (.tab), gereedschapstabellen (.t), gesimuleerde werkstukken (.toml), tastertabellen (.tp) en maskers (.a)
 window-not-opened = het venster kan niet worden geopend: { $reason }; de opdrachtregel werkt zonder beeldscherm, zie fitcheck --help
 
 ## Rows of a large file

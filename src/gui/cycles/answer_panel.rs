@@ -29,6 +29,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.button(ui, Action::CopyCycleStatus);
         mask_chooser_ui(ui, view);
     });
+    monitoring_ui(ui, view, run);
     // Below the window, so that nothing above moves when a program stop comes.
     if let Some(stop) = run.and_then(|run| run.found()?.stop.as_ref()) {
         ui.label(RichText::new(view.words.told(stop)).font(theme::bold(sizes().body)));
@@ -241,6 +242,19 @@ fn log_ui(ui: &mut Ui, view: &mut View<'_>, log: &RunLog) {
         ui.add(Label::new(text).selectable(true).wrap());
     }
     view.button(ui, Action::SaveLog);
+}
+
+/// What the monitoring of the tool gave: a changed cell of the tool table, or why the control stops.
+fn monitoring_ui(ui: &mut Ui, view: &mut View<'_>, run: Option<&CycleRun>) {
+    let Some(monitoring) = run.and_then(|run| run.monitoring.as_ref()) else { return };
+    if let Some(stop) = monitoring.problem() {
+        ui.label(RichText::new(view.words.say(&stop)).font(theme::bold(sizes().body)));
+    }
+    if let Some(change) = monitoring.change() {
+        quiet(ui, view.words.told(change));
+        view.button(ui, Action::SaveTools);
+        quiet(ui, view.text("tools-save-hint"));
+    }
 }
 
 /// The log, where contacts came from, remarks and warnings.

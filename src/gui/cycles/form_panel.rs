@@ -2,10 +2,10 @@
 
 use eframe::egui::{CollapsingHeader, Id, Ui, vec2};
 
+use super::opener_ui;
 use super::parameter_row::{figure_ui, parameter_ui};
-use super::{keep_focus, opener_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, heading, list_ui, problem, quiet, quiet_cut};
+use crate::gui::view::{View, heading, keep_focus, list_ui, problem, quiet, quiet_cut};
 use crate::message::Message;
 use crate::probing::cycle::{Cycle, Key};
 use crate::probing::cycles::CYCLES;

@@ -18,7 +18,7 @@ pub(super) mod picture;
 mod seen_panel;
 pub(super) mod workpiece_window;
 
-use eframe::egui::{Id, Key, Response, Ui};
+use eframe::egui::{Id, Ui};
 
 use super::columns::{Page, columns_ui};
 use super::dialogs::just_opened;
@@ -70,13 +70,6 @@ fn wrong_field(ui: &Ui, view: &View<'_>) -> Option<CycleField> {
     let page = view.session.cycles();
     let last = form_panel::last_focused(ui).map(CycleField::Parameter);
     last.filter(|field| page.error(*field).is_some()).or_else(|| page.first_wrong())
-}
-
-/// Keeps the focus on a list after a choice by key; after a choice by pointer, Enter runs the cycle as before.
-fn keep_focus(ui: &Ui, list: &Response) {
-    if ui.input(|input| input.key_pressed(Key::Space) || input.key_pressed(Key::Enter)) {
-        list.request_focus();
-    }
 }
 
 /// A button that opens a dialog; it gets the focus back when the dialog is closed.

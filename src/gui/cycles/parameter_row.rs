@@ -2,13 +2,14 @@
 
 use eframe::egui::{Align, Event, Id, Layout, Rect, Response, RichText, Ui, vec2};
 
-use super::{keep_focus, wrong_field};
+use super::wrong_field;
 use crate::gui::field::{Look, error_ui, field_ui, select_all};
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, list_ui, quiet, quiet_height, quiet_within};
+use crate::gui::tools::{Pick, named_ui, pick_ui, table_list_ui};
+use crate::gui::view::{View, keep_focus, list_ui, quiet, quiet_height, quiet_within};
 use crate::message::Message;
 use crate::probing::cycle::{Meaning, Parameter, Range, Value};
-use crate::session::{CycleField, CyclesCommand, Field, Standing};
+use crate::session::{CycleField, CyclesCommand, Field, NamedTool, Standing};
 
 /// How wide a field is.
 const FIELD: f32 = 24.0;
@@ -38,7 +39,33 @@ pub(super) fn parameter_ui(ui: &mut Ui, view: &mut View<'_>, parameter: &'static
         });
         error_ui(ui, view, CycleField::Global(key));
     }
+    if parameter.range == Range::Tool {
+        tool_ui(ui, view, parameter);
+    }
     has_focus
+}
+
+/// Below the tool of Q330: the tool table, and a list to pick the tool from it.
+fn tool_ui(ui: &mut Ui, view: &mut View<'_>, parameter: &'static Parameter) {
+    let width = space(FIELD + UNIT + 15.0);
+    let key = parameter.key;
+    wide_row_ui(ui, view.text("tools"), width, |ui, name| {
+        table_list_ui(ui, view, ("cycle-tools", key), width - space(1.0)).labelled_by(name);
+    });
+    let Some(tools) = view.session.tools() else { return };
+    let page = view.session.cycles();
+    let named = NamedTool::of_inputs(page.cycle(), page.inputs());
+    let chosen = named.as_ref().and_then(|named| named.row(&tools.table));
+    let message = Message::new("tools-pick-of").text("parameter", key);
+    wide_row_ui(ui, view.words.say(&message), width, |ui, name| {
+        let pick = Pick { parameter: None, chosen, width: width - space(1.0) };
+        let (picked, list) = pick_ui(ui, view, Id::unique(("cycle-tool", key)), &pick);
+        list.labelled_by(name);
+        if let Some(text) = picked {
+            view.send(CyclesCommand::Type(CycleField::Parameter(key), text));
+        }
+    });
+    named_ui(ui, view, named.as_ref());
 }
 
 /// A name on the left, whole, and its field at the right edge.

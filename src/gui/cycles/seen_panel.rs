@@ -4,7 +4,7 @@ use eframe::egui::{Label, Slider, Ui, vec2};
 
 use super::form_panel::last_focused;
 use super::parameter_row::standing_text;
-use super::picture;
+use super::picture::{self, Surroundings};
 use crate::gui::columns::{column_ui, of_height};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
@@ -159,7 +159,8 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, beside: bool) {
 /// The path up to a move.
 fn path_picture(ui: &mut Ui, view: &View<'_>, run: &CycleRun, height: f32) {
     let step = view.session.cycles().step();
-    of_height(ui, height, |ui| picture::path_picture(ui, view, &run.path, step + 1, run.nominal, run.ball_radius));
+    let around = Surroundings::of(run.nominal, run.ball_radius);
+    of_height(ui, height, |ui| picture::path_picture(ui, view, &run.path, step + 1, around));
 }
 
 /// The buttons, and the slider beside them; below them where the column is narrow.

@@ -9,7 +9,7 @@ use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::Shape;
-use crate::session::{Action, WorkpieceCommand, WorkpieceField};
+use crate::session::{Action, WorkpieceCommand, WorkpieceField, shape_id};
 
 /// The window, where it is open. What is typed counts at once.
 pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {
@@ -35,18 +35,13 @@ pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {
     }
 }
 
-/// The id of a shape's name: `cycles-shape-bore`.
-fn shape_id(shape: Shape) -> String {
-    format!("cycles-shape-{}", shape.table())
-}
-
 fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
     let shape = view.session.workpiece().shape();
     let is_new = just_opened(ui, Id::unique("workpiece-shape"));
     ui.horizontal_wrapped(|ui| {
         for choice in Shape::ALL {
-            let radio = ui.radio(shape == choice, view.text(&shape_id(choice)));
+            let radio = ui.radio(shape == choice, view.text(shape_id(choice)));
             if is_new && shape == choice {
                 radio.request_focus();
             }
@@ -62,7 +57,7 @@ fn content_ui(ui: &mut Ui, view: &mut View<'_>) {
         if let [left, right] = columns {
             left.spacing_mut().item_spacing.y = space(1.0);
             right.spacing_mut().item_spacing.y = space(1.0);
-            heading(left, view.text(&shape_id(shape)));
+            heading(left, view.text(shape_id(shape)));
             fields_ui(left, view, &WorkpieceField::of(shape));
             heading(right, view.text("workpiece-probe"));
             fields_ui(right, view, WorkpieceField::of_probe());

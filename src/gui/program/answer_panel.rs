@@ -3,6 +3,7 @@
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, CollapsingHeader, Frame, Label, Margin, RichText, Sense, Ui, vec2};
 
+use super::tools_panel::changes_ui;
 use crate::gui::popup;
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
@@ -32,6 +33,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         window_ui(ui, view, window, number);
     }
     cycles_ui(ui, view, run);
+    changes_ui(ui, view, run);
     outputs_ui(ui, view, run);
     if let Some(passed_over) = run.passed_over() {
         ui.add_space(space(1.0));

@@ -3,6 +3,8 @@
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, Grid, RichText, Sense, Ui, vec2};
 
+use super::part_panel::part_ui;
+use super::tools_panel::tools_ui;
 use crate::gui::field::{Pairs, pairs_ui};
 use crate::gui::limits::source_ui;
 use crate::gui::shapes;
@@ -23,6 +25,7 @@ pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.separator();
     }
     workpiece_ui(ui, view);
+    tools_ui(ui, view);
     if has_inputs {
         ui.separator();
         native_ui(ui, view);
@@ -113,6 +116,7 @@ fn agreement_ui(ui: &mut Ui, view: &View<'_>) {
     let (shape, said) = match agreement {
         Agreement::Agrees => (Some(Status::Good), view.text("program-page-agrees")),
         Agreement::BothRefuse => (None, view.text("program-page-both-refuse")),
+        Agreement::OtherInputs => (None, view.text("program-page-other-inputs")),
         Agreement::Differs(differences) => {
             let differences: Vec<_> = differences.iter().map(|message| view.words.say(message)).collect();
             let message = Message::new("program-page-differs").text("what", differences.join("; "));
@@ -135,6 +139,7 @@ const fn from_id(from: WorkpieceFrom, has_limits: bool) -> &'static str {
         WorkpieceFrom::Perfect => "program-page-from-perfect",
         WorkpieceFrom::Given => "program-page-from-given",
         WorkpieceFrom::Simulated => "program-page-from-simulated",
+        WorkpieceFrom::Part => "program-page-from-part",
         WorkpieceFrom::Recorded => "program-page-from-recorded",
     }
 }
@@ -169,6 +174,7 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
                 problem(ui, view.words.say(&error));
             }
         }
+        WorkpieceFrom::Part => part_ui(ui, view),
         WorkpieceFrom::Recorded => {
             if let Some(recorded) = view.session.recorded() {
                 let message = Message::new("program-page-recorded").text("name", &recorded.name);

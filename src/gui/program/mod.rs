@@ -6,6 +6,8 @@
 //! | `listing` | middle: the lines in sight, and the keys that walk through them |
 //! | `paint` | how a line looks |
 //! | `form_panel` | left: the inputs of 8255, the workpiece, program and native answer side by side |
+//! | `part_panel` | left: the features of a simulated part |
+//! | `tools_panel` | left: the tool table and the tools of Q330; right: what a run has changed in it |
 //! | `answer_panel` | right: windows, files, what was measured |
 //! | `watch_panel` | right, below: parameters |
 //! | `path_panel` | below the listing: the path of the probe |
@@ -16,8 +18,10 @@ mod form_panel;
 mod listing;
 mod notes_panel;
 mod paint;
+mod part_panel;
 mod path_panel;
 mod tool_bar;
+mod tools_panel;
 mod watch_panel;
 
 use std::time::Duration;

@@ -1,10 +1,11 @@
-//! The path of the ball's centre so far, over the workpiece that the last cycle expects.
+//! The path of the ball's centre so far, over the features of the simulated part, or over the workpiece that the last cycle
+//! expects.
 
 use eframe::egui::Ui;
 
-use crate::gui::cycles::picture::path_picture;
+use crate::gui::cycles::picture::{Surroundings, path_picture};
 use crate::gui::view::{View, heading, quiet};
-use crate::session::program::{Document, Run};
+use crate::session::program::{Document, Run, WorkpieceFrom};
 
 /// Whether the open program gets room for a path: it has one, or may get one.
 pub(super) fn has_room(view: &View<'_>) -> bool {
@@ -12,15 +13,20 @@ pub(super) fn has_room(view: &View<'_>) -> bool {
     program.main().is_some_and(Document::may_measure) || program.run().is_some_and(Run::has_path)
 }
 
-/// The picture in the room that is left; its room is kept while there is none.
+/// The picture in the room that is left; its room is kept while there is none. A part is shown before it is measured.
 pub(super) fn path_ui(ui: &mut Ui, view: &View<'_>) {
     heading(ui, view.text("program-page-path"));
-    let Some(run) = view.session.program().run().filter(|run| run.has_path()) else {
+    let program = view.session.program();
+    let part = view.session.part().filter(|_| program.workpiece() == WorkpieceFrom::Part).map(|open| &open.part);
+    let run = program.run().filter(|run| run.has_path());
+    if run.is_none() && part.is_none() {
         quiet(ui, view.text("program-page-no-path"));
         return;
-    };
-    let path = run.path();
-    let last = run.cycles().last();
+    }
+    let path = run.map(Run::path).unwrap_or_default();
+    let last = run.and_then(|run| run.cycles().last());
     let nominal = last.and_then(|cycle| cycle.cycle.nominal(&cycle.result.inputs).ok());
-    path_picture(ui, view, &path, path.len(), nominal, 0.0);
+    let features = part.map(|part| part.features.as_slice()).unwrap_or_default();
+    let ball_radius = part.map_or(0.0, |part| part.probe.ball_radius);
+    path_picture(ui, view, &path, path.len(), Surroundings { nominal, features, ball_radius });
 }

@@ -156,6 +156,12 @@ actions! {
     SaveWorkpiece;
     /// Reads recorded contacts.
     OpenContacts;
+    /// Reads a tool table.
+    OpenTools;
+    /// Monitors no tools.
+    CloseTools;
+    /// Writes the tool table as the run has changed it.
+    SaveTools;
     /// Reads a touch-probe table.
     OpenProbes;
     /// Takes the built-in touch-probe table.
@@ -208,6 +214,8 @@ actions! {
 
     /// Reads an NC program.
     OpenProgram;
+    /// Reads a simulated part of several features.
+    OpenPart;
     /// Runs the program.
     RunProgram;
     /// Pauses it.

@@ -14,6 +14,7 @@ use crate::session::files::{FilesCommand, Launch};
 use crate::session::fit::FitCommand;
 use crate::session::program::{ProgramCommand, Switch};
 use crate::session::tables::{self, TablesCommand, TablesField};
+use crate::session::tools::ToolsCommand;
 use crate::session::workpiece::WorkpieceCommand;
 use crate::session::{
     Command, CycleFile, Density, ListCommand, MeasureBy, Page, Purpose, Rows, RowsCommand, Session, Step, Theme,
@@ -260,6 +261,13 @@ pub(super) fn row(action: Action) -> Row {
         Action::SaveWorkpiece => of_workpiece("cycles-save-workpiece", open(Purpose::SaveWorkpiece))
             .when(|session| session.workpiece().simulation().is_some()),
         Action::OpenContacts => of_workpiece("cycles-open-contacts", open(Purpose::OpenCycleFile(CycleFile::Contacts))),
+        Action::OpenTools => of_workpiece("tools-open", open(Purpose::OpenTools)),
+        Action::CloseTools => {
+            of_workpiece("tools-close", ToolsCommand::Close).when(|session| session.tools().is_some())
+        }
+        Action::SaveTools => {
+            of_workpiece("tools-save", open(Purpose::SaveTools)).when(|session| session.changed_tools().is_some())
+        }
         Action::OpenProbes => on(Page::Cycles, "cycles-open-probes", open(Purpose::OpenCycleFile(CycleFile::Probes))),
         Action::ShippedProbes => on(Page::Cycles, "cycles-shipped-probes", CyclesCommand::ShippedProbes)
             .when(|session| session.cycles().probes_name().is_some()),
@@ -314,6 +322,7 @@ pub(super) fn row(action: Action) -> Row {
         Action::RemoveColumn => on(Page::Tables, "tables-remove-column", TablesCommand::RemoveColumn).when(has_cell),
         Action::MakeTable => on(Page::Tables, "tables-make", TablesCommand::Make),
 
+        Action::OpenPart => on(Page::Program, "program-page-open-part", open(Purpose::OpenPart)),
         Action::OpenProgram => {
             on(Page::Program, "program-page-open", open(Purpose::OpenProgram)).key(Shortcut::ctrl('O'))
         }

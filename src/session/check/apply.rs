@@ -103,7 +103,13 @@ impl PageState for CheckPage {
                 }
             }
             News::Check(callout) => self.take_callout(callout, &shared.sources),
-            News::Opened(_) | News::OwnTables | News::Workpiece | News::WorkpieceTaken | News::ContactsTaken => {}
+            News::Opened(_)
+            | News::OwnTables
+            | News::Workpiece
+            | News::WorkpieceTaken
+            | News::ContactsTaken
+            | News::PartTaken
+            | News::Tools => {}
         }
     }
 }

@@ -59,6 +59,7 @@ impl PageState for CyclesPage {
             // Other sources do not use the workpiece.
             News::Workpiece if self.from == ContactsFrom::Simulated => self.changed(),
             News::WorkpieceTaken => self.take_from(ContactsFrom::Simulated),
+            News::Tools => self.changed(),
             News::ContactsTaken => self.take_from(ContactsFrom::Recorded),
             _ => {}
         }

@@ -17,6 +17,7 @@ use crate::probing::simulated::Surface;
 use crate::probing::{Source, SourceError};
 use crate::session::Step;
 use crate::session::shared::Shared;
+use crate::session::tools::Monitoring;
 use crate::words::Dialogue;
 
 /// A run of a cycle.
@@ -42,6 +43,8 @@ pub struct CycleRun {
     pub unused: usize,
     /// Its measuring log, where it asks for one (Q281), or why there is none.
     pub log: Option<Result<RunLog, Message>>,
+    /// What the monitoring of its tool gave, where a tool table is open.
+    pub monitoring: Option<Monitoring>,
     /// The time of the run.
     pub time: DateTime,
 }
@@ -90,7 +93,8 @@ impl CycleRun {
             Ok(log) => log.other.map(|other| other.message()),
             Err(problem) => Some(problem.clone()),
         });
-        remarks.chain(warnings).chain(unused).chain(log).collect()
+        let tools = self.monitoring.as_ref().and_then(Monitoring::remark);
+        remarks.chain(warnings).chain(unused).chain(log).chain(tools).collect()
     }
 
     /// A run that did not begin.
@@ -106,6 +110,7 @@ impl CycleRun {
             evaluation: None,
             unused: 0,
             log: None,
+            monitoring: None,
             time,
         }
     }
@@ -150,6 +155,9 @@ impl CyclesPage {
         let refused = |error: SourceError| error.message();
         let mut prober = source.prober(cycle, inputs).map_err(refused)?;
         let (path, result) = cycle.measure_along(inputs, &mut *prober);
+        let table = shared.tool_table();
+        let monitoring = table.zip(result.as_ref().ok()).map(|(table, result)| Monitoring::of(table, cycle, result));
+        let result = result.map(|result| if table.is_some() { result.with_tool_table() } else { result });
         let evaluation = result.as_ref().ok().and_then(CycleResult::evaluation);
         Ok(CycleRun {
             cycle,
@@ -162,6 +170,7 @@ impl CyclesPage {
             path,
             result: result.map(Arc::new).map_err(|error| error.message()),
             evaluation,
+            monitoring,
             time,
         })
     }

@@ -6,6 +6,7 @@ use crate::control::log::is_log;
 use crate::control::text::decode;
 use crate::exchange::{self, tables::TABLE_FORMATS};
 use crate::message::Say;
+use crate::probing::simulated::Part;
 use crate::report::RENDERINGS;
 use crate::session::command::{CycleFile, Page, Purpose};
 use crate::words::Words;
@@ -29,12 +30,14 @@ pub enum OpenError {
 
 impl Purpose {
     /// Everything that reads a file or a folder.
-    const READERS: [Self; 8] = [
+    const READERS: [Self; 10] = [
         Self::Import,
         Self::LoadMask,
         Self::LoadTables,
         Self::OpenTable,
         Self::OpenProgram,
+        Self::OpenPart,
+        Self::OpenTools,
         Self::OpenCycleFile(CycleFile::Contacts),
         Self::OpenCycleFile(CycleFile::Workpiece),
         Self::OpenCycleFile(CycleFile::Probes),
@@ -54,6 +57,8 @@ impl Purpose {
             Self::OpenCycleFile(CycleFile::Probes) => "probes",
             Self::SaveCycleLog => "log",
             Self::OpenProgram => "program",
+            Self::OpenPart => "part",
+            Self::OpenTools | Self::SaveTools => "tools",
         }
     }
 
@@ -75,11 +80,12 @@ impl Purpose {
             }
             Self::ExportStatus => vec!["txt"],
             Self::OpenCycleFile(CycleFile::Contacts) => vec!["csv", "txt"],
-            Self::OpenCycleFile(CycleFile::Workpiece) | Self::SaveWorkpiece => vec!["toml"],
+            Self::OpenCycleFile(CycleFile::Workpiece) | Self::SaveWorkpiece | Self::OpenPart => vec!["toml"],
             Self::OpenCycleFile(CycleFile::Probes) => vec!["tp"],
             // The endings that the control uses: text, and a page.
             Self::SaveCycleLog => vec!["txt", "html"],
             Self::OpenProgram => vec!["h", "i", "nc", "ncs"],
+            Self::OpenTools | Self::SaveTools => vec!["t"],
         }
     }
 
@@ -105,7 +111,9 @@ impl Purpose {
         let shows = match self {
             Self::Import => Page::Check,
             Self::OpenTable => Page::Tables,
-            Self::OpenProgram => Page::Program,
+            // Both pages monitor tools with it.
+            Self::OpenTools if open == Page::Cycles => open,
+            Self::OpenProgram | Self::OpenPart | Self::OpenTools => Page::Program,
             // Both pages measure the workpiece and the contacts.
             Self::OpenCycleFile(CycleFile::Contacts | CycleFile::Workpiece) if open == Page::Program => open,
             Self::OpenCycleFile(_) => Page::Cycles,
@@ -127,7 +135,9 @@ impl Purpose {
         let purpose = match ending.as_deref().unwrap_or_default() {
             "h" | "i" | "nc" | "ncs" => Some(Self::OpenProgram),
             "tab" => Some(Self::OpenTable),
+            "toml" if Part::is_file(&decode(head)) => Some(Self::OpenPart),
             "toml" => Some(Self::OpenCycleFile(CycleFile::Workpiece)),
+            "t" => Some(Self::OpenTools),
             "tp" => Some(Self::OpenCycleFile(CycleFile::Probes)),
             "a" => Some(Self::LoadMask),
             ending if PACKED.contains(&ending) => Some(Self::Import),
@@ -158,6 +168,8 @@ fn by_content(head: &[u8]) -> Option<Purpose> {
         Some(Purpose::OpenTable)
     } else if begins.contains(".TP") {
         Some(Purpose::OpenCycleFile(CycleFile::Probes))
+    } else if begins.split_whitespace().any(|word| word.rsplit_once('.').is_some_and(|(_, ending)| ending == "T")) {
+        Some(Purpose::OpenTools)
     } else {
         None
     }

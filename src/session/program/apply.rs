@@ -52,6 +52,8 @@ impl PageState for ProgramPage {
             News::Opened(Page::Program) => self.opened(shared),
             News::Workpiece | News::WorkpieceTaken => self.workpiece_changed(WorkpieceFrom::Simulated, shared),
             News::ContactsTaken => self.workpiece_changed(WorkpieceFrom::Recorded, shared),
+            News::PartTaken => self.workpiece_changed(WorkpieceFrom::Part, shared),
+            News::Tools => self.reset(),
             // These two are made by the limits.
             News::Sources if matches!(self.workpiece, WorkpieceFrom::Perfect | WorkpieceFrom::Given) => self.reset(),
             _ => {}

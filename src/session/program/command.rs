@@ -24,7 +24,7 @@ pub enum ProgramCommand {
     },
     /// Replaces the text of a field.
     Type(ProgramField, String),
-    /// Chooses what is measured. Contacts are asked for where there are none.
+    /// Chooses what is measured. A part or contacts are asked for where there are none.
     ChooseWorkpiece(WorkpieceFrom),
     /// Runs until a stop, a breakpoint, an error or the end; continues where it paused.
     Run,
@@ -92,11 +92,13 @@ pub enum WorkpieceFrom {
     Simulated,
     /// Recorded contacts, the same as on the cycles page.
     Recorded,
+    /// A simulated part of several features.
+    Part,
 }
 
 impl WorkpieceFrom {
     /// Every source.
-    pub const ALL: [Self; 4] = [Self::Perfect, Self::Given, Self::Simulated, Self::Recorded];
+    pub const ALL: [Self; 5] = [Self::Perfect, Self::Given, Self::Simulated, Self::Part, Self::Recorded];
 }
 
 /// Where the open program came from.

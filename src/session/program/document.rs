@@ -3,8 +3,9 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
-use super::inputs::{Input, assigned};
+use super::inputs::assigned;
 use super::tokens::comment;
+use super::tools::{ToolOf, named};
 use crate::control::variables::Parameter;
 use crate::nc::machine::NcPath;
 use crate::nc::program::{Body, Columns, Notation, Program, ProgramError, ProgramWarning, Target};
@@ -16,9 +17,11 @@ pub struct Document {
     program: Arc<Program>,
     outline: Vec<Entry>,
     names: BTreeMap<Parameter, String>,
-    /// The inputs of 8255 as the program assigns them.
-    assigned: BTreeMap<Input, String>,
+    /// Plain values that the program assigns before it does anything else.
+    assigned: BTreeMap<Parameter, String>,
     may_measure: bool,
+    /// The tools that its cycles name in Q330.
+    tools: Vec<ToolOf>,
     selected: usize,
     longest: usize,
 }
@@ -63,7 +66,8 @@ impl Document {
         let assigned = assigned(&program);
         let measures = |body: &Body| matches!(body, Body::Probe(_) | Body::CallProgram(_));
         let may_measure = program.blocks().iter().any(|block| measures(&block.body));
-        Self { path, program, outline, names, assigned, may_measure, selected: 0, longest }
+        let tools = named(&program);
+        Self { path, program, outline, names, assigned, may_measure, tools, selected: 0, longest }
     }
 
     /// Its path, as programs write it.
@@ -96,14 +100,19 @@ impl Document {
         self.names.get(&parameter).map(String::as_str)
     }
 
-    /// The inputs of 8255 as the program assigns them.
-    pub(super) const fn assigned(&self) -> &BTreeMap<Input, String> {
+    /// Plain values that the program assigns to parameters before it does anything else.
+    pub(super) const fn assigned(&self) -> &BTreeMap<Parameter, String> {
         &self.assigned
     }
 
     /// Whether a run of it may move the probe: it measures or calls a program.
     pub const fn may_measure(&self) -> bool {
         self.may_measure
+    }
+
+    /// The tools that its cycles name in Q330, each once.
+    pub(super) fn tools(&self) -> &[ToolOf] {
+        &self.tools
     }
 
     /// The selected block.

@@ -1,12 +1,15 @@
 //! The text fields of the program page.
 
 use super::inputs::Input;
+use crate::control::variables::Parameter;
 
 /// A text field of the program page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum ProgramField {
     /// An input of 8255.
     Input(Input),
+    /// The tool that is given to a parameter of Q330.
+    Tool(Parameter),
     /// Diameter of the workpiece, mm.
     Diameter,
     /// Where its centre really lies, X, mm.

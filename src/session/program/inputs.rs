@@ -2,7 +2,7 @@
 
 use std::collections::BTreeMap;
 
-use super::{ProgramField, ProgramPage};
+use super::{ProgramField, ProgramPage, Run};
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
@@ -99,8 +99,8 @@ pub(super) fn length(text: &str) -> Result<Length, Message> {
     text.parse::<Length>().map_err(|error| error.message())
 }
 
-/// What a program assigns to the inputs before it calls, jumps or measures: plain values only.
-pub(super) fn assigned(program: &Program) -> BTreeMap<Input, String> {
+/// What a program assigns to parameters before it calls, jumps or measures: plain values only.
+pub(super) fn assigned(program: &Program) -> BTreeMap<Parameter, String> {
     let mut found = BTreeMap::new();
     for block in program.blocks() {
         let (to, text) = match &block.body {
@@ -118,9 +118,7 @@ pub(super) fn assigned(program: &Program) -> BTreeMap<Input, String> {
             | Body::Other => continue,
             _ => break,
         };
-        if let Some(input) = Input::of(to) {
-            found.entry(input).or_insert(text);
-        }
+        found.entry(to).or_insert(text);
     }
     found
 }
@@ -141,6 +139,8 @@ pub enum Agreement {
     Agrees,
     /// Neither has an answer, each for its own reason.
     BothRefuse,
+    /// The program has set other inputs since: it measures more than one feature.
+    OtherInputs,
     /// They do not: what differs, one sentence each.
     Differs(Vec<Message>),
 }
@@ -169,7 +169,7 @@ impl ProgramPage {
 
     /// What the open program itself assigns to an input.
     fn own(&self, input: Input) -> Option<&str> {
-        self.main()?.assigned().get(&input).map(String::as_str)
+        self.main()?.assigned().get(&input.parameter()).map(String::as_str)
     }
 
     /// The value of that.
@@ -205,6 +205,7 @@ impl ProgramPage {
                 self.errors.insert(field, problem);
             }
         }
+        self.check_tools();
         self.read_typed();
     }
 }
@@ -223,10 +224,21 @@ impl ProgramPage {
         Some(limits)
     }
 
+    /// Whether the run has set size or class to other values than those of the form: then it measures another feature.
+    fn has_other_inputs(&self, run: &Run) -> bool {
+        let size = run.length(Input::Size.parameter());
+        let has_other_size = size.is_some_and(|size| Some(size) != self.input_length(Input::Size));
+        let has_other_class = match run.variables().get(Input::Class.parameter()) {
+            Some(Value::Text(class)) => class.trim() != self.text(ProgramField::Input(Input::Class)).trim(),
+            _ => false,
+        };
+        has_other_size || has_other_class
+    }
+
     /// The diameter that the program measured (Q153), and Fitcheck's verdict on it by its own limits.
     pub fn verdict(&self, sources: &Sources) -> Option<(Length, SizeVerdict)> {
         let limits = self.limits(sources)?.ok()?;
-        let run = self.run.as_ref()?;
+        let run = self.run.as_ref().filter(|run| !self.has_other_inputs(run))?;
         run.status()?;
         let measured = run.length(Parameter::q(153))?;
         Some((measured, judge_size(&limits, measured)))
@@ -237,6 +249,9 @@ impl ProgramPage {
     pub fn agreement(&self, sources: &Sources) -> Option<Agreement> {
         let native = self.limits(sources)?;
         let run = self.run.as_ref()?;
+        if self.has_other_inputs(run) {
+            return run.status().map(|_| Agreement::OtherInputs);
+        }
         let Ok(limits) = native else {
             // Both refuse, each in its own words: that is not a difference.
             return match (run.fault(), run.status()) {

@@ -13,6 +13,7 @@
 //! | `watching` | parameters with their names, changes and values given before a run |
 //! | `opening` | programs from files, and what is typed |
 //! | `workpiece` | what is measured |
+//! | `tools` | the tools of Q330: fixed ones, and parameters that a tool is given to |
 //! | `notes` | errors, warnings and remarks, block by block |
 //!
 //! A run belongs to its inputs: any change of an input clears it. Nothing is written; what a program prints to files is
@@ -28,6 +29,7 @@ mod opening;
 mod run;
 mod running;
 mod tokens;
+mod tools;
 mod watching;
 mod workpiece;
 
@@ -41,6 +43,7 @@ pub use inputs::{Agreement, Input};
 pub use notes::{Note, NoteKind};
 pub use run::{MOST_MOVES, Run, Speed, State};
 pub use tokens::{Token, tokens, tokens_of};
+pub use tools::ToolOf;
 pub use watching::{Name, Watched};
 
 use crate::control::variables::{Parameter, Value};
@@ -105,10 +108,12 @@ impl ProgramPage {
         self.shown.as_ref().and_then(|path| self.documents.get_mut(path))
     }
 
-    /// The text of a field. An input shows what the user gave its parameter, or else what the program assigns.
+    /// The text of a field. An input shows what the user gave its parameter, or else what the program assigns; a tool only
+    /// what the user gave.
     pub fn text(&self, field: ProgramField) -> &str {
         let typed = match field {
             ProgramField::Input(input) => self.typed.get(&input.parameter()),
+            ProgramField::Tool(parameter) => self.typed.get(&parameter),
             _ => None,
         };
         typed.or_else(|| self.texts.get(&field)).map_or("", String::as_str)

@@ -32,15 +32,16 @@ impl ProgramPage {
     /// How many notes there are.
     pub fn note_count(&self) -> usize {
         let run = self.run.as_ref();
-        let of_run = run.map_or(0, |run| usize::from(run.fault().is_some()) + run.remark_count());
+        let of_run =
+            run.map_or(0, |run| usize::from(run.fault().is_some()) + run.remark_count() + run.cycle_remark_count());
         let count = of_run + self.warnings.len();
         // Where nothing is odd, nobody asks where the files came from.
         let files = run.filter(|_| 0 < count).map_or(0, super::Run::file_count);
         count + files
     }
 
-    /// A note by its number: the error first, then the remarks of the run, the warnings of the reader, and the files
-    /// that the run has read.
+    /// A note by its number: the error first, then the remarks of the run and of its cycles, the warnings of the reader, and
+    /// the files that the run has read.
     pub fn note(&self, number: usize) -> Option<Note> {
         let run = self.run.as_ref();
         let fault = run.and_then(|run| run.fault());
@@ -49,17 +50,13 @@ impl ProgramPage {
             return Some(Note { kind: NoteKind::Error, place: fault.place.clone(), message: fault.message() });
         };
         if let Some((place, remark)) = run.and_then(|run| run.remark(number)) {
-            let line = self.documents.get(&place.program).map(|document| document.first_line(place.block) + 1);
-            let block = self.block_number(place);
-            let message = match (block, line) {
-                (Some(number), _) => Message::new("program-page-at-block").text("number", number),
-                (None, Some(line)) => Message::new("program-page-at-line").text("line", line),
-                (None, None) => Message::new("program-page-at-block").text("number", place.block),
-            };
-            let message = message.message("what", remark.message());
-            return Some(Note { kind: NoteKind::Remark, place: place.clone(), message });
+            return Some(self.remark_at(place, remark.message()));
         }
         let number = number.checked_sub(run.map_or(0, super::Run::remark_count))?;
+        if let Some((place, remark)) = run.and_then(|run| run.cycle_remark(number)) {
+            return Some(self.remark_at(place, remark.message()));
+        }
+        let number = number.checked_sub(run.map_or(0, super::Run::cycle_remark_count))?;
         let main = self.main()?;
         let Some(warning) = self.warnings.get(number) else {
             if self.note_count() == 0 {
@@ -74,6 +71,17 @@ impl ProgramPage {
         let block = main.program().blocks().partition_point(|block| block.lines.start <= line).saturating_sub(1);
         let place = BlockPlace { program: main.path().clone(), block };
         Some(Note { kind: NoteKind::Warning, place, message: warning.message() })
+    }
+
+    /// A remark with the number of its block, or with its line.
+    fn remark_at(&self, place: &BlockPlace, what: Message) -> Note {
+        let line = self.documents.get(&place.program).map(|document| document.first_line(place.block) + 1);
+        let message = match (self.block_number(place), line) {
+            (Some(number), _) => Message::new("program-page-at-block").text("number", number),
+            (None, Some(line)) => Message::new("program-page-at-line").text("line", line),
+            (None, None) => Message::new("program-page-at-block").text("number", place.block),
+        };
+        Note { kind: NoteKind::Remark, place: place.clone(), message: message.message("what", what) }
     }
 
     fn block_number(&self, place: &BlockPlace) -> Option<u32> {

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::{Document, Origin, ProgramField, ProgramPage, WorkpieceFrom};
+use super::{Document, Input, Origin, ProgramField, ProgramPage, WorkpieceFrom};
 use crate::message::{Message, Say as _};
 use crate::nc::machine::Shipped;
 use crate::nc::program::ProgramWarning;
@@ -51,9 +51,10 @@ impl ProgramPage {
         let path = document.path().clone();
         let sign = shared.language.decimal_sign().to_string();
         self.texts.retain(|field, _| !matches!(field, ProgramField::Input(_)));
-        for (input, text) in document.assigned() {
+        for (parameter, text) in document.assigned() {
+            let Some(input) = Input::of(*parameter) else { continue };
             let text = if input.unit().is_empty() { text.clone() } else { text.replace('.', &sign) };
-            self.texts.insert(ProgramField::Input(*input), text);
+            self.texts.insert(ProgramField::Input(input), text);
         }
         self.breakpoints.clear();
         self.typed.clear();
@@ -71,9 +72,13 @@ impl ProgramPage {
             self.type_input(input, text);
             return self.reset();
         }
+        if let ProgramField::Tool(parameter) = field {
+            self.type_tool(parameter, text);
+            return self.reset();
+        }
         self.texts.insert(field, text);
         match field {
-            ProgramField::Input(_) | ProgramField::Filter => {}
+            ProgramField::Input(_) | ProgramField::Tool(_) | ProgramField::Filter => {}
             ProgramField::Diameter | ProgramField::WorkpieceX | ProgramField::WorkpieceY => {
                 self.workpiece = WorkpieceFrom::Given;
                 self.check_workpiece();

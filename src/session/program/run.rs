@@ -3,14 +3,16 @@
 use std::collections::BTreeSet;
 use std::sync::Arc;
 
+use crate::control::tool_table::ToolTable;
 use crate::control::variables::{Parameter, Value, Variables};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::nc::machine::{
-    BlockPlace, CycleRun, Fault, FileRead, Machine, NcPath, Pause, Remark, Step, Travel, TravelKind, Window, Written,
+    BlockPlace, CycleRun, Fault, FileRead, Machine, NcPath, Pause, Remark, Step, ToolChanged, Travel, TravelKind,
+    Window, Written,
 };
 use crate::nc::program::Program;
-use crate::probing::cycle::{Move, Phase};
+use crate::probing::cycle::{self, Move, Phase};
 use crate::verdict::Status;
 
 /// Blocks in a slice at full speed: a few milliseconds.
@@ -91,6 +93,9 @@ pub struct Run {
     /// intended, so that remark is not listed.
     listed: Vec<usize>,
     looked_through: usize,
+    /// The remarks of cycles, each by the numbers of its cycle and within it, and how many cycles were examined.
+    of_cycles: Vec<(usize, usize)>,
+    cycles_looked_through: usize,
     /// The parameters before the last command.
     pub(super) before: Variables,
 }
@@ -107,6 +112,8 @@ impl Run {
             fault: None,
             listed: Vec::new(),
             looked_through: 0,
+            of_cycles: Vec::new(),
+            cycles_looked_through: 0,
             before,
         }
     }
@@ -185,6 +192,16 @@ impl Run {
         self.machine.cycles()
     }
 
+    /// What cycles with Q330 have changed in the tool table, in order.
+    pub fn tool_changes(&self) -> &[ToolChanged] {
+        self.machine.tool_changes()
+    }
+
+    /// The tool table as the run has changed it; `None` where it has changed nothing.
+    pub fn changed_tools(&self) -> Option<&ToolTable> {
+        self.machine.tool_table().filter(|_| !self.tool_changes().is_empty())
+    }
+
     /// The worst status of what was measured.
     pub fn status(&self) -> Option<Status> {
         self.machine.status()
@@ -205,6 +222,18 @@ impl Run {
     /// How many remarks there are about the run.
     pub const fn remark_count(&self) -> usize {
         self.listed.len()
+    }
+
+    /// How many remarks the cycles have made about their measurements.
+    pub const fn cycle_remark_count(&self) -> usize {
+        self.of_cycles.len()
+    }
+
+    /// A remark of a cycle by its number, and the cycle's block.
+    pub fn cycle_remark(&self, number: usize) -> Option<(&BlockPlace, &cycle::Remark)> {
+        let (cycle, remark) = *self.of_cycles.get(number)?;
+        let cycle = self.machine.cycles().get(cycle)?;
+        Some((&cycle.place, cycle.result.remarks.get(remark)?))
     }
 
     /// A remark by its number.
@@ -260,6 +289,10 @@ impl Run {
         let listed = new.filter(|(_, (_, remark))| !matches!(remark, Remark::GivenWins { .. }));
         self.listed.extend(listed.map(|(number, _)| number));
         self.looked_through = self.machine.remarks().len();
+        for (number, cycle) in self.machine.cycles().iter().enumerate().skip(self.cycles_looked_through) {
+            self.of_cycles.extend((0..cycle.result.remarks.len()).map(|remark| (number, remark)));
+        }
+        self.cycles_looked_through = self.machine.cycles().len();
         match result {
             Ok(Step::Went) => {}
             Ok(Step::Ended) => (self.state, self.goal) = (State::Ended, Goal::None),

@@ -63,7 +63,7 @@ impl ProgramPage {
 impl ProgramPage {
     /// A machine before the first block, or why there is none.
     fn new_run(&mut self, shared: &Shared, now: DateTime) -> Result<Run, Message> {
-        if self.errors.keys().any(|field| matches!(field, ProgramField::Input(_))) {
+        if self.errors.keys().any(|field| matches!(field, ProgramField::Input(_) | ProgramField::Tool(_))) {
             return Err(Message::new("program-page-refused-inputs"));
         }
         let document = self.main().ok_or_else(|| Message::new("program-page-refused-none"))?;
@@ -78,6 +78,7 @@ impl ProgramPage {
         settings.assumes_tool = self.is_on(Switch::AssumeTool);
         settings.block_skip = self.is_on(Switch::BlockSkip);
         settings.optional_stop = self.is_on(Switch::OptionalStop);
+        settings.tool_table = shared.tool_table().cloned();
         let mut machine = Machine::new(&path, program, folders, contacts, settings);
         for (parameter, value) in &self.given {
             machine.set(*parameter, value.clone()).map_err(|fault| fault.message())?;

@@ -122,6 +122,11 @@ fn value_of(parameter: Parameter, text: &str) -> Result<Value, Message> {
     Ok(text.parse::<Length>().map_or(Value::Number(number), Value::Length))
 }
 
+/// What is wrong with what is typed for a parameter that is no input of the form.
+pub(super) fn problem(parameter: Parameter, text: &str) -> Option<Message> {
+    value_of(parameter, text.trim()).err()
+}
+
 /// What is given to a parameter, as its value: as its input allows, where it is one of the form.
 fn read_given(parameter: Parameter, text: &str, input: Option<Input>) -> Result<Value, Message> {
     input.map_or_else(|| value_of(parameter, text), |input| input.read(text))
@@ -156,7 +161,8 @@ impl ProgramPage {
         self.typed.remove(&parameter);
         // Without its form, a text that only its field could show would be out of reach.
         if !self.has_inputs() {
-            self.typed.retain(|parameter, text| value_of(*parameter, text).is_ok());
+            let tools: Vec<_> = self.tool_inputs().collect();
+            self.typed.retain(|parameter, text| tools.contains(parameter) || value_of(*parameter, text).is_ok());
         }
         self.check_inputs();
         self.reset();

@@ -1,4 +1,5 @@
-//! What is measured: a perfect workpiece, the simulated one of the cycles page, or recorded contacts.
+//! What is measured: a perfect workpiece, the simulated one of the cycles page, a part of several features, or recorded
+//! contacts.
 
 use super::inputs::{Input, length};
 use super::{ProgramField, ProgramPage, WorkpieceFrom};
@@ -7,7 +8,7 @@ use crate::message::Message;
 use crate::nc::machine::Contacts;
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::{Simulation, Surface, Workpiece};
-use crate::session::command::{CycleFile, Page};
+use crate::session::command::{CycleFile, Page, Purpose};
 use crate::session::shared::Shared;
 use crate::tolerance::{Feature, Limits};
 
@@ -52,6 +53,9 @@ impl ProgramPage {
         if from == WorkpieceFrom::Recorded && shared.workpiece.recorded.is_none() {
             return shared.open_cycle_file(CycleFile::Contacts);
         }
+        if from == WorkpieceFrom::Part && shared.workpiece.part.is_none() {
+            return shared.open_dialog(Purpose::OpenPart, String::new());
+        }
         self.workpiece = from;
         self.check_workpiece();
         self.reset();
@@ -75,7 +79,7 @@ impl ProgramPage {
         if shared.page == Page::Program {
             self.workpiece = from;
         }
-        if matches!(self.workpiece, WorkpieceFrom::Simulated | WorkpieceFrom::Recorded) {
+        if matches!(self.workpiece, WorkpieceFrom::Simulated | WorkpieceFrom::Recorded | WorkpieceFrom::Part) {
             self.reset();
         }
     }
@@ -104,6 +108,10 @@ impl ProgramPage {
             WorkpieceFrom::Simulated => match shared.workpiece.form.simulation() {
                 Some(bench) => Ok(Contacts::Workpiece((*bench).into())),
                 None => Err(Message::new("program-page-refused-workpiece")),
+            },
+            WorkpieceFrom::Part => match &shared.workpiece.part {
+                Some(open) => Ok(Contacts::Workpiece(open.part.clone())),
+                None => Err(Message::new("program-page-refused-no-part")),
             },
             WorkpieceFrom::Recorded => match &shared.workpiece.recorded {
                 Some(recorded) => Ok(Contacts::of_file(recorded.contacts.clone(), recorded.has_heights)),

@@ -5,6 +5,7 @@
 //! | `parameter` | the drawing of a parameter by its declared meaning and its cycle's shape, and its sentence |
 //! | `plan`, `section`, `choice`, `general` | its views: from above, from the side, one of a few numbers, any other |
 //! | `path`, `scale` | the path of the ball's centre, from above and from the side; one view of it |
+//! | `part` | the features of a simulated part in such a view |
 //! | `contacts` | contacts about a circle, deviations magnified; `bar`: one deviation between its limits |
 //! | `criteria` | every criterion of a circle side by side |
 //! | `canvas` | lines, arrows, dimensions, labels: what all drawings are made of |
@@ -18,6 +19,7 @@ mod contacts;
 mod criteria;
 mod general;
 mod parameter;
+mod part;
 mod path;
 mod plan;
 mod scale;
@@ -28,4 +30,4 @@ mod tests;
 pub(in crate::gui) use contacts::{contacts_factor, contacts_picture};
 pub(in crate::gui) use criteria::criteria_table;
 pub(in crate::gui) use parameter::{parameter_picture, parameter_sentence};
-pub(in crate::gui) use path::path_picture;
+pub(in crate::gui) use path::{Surroundings, path_picture};

@@ -12,32 +12,43 @@ use crate::gui::theme::{palette, space};
 use crate::gui::view::View;
 use crate::message::Message;
 use crate::probing::cycle::{Move, Phase, Plane};
-use crate::probing::simulated::Surface;
+use crate::probing::simulated::{PartFeature, Surface};
 use crate::words::Words;
 
 /// Points on an arc of the path.
 const STEPS: u8 = 48;
 
-/// The path of the probe after `step` moves (0 to their number), with the surface that the cycle expects and the ball
-/// to scale (`ball_radius`, mm; 0 where contacts are points of the surface).
-pub(in crate::gui) fn path_picture(
-    ui: &mut Ui,
-    view: &View<'_>,
-    path: &[Move],
-    step: usize,
-    nominal: Option<Surface>,
-    ball_radius: f64,
-) {
+/// What is drawn with a path.
+#[derive(Debug, Clone, Copy, Default)]
+pub(in crate::gui) struct Surroundings<'a> {
+    /// The surface that the cycle expects.
+    pub nominal: Option<Surface>,
+    /// The features of a part: they take the place of that surface.
+    pub features: &'a [PartFeature],
+    /// The ball to scale, mm; 0 where contacts are points of the surface.
+    pub ball_radius: f64,
+}
+
+impl Surroundings<'_> {
+    /// The surface that a cycle expects, and the ball.
+    pub fn of(nominal: Option<Surface>, ball_radius: f64) -> Self {
+        Self { nominal, ball_radius, ..Self::default() }
+    }
+}
+
+/// The path of the probe after `step` moves (0 to their number).
+pub(in crate::gui) fn path_picture(ui: &mut Ui, view: &View<'_>, path: &[Move], step: usize, around: Surroundings<'_>) {
     let moves: Vec<Move> = path.iter().copied().filter(is_finite).collect();
     // Moves that cannot be drawn are left out; the step counts only those that can.
     let step = path.iter().take(step).filter(|one| is_finite(one)).count();
     let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), height(ui)), Sense::hover());
     if ui.is_rect_visible(rect) {
         let canvas = Canvas::new(ui.painter(), palette(ui.ctx()), rect);
-        let way = Way { moves: &moves, step, nominal, ball_radius: ball_radius.abs().min(1e6) };
+        let Surroundings { nominal, features, ball_radius } = around;
+        let way = Way { moves: &moves, step, nominal, features, ball_radius: ball_radius.abs().min(1e6) };
         draw(&canvas, &way, view.words);
     }
-    let said = describe(view.words, &moves, step);
+    let said = [describe(view.words, &moves, step), describe_part(view.words, around.features)].concat();
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
 }
 
@@ -61,6 +72,20 @@ pub(super) const fn phase_id(phase: Phase) -> &'static str {
         Phase::Retract => "cycle-picture-phase-retract",
         Phase::Leave => "cycle-picture-phase-leave",
     }
+}
+
+/// The features of a part by name, the first ones of many.
+fn describe_part(words: &Words, features: &[PartFeature]) -> String {
+    const MOST: usize = 20;
+    if features.is_empty() {
+        return String::new();
+    }
+    let mut names: Vec<&str> = features.iter().take(MOST).map(|feature| feature.name.as_str()).collect();
+    if MOST < features.len() {
+        names.push("…");
+    }
+    let message = Message::new("cycle-picture-part").count("count", features.len()).text("names", names.join(", "));
+    format!(" {}", words.say(&message))
 }
 
 fn describe(words: &Words, moves: &[Move], step: usize) -> String {
@@ -93,11 +118,16 @@ pub(super) struct Way<'a> {
     pub(super) moves: &'a [Move],
     pub(super) step: usize,
     pub(super) nominal: Option<Surface>,
+    pub(super) features: &'a [PartFeature],
     pub(super) ball_radius: f64,
 }
 
 impl Way<'_> {
     pub(super) fn plane(&self) -> Plane {
+        // A part has features in every plane.
+        if !self.features.is_empty() {
+            return Plane::Xy;
+        }
         self.nominal.map_or(Plane::Xy, |surface| surface.plane())
     }
 
@@ -177,7 +207,7 @@ impl Eye {
 fn draw(canvas: &Canvas<'_>, way: &Way<'_>, words: &Words) {
     let below = legend(canvas, canvas.rect, words);
     let body = Rect::from_min_max(canvas.rect.min, canvas.rect.max - vec2(0.0, below));
-    if way.moves.is_empty() {
+    if way.moves.is_empty() && way.features.is_empty() {
         canvas.note(body.center(), Align2::CENTER_CENTER, &words.get("cycle-picture-no-path"));
         return;
     }
@@ -189,7 +219,7 @@ fn draw(canvas: &Canvas<'_>, way: &Way<'_>, words: &Words) {
         let (top, bottom) = body.split_top_bottom_at_fraction(0.6);
         (top.with_max_y(top.bottom() - gap), bottom.with_min_y(bottom.top() + gap))
     };
-    let beside = Eye::beside(way.nominal);
+    let beside = if way.features.is_empty() { Eye::beside(way.nominal) } else { Eye::Side };
     for (eye, rect) in [(Eye::Above, above), (beside, side)] {
         Scale::of(way, eye, rect).view(canvas, way, words);
     }

@@ -4,6 +4,7 @@ use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
 use super::canvas::Canvas;
+use super::part;
 use super::path::{Eye, Way, phase_id, place, trace};
 use crate::gui::shapes::screen;
 use crate::gui::theme::{sizes, space};
@@ -41,7 +42,12 @@ impl Scale {
         let mut places = way.places(eye);
         let ball = way.ball_radius;
         let mut around = ball;
-        match way.nominal.map(|surface| surface.outline(0.0)) {
+        places.extend(way.features.iter().flat_map(|feature| part::places(feature, eye)));
+        if places.is_empty() {
+            places.push([0.0; 2]);
+        }
+        let nominal = way.nominal.filter(|_| way.features.is_empty());
+        match nominal.map(|surface| surface.outline(0.0)) {
             Some(Outline::Circle { centre: [first, second], radius }) if radius < FARTHEST_MM => {
                 // From the side only its width counts.
                 let height = places.first().map_or(0.0, |[_, height]| *height);
@@ -85,13 +91,26 @@ impl Scale {
         Self { eye, rect, room, middle: [x, y], points_per_mm: (width / size(wide)).min(height / size(high)) }
     }
 
-    fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
+    pub(super) const fn eye(&self) -> Eye {
+        self.eye
+    }
+
+    pub(super) const fn rect(&self) -> Rect {
+        self.rect
+    }
+
+    /// A length that reaches beyond the view, mm.
+    pub(super) fn reach(&self) -> f64 {
+        f64::from(self.rect.size().length()) / self.points_per_mm
+    }
+
+    pub(super) fn at(&self, [x, y]: [f64; 2]) -> Pos2 {
         let [middle_x, middle_y] = self.middle;
         let scaled = |off: f64| screen((off * self.points_per_mm).clamp(-1e5, 1e5));
         self.room.center() + vec2(scaled(x - middle_x), -scaled(y - middle_y))
     }
 
-    fn length(&self, mm: f64) -> f32 {
+    pub(super) fn length(&self, mm: f64) -> f32 {
         screen((mm * self.points_per_mm).clamp(0.0, 1e5))
     }
 
@@ -100,7 +119,11 @@ impl Scale {
         let canvas = Canvas::new(&canvas.painter, canvas.palette, self.rect);
         let frame = Stroke::new(1.0, canvas.palette.line.0);
         canvas.painter.rect_filled(self.rect, 4.0, canvas.palette.panel.0);
-        self.nominal(&canvas, way);
+        if way.features.is_empty() {
+            self.nominal(&canvas, way);
+        } else {
+            part::draw(&canvas, self, way.features);
+        }
         canvas.painter.rect_stroke(self.rect, 4.0, frame, eframe::egui::StrokeKind::Inside);
         for (number, one) in way.moves.iter().enumerate().rev() {
             self.go(&canvas, one, way.plane(), number < way.step);
@@ -122,8 +145,7 @@ impl Scale {
         let (out, within) =
             if is_outside { (palette.panel.0, palette.none.0) } else { (palette.none.0, palette.panel.0) };
         // Walls without an end reach beyond the view.
-        let reach = f64::from(self.rect.size().length()) / self.points_per_mm;
-        match surface.outline(reach) {
+        match surface.outline(self.reach()) {
             Outline::Circle { centre: [first, second], radius } if radius < FARTHEST_MM => {
                 if self.eye == Eye::Above {
                     let (centre, radius) = (self.at([first, second]), self.length(radius));

@@ -181,7 +181,7 @@ fn a_rectangle_says_every_value_that_was_compared() {
 
 fn path_label(path: &[Move], step: usize, nominal: Option<Surface>, ball_radius: f64) -> String {
     let harness = drawn([640.0, 400.0], Theme::Light, Language::En, |ui, view| {
-        path_picture(ui, view, path, step, nominal, ball_radius);
+        path_picture(ui, view, path, step, Surroundings::of(nominal, ball_radius));
     });
     assert_eq!(
         harness.output().viewport_output[&eframe::egui::ViewportId::ROOT].repaint_delay,
@@ -336,7 +336,7 @@ fn the_parameters_of_every_kind_of_picture_in_light() {
 fn a_path_half_way_in_dark() {
     let (result, nominal) = bore();
     let mut harness = drawn([720.0, 420.0], Theme::Dark, Language::En, |ui, view| {
-        path_picture(ui, view, &result.path, 9, Some(nominal), 3.0);
+        path_picture(ui, view, &result.path, 9, Surroundings::of(Some(nominal), 3.0));
     });
     if can_paint() {
         harness.snapshot("cycle_path_dark");

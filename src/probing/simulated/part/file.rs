@@ -338,6 +338,11 @@ pub(in super::super) fn has_features(text: &str) -> bool {
 }
 
 impl Part {
+    /// Whether a text, or the beginning of one, is a file of several features: one with `[[feature]]` tables.
+    pub fn is_file(text: &str) -> bool {
+        has_features(text)
+    }
+
     /// Reads a file: one with `[[feature]]` tables, or one with a single table as [`Simulation::read`] does.
     ///
     /// ```

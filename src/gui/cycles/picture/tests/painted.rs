@@ -26,7 +26,7 @@ fn a_path_seen_as_a_point_has_a_scale_that_a_person_can_use() {
     // The ball goes straight down to the face: from above it is one point.
     let (result, nominal) = top(5.0);
     let harness = drawn([640.0, 400.0], Theme::Light, Language::En, |ui, view| {
-        path_picture(ui, view, &result.path, 3, Some(nominal), 0.0);
+        path_picture(ui, view, &result.path, 3, Surroundings::of(Some(nominal), 0.0));
     });
     let (texts, _) = painted(&harness);
     let scales: Vec<f64> = texts.iter().filter_map(|(text, _)| text.strip_suffix(" mm")?.parse().ok()).collect();
@@ -39,7 +39,7 @@ fn no_line_of_a_path_crosses_the_title_of_its_view() {
     let (result, nominal) = bore();
     for size in [[640.0, 400.0], [330.0, 220.0], [230.0, 150.0]] {
         let harness = drawn(size, Theme::Light, Language::En, |ui, view| {
-            path_picture(ui, view, &result.path, result.path.len(), Some(nominal), 2.0);
+            path_picture(ui, view, &result.path, result.path.len(), Surroundings::of(Some(nominal), 2.0));
         });
         let (texts, lines) = painted(&harness);
         let titles: Vec<_> = texts.iter().filter(|(text, _)| text.starts_with("X/")).collect();
