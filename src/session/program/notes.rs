@@ -32,16 +32,15 @@ impl ProgramPage {
     /// How many notes there are.
     pub fn note_count(&self) -> usize {
         let run = self.run.as_ref();
-        let of_run =
-            run.map_or(0, |run| usize::from(run.fault().is_some()) + run.remark_count() + run.cycle_remark_count());
+        let of_run = run.map_or(0, |run| usize::from(run.fault().is_some()) + run.remark_count());
         let count = of_run + self.warnings.len();
         // Where nothing is odd, nobody asks where the files came from.
         let files = run.filter(|_| 0 < count).map_or(0, super::Run::file_count);
         count + files
     }
 
-    /// A note by its number: the error first, then the remarks of the run and of its cycles, the warnings of the reader, and
-    /// the files that the run has read.
+    /// A note by its number: the error first, then the remarks of the run, the warnings of the reader, and the files
+    /// that the run has read.
     pub fn note(&self, number: usize) -> Option<Note> {
         let run = self.run.as_ref();
         let fault = run.and_then(|run| run.fault());
@@ -53,10 +52,6 @@ impl ProgramPage {
             return Some(self.remark_at(place, remark.message()));
         }
         let number = number.checked_sub(run.map_or(0, super::Run::remark_count))?;
-        if let Some((place, remark)) = run.and_then(|run| run.cycle_remark(number)) {
-            return Some(self.remark_at(place, remark.message()));
-        }
-        let number = number.checked_sub(run.map_or(0, super::Run::cycle_remark_count))?;
         let main = self.main()?;
         let Some(warning) = self.warnings.get(number) else {
             if self.note_count() == 0 {

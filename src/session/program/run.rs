@@ -12,7 +12,7 @@ use crate::nc::machine::{
     Window, Written,
 };
 use crate::nc::program::Program;
-use crate::probing::cycle::{self, Move, Phase};
+use crate::probing::cycle::{Move, Phase};
 use crate::verdict::Status;
 
 /// Blocks in a slice at full speed: a few milliseconds.
@@ -93,9 +93,6 @@ pub struct Run {
     /// intended, so that remark is not listed.
     listed: Vec<usize>,
     looked_through: usize,
-    /// The remarks of cycles, each by the numbers of its cycle and within it, and how many cycles were examined.
-    of_cycles: Vec<(usize, usize)>,
-    cycles_looked_through: usize,
     /// The parameters before the last command.
     pub(super) before: Variables,
 }
@@ -112,8 +109,6 @@ impl Run {
             fault: None,
             listed: Vec::new(),
             looked_through: 0,
-            of_cycles: Vec::new(),
-            cycles_looked_through: 0,
             before,
         }
     }
@@ -224,18 +219,6 @@ impl Run {
         self.listed.len()
     }
 
-    /// How many remarks the cycles have made about their measurements.
-    pub const fn cycle_remark_count(&self) -> usize {
-        self.of_cycles.len()
-    }
-
-    /// A remark of a cycle by its number, and the cycle's block.
-    pub fn cycle_remark(&self, number: usize) -> Option<(&BlockPlace, &cycle::Remark)> {
-        let (cycle, remark) = *self.of_cycles.get(number)?;
-        let cycle = self.machine.cycles().get(cycle)?;
-        Some((&cycle.place, cycle.result.remarks.get(remark)?))
-    }
-
     /// A remark by its number.
     pub fn remark(&self, number: usize) -> Option<&(BlockPlace, Remark)> {
         self.machine.remarks().get(*self.listed.get(number)?)
@@ -289,10 +272,6 @@ impl Run {
         let listed = new.filter(|(_, (_, remark))| !matches!(remark, Remark::GivenWins { .. }));
         self.listed.extend(listed.map(|(number, _)| number));
         self.looked_through = self.machine.remarks().len();
-        for (number, cycle) in self.machine.cycles().iter().enumerate().skip(self.cycles_looked_through) {
-            self.of_cycles.extend((0..cycle.result.remarks.len()).map(|remark| (number, remark)));
-        }
-        self.cycles_looked_through = self.machine.cycles().len();
         match result {
             Ok(Step::Went) => {}
             Ok(Step::Ended) => (self.state, self.goal) = (State::Ended, Goal::None),
