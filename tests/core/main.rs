@@ -53,6 +53,8 @@ mod nc_paths;
 mod nc_plans;
 mod nc_sets;
 mod own_columns;
+mod pair_cli;
+mod pairing;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod part_plans;

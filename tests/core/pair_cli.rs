@@ -1,0 +1,1 @@
+//! `fitcheck pair`, through the built program.
