@@ -86,6 +86,12 @@ impl StandardArgs {
 }
 
 impl TableArgs {
+    /// Whether anything but the default is asked for.
+    pub(super) fn is_given(&self) -> bool {
+        let standard = self.standard.options() != iso286::Options::default();
+        self.tables.is_some() || self.source != Base::default() || standard
+    }
+
     /// Where limits are looked up; warnings about the user's own tables go to standard error.
     pub(super) fn load(&self, io: &mut Io<'_>) -> Result<Sources, CliError> {
         let sources = Sources::default().with_base(self.source, shipped_tables).with_options(self.standard.options());

@@ -45,6 +45,7 @@ mod import;
 mod io;
 mod limits;
 mod nc;
+mod pair;
 mod report;
 mod run;
 mod said;
@@ -89,6 +90,7 @@ subcommands! {
     Circle(circle::Args),
     Cycle(cycle::Args),
     Nc(nc::Args),
+    Pair(pair::Args),
     Report(report::Args),
     Run(run::Args),
     Sql(sql::Args),

@@ -42,6 +42,12 @@ pub(super) enum CliWarning<'a> {
     ColumnNotUsed { column: &'a str },
     /// A file that is named twice among the inputs.
     FileTwice,
+    /// Parts of one file with the same name.
+    NamedTwice { id: &'a str, first: usize, second: usize, rows: usize },
+    /// Rows that say that nobody measured.
+    SimulatedRows { count: usize },
+    /// Where limits come from, and no limits are looked up.
+    TablesNotUsed,
     /// The user's own table differs from ISO 286.
     OwnTable { name: &'a str, upper: Length, lower: Length },
     /// A cell for which ISO 286 has no value, or several.

@@ -102,9 +102,10 @@ pub fn groups(holes: &[Length], shafts: &[Length], count: usize, ranges: Ranges)
     let shaft_split = Split::new(Feature::Shaft, ranges.shafts, count)?;
     let (hole_bins, shaft_bins) = (hole_split.sort(holes), shaft_split.sort(shafts));
     let groups = (0..).zip(hole_bins.iter().zip(&shaft_bins)).map(|(number, (hole, shaft))| {
-        let clearances = hole.range.zip(shaft.range).map(|(hole, shaft)| {
-            (hole.from.saturating_sub(shaft.to), hole.to.saturating_sub(shaft.from))
-        });
+        let clearances = hole
+            .range
+            .zip(shaft.range)
+            .map(|(hole, shaft)| (hole.from.saturating_sub(shaft.to), hole.to.saturating_sub(shaft.from)));
         Group {
             hole_range: hole_split.range_of(number),
             shaft_range: shaft_split.range_of(number),

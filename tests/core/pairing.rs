@@ -3,12 +3,10 @@
 use std::collections::BTreeSet;
 
 use fitcheck::length::Length;
-use fitcheck::pairing::{
-    Grinding, MOST_AMOUNTS, Pair, Pairing, Range, Ranges, Wanted, grinding, groups, pair,
-};
+use fitcheck::pairing::{Grinding, MOST_AMOUNTS, Pair, Pairing, Range, Ranges, Wanted, grinding, groups, pair};
 use proptest::prelude::*;
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
+use rand_chacha::rand_core::SeedableRng as _;
 
 fn nm(nanometres: i64) -> Length {
     Length::from_nanometres(nanometres).unwrap()
@@ -247,7 +245,8 @@ fn the_smallest_amount_that_saves_most_is_found() {
     let mut cases = Cases(ChaCha8Rng::seed_from_u64(7));
     let mut saved = 0;
     for number in 0..1_500 {
-        let in_um = |all: Vec<i64>, scatter: i64| all.iter().map(|one| (one - 990) * 1_000 + scatter).collect::<Vec<_>>();
+        let in_um =
+            |all: Vec<i64>, scatter: i64| all.iter().map(|one| (one - 990) * 1_000 + scatter).collect::<Vec<_>>();
         let (holes, shafts, bounds) = cases.next();
         let (holes, shafts) = (in_um(holes, cases.below(1_000)), in_um(shafts, cases.below(1_000)));
         let bounds = (bounds.0 * 1_000, bounds.1 * 1_000 + cases.below(900));
@@ -312,11 +311,7 @@ fn a_size_at_the_end_of_a_group_belongs_to_the_next_one() {
     let ends: Vec<_> = sorted.groups.iter().map(|group| (group.hole_range, group.shaft_range)).collect();
     assert_eq!(
         ends,
-        [
-            (range(100, 104), range(90, 93)),
-            (range(104, 107), range(93, 96)),
-            (range(107, 110), range(96, 99)),
-        ]
+        [(range(100, 104), range(90, 93)), (range(104, 107), range(93, 96)), (range(107, 110), range(96, 99)),]
     );
     let clearances: Vec<_> = sorted.groups.iter().map(|group| group.clearances).collect();
     let both = |smallest, largest| Some((nm(smallest), nm(largest)));
@@ -332,7 +327,8 @@ fn groups_need_sizes_and_a_width() {
         let ranges = Ranges::measured(&holes, &shafts);
         ranges.and_then(|ranges| groups(&holes, &shafts, count, ranges)).unwrap_err().to_string()
     };
-    let narrow = "shafts from 0.000005 to 0.000006 mm cannot be sorted into 2 groups: a group has at least one nanometre";
+    let narrow =
+        "shafts from 0.000005 to 0.000006 mm cannot be sorted into 2 groups: a group has at least one nanometre";
     assert_eq!(refused(&[10, 20], &[5, 6], 2), narrow);
     assert_eq!(refused(&[], &[5, 6], 2), "there are no holes to sort");
     assert_eq!(refused(&[1], &[5], 0), "0 groups: expected 1 to 1000");
@@ -369,7 +365,9 @@ proptest! {
 
 #[test]
 fn wanted_clearances_are_two_lengths_with_two_points_between() {
-    let read = |text: &str| text.parse::<Wanted>().map(|wanted| (wanted.minimum().nanometres(), wanted.maximum().nanometres()));
+    let read = |text: &str| {
+        text.parse::<Wanted>().map(|wanted| (wanted.minimum().nanometres(), wanted.maximum().nanometres()))
+    };
     assert_eq!(read("0.010..0.030"), Ok((10_000, 30_000)));
     assert_eq!(read("-0,020 .. -0,005"), Ok((-20_000, -5_000)));
     assert_eq!(read("-20 µm..+5um"), Ok((-20_000, 5_000)));

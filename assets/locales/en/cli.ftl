@@ -92,6 +92,15 @@ cli-remark-clearance-height = the clearance height is { $height } mm: --clearanc
 # Warnings
 cli-warning-column-not-used = column { $column } is skipped
 cli-warning-file-twice = this file is named twice: its rows are counted twice
+cli-warning-named-twice = { $rows ->
+        [one] a row has the name of an earlier row
+       *[other] { $rows } rows have the name of an earlier row
+    }, such as { $id } on lines { $first } and { $second }: each row counts as a part
+cli-warning-simulated-rows = { $count ->
+        [one] 1 row is simulated
+       *[other] { $count } rows are simulated
+    }: nothing was measured
+cli-warning-tables-not-used = --tables, --source and options of the standard are not used: no limits are looked up without --fit
 cli-warning-own-table = table { $name } differs from ISO 286, which has { $upper } and { $lower } mm
 cli-warning-empty-cell = { $class } over { $over } up to { $to } mm is left empty: ISO 286 has no single value for all of it
 cli-warning-contacts-left = the cycle used { $used } of { $count } contacts

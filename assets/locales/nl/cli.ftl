@@ -92,6 +92,15 @@ cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die me
 # Waarschuwingen
 cli-warning-column-not-used = kolom { $column } is overgeslagen
 cli-warning-file-twice = dit bestand is tweemaal genoemd: de rijen tellen dubbel
+cli-warning-named-twice = { $rows ->
+        [one] een rij heeft de naam van een eerdere rij
+       *[other] { $rows } rijen hebben de naam van een eerdere rij
+    }, zoals { $id } op regels { $first } en { $second }: elke rij telt als een onderdeel
+cli-warning-simulated-rows = { $count ->
+        [one] 1 rij is gesimuleerd
+       *[other] { $count } rijen zijn gesimuleerd
+    }: er is niets gemeten
+cli-warning-tables-not-used = --tables, --source en opties van de norm worden niet gebruikt: zonder --fit worden geen grensmaten opgezocht
 cli-warning-own-table = tabel { $name } wijkt af van ISO 286, die { $upper } en { $lower } mm heeft
 cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft geen waarde die voor het hele bereik geldt
 cli-warning-contacts-left = de cyclus heeft { $used } van de { $count } meetpunten gebruikt
