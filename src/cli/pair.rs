@@ -71,8 +71,8 @@ Examples:
   fitcheck pair holes.csv shafts.csv --clearance -0.020..-0.005 --format csv -o pairs.csv
 
 The columns are found as fitcheck import finds them; only names and measured sizes are needed. Of a
-callout only the side counts: a shaft among the holes is refused. A file without header has names
-and sizes that are not both numbers.
+callout only the side counts, if it can be read: a shaft among the holes is refused. In a file without
+header names are not numbers, or they would be contacts.
 
 There are as many pairs as possible and, among these, the ones in the narrowest band around the
 middle of the wanted clearances. Each hole, from the smallest, gets the smallest shaft that is left
@@ -87,8 +87,10 @@ that makes most further pairs is given; pairs that are made stay.
 
 CSV has a row per result (pair, leftover, grinding, saved, group, refused) and these columns:
 {}.
-JSON has the same names, with pairs, leftover_holes, leftover_shafts, grinding, groups and refused
-apart. saved are the pairs after grinding, with their clearances then.
+JSON has the same names within pairs, leftover_holes, leftover_shafts, grinding, saved, groups and
+refused, and besides fit, holes, shafts, minimum_clearance_um and maximum_clearance_um as wanted,
+actual (of the pairs, with band_um), holes_outside_groups, shafts_outside_groups and warnings. saved
+are the pairs after grinding, with their clearances then.
 
 Exit codes: 0 done, 1 where any row or file could not be used, 2 wrong usage.",
         names(&figures::Row::COLUMNS).join(", "),
