@@ -546,9 +546,10 @@ fn recorded_contacts_that_no_cycle_took_are_told() {
         to_end(&mut machine);
         machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect::<Vec<_>>()
     };
-    let unjudged = "no verdict here: nothing was compared with limits";
-    assert_eq!(left(four.to_vec()), [unjudged]);
-    assert_eq!(left([four, four].concat()), [unjudged, "the cycles used 4 of 8 recorded contacts"]);
+    let is_left = |remark: &&String| remark.starts_with("the cycles used");
+    assert_eq!(left(four.to_vec()).iter().find(is_left), None);
+    let left = left([four, four].concat());
+    assert_eq!(left.iter().find(is_left), Some(&"the cycles used 4 of 8 recorded contacts".to_owned()));
 }
 
 #[test]

@@ -9,8 +9,7 @@ use fitcheck::nc::program::Program;
 use fitcheck::probing::Contact;
 use fitcheck::words::Dialogue;
 
-const BORE: &str =
-    "TCH PROBE 421 MEASURE HOLE ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+25 ~\nQ325=+0 ~\nQ247=+90 ~\nQ261=-8 ~\nQ260=+50";
+const BORE: &str = "TCH PROBE 421 MEASURE HOLE ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+25 ~\nQ325=+0 ~\nQ247=+90 ~\nQ261=-8 ~\nQ260=+50 ~\nQ301=+0";
 const LIMITS: &str = " ~\nQ275=+25.021 ~\nQ276=+25";
 
 fn main_program(unit: &str, blocks: &str) -> String {
@@ -35,6 +34,20 @@ fn ran(unit: &str, blocks: &str, contacts: Contacts, table: &str, given: &[(Para
     Ran { machine, remarks }
 }
 
+/// Why a run stops.
+fn fault(unit: &str, blocks: &str) -> String {
+    let settings = Settings::new(Dialogue::En, jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0));
+    let program = Arc::new(Program::read(main_program(unit, blocks).as_bytes()).unwrap().0);
+    let mut machine = Machine::new("main.h", program, InMemory::new(), Contacts::Perfect, settings);
+    loop {
+        match machine.run(u64::MAX) {
+            Ok(Step::Ended) => panic!("it ended: {blocks}"),
+            Ok(_) => {}
+            Err(fault) => return fault.kind.to_string(),
+        }
+    }
+}
+
 fn remarks(blocks: &str) -> Vec<String> {
     ran("MM", blocks, Contacts::Perfect, "", &[]).remarks
 }
@@ -48,7 +61,7 @@ fn on_a_circle(centre: f64, radius: f64, degrees: [f64; 4], z: f64) -> Contacts 
 fn a_bore_that_is_compared_with_nothing_has_no_verdict_and_says_so() {
     let judged = format!("TOOL CALL 1 Z\n{BORE}{LIMITS}");
     assert!(remarks(&judged).is_empty());
-    let both = format!("{judged}\n{BORE}");
+    let both = format!("{judged}\n{BORE} ~\nQ275=+0 ~\nQ276=+0");
     assert_eq!(remarks(&both), ["no verdict here: nothing was compared with limits"]);
 }
 
@@ -109,6 +122,76 @@ fn a_value_that_was_given_and_that_no_block_reads_is_told() {
     // A cycle overwrites it before anybody looks.
     let blocks = format!("TOOL CALL 1 Z\n{BORE}{LIMITS}\nQ2 = Q153");
     assert_eq!(told(&blocks, 153), [lost(153)]);
+}
+
+#[test]
+fn what_a_block_leaves_out_is_told_and_half_a_pair_of_limits_stops() {
+    let without = BORE.replace("Q261=-8 ~\n", "");
+    let found = remarks(&format!("TOOL CALL 1 Z\n{without}{LIMITS}"));
+    let said = "the block leaves out Q261 = 0 mm: these values were taken, while a control may refuse the block";
+    assert_eq!(found, [said]);
+    let half = format!("TOOL CALL 1 Z\n{BORE} ~\nQ275=+25.021");
+    assert_eq!(fault("MM", &half), "cycle 421: Q275 is given without Q276: 0 would be the other limit");
+}
+
+#[test]
+fn a_tolerance_finer_than_a_nanometre_does_not_become_none() {
+    let blocks = format!("TOOL CALL 1 Z\n{BORE}{LIMITS} ~\nQ279=+0.0000004 ~\nQ280=+0");
+    assert!(fault("MM", &blocks).contains("finer than a nanometre"), "{}", fault("MM", &blocks));
+}
+
+#[test]
+fn a_cycle_that_is_skipped_at_request_is_told() {
+    let blocks = format!("TOOL CALL 1 Z\n{BORE}{LIMITS}\n/{BORE}{LIMITS}");
+    let mut settings = Settings::new(Dialogue::En, jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0));
+    settings.block_skip = true;
+    let program = Arc::new(Program::read(main_program("MM", &blocks).as_bytes()).unwrap().0);
+    let mut machine = Machine::new("main.h", program, InMemory::new(), Contacts::Perfect, settings);
+    while machine.run(u64::MAX).unwrap() != Step::Ended {}
+    let said = "this measuring cycle was skipped at request, because of the / before it";
+    assert_eq!(machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect::<Vec<_>>(), [said]);
+}
+
+#[test]
+fn a_global_value_that_is_no_number_stops_and_so_does_more_than_a_preset() {
+    let global =
+        |value: &str| format!("GLOBAL DEF 120 X ~\nQ320=+2 ~\nQ260=+50 ~\nQ301=+0\nGLOBAL DEF 120 X ~\nQ320={value}");
+    assert!(remarks(&global("+3")).is_empty());
+    assert_eq!(fault("MM", &global("MAX")), "GLOBAL DEF 120: Q320 is given no number");
+    for block in ["TRANS DATUM RESET X+5 Y+3", "CYCL DEF 247 PRESET ~\nQ339=+1 ~\nQ340=+4"] {
+        assert_eq!(fault("MM", block), "unknown block: Fitcheck runs only what it understands", "{block}");
+    }
+}
+
+#[test]
+fn a_value_that_is_rounded_into_a_table_is_told() {
+    let block = "#STRUCTBEGIN\n NAME = X\n TYPE = N\n WIDTH = 9\n DEC = 3\n";
+    let table = format!("BEGIN own.tab MM\n{block}#STRUCTEND\nX        \n+0       \n[END]\n");
+    let write = |value: &str| {
+        let blocks = format!("Q1 = {value}\nFN 26: TABOPEN own.tab\nFN 27: TABWRITE 0/\"X\" = Q1");
+        let found = ran("MM", &blocks, Contacts::Perfect, &table, &[]).remarks;
+        found.into_iter().filter(|remark| remark.contains("rounded")).collect::<Vec<_>>()
+    };
+    assert!(write("25.021").is_empty());
+    assert_eq!(write("25.0214"), ["table own.tab, column X: 25.0214 was rounded to 25.021"]);
+}
+
+#[test]
+fn a_log_that_will_say_something_else_is_told() {
+    let blocks = format!("TOOL CALL 1 Z\n{BORE}{LIMITS} ~\nQ281=+1");
+    let found = ran("MM", &blocks, on_a_circle(0.0, 12.510_52, [0.0, 90.0, 180.0, 270.0], -8.0), "", &[]).remarks;
+    assert!(found.iter().any(|remark| remark.contains("GOOD") && remark.contains("SCRAP")), "{found:?}");
+}
+
+#[test]
+fn the_block_of_a_program_in_inches_is_not_read_as_mm() {
+    let shop = Shop::new();
+    let program = shop.file("main.h", &main_program("INCH", &format!("{BORE}{LIMITS}")));
+    let (code, _, said) = fitcheck(&["cycle", "421", "--block", &program]);
+    assert_eq!(code, Some(1));
+    assert!(said.contains("line 1: the block is of a program in inches"), "{said}");
+    let program = shop.file("main.h", &main_program("MM", &format!("{BORE}{LIMITS}")));
+    assert_eq!(fitcheck(&["cycle", "421", "--block", &program]).0, Some(0));
 }
 
 #[test]

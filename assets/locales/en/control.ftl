@@ -146,6 +146,7 @@ cycle-log-other-verdict = the log's values, rounded to 0.0001 { $unit }, give { 
 
 ## The block of a probing cycle
 block-none = not a probing cycle: a block begins with TCH PROBE and a number, or with G785
+block-inches = the block is of a program in inches, and would be taken in mm: run the program
 block-second = second probing cycle: give one at a time; the first begins on line { $first }
 block-unknown-cycle = TCH PROBE { $given }: the cycles are { $known }
 block-not-a-parameter = { $given } is not a parameter: write it as { $example }

@@ -66,6 +66,7 @@ machine-mask = mask { $mask }: { $error }
 machine-programmed = the program stopped itself with error { $number }
 machine-no-cycle-parameter = cycle { $cycle } has no parameter { $parameter }
 machine-cycle-parameter-twice = cycle { $cycle }: { $parameter } is given twice
+machine-global-not-number = GLOBAL DEF { $number }: { $parameter } is given no number
 machine-global-twice = GLOBAL DEF { $number }: { $parameter } is given twice
 machine-open-subprogram = the program ends within the subprogram that is called in line { $line }: LBL 0 is missing
 machine-repeat-ahead = REP repeats the part between a label and this block, and the label stands behind it, in line { $line }
@@ -102,6 +103,9 @@ machine-remark-ended-within = M{ $function } in a called program ended the run: 
 machine-remark-given-wins = { $parameter } = { $value } was given before the run and replaces this block's value
 machine-remark-given-without-effect = { $parameter } was given before the run and had no effect: no block read it
 machine-remark-measured = { $what }
+machine-remark-filled = the block leaves out { $parameters }: these values were taken, while a control may refuse the block
+machine-remark-cycle-skipped = this measuring cycle was skipped at request, because of the / before it
+machine-remark-rounded = table { $table }, column { $column }: { $value } was rounded to { $written }
 machine-remark-not-judged = no verdict here: nothing was compared with limits
 machine-remark-not-written = { $path } was not written: no output folder was chosen
 machine-remark-not-saved = { $path } was not written: { $reason }

@@ -28,6 +28,7 @@ cycle-not-a-value = { $key } { $name }: { $error }
 cycle-tool-no-name = { $text } calls no tool: write its number, or its name
 cycle-tool-unquoted = { $text } is not a number, and a tool name needs quotation marks
 cycle-no-diameter = { $key } { $name } = 0 mm: a circle needs a diameter above 0
+cycle-one-limit = { $given } is given without { $missing }: 0 would be the other limit
 cycle-missing = { $key } { $name } is missing
 cycle-no-such-parameter = cycle { $cycle } has no parameter { $parameter }: its parameters are { $known }
 cycle-limits-swapped = { $minimum-key } = { $minimum } mm is above { $maximum-key } = { $maximum } mm: the minimum dimension is above the maximum

@@ -146,6 +146,7 @@ cycle-log-other-verdict = de waarden in het meetprotocol, afgerond op 0,0001 { $
 
 ## The block of a probing cycle
 block-none = geen tastcyclus: een NC-regel begint met TCH PROBE en een nummer, of met G785
+block-inches = de NC-regel is van een programma in inch en zou in mm worden gelezen: voer het programma uit
 block-second = tweede tastcyclus: geef er één tegelijk op; de eerste begint op regel { $first }
 block-unknown-cycle = TCH PROBE { $given }: de cycli zijn { $known }
 block-not-a-parameter = { $given } is geen parameter: schrijf een parameter zoals { $example }

@@ -66,6 +66,7 @@ machine-mask = masker { $mask }: { $error }
 machine-programmed = het programma heeft zichzelf gestopt met fout { $number }
 machine-no-cycle-parameter = cyclus { $cycle } heeft geen parameter { $parameter }
 machine-cycle-parameter-twice = cyclus { $cycle }: { $parameter } is twee keer opgegeven
+machine-global-not-number = GLOBAL DEF { $number }: { $parameter } heeft geen getal
 machine-global-twice = GLOBAL DEF { $number }: { $parameter } is twee keer opgegeven
 machine-open-subprogram = het programma eindigt in het onderprogramma dat in regel { $line } is aangeroepen: LBL 0 ontbreekt
 machine-repeat-ahead = REP herhaalt het deel tussen een label en deze regel, en het label staat erachter, in regel { $line }
@@ -102,6 +103,9 @@ machine-remark-ended-within = M{ $function } in een aangeroepen programma heeft 
 machine-remark-given-wins = { $parameter } = { $value } is vooraf opgegeven en vervangt de waarde in deze NC-regel
 machine-remark-given-without-effect = { $parameter } is vooraf opgegeven en had geen effect: geen NC-regel heeft hem gelezen
 machine-remark-measured = { $what }
+machine-remark-filled = de NC-regel laat { $parameters } weg: deze waarden zijn genomen, een besturing weigert de regel misschien
+machine-remark-cycle-skipped = deze meetcyclus is op verzoek overgeslagen, vanwege de / ervoor
+machine-remark-rounded = tabel { $table }, kolom { $column }: { $value } is afgerond op { $written }
 machine-remark-not-judged = hier geen oordeel: er is niets met grenzen vergeleken
 machine-remark-not-written = { $path } is niet geschreven: er is geen map voor uitvoer gekozen
 machine-remark-not-saved = { $path } is niet geschreven: { $reason }

@@ -27,6 +27,7 @@ cycle-not-a-value = { $key } { $name }: { $error }
 cycle-tool-no-name = { $text } roept geen gereedschap op: geef het nummer, of de naam
 cycle-tool-unquoted = { $text } is geen getal, en de naam van een gereedschap staat tussen aanhalingstekens
 cycle-no-diameter = { $key } { $name } = 0 mm: een cirkel heeft een diameter groter dan 0 nodig
+cycle-one-limit = { $given } is opgegeven zonder { $missing }: 0 zou de andere grens zijn
 cycle-missing = { $key } { $name } ontbreekt
 cycle-no-such-parameter = cyclus { $cycle } heeft geen parameter { $parameter }: de parameters zijn { $known }
 cycle-limits-swapped = { $minimum-key } = { $minimum } mm is groter dan { $maximum-key } = { $maximum } mm: de minimale maat is groter dan de maximale

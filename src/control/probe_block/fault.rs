@@ -20,6 +20,9 @@ pub enum ProbeBlockFault {
         /// The line of the first one.
         first: usize,
     },
+    /// The block of a program in inches: its lengths would be taken as mm.
+    #[say(id = "block-inches")]
+    Inches,
     /// A cycle that Fitcheck does not have.
     UnknownCycle {
         /// What follows TCH PROBE.

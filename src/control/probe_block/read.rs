@@ -180,6 +180,10 @@ impl Reader {
         }
         self.state = State::Outside;
         let upper = body(segment.code).to_ascii_uppercase();
+        let is_begin = upper.starts_with("BEGIN PGM") || upper.starts_with('%');
+        if is_begin && (upper.ends_with(" INCH") || upper.ends_with(" G70") || upper.ends_with(" G70 *")) {
+            return Err(ProbeBlockFault::Inches.at(line));
+        }
         if upper.starts_with("BEGIN PGM") || upper.starts_with("END PGM") || upper.starts_with('*') || upper == "%" {
             return Ok(());
         }

@@ -204,10 +204,17 @@ impl Around {
                 let (number, parameter) = (block.number.clone(), line.parameter.clone());
                 return Err(FaultKind::GlobalTwice { number, parameter });
             }
-            if let (CycleName::Parameter(parameter), CycleValue::Number { value, .. }) = (&line.parameter, &line.value)
-            {
-                let value = values.operand(*value)?;
-                self.globals.insert((is_probing, *parameter), Global { value, unit });
+            match (&line.parameter, &line.value) {
+                (CycleName::Parameter(parameter), CycleValue::Number { value, .. }) => {
+                    let value = values.operand(*value)?;
+                    self.globals.insert((is_probing, *parameter), Global { value, unit });
+                }
+                // An earlier value would stay in force.
+                _ if is_probing => {
+                    let (number, parameter) = (block.number.clone(), line.parameter.clone());
+                    return Err(FaultKind::GlobalNotNumber { number, parameter });
+                }
+                _ => {}
             }
         }
         Ok(())

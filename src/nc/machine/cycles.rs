@@ -139,6 +139,9 @@ impl Cycles {
         }
         let inputs = with_globals(inputs, cycle, around)?;
         let inputs = with_lines(inputs, cycle, asked, values)?;
+        if let Some(error) = cycle.half_limits(&inputs) {
+            return Err(FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) });
+        }
         let (path, result) = self.probed.measure(cycle, &inputs, asked.placement)?;
         Ok((path, result.map_err(|error| FaultKind::Cycle { cycle: cycle.code, error: Box::new(error) })))
     }
@@ -242,6 +245,8 @@ fn accepted(
         Range::Length { .. } => {
             let is_inch = unit == Some(Unit::Inch);
             let in_mm = if is_inch { length_of(&Value::Number(number * INCH)) } else { length_of(value) };
+            // A tolerance that rounds to zero would switch the comparison off.
+            let in_mm = in_mm.filter(|length| *length != Length::ZERO || number.abs() <= 0.0);
             in_mm.map_or_else(|| read(&number.to_string()), |length| Ok(cycle::Value::Length(length)))
         }
         Range::Angle { .. } => read(&format!("{number:.4}")),

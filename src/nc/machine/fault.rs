@@ -314,7 +314,14 @@ pub enum FaultKind {
         /// The line of the label, from 1.
         line: usize,
     },
-    /// A parameter that a GLOBAL DEF gives twice.
+    /// A parameter of GLOBAL DEF 120 that is given no number: an earlier value would stay in force.
+    GlobalNotNumber {
+        /// The number of the GLOBAL DEF.
+        number: String,
+        /// The parameter.
+        parameter: CycleName,
+    },
+    /// A parameter that stands twice in one GLOBAL DEF.
     GlobalTwice {
         /// The number of the GLOBAL DEF.
         number: String,

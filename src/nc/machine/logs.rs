@@ -46,6 +46,12 @@ impl Log {
         Ok(content.map(|content| Self { content, path, is_shown, language }))
     }
 
+    /// Whether it gives another status than the cycle, because its figures are rounded.
+    pub(super) fn other(&self, result: &CycleResult) -> Option<Remark> {
+        let other = self.content.other_verdict(result, self.language)?;
+        Some(Remark::Measured { what: other.message() })
+    }
+
     /// Writes or shows it. A log is added to an earlier one of the same name, as [`CycleLog::append`] says; a log that
     /// cannot be written gives a remark, and the run goes on.
     pub(super) fn write(

@@ -10,7 +10,7 @@ use crate::control::variables::Parameter;
 use crate::length::Length;
 use crate::message::{Arg, Message, Say};
 use crate::probing::circle::CircleWarning;
-use crate::probing::cycle::{Control, Cycle, CycleResult};
+use crate::probing::cycle::{Control, Cycle, CycleResult, Key};
 use crate::probing::simulated::{Collision, Mover};
 
 /// Something worth knowing.
@@ -101,6 +101,24 @@ pub enum Remark {
     Measured {
         /// What it says.
         what: Message,
+    },
+    /// Parameters that a measuring cycle needs and its block leaves out: a control may refuse it.
+    Filled {
+        /// Each with the value that was taken.
+        parameters: String,
+    },
+    /// A measuring cycle was skipped at request, because of the / before it.
+    CycleSkipped,
+    /// FN 27 has rounded a value to the decimals of its column.
+    Rounded {
+        /// The table's file name.
+        table: String,
+        /// The column.
+        column: String,
+        /// The value.
+        value: Arg,
+        /// What was written.
+        written: Arg,
     },
     /// A measuring cycle has compared nothing with limits.
     NotJudged,
@@ -232,6 +250,7 @@ impl Remark {
         let doubtful = result.warnings().into_iter().filter(CircleWarning::is_of_diameter);
         let said = result.remarks.iter().map(Say::message).chain(doubtful.map(|warning| warning.message()));
         let mut remarks: Vec<_> = said.map(|what| Self::Measured { what }).collect();
+        remarks.extend(filled(cycle, result));
         let is_unjudged = cycle.control == Control::Milling && result.verdict().is_none();
         remarks.extend(is_unjudged.then_some(Self::NotJudged));
         remarks
@@ -241,6 +260,19 @@ impl Remark {
     pub(super) fn read(path: &NcPath, warnings: &[impl Say]) -> Vec<Self> {
         warnings.iter().map(|warning| Self::Read { path: path.clone(), what: warning.message() }).collect()
     }
+}
+
+/// What a milling control's block leaves out of what has an effect. Letters of a lathe's cycle may be left out.
+fn filled(cycle: &Cycle, result: &CycleResult) -> Option<Remark> {
+    let left_out = cycle.parameters.iter().filter_map(|parameter| {
+        let Key::Q(_) = parameter.key else { return None };
+        let is_optional = !parameter.has_effect || parameter.meaning.may_be_left_out();
+        let is_needed = !is_optional && !result.inputs.is_given(parameter.key);
+        let value = result.inputs.value(parameter.key).filter(|_value| is_needed)?;
+        Some(format!("{} = {}", parameter.key, value.with_unit()))
+    });
+    let parameters = left_out.collect::<Vec<_>>().join(", ");
+    (!parameters.is_empty()).then_some(Remark::Filled { parameters })
 }
 
 /// The remarks of a run; beyond the limit they are only counted.

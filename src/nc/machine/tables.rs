@@ -8,11 +8,12 @@ use super::fault::{BlockPlace, Counted, FaultKind};
 use super::files::Files;
 use super::path::NcPath;
 use super::remark::{Remark, Remarks};
-use super::values::Values;
+use super::values::{Values, shown_arg};
 use crate::control::deviations::other_spelling;
 use crate::control::mask::FileUse;
 use crate::control::table::{TableFile, TableUnit, WriteError, is_blank, is_number};
 use crate::control::variables::{Family, Parameter, Value};
+use crate::message::Arg;
 use crate::nc::program::{Columns, Operand, Unit};
 
 /// The value of a cell, and what is worth knowing about its column.
@@ -104,6 +105,21 @@ impl OpenTable {
             }
             _ => Err(FaultKind::NoNumberInCell { table, row, column, cell: cell.to_owned() }),
         }
+    }
+
+    /// Whether the decimals of a column have cut a value, by a tenth of a nanometre or more.
+    fn rounded(&self, number: usize, from: Parameter, written: &str, values: &Values) -> Option<Remark> {
+        let column = self.file.table.columns.get(number).filter(|column| column.decimals.is_some())?;
+        let value = values.all().get(from).filter(|_value| from.family != Family::Qs)?;
+        let exact: f64 = match value {
+            Value::Length(length) => length.to_mm_f64(),
+            Value::Number(number) => *number,
+            Value::Text(_) => return None,
+        };
+        let is_off = written.parse::<f64>().is_ok_and(|written| 1e-7 <= (written - exact).abs());
+        let (table, column) = (self.name(), column.name.clone());
+        let written = Arg::Number(written.to_owned());
+        is_off.then(|| Remark::Rounded { table, column, value: shown_arg(value), written })
     }
 
     /// What a parameter writes into a cell: a text, or a number with the column's decimals.
@@ -227,7 +243,11 @@ impl Tables {
         for (column, from) in names(columns, values)?.into_iter().zip(following(from)) {
             let (number, remarks) = open.column(column)?;
             open.check_row(row)?;
-            cells.texts.push((number, open.text((row, number), from, unit, values)?));
+            let text = open.text((row, number), from, unit, values)?;
+            if open.units(number, unit).is_none() {
+                cells.remarks.extend(open.rounded(number, from, &text, values));
+            }
+            cells.texts.push((number, text));
             cells.remarks.extend(remarks);
             let converted = open.units(number, unit).filter(|_units| from.family != Family::Qs);
             let (table, column) = (open.name(), column.to_owned());

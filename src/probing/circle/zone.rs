@@ -6,7 +6,7 @@
 //! their squares.
 
 use super::cell::{Cell, HalfPlane, Side, crossing};
-use super::frame::{Frame, cross, dot, minus, norm};
+use super::frame::{Frame, circumcentre, cross, dot, minus, norm};
 use super::hull::{around, narrowest_strip, neighbours};
 
 /// Centres are searched for within this many half extents of the points. Farther away a ring is a straight strip.
@@ -18,6 +18,9 @@ const BEYOND: f64 = 1e-11;
 /// A ring that is narrower by less than this, in half extents of the points, is no better. On an exact circle every
 /// edge crosses every other near the centre, and each would be measured again just for its last bit.
 const NO_BETTER: f64 = 1e-14;
+
+/// Among so few points the centre of every circle through three of them is tried.
+const FEW: usize = 12;
 
 /// The ring of least width that holds all contacts. Lengths in millimetres.
 #[derive(Debug, Clone, Copy, PartialEq, serde::Serialize)]
@@ -93,6 +96,18 @@ pub(super) fn narrowest(points: &[[f64; 2]], hull: &[[f64; 2]], start: [f64; 2])
     for &(centre, inner) in &near.corners {
         if hull.iter().all(|&corner| norm(minus(corner, centre)) - inner < width - NO_BETTER) {
             width = consider(centre);
+        }
+    }
+    // On a nearly straight set the corners lie far away, and their bisectors cross so flatly that rounding moves them along.
+    if points.len() <= FEW {
+        for (number, &first) in points.iter().enumerate() {
+            for (behind, &second) in points.iter().enumerate().skip(number + 1) {
+                for centre in points.iter().skip(behind + 1).filter_map(|&third| circumcentre(first, second, third)) {
+                    if norm(centre) < REACH {
+                        width = consider(centre);
+                    }
+                }
+            }
         }
     }
     let mut far_edges = far.edges;

@@ -56,6 +56,13 @@ pub enum CycleError {
         /// Its name.
         name: ParameterName,
     },
+    /// A limit without the other limit of the same value, which would count as 0.
+    OneLimit {
+        /// The limit.
+        given: Key,
+        /// The other one.
+        missing: Key,
+    },
     /// PREDEF without a GLOBAL DEF before it.
     NoGlobal {
         /// The parameter.

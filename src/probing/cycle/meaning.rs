@@ -112,6 +112,38 @@ pub enum Axis {
 }
 
 impl Meaning {
+    /// The other limit of a value, for a limit.
+    pub const fn other_limit(self) -> Option<Self> {
+        Some(match self {
+            Self::MaximumDiameter => Self::MinimumDiameter,
+            Self::MinimumDiameter => Self::MaximumDiameter,
+            Self::MaximumSide(axis) => Self::MinimumSide(axis),
+            Self::MinimumSide(axis) => Self::MaximumSide(axis),
+            Self::MaximumWidth => Self::MinimumWidth,
+            Self::MinimumWidth => Self::MaximumWidth,
+            Self::MaximumCoordinate => Self::MinimumCoordinate,
+            Self::MinimumCoordinate => Self::MaximumCoordinate,
+            _ => return None,
+        })
+    }
+
+    /// Whether programs leave such a parameter out (nc-programs, section 6).
+    pub const fn may_be_left_out(self) -> bool {
+        matches!(
+            self,
+            Self::CentreTolerance(_)
+                | Self::Log
+                | Self::Stop
+                | Self::StopOnUndersize
+                | Self::Tool
+                | Self::Shift
+                | Self::SetUpClearance
+                | Self::MoveToClearance
+                | Self::Traverse
+                | Self::ContactCount
+        )
+    }
+
     /// The meaning of a parameter whose declaration gives no more than its range.
     pub(super) const fn of_range(range: Range) -> Self {
         match range {

@@ -251,6 +251,17 @@ impl Cycle {
         Ok(checked)
     }
 
+    /// The error of a limit that is given without the other limit of the same value, which would count as 0.
+    pub fn half_limits(&self, inputs: &Inputs) -> Option<CycleError> {
+        let given = self.parameters.iter().filter(|parameter| inputs.is_given(parameter.key));
+        let mut halves = given.filter_map(|given| {
+            let other = given.meaning.other_limit()?;
+            let missing = self.parameters.iter().find(|parameter| parameter.meaning == other)?;
+            (!inputs.is_given(missing.key)).then_some(CycleError::OneLimit { given: given.key, missing: missing.key })
+        });
+        halves.next()
+    }
+
     fn no_such(&self, parameter: &str) -> CycleError {
         let known = self.parameters.iter().map(|known| known.key.to_string()).collect::<Vec<_>>().join(", ");
         CycleError::NoSuchParameter { cycle: self.code, parameter: parameter.to_owned(), known }

@@ -84,6 +84,9 @@ impl Run {
         self.blocks += 1;
         self.flow.pass(at, &block.body)?;
         if block.may_be_skipped && settings.block_skip {
+            if matches!(block.body, Body::Probe(_)) {
+                self.remark(at, Remark::CycleSkipped);
+            }
             return Ok(Step::Went);
         }
         let step = self.body(at, block, files, settings);
@@ -287,6 +290,7 @@ impl Run {
         self.values.measured();
         self.around.stated(block, self.flow.unit(), &mut self.values)?;
         if let Some(log) = Log::of(cycle, &result, &self.flow, settings)? {
+            self.remarks.add_all(&place, log.other(&result).into_iter().collect());
             log.write(place.clone(), &mut self.prints, files, &mut self.remarks)?;
         }
         let step = match (&result.stop, result.log) {

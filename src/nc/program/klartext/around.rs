@@ -230,6 +230,11 @@ fn transformation(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
             }
             Frame::Shift(shift)
         } else if cursor.take_word("RESET") {
+            // A reset of some axes only is no form that is known.
+            if !cursor.is_at_end() {
+                cursor.take_rest();
+                return Ok(None);
+            }
             Frame::NoShift
         } else {
             Frame::ShiftFromTable
@@ -388,6 +393,10 @@ pub(in super::super) fn defined(cycle: CycleBlock) -> Body {
     }
     if cycle.number != "247" {
         return Body::CycleDefinition(cycle);
+    }
+    // What else it may say, such as which axes, is not known.
+    if cycle.lines.iter().any(|line| line.parameter != Parameter::q(339).into()) {
+        return Body::Other;
     }
     let is_preset = |line: &&CycleLine| line.parameter == Parameter::q(339).into();
     let mut presets = cycle.lines.iter().filter(is_preset).map(|line| match line.value {
