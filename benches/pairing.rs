@@ -8,7 +8,7 @@ use criterion::{Criterion, criterion_group, criterion_main};
 use fitcheck::length::Length;
 use fitcheck::pairing::{Ranges, grinding, groups, pair};
 use rand_chacha::ChaCha8Rng;
-use rand_chacha::rand_core::SeedableRng as _;
+use rand_chacha::rand_core::{Rng as _, SeedableRng as _};
 
 const COUNT: usize = 100_000;
 

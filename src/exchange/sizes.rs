@@ -28,7 +28,7 @@ pub struct Size {
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Sizes {
     /// What can be used, in the file's order.
-    pub sizes: Vec<Size>,
+    pub measured: Vec<Size>,
     /// Rows that cannot be used, or the reason why the whole file cannot be.
     pub errors: Vec<Located<ImportError>>,
     /// Warnings about what was still readable.
@@ -47,7 +47,7 @@ pub(super) struct SizesOf<'a> {
 /// use fitcheck::tolerance::Feature;
 ///
 /// let read = fitcheck::exchange::sizes("holes.csv", b"id;measured\nH1;25,012\nH2;\n", Feature::Hole);
-/// assert_eq!(read.sizes[0].measured.to_string(), "25.012");
+/// assert_eq!(read.measured[0].measured.to_string(), "25.012");
 /// assert_eq!(read.errors[0].to_string(), "line 3, column 2: measured: a length is missing");
 /// ```
 pub fn sizes(file_name: &str, bytes: &[u8], feature: Feature) -> Sizes {
@@ -59,14 +59,14 @@ pub fn sizes(file_name: &str, bytes: &[u8], feature: Feature) -> Sizes {
         _ if bytes.iter().all(u8::is_ascii_whitespace) => read.refuse(1, ImportErrorKind::Empty),
         None => read.refuse(1, ImportErrorKind::NotRecognised),
         Some(format) if format.name == measurements::FORMAT.name => {
-            let Sizes { sizes, errors, warnings } = &mut read;
+            let Sizes { measured, errors, warnings } = &mut read;
             let mut beside = |item| match item {
                 Item::Error(error) => errors.push(*error),
                 Item::Warning(warning) => warnings.push(warning),
                 // A row of sizes becomes nothing else.
                 Item::Record { .. } | Item::Unjudged(_) | Item::Contacts(_) => {}
             };
-            let sizes = SizesOf { feature, take: &mut |size| sizes.push(size) };
+            let sizes = SizesOf { feature, take: &mut |size| measured.push(size) };
             measurements::read_sizes(&source, &mut Sink::new(&mut beside), sizes);
         }
         Some(format) => (format.read)(&source, &mut Sink::new(&mut |item| read.take(item, feature))),
@@ -82,7 +82,7 @@ impl Sizes {
     /// What a log says of a size.
     fn take(&mut self, item: Item, feature: Feature) {
         match item {
-            Item::Record { line, record } if record.limits.feature == feature => self.sizes.push(Size {
+            Item::Record { line, record } if record.limits.feature == feature => self.add(Size {
                 line,
                 id: record.id.clone(),
                 measured: record.measurement.diameter,
@@ -101,11 +101,17 @@ impl Sizes {
         let Unjudged { line, id, measured, why, .. } = unjudged;
         let is_size = matches!(why, WhyUnjudged::NoCallout | WhyUnjudged::NoLimits { .. });
         match measured {
-            Some(measured) if is_size && Length::ZERO < measured => {
-                self.sizes.push(Size { line, id, measured, is_simulated: false });
-            }
+            Some(measured) if is_size => self.add(Size { line, id, measured, is_simulated: false }),
             None => self.refuse(line, ImportErrorKind::ContactsNotSizes),
             Some(_) => self.refuse(line, ImportErrorKind::NotASize(why.message())),
+        }
+    }
+
+    fn add(&mut self, size: Size) {
+        if Length::ZERO < size.measured {
+            self.measured.push(size);
+        } else {
+            self.refuse(size.line, ImportErrorKind::NotPositive { given: size.measured.to_string() });
         }
     }
 }

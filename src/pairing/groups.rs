@@ -77,7 +77,7 @@ impl Group {
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Groups {
     /// The groups, the smallest sizes first.
-    pub groups: Vec<Group>,
+    pub all: Vec<Group>,
     /// The group of each hole, counted from 0; `None` outside the range.
     pub holes: Vec<Option<usize>>,
     /// The group of each shaft.
@@ -115,7 +115,7 @@ pub fn groups(holes: &[Length], shafts: &[Length], count: usize, ranges: Ranges)
         }
     });
     Ok(Groups {
-        groups: groups.collect(),
+        all: groups.collect(),
         holes: holes.iter().map(|hole| hole_split.group(*hole)).collect(),
         shafts: shafts.iter().map(|shaft| shaft_split.group(*shaft)).collect(),
     })

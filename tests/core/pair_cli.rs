@@ -57,7 +57,7 @@ fn names_and_measured_sizes_are_enough() {
     let clearances: Vec<_> = answer["pairs"].as_array().unwrap().iter().map(|pair| &pair["clearance_um"]).collect();
     assert_eq!(clearances, [17, 14, 14, 14, 17]);
     // Twice the 6 µm from the middle, 20 µm.
-    let actual = json!({"minimum_clearance_um": 14, "maximum_clearance_um": 17, "band_um": 12});
+    let actual = json!({"pairs": 5, "minimum_clearance_um": 14, "maximum_clearance_um": 17, "band_um": 12});
     assert_eq!(answer["actual"], actual);
     let part = json!({"id": "H5", "line": 6, "mm": 25.002, "group": null, "simulated": false});
     assert_eq!(answer["pairs"][0]["hole"], part);
@@ -90,7 +90,7 @@ fn a_fit_gives_the_bounds_and_its_zones_the_groups() {
     assert_eq!(json!(holes), json!({"a": 1, "b": 2, "c": 3, "d": null}));
     assert_eq!((&answer["holes_outside_groups"], &answer["shafts_outside_groups"]), (&json!(1), &json!(0)));
     let first = json!({
-        "number": 1, "hole_from_mm": 25.0, "hole_to_mm": 25.007, "shaft_from_mm": 24.98, "shaft_to_mm": 24.984334,
+        "number": 1, "hole_from_mm": 25.0, "hole_to_mm": 25.007, "shaft_from_mm": 24.98, "shaft_to_mm": 24.984_334,
         "holes": 1, "shafts": 1, "pairs": 1, "minimum_clearance_um": 26.999, "maximum_clearance_um": 26.999,
         "all_within": true,
     });

@@ -308,15 +308,15 @@ fn a_size_at_the_end_of_a_group_belongs_to_the_next_one() {
     assert_eq!(sorted.holes, [None, Some(0), Some(0), Some(1), Some(1), Some(2), Some(2), None]);
     assert_eq!(sorted.shafts, [Some(0), Some(0), Some(1), Some(1), Some(2), Some(2)]);
     assert_eq!(sorted.outside(), (2, 0));
-    let ends: Vec<_> = sorted.groups.iter().map(|group| (group.hole_range, group.shaft_range)).collect();
+    let ends: Vec<_> = sorted.all.iter().map(|group| (group.hole_range, group.shaft_range)).collect();
     assert_eq!(
         ends,
         [(range(100, 104), range(90, 93)), (range(104, 107), range(93, 96)), (range(107, 110), range(96, 99)),]
     );
-    let clearances: Vec<_> = sorted.groups.iter().map(|group| group.clearances).collect();
+    let clearances: Vec<_> = sorted.all.iter().map(|group| group.clearances).collect();
     let both = |smallest, largest| Some((nm(smallest), nm(largest)));
     assert_eq!(clearances, [both(8, 13), both(9, 13), both(8, 14)]);
-    let within: Vec<_> = sorted.groups.iter().map(|group| group.all_within(wanted(8, 13))).collect();
+    let within: Vec<_> = sorted.all.iter().map(|group| group.all_within(wanted(8, 13))).collect();
     assert_eq!(within, [Some(true), Some(true), Some(false)]);
 }
 
@@ -336,7 +336,7 @@ fn groups_need_sizes_and_a_width() {
     // One group needs no width.
     let (holes, shafts) = (all_nm(&[10]), all_nm(&[5]));
     let one = groups(&holes, &shafts, 1, Ranges::measured(&holes, &shafts).unwrap()).unwrap();
-    assert_eq!((one.holes, one.shafts, one.groups[0].pairs()), (vec![Some(0)], vec![Some(0)], 1));
+    assert_eq!((one.holes, one.shafts, one.all[0].pairs()), (vec![Some(0)], vec![Some(0)], 1));
 }
 
 proptest! {
@@ -345,19 +345,19 @@ proptest! {
         let (holes, shafts) = (all_nm(&holes), all_nm(&shafts));
         let sorted = Ranges::measured(&holes, &shafts).and_then(|ranges| groups(&holes, &shafts, count, ranges));
         let Ok(sorted) = sorted else { return Ok(()) };
-        let last = sorted.groups.len() - 1;
+        let last = sorted.all.len() - 1;
         for (hole, group) in holes.iter().zip(&sorted.holes) {
             let number = group.unwrap();
-            let range = sorted.groups[number].hole_range;
+            let range = sorted.all[number].hole_range;
             prop_assert!(range.from <= *hole && (*hole < range.to || number == last && *hole == range.to));
         }
-        prop_assert_eq!(sorted.groups.iter().map(|group| group.holes).sum::<usize>(), holes.len());
-        prop_assert_eq!(sorted.groups.iter().map(|group| group.shafts).sum::<usize>(), shafts.len());
+        prop_assert_eq!(sorted.all.iter().map(|group| group.holes).sum::<usize>(), holes.len());
+        prop_assert_eq!(sorted.all.iter().map(|group| group.shafts).sum::<usize>(), shafts.len());
         // Ends meet, and widths differ by a nanometre at most.
-        for both in sorted.groups.windows(2) {
+        for both in sorted.all.windows(2) {
             prop_assert_eq!(both[0].hole_range.to, both[1].hole_range.from);
         }
-        let widths: Vec<_> = sorted.groups.iter().map(|group| group.hole_range.to.saturating_sub(group.hole_range.from)).collect();
+        let widths: Vec<_> = sorted.all.iter().map(|group| group.hole_range.to.saturating_sub(group.hole_range.from)).collect();
         let apart = widths.iter().max().unwrap().saturating_sub(*widths.iter().min().unwrap());
         prop_assert!(apart <= nm(1) || count == 1);
     }

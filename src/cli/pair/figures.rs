@@ -38,6 +38,7 @@ struct Figures<'a> {
 
 #[derive(Serialize)]
 struct Actual {
+    pairs: usize,
     minimum_clearance_um: Figure,
     maximum_clearance_um: Figure,
     band_um: Figure,
@@ -162,9 +163,10 @@ impl<'a> Figures<'a> {
             fit: answer.fit.map(ToString::to_string),
             minimum_clearance_um: Figure::um(wanted.minimum()),
             maximum_clearance_um: Figure::um(wanted.maximum()),
-            holes: holes.parts.len(),
-            shafts: shafts.parts.len(),
+            holes: holes.sizes.len(),
+            shafts: shafts.sizes.len(),
             actual: actual(&pairing.pairs).map(|(smallest, largest)| Actual {
+                pairs: pairing.pairs.len(),
                 minimum_clearance_um: Figure::um(smallest),
                 maximum_clearance_um: Figure::um(largest),
                 band_um: Figure::um(pairing.band),
@@ -213,7 +215,7 @@ impl<'a> Both<'a, '_> {
 
 impl<'a> PartFigures<'a> {
     fn of(parts: &'a Parts, at: usize, groups: Option<&[Option<usize>]>) -> Option<Self> {
-        let part = parts.parts.get(at)?;
+        let part = parts.sizes.get(at)?;
         let group = groups.and_then(|groups| *groups.get(at)?);
         Some(Self {
             id: &part.id,
@@ -240,7 +242,7 @@ impl GrindingFigures {
 
 impl GroupFigures {
     fn all(groups: &Groups, wanted: Wanted) -> Vec<Self> {
-        (1..).zip(&groups.groups).map(|(number, group)| Self::of(number, group, wanted)).collect()
+        (1..).zip(&groups.all).map(|(number, group)| Self::of(number, group, wanted)).collect()
     }
 
     fn of(at: usize, group: &Group, wanted: Wanted) -> Self {

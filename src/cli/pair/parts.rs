@@ -15,7 +15,7 @@ use crate::tolerance::Feature;
 pub(super) struct Parts {
     /// The file as the user named it.
     pub(super) file: String,
-    pub(super) parts: Vec<Size>,
+    pub(super) sizes: Vec<Size>,
     /// The size of each part, in the same order.
     pub(super) measured: Vec<Length>,
     /// What could not be used.
@@ -29,11 +29,11 @@ impl Parts {
     pub(super) fn read(path: &Path, feature: Feature, io: &mut Io<'_>) -> Result<Self, CliError> {
         let (name, bytes) = read_input(path, io)?;
         let file = if path.as_os_str() == "-" { name.clone() } else { path.display().to_string() };
-        let Sizes { sizes: parts, errors, warnings } = sizes(&name, &bytes, feature);
+        let Sizes { measured: found, errors, warnings } = sizes(&name, &bytes, feature);
         let mut notes: Vec<(Option<usize>, Message)> =
             warnings.iter().map(|found| (found.place.line, found.what.message())).collect();
-        notes.extend(named_twice(&parts).map(|twice| (None, twice.message())));
-        let count = parts.iter().filter(|part| part.is_simulated).count();
+        notes.extend(named_twice(&found).map(|twice| (None, twice.message())));
+        let count = found.iter().filter(|part| part.is_simulated).count();
         if 0 < count {
             notes.push((None, CliWarning::SimulatedRows { count }.message()));
         }
@@ -43,8 +43,8 @@ impl Parts {
             io.tell(format_args!("{place}: {}", warning(&what)));
             warnings.push(format!("{place}: {what}"));
         }
-        let measured = parts.iter().map(|part| part.measured).collect();
-        let read = Self { file, parts, measured, errors, warnings };
+        let measured = found.iter().map(|part| part.measured).collect();
+        let read = Self { file, sizes: found, measured, errors, warnings };
         for error in &read.errors {
             io.tell(format_args!("{}: {}", read.place(error), error.what.kind));
         }

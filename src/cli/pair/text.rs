@@ -16,8 +16,8 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
     writeln!(
         out,
         "{}, {}, {fit}wanted clearance {}{negative}: {}",
-        counted(holes.parts.len(), "hole"),
-        counted(shafts.parts.len(), "shaft"),
+        counted(holes.sizes.len(), "hole"),
+        counted(shafts.sizes.len(), "shaft"),
         range(wanted.minimum(), wanted.maximum()),
         counted(pairing.pairs.len(), "pair"),
     )?;
@@ -66,7 +66,7 @@ const fn simulated(part: &Size, what: &'static str) -> &'static str {
 
 fn pairs(out: &mut dyn Write, answer: &Answer<'_>, pairs: &[Pair]) -> Result<()> {
     let row = |pair: &Pair| {
-        let (hole, shaft) = (answer.holes.parts.get(pair.hole)?, answer.shafts.parts.get(pair.shaft)?);
+        let (hole, shaft) = (answer.holes.sizes.get(pair.hole)?, answer.shafts.sizes.get(pair.shaft)?);
         let notes = [simulated(hole, "hole simulated"), simulated(shaft, "shaft simulated")];
         let notes = notes.into_iter().filter(|note| !note.is_empty()).collect::<Vec<_>>().join(", ");
         let clearance = pair.clearance.signed_um();
@@ -85,7 +85,7 @@ fn leftovers(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
     let (hole_count, shaft_count) = (counted(pairing.holes.len(), "hole"), counted(pairing.shafts.len(), "shaft"));
     writeln!(out, "\nleft over: {hole_count}, {shaft_count}")?;
     let left = |what: &'static str, parts: &Parts, positions: &[usize]| -> Vec<[String; 4]> {
-        let parts = positions.iter().filter_map(|&at| parts.parts.get(at));
+        let parts = positions.iter().filter_map(|&at| parts.sizes.get(at));
         let row = |part: &Size| [what.into(), name(part), mm(part.measured), simulated(part, "simulated").into()];
         parts.map(row).collect()
     };
@@ -138,7 +138,7 @@ fn sorted(out: &mut dyn Write, groups: &Groups, wanted: Wanted) -> Result<()> {
             within.to_owned(),
         ]
     };
-    let rows: Vec<_> = (1..).zip(&groups.groups).map(row).collect();
+    let rows: Vec<_> = (1..).zip(&groups.all).map(row).collect();
     let headings = ["group", "holes from … to mm", "count", "shafts from … to mm", "count", "pairs", "clearance", ""];
     table(out, headings, [true, false, true, false, true, true, false, false], &rows)?;
     match groups.outside() {
