@@ -71,8 +71,8 @@ Examples:
   fitcheck pair holes.csv shafts.csv --clearance -0.020..-0.005 --format csv -o pairs.csv
 
 The columns are found as fitcheck import finds them; only names and measured sizes are needed. Of a
-callout only the side counts, if it can be read: a shaft among the holes is refused. In a file without
-header names are not numbers, or they would be contacts.
+callout only the side counts, if it can be read: a shaft among the holes is refused. In a file
+without header names are not numbers, or they would be contacts.
 
 There are as many pairs as possible and, among these, the ones in the narrowest band around the
 middle of the wanted clearances. Each hole, from the smallest, gets the smallest shaft that is left
