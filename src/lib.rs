@@ -9,6 +9,7 @@
 //! | [`tolerance`] | callouts, classes, limits |
 //! | [`probing`] | contacts, circles, measuring cycles, the simulated workpiece |
 //! | [`verdict`] | good, rework, scrap |
+//! | [`pairing`] | which measured holes go with which measured shafts |
 //! | [`control`] | the control's tables, masks and logs |
 //! | [`nc`] | NC programs: read, written, run |
 //! | [`exchange`] | files of other tools |
@@ -30,6 +31,7 @@ pub mod journal;
 pub mod length;
 pub mod message;
 pub mod nc;
+pub mod pairing;
 pub mod probing;
 pub mod report;
 pub mod session;

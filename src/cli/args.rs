@@ -126,6 +126,12 @@ impl FromArgMatches for TableArgs {
 }
 
 impl TableArgs {
+    /// Whether anything but the default is asked for.
+    pub(super) fn is_given(&self) -> bool {
+        let standard = self.0.standard.options() != iso286::Options::default();
+        self.0.tables.is_some() || self.0.source != Base::default() || standard
+    }
+
     /// Where limits are looked up; warnings about the user's own tables go to standard error.
     pub(super) fn load(&self, io: &mut Io<'_>) -> Result<Sources, CliError> {
         let GivenTables { tables, source, standard } = &self.0;

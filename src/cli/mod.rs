@@ -47,6 +47,7 @@ mod import;
 mod io;
 mod limits;
 mod nc;
+mod pair;
 mod report;
 mod rule;
 mod run;
@@ -93,6 +94,7 @@ subcommands! {
     Cycle(cycle::Args),
     Decide(decide::Args),
     Nc(nc::Args),
+    Pair(pair::Args),
     Report(report::Args),
     Run(run::Args),
     Sql(sql::Args),

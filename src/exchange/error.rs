@@ -5,7 +5,7 @@ use crate::control::log::{LogFault, LogWarningKind};
 use crate::control::point_log::PointFault;
 use crate::length::{Length, LengthError};
 use crate::message::{Located, Message, Say, shortened};
-use crate::tolerance::{Callout, CalloutError, LimitsError};
+use crate::tolerance::{Callout, CalloutError, Feature, LimitsError};
 
 /// A row that could not be used. Its place has its line, or 1 for the whole file; the column is the number of the cell
 /// in its row or, in a log, the character in its line.
@@ -137,6 +137,22 @@ pub enum ImportErrorKind {
         /// The two cells together.
         joined: String,
     },
+    /// A callout of a shaft among holes, or of a hole among shafts.
+    OtherFeature {
+        /// The callout.
+        given: String,
+        /// What the file should hold.
+        feature: Feature,
+    },
+    /// The measurement of a hole or of a shaft in a log among the others.
+    OtherLog {
+        /// What the file should hold.
+        feature: Feature,
+    },
+    /// A measurement that is not a size.
+    NotASize(#[say(name = "what")] Message),
+    /// Contacts where sizes are needed.
+    ContactsNotSizes,
     /// More rows than [`MOST_ROWS`](super::imported::MOST_ROWS).
     TooManyRows {
         /// How many.

@@ -170,6 +170,11 @@ impl<'a> Sink<'a> {
         self.rows
     }
 
+    /// Counts a row that went elsewhere.
+    pub(super) const fn count(&mut self) {
+        self.rows += 1;
+    }
+
     /// Whether no more is read, after an error that says so.
     pub(super) fn is_full(&mut self, line: usize) -> bool {
         let is_full = MOST_ROWS <= self.rows;

@@ -14,6 +14,7 @@ use super::delimited::{Item, LONGEST_ROW, Rows, without_separator_line};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
 use super::imported::{Sink, Unjudged, WhyUnjudged};
 use super::rules::{Cell, Found, Refused, Rules};
+use super::sizes::{Size, SizesOf};
 use super::{Format, Source};
 use crate::journal::Record;
 use crate::message::Place;
@@ -34,6 +35,15 @@ fn is_text(head: &str) -> bool {
 }
 
 fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
+    read_rows(source, sink, None);
+}
+
+/// Reads the measured sizes alone: limits are not looked up.
+pub(super) fn read_sizes(source: &Source<'_>, sink: &mut Sink<'_>, sizes: SizesOf<'_>) {
+    read_rows(source, sink, Some(sizes));
+}
+
+fn read_rows(source: &Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>) {
     let text = source.text();
     let (text, first_line, separator) = without_separator_line(&text);
     let sample = Sample::of(text, first_line, separator);
@@ -44,7 +54,7 @@ fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
     let separator = sample.separator;
     // The first rows are read once more with the rest.
     drop(sample);
-    let mut reader = Reader { source, columns: &columns, separator, sink, is_open: false };
+    let mut reader = Reader { source, columns: &columns, separator, sink, is_open: false, sizes };
     reader.warn_of_columns(first_line);
     let nothing = Cell { at: None, text: "" };
     let has_end = text.ends_with(['\n', '\r']);
@@ -74,22 +84,24 @@ pub(super) fn read_row(
     (line, cells): (usize, &StringRecord),
     sink: &mut Sink<'_>,
 ) {
-    let mut reader = Reader { source, columns, separator, sink, is_open: false };
+    let mut reader = Reader { source, columns, separator, sink, is_open: false, sizes: None };
     if let Err((cell, reason)) = reader.measurement(line, cells) {
         reader.refuse(line, cell, reason);
     }
 }
 
-struct Reader<'a, 's> {
+struct Reader<'a, 's, 'z> {
     source: &'a Source<'a>,
     columns: &'a Columns,
     separator: u8,
     sink: &'a mut Sink<'s>,
     /// Whether the row is the last one and has no line end.
     is_open: bool,
+    /// Where sizes go, if they alone are wanted.
+    sizes: Option<SizesOf<'z>>,
 }
 
-impl Reader<'_, '_> {
+impl<'a> Reader<'a, '_, '_> {
     fn warn_of_columns(&mut self, first_line: usize) {
         let line = self.columns.header.unwrap_or(first_line);
         if !self.columns.ignored.is_empty() {
@@ -113,7 +125,11 @@ impl Reader<'_, '_> {
         }
         if cells::is_comment(cells) {
             let rules = self.rules();
-            if !rules.hides_measurement(cells) {
+            let hides = match &self.sizes {
+                Some(sizes) => rules.hides_size(cells, sizes.feature),
+                None => rules.hides_measurement(cells),
+            };
+            if !hides {
                 return;
             }
             if self.columns.header.is_some_and(|header| line < header) {
@@ -127,12 +143,24 @@ impl Reader<'_, '_> {
             Some(header) if line <= header => return self.warn(line, ImportWarningKind::not_used(cells)),
             _ => {}
         }
-        if let Err((cell, reason)) = self.measurement(line, cells) {
+        let read = if self.sizes.is_some() { self.size(line, cells) } else { self.measurement(line, cells) };
+        if let Err((cell, reason)) = read {
             self.refuse(line, cell, reason);
         }
     }
 
-    fn rules(&self) -> Rules<'_> {
+    /// Takes the size of a row, or names the cell that cannot be used.
+    fn size<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
+        let rules = self.rules();
+        let Some(sizes) = &mut self.sizes else { return Ok(()) };
+        let Found { measured, is_simulated, .. } = rules.size(cells, sizes.feature)?;
+        let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
+        self.sink.count();
+        (sizes.take)(Size { line, id, measured, is_simulated });
+        Ok(())
+    }
+
+    fn rules(&self) -> Rules<'a> {
         Rules { columns: self.columns, has_commas: self.separator == b',', sources: self.source.sources }
     }
 

@@ -8,6 +8,7 @@
 //! | `point_log` | logs of points as deviations along the normal |
 //! | `contacts` | CSV of x, y and optionally z |
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
+//! | `sizes` | what was measured alone, of holes or of shafts |
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
 //! | `cells` | what a cell or a row of a CSV seems to hold |
 //! | `tables` | tables of deviations for controls and other tools |
@@ -32,6 +33,7 @@ mod measurements;
 pub mod parquet;
 mod point_log;
 mod rules;
+mod sizes;
 pub mod sql;
 pub mod tables;
 mod units;
@@ -45,6 +47,7 @@ use jiff::civil::DateTime;
 pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
 use imported::Sink;
 pub use imported::{Coordinate, Imported, Item, Unjudged, WhyUnjudged};
+pub use sizes::{Size, Sizes, sizes};
 
 use crate::control::text;
 use crate::message::{Message, Say, display};

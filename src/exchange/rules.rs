@@ -8,7 +8,7 @@ use super::cells;
 use super::columns::{Columns, LengthColumn};
 use super::error::{ImportErrorKind, shorten};
 use crate::length::Length;
-use crate::tolerance::{Callout, CalloutError, Limits, Sources};
+use crate::tolerance::{Callout, CalloutError, Feature, Limits, Sources, ToleranceClass};
 
 /// A cell and its place in the row, from 0.
 #[derive(Debug, Clone, Copy)]
@@ -40,7 +40,7 @@ pub(super) struct Rules<'a> {
 impl Rules<'_> {
     /// What a row says, or the first cell that cannot be used.
     pub(super) fn read<'c>(&self, cells: &'c StringRecord) -> Result<Found, Refused<'c>> {
-        self.right_length(cells)?;
+        self.right_length(cells, self.columns.tolerance)?;
         let measured = self.measured(cells)?;
         let Some((callout, cell)) = self.callout(cells, measured)? else {
             return Ok(Found { measured, asked: None, is_simulated: false });
@@ -56,6 +56,29 @@ impl Rules<'_> {
         (cells::decimals(given) < self.columns.fewest_decimals?).then(|| given.trim())
     }
 
+    /// The measured size of a row, or the first cell that cannot be used. Of a callout only the side counts: a row of the
+    /// other one is refused.
+    pub(super) fn size<'c>(&self, cells: &'c StringRecord, feature: Feature) -> Result<Found, Refused<'c>> {
+        self.right_length(cells, None)?;
+        let measured = self.measured(cells)?;
+        let text = self.columns.tolerance.and_then(|at| cells.get(at)).unwrap_or_default().trim();
+        let given = shorten(text);
+        let class = || given.parse::<ToleranceClass>().ok().filter(|class| class.has_grade());
+        let found = match given.parse::<Callout>() {
+            Ok(callout) => callout.feature(),
+            Err(_) => class().map(ToleranceClass::feature),
+        };
+        if found.is_some_and(|found| found != feature) {
+            return Err((Cell { at: self.columns.tolerance, text }, ImportErrorKind::OtherFeature { given, feature }));
+        }
+        Ok(Found { measured, asked: None, is_simulated: self.is_simulated(cells)? })
+    }
+
+    /// Whether a comment would be a row with a size, were it none.
+    pub(super) fn hides_size(&self, cells: &StringRecord, feature: Feature) -> bool {
+        self.size(&uncommented(cells), feature).is_ok() || self.hides_measurement(cells)
+    }
+
     /// Whether a comment would be a row with a callout and its measured value, were it none: with its `#` or without.
     pub(super) fn hides_measurement(&self, cells: &StringRecord) -> bool {
         let bare = uncommented(cells);
@@ -64,13 +87,13 @@ impl Rules<'_> {
     }
 
     /// There must be enough cells for what is needed, and none beyond the columns.
-    fn right_length<'c>(&self, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
+    fn right_length<'c>(&self, cells: &'c StringRecord, callout: Option<usize>) -> Result<(), Refused<'c>> {
         let expected = self.columns.count;
         let found = cells.len();
         if let Some((at, text)) = cells.iter().enumerate().skip(expected).find(|(_, cell)| !cell.trim().is_empty()) {
             return Err((Cell { at: Some(at), text }, ImportErrorKind::RowLong { found, expected }));
         }
-        let needed = self.columns.tolerance.into_iter().chain([self.columns.measured.at]).max().unwrap_or_default();
+        let needed = callout.into_iter().chain([self.columns.measured.at]).max().unwrap_or_default();
         if found <= needed {
             return Err((
                 Cell { at: None, text: cells.iter().next_back().unwrap_or_default() },

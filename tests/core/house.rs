@@ -41,13 +41,14 @@ fn none_names(files: &[(String, String)], words: &[&str]) {
 }
 
 /// The rooms from the ground up, each with the rooms that it may name: an arrow only points down.
-const ROOMS: [(&str, &[&str]); 17] = [
+const ROOMS: [(&str, &[&str]); 18] = [
     ("shipped", &[]),
     ("message", &["shipped"]),
     ("length", &["message"]),
     ("words", &["shipped", "message", "length"]),
     ("tolerance", &["message", "length", "words"]),
     ("verdict", &["message", "length", "tolerance"]),
+    ("pairing", &["message", "length", "tolerance"]),
     ("probing", &["message", "length", "words", "tolerance", "verdict"]),
     ("control", &["shipped", "message", "length", "words", "tolerance", "verdict", "probing"]),
     ("nc", &["shipped", "message", "length", "words", "tolerance", "verdict", "probing", "control"]),
@@ -83,6 +84,7 @@ const ROOMS: [(&str, &[&str]); 17] = [
             "words",
             "tolerance",
             "verdict",
+            "pairing",
             "probing",
             "control",
             "nc",
@@ -175,7 +177,7 @@ fn only_the_window_knows_egui() {
 #[test]
 fn the_core_touches_no_file_thread_or_clock() {
     let core = |name: &str| {
-        ["length/", "tolerance/", "probing/", "report/", "exchange/", "session/"]
+        ["length/", "tolerance/", "pairing/", "probing/", "report/", "exchange/", "session/"]
             .iter()
             .any(|room| name.starts_with(room))
             || name.starts_with("verdict/")

@@ -55,6 +55,8 @@ mod nc_plans;
 mod nc_sets;
 mod option_doubts;
 mod own_columns;
+mod pair_cli;
+mod pairing;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod part_plans;

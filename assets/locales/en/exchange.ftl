@@ -34,6 +34,16 @@ exchange-simulated = simulated: { $given } is neither true nor false
 exchange-decimal-sign = measured: { $given } has a different decimal sign than the other values: "{ $sign }"
 exchange-not-positive = measured: a diameter of { $given } is not above 0
 exchange-decimal-comma = { $joined } may be one number with a decimal comma: use a decimal point or another separator
+exchange-other-feature = { $given } is { $feature ->
+        [hole] a shaft, and these are the holes: are the files swapped?
+       *[shaft] a hole, and these are the shafts: are the files swapped?
+    }
+exchange-other-log = { $feature ->
+        [hole] this is the log of a shaft, and these are the holes: are the files swapped?
+       *[shaft] this is the log of a hole, and these are the shafts: are the files swapped?
+    }
+exchange-not-a-size = { $what }: this is not a size that can be paired
+exchange-contacts-not-sizes = rows of two or three numbers are contacts: name the columns in the first line, such as id;measured
 exchange-too-many-rows = only the first { $most } rows were read: split the file
 exchange-unjudged-no-callout = not judged: no callout given
 exchange-unjudged-no-limits = not judged: the log's limits of size are 0, so the diameter was not monitored

@@ -34,6 +34,16 @@ exchange-simulated = gesimuleerd: { $given } is geen true en geen false
 exchange-decimal-sign = gemeten: { $given } heeft een ander decimaalteken dan de andere waarden: "{ $sign }"
 exchange-not-positive = gemeten: een diameter van { $given } is niet groter dan 0
 exchange-decimal-comma = { $joined } is misschien één getal met een decimale komma: gebruik een decimale punt of een ander scheidingsteken
+exchange-other-feature = { $given } is { $feature ->
+        [hole] een as, en dit zijn de boringen: zijn de bestanden verwisseld?
+       *[shaft] een boring, en dit zijn de assen: zijn de bestanden verwisseld?
+    }
+exchange-other-log = { $feature ->
+        [hole] dit is het meetprotocol van een as, en dit zijn de boringen: zijn de bestanden verwisseld?
+       *[shaft] dit is het meetprotocol van een boring, en dit zijn de assen: zijn de bestanden verwisseld?
+    }
+exchange-not-a-size = { $what }: dit is geen maat die kan worden gepaard
+exchange-contacts-not-sizes = rijen van twee of drie getallen zijn meetpunten: benoem de kolommen in de eerste regel, bijvoorbeeld id;gemeten
 exchange-too-many-rows = alleen de eerste { $most } rijen zijn gelezen: splits het bestand
 exchange-unjudged-no-callout = niet beoordeeld: geen passing opgegeven
 exchange-unjudged-no-limits = niet beoordeeld: de grensmaten in het meetprotocol zijn 0, dus de diameter is niet bewaakt

@@ -1,9 +1,14 @@
 //! Any bytes as an import of any format: every row is a record, set aside or an error, with a line of its own; the
-//! verdicts are those of the limits; what is exported as CSV is imported as the same.
+//! verdicts are those of the limits; what is exported as CSV is imported as the same. Read as sizes alone, every record is
+//! one of its side.
 
-use fitcheck::exchange::{FORMATS, Imported, import};
+use std::collections::BTreeSet;
+
+use fitcheck::exchange::{FORMATS, Imported, import, sizes};
 use fitcheck::journal::Record;
+use fitcheck::length::Length;
 use fitcheck::report::csv;
+use fitcheck::tolerance::Feature;
 use fitcheck::verdict::judge;
 
 use super::shared::{NOW, OWN_SOURCES, told};
@@ -11,6 +16,7 @@ use super::shared::{NOW, OWN_SOURCES, told};
 pub fn run(bytes: &[u8]) {
     let imported = import("a.csv", bytes, &OWN_SOURCES, NOW);
     counts(bytes, &imported);
+    sizes_alone(bytes, &imported);
     for format in FORMATS {
         let _either = format.recognises(bytes, "a.csv");
     }
@@ -39,6 +45,23 @@ fn counts(bytes: &[u8], imported: &Imported) {
     }
     for warning in warnings.iter().take(3) {
         told(bytes, warning);
+    }
+}
+
+fn sizes_alone(bytes: &[u8], imported: &Imported) {
+    for feature in [Feature::Hole, Feature::Shaft] {
+        let read = sizes("a.csv", bytes, feature);
+        assert!(!read.measured.is_empty() || !read.errors.is_empty(), "nothing was read, and nothing said");
+        assert!(read.measured.iter().all(|size| Length::ZERO < size.measured));
+        let found: BTreeSet<_> = read.measured.iter().map(|size| (size.line, size.measured)).collect();
+        for (line, record) in imported.lines.iter().zip(&imported.records) {
+            let measured = record.measurement.diameter;
+            let is_size = record.limits.feature == feature && Length::ZERO < measured;
+            assert!(!is_size || found.contains(&(*line, measured)), "line {line}: {measured}");
+        }
+        for error in read.errors.iter().take(3) {
+            told(bytes, error);
+        }
     }
 }
 

@@ -1,0 +1,15 @@
+# pairing
+
+pairing-not-a-range = clearances { $given }: expected the smallest and the largest in mm with two points between them, such as 0.010..0.030
+pairing-minimum = smallest clearance: { $reason }
+pairing-maximum = largest clearance: { $reason }
+pairing-swapped = the smallest clearance { $minimum } mm is larger than the largest, { $maximum } mm
+pairing-too-narrow = { $feature ->
+        [hole] holes
+       *[shaft] shafts
+    } from { $from } to { $to } mm cannot be sorted into { $count } groups: a group has at least one nanometre
+pairing-group-count = { $count } groups: expected 1 to { $most }
+pairing-no-sizes = there are no { $feature ->
+        [hole] holes
+       *[shaft] shafts
+    } to sort

@@ -1,0 +1,191 @@
+//! `fitcheck pair`: which measured holes go with which measured shafts.
+//!
+//! | file | what |
+//! |---|---|
+//! | `parts` | the measured parts of a file |
+//! | `figures` | the answer in figures: the names that CSV and JSON share |
+//! | `text` | the same for people |
+
+mod figures;
+mod parts;
+mod text;
+
+use std::path::{Path, PathBuf};
+
+use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, heard_or_not, save_with};
+use crate::pairing::{Grinding, Groups, MOST_AMOUNTS, MOST_GROUPS, Pairing, Range, Ranges, Wanted};
+use crate::pairing::{grinding, groups, pair};
+use crate::report::columns::names;
+use crate::tolerance::fit::Fit;
+use crate::tolerance::{Callout, Feature};
+use parts::Parts;
+
+/// Pair measured holes with measured shafts for a wanted clearance: selective assembly
+#[derive(Debug, clap::Args)]
+#[command(after_help = help())]
+pub(super) struct Args {
+    /// File of measured holes, in any format that import reads; - reads standard input
+    #[arg(value_name = "HOLES")]
+    holes: PathBuf,
+
+    /// File of measured shafts
+    #[arg(value_name = "SHAFTS")]
+    shafts: PathBuf,
+
+    /// Wanted clearances in mm, both ends included, such as 0.010..0.030; a negative one is an interference
+    #[arg(
+        long,
+        value_name = "MM..MM",
+        allow_hyphen_values = true,
+        required_unless_present = "fit",
+        conflicts_with = "fit"
+    )]
+    clearance: Option<String>,
+
+    /// Fit whose clearances are wanted, such as "25 H7/g6"
+    #[arg(long, value_name = "CALLOUT")]
+    fit: Option<String>,
+
+    /// Also sort into N groups of equal width: over what was measured or, with --fit, over its zones
+    #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1_000))]
+    classes: Option<u16>,
+
+    /// Format of the answer
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+
+    /// The file to write; - or no file is standard output
+    #[arg(short, long, value_name = "FILE")]
+    output: Option<PathBuf>,
+
+    #[command(flatten)]
+    tables: TableArgs,
+}
+
+fn help() -> String {
+    format!(
+        "\
+Examples:
+  fitcheck pair holes.csv shafts.csv --clearance 0.010..0.030
+  fitcheck pair holes.csv shafts.csv --fit \"25 H7/g6\" --classes 5
+  fitcheck pair holes.csv shafts.csv --clearance -0.020..-0.005 --format csv -o pairs.csv
+
+The columns are found as fitcheck import finds them; only names and measured sizes are needed. Of a
+callout only the side counts, if it can be read: a shaft among the holes is refused. In a file
+without header names are not numbers, or they would be contacts.
+
+There are as many pairs as possible and, among these, the ones in the narrowest band around the
+middle of the wanted clearances. Each hole, from the smallest, gets the smallest shaft that is left
+and within that band; parts of equal size go in the order of their file.
+
+--classes: a size at the end of a group belongs to the next group; the last group has both its ends.
+Clearances of a group are those that its measured parts can have. At most {MOST_GROUPS} groups.
+
+What is left over may be saved by grinding: amounts from 1 µm in steps of 1 µm, at most {MOST_AMOUNTS} µm,
+off all leftover shafts or out of all leftover holes, which comes to the same. The smallest amount
+that makes most further pairs is given; pairs that are made stay.
+
+CSV has a row per result (pair, leftover, grinding, saved, group, refused) and these columns:
+{}.
+JSON has the same names within pairs, leftover_holes, leftover_shafts, grinding, saved, groups and
+refused, and besides fit, holes, shafts, minimum_clearance_um and maximum_clearance_um as wanted,
+actual (of the pairs, with band_um), holes_outside_groups, shafts_outside_groups and warnings. saved
+are the pairs after grinding, with their clearances then.
+
+Exit codes: 0 done, 1 where any row or file could not be used, 2 wrong usage.",
+        names(&figures::Row::COLUMNS).join(", "),
+    )
+}
+
+/// What is printed.
+struct Answer<'a> {
+    holes: &'a Parts,
+    shafts: &'a Parts,
+    wanted: Wanted,
+    fit: Option<&'a Callout>,
+    pairing: Pairing,
+    /// `None` where holes or shafts are not left over.
+    grinding: Option<Grinding>,
+    groups: Option<Groups>,
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let fit = self.fit(io)?;
+        let wanted = match (&self.clearance, &fit) {
+            (Some(text), _) => text.parse::<Wanted>(),
+            (None, Some((_, fit))) => Wanted::new(fit.minimum_clearance(), fit.maximum_clearance()),
+            // clap has refused it.
+            (None, None) => "".parse(),
+        };
+        let wanted = wanted.said()?;
+        super::io::warn_of_repeats(&[self.holes.clone(), self.shafts.clone()], io);
+        for input in [&self.holes, &self.shafts] {
+            self.not_the_output(input)?;
+        }
+        let holes = Parts::read(&self.holes, Feature::Hole, io)?;
+        let shafts = Parts::read(&self.shafts, Feature::Shaft, io)?;
+        let pairing = pair(&holes.measured, &shafts.measured, wanted);
+        let grinding = grinding(&holes.measured, &shafts.measured, &pairing, wanted);
+        let groups = self.groups(&holes, &shafts, fit.as_ref().map(|(_, fit)| fit))?;
+        let fit = fit.as_ref().map(|(callout, _)| callout);
+        let answer = Answer { holes: &holes, shafts: &shafts, wanted, fit, pairing, grinding, groups };
+        self.print(&answer, io)?;
+        let is_whole = holes.errors.is_empty() && shafts.errors.is_empty();
+        Ok(if is_whole { Outcome::Done } else { Outcome::BadData })
+    }
+
+    /// The callout of `--fit` and its limits.
+    fn fit(&self, io: &mut Io<'_>) -> Result<Option<(Callout, Fit)>, CliError> {
+        let Some(text) = &self.fit else {
+            if self.tables.is_given() {
+                io.warn(&CliWarning::TablesNotUsed);
+            }
+            return Ok(None);
+        };
+        let sources = self.tables.load(io)?;
+        let callout: Callout = text.parse().said()?;
+        let fit = Fit::of_callout(&callout, &sources).said()?;
+        Ok(Some((callout, fit)))
+    }
+
+    fn groups(&self, holes: &Parts, shafts: &Parts, fit: Option<&Fit>) -> Result<Option<Groups>, CliError> {
+        let Some(count) = self.classes else { return Ok(None) };
+        let (holes, shafts) = (&holes.measured, &shafts.measured);
+        let ranges = match fit {
+            Some(fit) => Ranges {
+                holes: Range { from: fit.hole().minimum(), to: fit.hole().maximum() },
+                shafts: Range { from: fit.shaft().minimum(), to: fit.shaft().maximum() },
+            },
+            None => Ranges::measured(holes, shafts).said()?,
+        };
+        groups(holes, shafts, count.into(), ranges).said().map(Some)
+    }
+
+    /// An answer never replaces what it was made from.
+    fn not_the_output(&self, input: &Path) -> Result<(), CliError> {
+        let Some(output) = &self.output else { return Ok(()) };
+        if same_file::is_same_file(input, output).unwrap_or(false) {
+            return Err(CliError::BatchOntoItself { path: output.clone() });
+        }
+        Ok(())
+    }
+
+    fn print(&self, answer: &Answer<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
+        let write = match self.format {
+            Format::Text => text::write,
+            Format::Csv => figures::csv,
+            Format::Json => figures::json,
+        };
+        match self.output.as_deref().filter(|path| *path != Path::new("-")) {
+            Some(path) => save_with(path, &mut |out| write(out, answer), io),
+            None if self.format == Format::Text => {
+                // In one piece: what a person reads is looked through piece by piece.
+                let mut text = Vec::new();
+                write(&mut text, answer)?;
+                heard_or_not(io.people().write_all(&text))
+            }
+            None => heard_or_not(write(&mut io.data(), answer)),
+        }
+    }
+}

@@ -1,0 +1,73 @@
+//! The measured parts of a file, with everything about it that has to be said.
+
+use std::collections::HashMap;
+use std::path::Path;
+
+use crate::cli::io::{Io, read_input};
+use crate::cli::said::warning;
+use crate::cli::{CliError, CliWarning};
+use crate::exchange::{ImportError, Size, Sizes, sizes};
+use crate::length::Length;
+use crate::message::{Located, Message, Say as _};
+use crate::tolerance::Feature;
+
+/// Holes or shafts of a file.
+pub(super) struct Parts {
+    /// The file as the user named it.
+    pub(super) file: String,
+    pub(super) sizes: Vec<Size>,
+    /// The size of each part, in the same order.
+    pub(super) measured: Vec<Length>,
+    /// What could not be used.
+    pub(super) errors: Vec<Located<ImportError>>,
+    /// What was said about the file.
+    pub(super) warnings: Vec<String>,
+}
+
+impl Parts {
+    /// Reads a file; errors and warnings also go to standard error.
+    pub(super) fn read(path: &Path, feature: Feature, io: &mut Io<'_>) -> Result<Self, CliError> {
+        let (name, bytes) = read_input(path, io)?;
+        let file = if path.as_os_str() == "-" { name.clone() } else { path.display().to_string() };
+        let Sizes { measured: found, errors, warnings } = sizes(&name, &bytes, feature);
+        let mut notes: Vec<(Option<usize>, Message)> =
+            warnings.iter().map(|found| (found.place.line, found.what.message())).collect();
+        notes.extend(named_twice(&found).map(|twice| (None, twice.message())));
+        let count = found.iter().filter(|part| part.is_simulated).count();
+        if 0 < count {
+            notes.push((None, CliWarning::SimulatedRows { count }.message()));
+        }
+        let mut warnings = Vec::new();
+        for (line, what) in notes {
+            let place = line.map_or_else(|| file.clone(), |line| format!("{file}:{line}"));
+            io.tell(format_args!("{place}: {}", warning(&what)));
+            warnings.push(format!("{place}: {what}"));
+        }
+        let measured = found.iter().map(|part| part.measured).collect();
+        let read = Self { file, sizes: found, measured, errors, warnings };
+        for error in &read.errors {
+            io.tell(format_args!("{}: {}", read.place(error), error.what.kind));
+        }
+        Ok(read)
+    }
+
+    /// `holes.csv:4:2`
+    fn place(&self, error: &Located<ImportError>) -> String {
+        let column = error.place.column.map_or(String::new(), |column| format!(":{column}"));
+        format!("{}:{}{column}", self.file, error.place.line.unwrap_or(1))
+    }
+}
+
+/// The first name that two rows have, and how many rows have the name of an earlier one.
+fn named_twice(parts: &[Size]) -> Option<CliWarning<'_>> {
+    let mut lines: HashMap<&str, usize> = HashMap::new();
+    let (mut rows, mut found) = (0, None);
+    for part in parts.iter().filter(|part| !part.id.is_empty()) {
+        let first = *lines.entry(&part.id).or_insert(part.line);
+        if first != part.line {
+            rows += 1;
+            found = found.or(Some((part.id.as_str(), first, part.line)));
+        }
+    }
+    found.map(|(id, first, second)| CliWarning::NamedTwice { id, first, second, rows })
+}

@@ -1,0 +1,175 @@
+//! The answer for people: what was found in a sentence, then tables.
+
+use std::io::{Result, Write};
+
+use super::Answer;
+use super::figures::actual;
+use super::parts::Parts;
+use crate::exchange::Size;
+use crate::length::{Length, Unit};
+use crate::pairing::{Grinding, Group, Groups, Pair, Wanted};
+
+pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
+    let Answer { holes, shafts, wanted, pairing, .. } = answer;
+    let fit = answer.fit.map_or(String::new(), |fit| format!("{fit}, "));
+    let negative = if wanted.minimum() < Length::ZERO { " (negative is interference)" } else { "" };
+    writeln!(
+        out,
+        "{}, {}, {fit}wanted clearance {}{negative}: {}",
+        counted(holes.sizes.len(), "hole"),
+        counted(shafts.sizes.len(), "shaft"),
+        range(wanted.minimum(), wanted.maximum()),
+        counted(pairing.pairs.len(), "pair"),
+    )?;
+    let refused = holes.errors.len() + shafts.errors.len();
+    if 0 < refused {
+        writeln!(out, "{} refused", counted(refused, "row"))?;
+    }
+    if let Some((smallest, largest)) = actual(&pairing.pairs) {
+        let band = um(pairing.band);
+        writeln!(out, "clearances {}, in a band of {band} µm around the middle\n", range(smallest, largest))?;
+        pairs(out, answer, &pairing.pairs)?;
+    }
+    leftovers(out, answer)?;
+    if let Some(groups) = &answer.groups {
+        writeln!(out)?;
+        sorted(out, groups, *wanted)?;
+    }
+    Ok(())
+}
+
+fn counted(count: usize, what: &str) -> String {
+    format!("{count} {what}{}", if count == 1 { "" } else { "s" })
+}
+
+fn mm(length: Length) -> String {
+    length.exact(Unit::Millimetre, 3)
+}
+
+fn um(length: Length) -> String {
+    length.exact(Unit::Micrometre, 0)
+}
+
+/// `+7 … +41 µm`
+fn range(minimum: Length, maximum: Length) -> String {
+    format!("{} … {} µm", minimum.signed_um(), maximum.signed_um())
+}
+
+/// The name of a part, or its line where it has none.
+fn name(part: &Size) -> String {
+    if part.id.is_empty() { format!("line {}", part.line) } else { part.id.replace(char::is_control, "\u{fffd}") }
+}
+
+const fn simulated(part: &Size, what: &'static str) -> &'static str {
+    if part.is_simulated { what } else { "" }
+}
+
+fn pairs(out: &mut dyn Write, answer: &Answer<'_>, pairs: &[Pair]) -> Result<()> {
+    let row = |pair: &Pair| {
+        let (hole, shaft) = (answer.holes.sizes.get(pair.hole)?, answer.shafts.sizes.get(pair.shaft)?);
+        let notes = [simulated(hole, "hole simulated"), simulated(shaft, "shaft simulated")];
+        let notes = notes.into_iter().filter(|note| !note.is_empty()).collect::<Vec<_>>().join(", ");
+        let clearance = pair.clearance.signed_um();
+        Some([name(hole), mm(hole.measured), name(shaft), mm(shaft.measured), clearance, notes])
+    };
+    let headings = ["hole", "mm", "shaft", "mm", "clearance µm", ""];
+    let rows: Vec<_> = pairs.iter().filter_map(row).collect();
+    table(out, headings, [false, true, false, true, true, false], &rows)
+}
+
+fn leftovers(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
+    let Answer { holes, shafts, pairing, .. } = answer;
+    if pairing.holes.is_empty() && pairing.shafts.is_empty() {
+        return Ok(());
+    }
+    let (hole_count, shaft_count) = (counted(pairing.holes.len(), "hole"), counted(pairing.shafts.len(), "shaft"));
+    writeln!(out, "\nleft over: {hole_count}, {shaft_count}")?;
+    let left = |what: &'static str, parts: &Parts, positions: &[usize]| -> Vec<[String; 4]> {
+        let parts = positions.iter().filter_map(|&at| parts.sizes.get(at));
+        let row = |part: &Size| [what.into(), name(part), mm(part.measured), simulated(part, "simulated").into()];
+        parts.map(row).collect()
+    };
+    let mut rows = left("hole", holes, &pairing.holes);
+    rows.extend(left("shaft", shafts, &pairing.shafts));
+    table(out, ["part", "name", "mm", ""], [false, false, true, false], &rows)?;
+    answer.grinding.as_ref().map_or(Ok(()), |grinding| ground(out, answer, grinding))
+}
+
+fn ground(out: &mut dyn Write, answer: &Answer<'_>, grinding: &Grinding) -> Result<()> {
+    let bounded = if grinding.is_bounded() {
+        format!(
+            "; only amounts up to {} µm were tried, the farthest would need {} µm",
+            um(grinding.tried),
+            um(grinding.reach)
+        )
+    } else {
+        String::new()
+    };
+    let Some(best) = &grinding.best else {
+        return writeln!(out, "\ngrinding saves none of them{bounded}");
+    };
+    let amount = um(best.amount);
+    let count = best.pairs.len();
+    let more = if count == 1 { "1 more pair".to_owned() } else { format!("{count} more pairs") };
+    writeln!(
+        out,
+        "\n{amount} µm off the leftover shafts, or out of the leftover holes, saves most: {more}{bounded}\n\
+         clearances after grinding:"
+    )?;
+    pairs(out, answer, &best.pairs)
+}
+
+fn sorted(out: &mut dyn Write, groups: &Groups, wanted: Wanted) -> Result<()> {
+    let row = |(number, group): (usize, &Group)| {
+        let within = match group.all_within(wanted) {
+            Some(true) => "all within",
+            Some(false) => "not all within",
+            None => "no pairs",
+        };
+        let sizes = |from, to| format!("{} … {}", mm(from), mm(to));
+        [
+            number.to_string(),
+            sizes(group.hole_range.from, group.hole_range.to),
+            group.holes.to_string(),
+            sizes(group.shaft_range.from, group.shaft_range.to),
+            group.shafts.to_string(),
+            group.pairs().to_string(),
+            group.clearances.map_or(String::new(), |(smallest, largest)| range(smallest, largest)),
+            within.to_owned(),
+        ]
+    };
+    let rows: Vec<_> = (1..).zip(&groups.all).map(row).collect();
+    let headings = ["group", "holes from … to mm", "count", "shafts from … to mm", "count", "pairs", "clearance", ""];
+    table(out, headings, [true, false, true, false, true, true, false, false], &rows)?;
+    match groups.outside() {
+        (0, 0) => Ok(()),
+        (holes, shafts) => {
+            writeln!(out, "outside the zones, in no group: {}, {}", counted(holes, "hole"), counted(shafts, "shaft"))
+        }
+    }
+}
+
+/// A table whose columns are as wide as their widest cells; figures are aligned at the right.
+fn table<const N: usize>(
+    out: &mut dyn Write,
+    headings: [&str; N],
+    is_right: [bool; N],
+    rows: &[[String; N]],
+) -> Result<()> {
+    let mut widths = headings.map(|heading| heading.chars().count());
+    for row in rows {
+        for (width, cell) in widths.iter_mut().zip(row) {
+            *width = (*width).max(cell.chars().count());
+        }
+    }
+    for row in std::iter::once(&headings.map(str::to_owned)).chain(rows) {
+        let cells = row.iter().zip(widths).zip(is_right);
+        let padded = cells.map(
+            |((cell, width), is_right)| {
+                if is_right { format!("{cell:>width$}  ") } else { format!("{cell:<width$}  ") }
+            },
+        );
+        writeln!(out, "{}", padded.collect::<String>().trim_end())?;
+    }
+    Ok(())
+}

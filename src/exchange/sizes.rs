@@ -1,0 +1,117 @@
+//! Measured sizes alone, of holes or of shafts: nobody asks what limits they have.
+//!
+//! The formats and the columns are those of [`super::import`]. Of a callout only its side counts, hole or shaft.
+
+use jiff::civil::DateTime;
+
+use super::error::{ImportError, ImportErrorKind, ImportWarning};
+use super::imported::{Item, Sink, Unjudged, WhyUnjudged};
+use super::{FORMATS, Source, measurements};
+use crate::length::Length;
+use crate::message::{Located, Place, Say as _};
+use crate::tolerance::{Feature, Sources};
+
+/// A measured size.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Size {
+    /// Its line, from 1.
+    pub line: usize,
+    /// Name of the part; empty where there is none.
+    pub id: String,
+    /// The size.
+    pub measured: Length,
+    /// Whether the file says that nobody measured it.
+    pub is_simulated: bool,
+}
+
+/// The sizes of a file, and what did not become one.
+#[derive(Debug, Clone, Default, PartialEq)]
+pub struct Sizes {
+    /// What can be used, in the file's order.
+    pub measured: Vec<Size>,
+    /// Rows that cannot be used, or the reason why the whole file cannot be.
+    pub errors: Vec<Located<ImportError>>,
+    /// Warnings about what was still readable.
+    pub warnings: Vec<Located<ImportWarning>>,
+}
+
+/// Where sizes go, and which side they are of.
+pub(super) struct SizesOf<'a> {
+    pub(super) feature: Feature,
+    pub(super) take: &'a mut dyn FnMut(Size),
+}
+
+/// Reads the measured sizes of a file of any known format; `feature` is what the file should hold.
+///
+/// ```
+/// use fitcheck::tolerance::Feature;
+///
+/// let read = fitcheck::exchange::sizes("holes.csv", b"id;measured\nH1;25,012\nH2;\n", Feature::Hole);
+/// assert_eq!(read.measured[0].measured.to_string(), "25.012");
+/// assert_eq!(read.errors[0].to_string(), "line 3, column 2: measured: a length is missing");
+/// ```
+pub fn sizes(file_name: &str, bytes: &[u8], feature: Feature) -> Sizes {
+    let sources = Sources::default();
+    // No record comes of it, so nobody sees the time.
+    let source = Source { file: file_name.into(), bytes, sources: &sources, now: DateTime::MIN };
+    let mut read = Sizes::default();
+    match FORMATS.iter().find(|format| (format.recognises)(&source)) {
+        _ if bytes.iter().all(u8::is_ascii_whitespace) => read.refuse(1, ImportErrorKind::Empty),
+        None => read.refuse(1, ImportErrorKind::NotRecognised),
+        Some(format) if format.name == measurements::FORMAT.name => {
+            let Sizes { measured, errors, warnings } = &mut read;
+            let mut beside = |item| match item {
+                Item::Error(error) => errors.push(*error),
+                Item::Warning(warning) => warnings.push(warning),
+                // A row of sizes becomes nothing else.
+                Item::Record { .. } | Item::Unjudged(_) | Item::Contacts(_) => {}
+            };
+            let sizes = SizesOf { feature, take: &mut |size| measured.push(size) };
+            measurements::read_sizes(&source, &mut Sink::new(&mut beside), sizes);
+        }
+        Some(format) => (format.read)(&source, &mut Sink::new(&mut |item| read.take(item, feature))),
+    }
+    read
+}
+
+impl Sizes {
+    fn refuse(&mut self, line: usize, kind: ImportErrorKind) {
+        self.errors.push(Located { what: ImportError { kind, given: String::new() }, place: Place::line(line) });
+    }
+
+    /// What a log says of a size.
+    fn take(&mut self, item: Item, feature: Feature) {
+        match item {
+            Item::Record { line, record } if record.limits.feature == feature => self.add(Size {
+                line,
+                id: record.id.clone(),
+                measured: record.measurement.diameter,
+                is_simulated: record.measurement.origin.is_simulated(),
+            }),
+            Item::Record { line, .. } => self.refuse(line, ImportErrorKind::OtherLog { feature }),
+            Item::Unjudged(unjudged) => self.take_unjudged(*unjudged),
+            Item::Error(error) => self.errors.push(*error),
+            Item::Warning(warning) => self.warnings.push(warning),
+            // Refused above, as a measurement that makes no record.
+            Item::Contacts(_) => {}
+        }
+    }
+
+    fn take_unjudged(&mut self, unjudged: Unjudged) {
+        let Unjudged { line, id, measured, why, .. } = unjudged;
+        let is_size = matches!(why, WhyUnjudged::NoCallout | WhyUnjudged::NoLimits { .. });
+        match measured {
+            Some(measured) if is_size => self.add(Size { line, id, measured, is_simulated: false }),
+            None => self.refuse(line, ImportErrorKind::ContactsNotSizes),
+            Some(_) => self.refuse(line, ImportErrorKind::NotASize(why.message())),
+        }
+    }
+
+    fn add(&mut self, size: Size) {
+        if Length::ZERO < size.measured {
+            self.measured.push(size);
+        } else {
+            self.refuse(size.line, ImportErrorKind::NotPositive { given: size.measured.to_string() });
+        }
+    }
+}
