@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `app` | one frame: panels, commands, effects |
-//! | `effects` | files, dialogs and the clipboard, off the frame's thread |
+//! | `effects`, `reading` | files, dialogs and the clipboard, off the frame's thread |
 //! | `rows` | the workers behind the rows of a large file |
 //! | `store` | the state file |
 //! | `theme` | colours, sizes, fonts |
@@ -32,6 +32,7 @@ mod keys;
 mod limits;
 mod popup;
 mod program;
+mod reading;
 mod rows;
 mod shapes;
 mod store;

@@ -104,9 +104,7 @@ fn by_command(folder: &Path, program: &str, part: &str) -> Json {
         })
         .collect();
     let windows: Vec<Json> = list("windows").into_iter().map(|window| window["window"].clone()).collect();
-    let of_cycles = list("cycles").into_iter().flat_map(|cycle| cycle["remarks"].as_array().unwrap().clone());
-    let remarks = list("remarks").into_iter().map(|remark| remark["message"].clone());
-    let remarks: Vec<Json> = remarks.chain(of_cycles).collect();
+    let remarks: Vec<Json> = list("remarks").into_iter().map(|remark| remark["message"].clone()).collect();
     let fault = list("faults").first().map(|fault| fault["message"].clone());
     serde_json::json!({"cycles": cycles, "windows": windows, "remarks": remarks, "fault": fault})
 }

@@ -60,7 +60,7 @@ status-good = GOED
 status-rework = NABEWERKING
 status-re-measure = OPNIEUW METEN
 status-scrap = AFGEKEURD
-rule-simple = geen veiligheidsmarge, grenzen horen bij het tolerantieveld
+rule-simple = geen veiligheidsmarge, de grensmaten horen bij het tolerantieveld
 rule-iso14253-2017 = ISO 14253-1:2017, 95 % conformiteit, { $prover ->
     [customer] de afnemer bewijst afwijking
    *[supplier] de leverancier bewijst conformiteit

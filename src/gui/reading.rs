@@ -1,0 +1,142 @@
+//! What a file holds, as the command that takes it: read whole, and refused with its reason.
+
+use std::path::{Path, PathBuf};
+
+use jiff::civil::DateTime;
+
+use super::rows;
+use crate::control::deviations;
+use crate::control::mask::Mask;
+use crate::control::probe_table::ProbeTable;
+use crate::control::text::decode;
+use crate::control::tool_table::ToolTable;
+use crate::exchange;
+use crate::exchange::contacts::{self, Contacts};
+use crate::files;
+use crate::message::{Message, Say as _};
+use crate::nc::program::ProgramWarning;
+use crate::probing::simulated::{Part, Simulation};
+use crate::session::program::Document;
+use crate::session::{
+    CheckCommand, Command, CycleFile, CyclesCommand, ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand,
+    WorkpieceCommand,
+};
+use crate::tolerance::{DeviationTable, Sources};
+
+/// Whether an answer brings what a file holds.
+pub(super) const fn is_read(command: &Command) -> bool {
+    match command {
+        Command::Check(CheckCommand::Imported { result, .. }) => result.is_ok(),
+        Command::Check(CheckCommand::Rows(RowsCommand::Opened { result, .. })) => result.is_ok(),
+        Command::MaskRead { result, .. } => result.is_ok(),
+        Command::TablesRead { result, .. } => result.is_ok(),
+        Command::Tables(TablesCommand::Read { result, .. }) => result.is_ok(),
+        Command::Program(ProgramCommand::Read { result, .. }) => result.is_ok(),
+        Command::Workpiece(WorkpieceCommand::ContactsRead { result, .. }) => result.is_ok(),
+        Command::Workpiece(WorkpieceCommand::Read(result)) => result.is_ok(),
+        Command::Workpiece(WorkpieceCommand::PartRead { result, .. }) => result.is_ok(),
+        Command::Cycles(CyclesCommand::ProbesRead { result, .. }) => result.is_ok(),
+        Command::Tools(ToolsCommand::Read { result, .. }) => result.is_ok(),
+        _ => false,
+    }
+}
+
+/// Reads what a dialog of this purpose asks for.
+pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> Command {
+    let name = name(&path);
+    match purpose {
+        Purpose::Import => match rows::large(&path) {
+            Ok(None) => CheckCommand::Imported { result: import(&path, sources, now), name }.into(),
+            Ok(Some(large)) => RowsCommand::Opened { name, result: Ok((path, large)) }.into(),
+            Err(problem) => RowsCommand::Opened { name, result: Err(problem) }.into(),
+        },
+        Purpose::LoadMask => Command::MaskRead { name, result: read_mask(&path) },
+        Purpose::LoadTables => Command::TablesRead { result: read_tables(&path), folder: path },
+        Purpose::OpenTable => TablesCommand::Read { name, result: read_table(&path) }.into(),
+        Purpose::OpenProgram => ProgramCommand::Read { result: read_program(&path), path }.into(),
+        Purpose::OpenCycleFile(CycleFile::Contacts) => {
+            WorkpieceCommand::ContactsRead { name, result: read_contacts(&path) }.into()
+        }
+        Purpose::OpenCycleFile(CycleFile::Workpiece) | Purpose::OpenPart => read_workpiece(&path, name).into(),
+        Purpose::OpenCycleFile(CycleFile::Probes) => {
+            CyclesCommand::ProbesRead { name, result: read_probes(&path) }.into()
+        }
+        Purpose::OpenTools => ToolsCommand::Read { name, result: read_tools(&path) }.into(),
+        // These purposes write files.
+        _ => Command::Picked(None),
+    }
+}
+
+fn name(path: &Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}
+
+fn import(path: &Path, sources: &Sources, now: DateTime) -> Result<Box<exchange::Imported>, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    Ok(Box::new(exchange::import(&name(path), &bytes, sources, now)))
+}
+
+fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    let (mask, warnings) = Mask::read(&bytes).map_err(|error| error.message())?;
+    Ok((Box::new(mask), warnings.iter().map(crate::message::Say::message).collect()))
+}
+
+fn read_tables(folder: &Path) -> Result<(Vec<DeviationTable>, Vec<Message>), Message> {
+    let own = files::read_tables(folder).map_err(|error| error.message())?;
+    let warnings = own.warnings.iter().map(crate::message::Say::message).collect();
+    Ok((own.tables, warnings))
+}
+
+fn read_table(path: &Path) -> Result<(Box<DeviationTable>, Vec<Message>), Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    let (table, warnings) =
+        deviations::read_table(&bytes, &name(path), &path.display().to_string(), false).map_err(|e| e.message())?;
+    let mut warnings: Vec<_> = warnings.iter().map(crate::message::Say::message).collect();
+    match table {
+        Some(table) => Ok((Box::new(table), warnings)),
+        // The last warning says that the table holds no deviations.
+        None => Err(warnings.pop().unwrap_or_else(|| Message::new("tables-nothing-read"))),
+    }
+}
+
+fn read_program(path: &Path) -> Result<(Box<Document>, Vec<ProgramWarning>), Message> {
+    files::no_half_set(path.parent().unwrap_or(path)).map_err(|error| error.message())?;
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    let (document, warnings) = Document::read(&name(path), &bytes).map_err(|error| error.message())?;
+    Ok((Box::new(document), warnings))
+}
+
+fn read_contacts(path: &Path) -> Result<(Contacts, Vec<Message>), Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    let read = contacts::read(&bytes).map_err(|error| error.message())?;
+    let ignored = read.ignored.iter().map(|column| Message::new("cycles-column-ignored").text("column", column));
+    let ignored = ignored.collect();
+    Ok((read, ignored))
+}
+
+/// A workpiece with one surface, or a part of several features: its file says which.
+fn read_workpiece(path: &Path, name: String) -> WorkpieceCommand {
+    let bytes = match files::read_file(path) {
+        Ok(bytes) => bytes,
+        Err(error) => return WorkpieceCommand::Read(Err(error.message())),
+    };
+    let text = decode(&bytes);
+    if !Part::is_file(&text) {
+        return WorkpieceCommand::Read(Simulation::read(&text).map(Box::new).map_err(|error| error.message()));
+    }
+    let result = Part::read(&text).map_err(|error| error.message());
+    // Impossible figures are said now, and not in the middle of a run.
+    let result = result.and_then(|part| part.machine().map(|_| Box::new(part)).map_err(|error| error.message()));
+    WorkpieceCommand::PartRead { name, result }
+}
+
+fn read_tools(path: &Path) -> Result<Box<ToolTable>, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    ToolTable::read(&bytes, &name(path)).map(Box::new).map_err(|error| error.message())
+}
+
+fn read_probes(path: &Path) -> Result<ProbeTable, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    ProbeTable::read(&bytes, &name(path)).map_err(|error| error.message())
+}
