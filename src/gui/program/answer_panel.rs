@@ -78,10 +78,11 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &View<'_>) {
     live(ui, &response, &said, Live::Assertive);
 }
 
-/// The diameter that a cycle measured, or its first result.
+/// The diameter that a cycle measured, or else what it compared first, or its first result.
 fn main_value(words: &Words, run: &CycleRun) -> Option<String> {
     let result = &run.result;
-    let length = result.circle.as_ref().map(|circle| circle.diameter).or_else(|| {
+    let compared = || result.checks.first().map(|check| check.measured);
+    let length = result.circle.as_ref().map(|circle| circle.diameter).or_else(compared).or_else(|| {
         result.results.iter().find_map(|found| match found.value {
             Value::Length(length) => Some(length),
             _ => None,
