@@ -20,6 +20,7 @@ use jiff::civil::DateTime;
 pub use window::{status_variables, status_window};
 
 use crate::probing::Measurement;
+use crate::tolerance::fit::thermal::Correction;
 use crate::tolerance::{Callout, Limits};
 use crate::verdict::{Doubt, PositionVerdict, Rule, Verdict, doubt, judge, judge_by};
 
@@ -40,6 +41,8 @@ pub struct Record {
     pub verdict: Verdict,
     /// A measured value that may be another quantity or another part's.
     pub doubt: Option<Doubt>,
+    /// How the diameter was brought to 20 °C, where it was: the measurement holds the result.
+    pub correction: Option<Correction>,
 }
 
 impl Record {
@@ -55,7 +58,7 @@ impl Record {
     ) -> Self {
         let measured = measurement.diameter;
         let (verdict, doubt) = (judge(&limits, measured, position), doubt(&limits, measured));
-        Self { time, id, callout, limits, measurement, verdict, doubt }
+        Self { time, id, callout, limits, measurement, verdict, doubt, correction: None }
     }
 
     /// The same, judged by a rule.

@@ -4,19 +4,23 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use super::args::dialogue;
+use super::material::{Part, WarmArgs};
 use super::rule::RuleArgs;
 use super::said::percent;
-use super::{CliError, CliRemark, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
+use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::control::mask::Mask;
 use crate::exchange::contacts::Contacts;
 use crate::files;
 use crate::journal::{Record, status_window};
+use crate::length::Length;
 use crate::message::IntoArg as _;
 use crate::probing::measure::{ProbePosition, cycle_number, measure};
 use crate::probing::measurement::{Caveat, measure_contacts};
 use crate::probing::simulated::{Machine, Probe, Workpiece};
 use crate::probing::{Measurement, Origin};
 use crate::report::{csv, json};
+use crate::tolerance::fit::materials::Certainty;
+use crate::tolerance::fit::thermal::Correction;
 use crate::tolerance::{Callout, Feature, FigureWarning, Limits, LimitsError, Sources};
 use crate::verdict::Status;
 use crate::words::Dialogue;
@@ -56,6 +60,8 @@ pub(super) struct Args {
     /// Format of the answer; text prints the mask's text and nothing else
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
+    #[command(flatten)]
+    warm: WarmArgs,
     #[command(flatten)]
     rule: RuleArgs,
     #[command(flatten)]
@@ -128,16 +134,24 @@ impl Args {
         if unstated && self.source.simulate {
             return Err(CliError::AddFeature { error: LimitsError::NoFeature { callout } });
         }
-        let measurement = self.measurement(&limits, io)?;
+        let mut measurement = self.measurement(&limits, io)?;
+        let correction = self.warm.correction(measurement.diameter)?;
+        if let Some((correction, _)) = &correction {
+            measurement.diameter = correction.at_reference;
+        }
         let measured = measurement.diameter;
         let callout = callout.of_part(limits.feature);
-        let record = Record::judged(super::now(), String::new(), Some(callout), limits, measurement, None).by(rule);
+        let record = Record::judged(super::now(), String::new(), Some(callout), limits, measurement, None);
+        let record = Record { correction: correction.as_ref().map(|(correction, _)| *correction), ..record }.by(rule);
         let status = record.verdict.status();
         if unstated && (status == Status::Rework || status == Status::Scrap) {
             let (minimum, maximum) = (record.limits.minimum(), record.limits.maximum());
             return Err(CliError::ReworkOrScrap { asked, measured, minimum, maximum });
         }
         warn(&record, &sources, io);
+        if let Some((correction, part)) = &correction {
+            tell_correction(correction, part, io);
+        }
         if matches!(self.format, Format::Text) {
             tell_rule(&record, io);
         }
@@ -213,6 +227,28 @@ fn warn(record: &Record, sources: &Sources, io: &mut Io<'_>) {
     let figure = record.callout.and_then(|callout| FigureWarning::of_limits(&callout, &record.limits, sources));
     if let Some(warning) = figure {
         io.warn(&warning);
+    }
+}
+
+/// How the value was brought to 20 °C: never in silence, in any format.
+fn tell_correction(correction: &Correction, part: &Part, io: &mut Io<'_>) {
+    let Correction { measured, at_reference, part: warm, scale } = *correction;
+    io.remark(&CliRemark::Corrected {
+        measured,
+        temperature: warm.temperature,
+        material: part.name.clone().unwrap_or_default(),
+        expansion: warm.expansion,
+        change: correction.change().signed_um(),
+        at_reference,
+    });
+    if let Some(scale) = scale {
+        io.remark(&CliRemark::Scales { temperature: scale.temperature, expansion: scale.expansion });
+    }
+    if part.certainty == Certainty::Verify {
+        io.warn(&CliWarning::ExpansionUnconfirmed { expansion: warm.expansion });
+    }
+    if correction.against_exact() != Length::ZERO {
+        io.remark(&CliRemark::LinearCorrection { off: correction.against_exact().signed_um() });
     }
 }
 

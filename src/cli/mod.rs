@@ -9,6 +9,7 @@
 //! |---|---|
 //! | `args` | arguments of several subcommands: format, tables, dialogue language |
 //! | `io` | the standard streams, reading and saving files |
+//! | `material` | materials of parts; the temperature of a measured part |
 //! | `rule` | the decision rule and the uncertainty |
 //! | `tools` | the tool table of a control, read and written |
 //! | `answers` | callouts answered one by one as text, CSV or JSON |
@@ -46,6 +47,7 @@ mod fit;
 mod import;
 mod io;
 mod limits;
+mod material;
 mod nc;
 mod pair;
 mod report;

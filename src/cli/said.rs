@@ -3,6 +3,7 @@
 use crate::length::Length;
 use crate::message::{IntoArg, Message, Say, printed};
 use crate::tolerance::ToleranceClass;
+use crate::tolerance::fit::thermal::{Expansion, Temperature};
 use crate::verdict::Rule;
 
 /// What is worth knowing about an answer.
@@ -15,6 +16,30 @@ pub(super) enum CliRemark {
     WroteFiles { path: String, count: usize },
     /// Nobody measured.
     Simulated,
+    /// A measured value that was brought to 20 °C.
+    Corrected {
+        measured: Length,
+        #[say(with = printed)]
+        temperature: Temperature,
+        material: String,
+        #[say(with = printed)]
+        expansion: Expansion,
+        #[say(with = printed)]
+        change: String,
+        at_reference: Length,
+    },
+    /// The scales that it was measured with.
+    Scales {
+        #[say(with = printed)]
+        temperature: Temperature,
+        #[say(with = printed)]
+        expansion: Expansion,
+    },
+    /// How far a linear correction is from the exact one.
+    LinearCorrection {
+        #[say(with = printed)]
+        off: String,
+    },
     /// The decision rule.
     Rule {
         #[say(with = Say::message)]
@@ -59,6 +84,11 @@ pub(super) enum CliRemark {
 pub(super) enum CliWarning<'a> {
     /// A skipped column of a file of contacts.
     ColumnNotUsed { column: &'a str },
+    /// A coefficient of expansion that no document confirms.
+    ExpansionUnconfirmed {
+        #[say(with = printed)]
+        expansion: Expansion,
+    },
     /// A file that is named twice among the inputs.
     FileTwice,
     /// Figures to check beyond those that are listed.

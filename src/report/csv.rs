@@ -21,41 +21,54 @@ use crate::words::Words;
 pub const RENDERING: Rendering = Rendering { name: "csv", endings: &["csv"], render: render_report };
 
 fn render_report(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Result<()> {
-    let is_guarded = report.checks.is_guarded()?;
-    header(is_guarded, out)?;
-    report.checks.each(&mut |record| check(&Row::of(record), is_guarded, out))
+    let more = More { is_corrected: false, is_guarded: report.checks.is_guarded()? };
+    header(more, out)?;
+    report.checks.each(&mut |record| check(&Row::of(record), more, out))
 }
 
 /// The records as CSV, with a header, in their order.
 pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
-    render_rows(records.iter().map(Row::of), guarded(records))
+    render_rows(records.iter().map(Row::of), More::of(records))
 }
 
 /// The same with an empty feature: the callouts do not say hole or shaft, and it did not matter.
 pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError> {
-    render_rows(records.iter().map(|record| Row { feature: "", ..Row::of(record) }), guarded(records))
+    render_rows(records.iter().map(|record| Row { feature: "", ..Row::of(record) }), More::of(records))
 }
 
-fn guarded(records: &[Record]) -> bool {
-    records.iter().any(|record| !record.verdict.rule.is_plain())
+/// Which columns a file has besides those of every file.
+#[derive(Debug, Clone, Copy)]
+struct More {
+    is_corrected: bool,
+    is_guarded: bool,
 }
 
-fn render_rows(mut rows: impl Iterator<Item = Row>, is_guarded: bool) -> Result<Vec<u8>, RenderError> {
+impl More {
+    fn of(records: &[Record]) -> Self {
+        Self {
+            is_corrected: records.iter().any(|record| record.correction.is_some()),
+            is_guarded: records.iter().any(|record| !record.verdict.rule.is_plain()),
+        }
+    }
+}
+
+fn render_rows(mut rows: impl Iterator<Item = Row>, more: More) -> Result<Vec<u8>, RenderError> {
     let mut bytes = Vec::new();
-    let written =
-        header(is_guarded, &mut bytes).and_then(|()| rows.try_for_each(|row| check(&row, is_guarded, &mut bytes)));
+    let written = header(more, &mut bytes).and_then(|()| rows.try_for_each(|row| check(&row, more, &mut bytes)));
     written.map(|()| bytes).map_err(|error| RenderError::writer("csv", &error))
 }
 
-/// The names of the columns; those of decision rules only where a check has one.
-fn header(is_guarded: bool, out: &mut dyn Write) -> io::Result<()> {
-    let more = names(&GUARDED).into_iter().filter(|_name| is_guarded);
-    line(names(&COLUMNS).into_iter().chain(more), out)
+/// The names of the columns.
+fn header(more: More, out: &mut dyn Write) -> io::Result<()> {
+    let corrected = names(&CORRECTED).into_iter().filter(|_name| more.is_corrected);
+    let guarded = names(&GUARDED).into_iter().filter(|_name| more.is_guarded);
+    line(names(&COLUMNS).into_iter().chain(corrected).chain(guarded), out)
 }
 
-fn check(row: &Row, is_guarded: bool, out: &mut dyn Write) -> io::Result<()> {
-    let more = cells(&GUARDED, row).filter(|_cell| is_guarded);
-    line(cells(&COLUMNS, row).chain(more), out)
+fn check(row: &Row, more: More, out: &mut dyn Write) -> io::Result<()> {
+    let corrected = cells(&CORRECTED, row).filter(|_cell| more.is_corrected);
+    let guarded = cells(&GUARDED, row).filter(|_cell| more.is_guarded);
+    line(cells(&COLUMNS, row).chain(corrected).chain(guarded), out)
 }
 
 /// Writes a line. Into memory first: so an error of the stream stays what it is.
@@ -88,6 +101,16 @@ pub(super) const COLUMNS: [Column<Row>; 21] = [
     ("rule", |row| row.rule.cell()),
     ("warnings", |row| row.warnings.join(" | ").cell()),
     ("simulated", |row| row.simulated.cell()),
+];
+
+/// What a correction to 20 °C adds; without one a file has none of these columns.
+const CORRECTED: [Column<Row>; 6] = [
+    ("as_measured_mm", |row| row.corrected.as_ref()?.as_measured_mm.text(3).cell()),
+    ("correction_um", |row| row.corrected.as_ref()?.correction_um.text().cell()),
+    ("temperature_c", |row| Some(row.corrected.as_ref()?.temperature_c.to_string())),
+    ("expansion_um_per_m_k", |row| Some(row.corrected.as_ref()?.expansion_um_per_m_k.to_string())),
+    ("scale_temperature_c", |row| Some(row.corrected.as_ref()?.scale_temperature_c?.to_string())),
+    ("scale_expansion_um_per_m_k", |row| Some(row.corrected.as_ref()?.scale_expansion_um_per_m_k?.to_string())),
 ];
 
 /// What a decision rule adds; without one a file has none of these columns.

@@ -8,6 +8,7 @@ use super::band::micrometres;
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::tolerance::Source;
+use crate::tolerance::fit::thermal::Warm;
 use crate::verdict::PositionVerdict;
 
 /// One record. The fields' order is the order of the columns.
@@ -34,9 +35,39 @@ pub(super) struct Row {
     pub rule: String,
     pub warnings: Vec<String>,
     pub simulated: bool,
+    /// Brought to 20 °C only.
+    #[serde(flatten)]
+    pub corrected: Option<Corrected>,
     /// By a rule of its own only.
     #[serde(flatten)]
     pub guarded: Option<Guarded>,
+}
+
+/// What the correction of a measured value to 20 °C adds: `measured_mm` is the value at 20 °C.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Corrected {
+    pub as_measured_mm: Millimetres,
+    pub correction_um: Micrometres,
+    pub temperature_c: f64,
+    pub expansion_um_per_m_k: f64,
+    pub scale_temperature_c: Option<f64>,
+    pub scale_expansion_um_per_m_k: Option<f64>,
+}
+
+impl Corrected {
+    fn of(record: &Record) -> Option<Self> {
+        let correction = record.correction.as_ref()?;
+        let celsius = |warm: Warm| f64::from(warm.temperature.thousandths()) / 1e3;
+        let expansion = |warm: Warm| f64::from(warm.expansion.thousandths()) / 1e3;
+        Some(Self {
+            as_measured_mm: Millimetres(correction.measured),
+            correction_um: Micrometres(correction.change()),
+            temperature_c: celsius(correction.part),
+            expansion_um_per_m_k: expansion(correction.part),
+            scale_temperature_c: correction.scale.map(celsius),
+            scale_expansion_um_per_m_k: correction.scale.map(expansion),
+        })
+    }
 }
 
 /// What a decision rule adds.
@@ -142,6 +173,7 @@ impl Row {
             rule: verdict.rule.to_string(),
             warnings: warnings(record),
             simulated: measurement.origin.is_simulated(),
+            corrected: Corrected::of(record),
             guarded: Guarded::of(record),
         }
     }

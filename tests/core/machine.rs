@@ -831,6 +831,7 @@ fn the_shipped_programs_print_the_native_window() {
             callout: Some(parsed),
             verdict: judge(&limits, measured, None),
             doubt: None,
+            correction: None,
             limits,
             measurement: Measurement::of_diameter(measured, Origin::Typed),
         };

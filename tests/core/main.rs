@@ -106,4 +106,5 @@ mod tool_table;
 mod twin;
 mod verdicts;
 mod wall_cycles;
+mod warm;
 mod workpieces;

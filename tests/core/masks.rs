@@ -35,6 +35,7 @@ fn record(callout: &str, upper_um: i32, measured: &str) -> Record {
         callout: Some(callout),
         verdict: judge(&limits, measured, None),
         doubt: doubt(&limits, measured),
+        correction: None,
         limits,
         measurement: Measurement::of_diameter(measured, Origin::Typed),
     }

@@ -100,6 +100,7 @@ fn native(callout: Callout, limits: &Limits, measurement: Measurement, language:
         callout: Some(callout),
         verdict,
         doubt: None,
+        correction: None,
         limits: limits.clone(),
         measurement,
     };

@@ -43,6 +43,7 @@ fn record(
         callout: callout.parse().ok(),
         verdict: judge(&limits, measurement.diameter, axes.map(|axes| PositionVerdict { axes })),
         doubt: doubt(&limits, measurement.diameter),
+        correction: None,
         limits,
         measurement,
     }

@@ -104,6 +104,7 @@ fn native(limits: &Limits, callout: Callout, simulation: Simulation, language: D
         callout: Some(callout),
         verdict,
         doubt: doubt(limits, measurement.diameter),
+        correction: None,
         limits: limits.clone(),
         measurement,
     };

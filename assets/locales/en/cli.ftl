@@ -88,6 +88,12 @@ cli-remark-wrote = wrote { $path }
 cli-remark-wrote-files = wrote { $path } ({ $count } files)
 cli-remark-simulated = simulated: nothing was measured
 cli-remark-perfect-workpiece = simulated: every cycle measured a perfect workpiece at nominal; --workpiece FILE.toml gives another
+cli-remark-corrected = measured { $measured } mm at { $temperature } °C: { $change } µm, so { $at-reference } mm at 20 °C ({ $material ->
+    [0] { $expansion } · 10⁻⁶/K
+   *[other] { $material }, { $expansion } · 10⁻⁶/K
+})
+cli-remark-scales = scales at { $temperature } °C, { $expansion } · 10⁻⁶/K
+cli-remark-linear-correction = the linear correction is { $off } µm from the exact one
 cli-remark-rule = rule: { $rule }
 cli-remark-accepted = accepted: { $least } to { $most } mm
 cli-remark-nothing-accepted = the uncertainty is too large for this tolerance: no value is accepted
@@ -105,6 +111,7 @@ cli-remark-clearance-height = the clearance height is { $height } mm: --clearanc
 
 # Warnings
 cli-warning-column-not-used = column { $column } is skipped
+cli-warning-expansion-unconfirmed = the expansion of { $expansion } · 10⁻⁶/K is a common value that no document here confirms
 cli-warning-file-twice = this file is named twice: its rows are counted twice
 cli-warning-position-unused = --position has no effect: cycle { $code } does not begin where the ball is
 cli-warning-predef-unused = --predef has no effect on { $name }: it is not set to PREDEF

@@ -88,6 +88,12 @@ cli-remark-wrote = { $path } geschreven
 cli-remark-wrote-files = { $path } geschreven ({ $count } bestanden)
 cli-remark-simulated = gesimuleerd: er is niets gemeten
 cli-remark-perfect-workpiece = gesimuleerd: elke cyclus heeft een volmaakt werkstuk op nominale maat gemeten; --workpiece FILE.toml geeft een ander
+cli-remark-corrected = gemeten { $measured } mm bij { $temperature } °C: { $change } µm, dus { $at-reference } mm bij 20 °C ({ $material ->
+    [0] { $expansion } · 10⁻⁶/K
+   *[other] { $material }, { $expansion } · 10⁻⁶/K
+})
+cli-remark-scales = meetlinialen bij { $temperature } °C, { $expansion } · 10⁻⁶/K
+cli-remark-linear-correction = de lineaire correctie ligt { $off } µm van de exacte
 cli-remark-rule = regel: { $rule }
 cli-remark-accepted = aanvaard: { $least } tot { $most } mm
 cli-remark-nothing-accepted = de onzekerheid is te groot voor deze tolerantie: geen waarde wordt aanvaard
@@ -105,6 +111,7 @@ cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die me
 
 # Waarschuwingen
 cli-warning-column-not-used = kolom { $column } is overgeslagen
+cli-warning-expansion-unconfirmed = de uitzetting van { $expansion } · 10⁻⁶/K is een gangbare waarde die hier door geen document is bevestigd
 cli-warning-file-twice = dit bestand is tweemaal genoemd: de rijen tellen dubbel
 cli-warning-position-unused = --position heeft geen effect: cyclus { $code } begint niet waar de kogel is
 cli-warning-predef-unused = --predef heeft geen effect op { $name }: die staat niet op PREDEF

@@ -5,9 +5,10 @@
 use serde::Serialize;
 
 use super::answer::{Answer, Measured};
-use super::heat::{Heat, Heated, Part};
+use super::heat::{Heat, Heated};
 use crate::cli::Figure;
 use crate::cli::answers::Cells;
+use crate::cli::material::Part;
 use crate::length::Length;
 use crate::report::columns::{self, Cell as _, Column, columns};
 use crate::tolerance::fit::preferred::{Function, Preference, function, preference};

@@ -2,12 +2,10 @@
 
 use std::path::PathBuf;
 
+use crate::cli::material::{Part, materials};
 use crate::cli::{CliError, Refused as _, What};
-use crate::control::text::decode;
-use crate::files;
 use crate::length::Length;
-use crate::tolerance::fit::materials::{Certainty, Materials};
-use crate::tolerance::fit::thermal::{Expansion, Temperature, ThermalError, Warm, clearance_change_apart};
+use crate::tolerance::fit::thermal::{Temperature, clearance_change_apart};
 use crate::tolerance::fit::{Fit, Kind};
 
 /// Materials and temperatures.
@@ -52,16 +50,6 @@ struct TemperatureArgs {
     shaft_temperature: Option<String>,
 }
 
-/// The material of a part.
-#[derive(Debug, Clone)]
-pub(super) struct Part {
-    /// Its English name; `None` where the expansion itself was given.
-    pub name: Option<String>,
-    pub certainty: Certainty,
-    pub source: Option<String>,
-    pub warm: Warm,
-}
-
 /// Both parts.
 #[derive(Debug, Clone)]
 pub(super) struct Heat {
@@ -92,14 +80,7 @@ impl HeatArgs {
 
     pub(super) fn load(&self) -> Result<Option<Heat>, CliError> {
         let (Some(hole), Some(shaft)) = (&self.hole_material, &self.shaft_material) else { return Ok(None) };
-        let shipped = Materials::shipped();
-        let materials = match &self.materials {
-            Some(path) => {
-                let own = Materials::read(&decode(&files::read(path)?));
-                shipped.with_own(own.about(path)?)
-            }
-            None => shipped.clone(),
-        };
+        let materials = materials(self.materials.as_deref())?;
         let part = |name: &str, own_temperature: Option<&String>, which: What<'_>| {
             let temperature = match self.temperatures.temperature.as_ref().or(own_temperature) {
                 Some(text) => text.parse().about(&What::Temperature)?,
@@ -110,28 +91,6 @@ impl HeatArgs {
         let hole = part(hole, self.temperatures.hole_temperature.as_ref(), What::HoleMaterial)?;
         let shaft = part(shaft, self.temperatures.shaft_temperature.as_ref(), What::ShaftMaterial)?;
         Ok(Some(Heat { hole, shaft }))
-    }
-}
-
-impl Part {
-    /// A material by its name, which may be a number such as 1.4301, or else an expansion.
-    fn of(text: &str, materials: &Materials, temperature: Temperature) -> Result<Self, CliError> {
-        let warm = |expansion| Warm { expansion, temperature };
-        match materials.find(text) {
-            Ok(material) => Ok(Self {
-                name: Some(material.name.clone()),
-                certainty: material.certainty,
-                source: material.source.clone(),
-                warm: warm(material.expansion),
-            }),
-            Err(unknown) => match text.parse::<Expansion>() {
-                Ok(expansion) => {
-                    Ok(Self { name: None, certainty: Certainty::Own, source: None, warm: warm(expansion) })
-                }
-                Err(ThermalError::NotANumber { .. }) => Err(unknown).said(),
-                Err(error) => Err(error).said(),
-            },
-        }
     }
 }
 

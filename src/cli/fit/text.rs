@@ -4,8 +4,9 @@ use std::fmt::Display;
 use std::io::{Result, Write};
 
 use super::answer::{Answer, Equivalent, Measured};
-use super::heat::{Heat, Heated, Part};
+use super::heat::{Heat, Heated};
 use crate::cli::limits;
+use crate::cli::material::Part;
 use crate::length::{Length, Unit};
 use crate::tolerance::fit::basis;
 use crate::tolerance::fit::preferred::{function, preference};

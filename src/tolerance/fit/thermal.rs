@@ -153,6 +153,54 @@ pub fn clearance_change_apart(nominal: Length, hole: Warm, shaft: Warm) -> Lengt
     nanometres(i128::from(nominal.nanometres()) * (hole.growth() - shaft.growth()))
 }
 
+/// A measured length brought to the reference temperature.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Correction {
+    /// As it was measured.
+    pub measured: Length,
+    /// At 20 °C, rounded to the nearest nanometre.
+    pub at_reference: Length,
+    /// The part.
+    pub part: Warm,
+    /// The scales that it was measured with, where the machine does not compensate them.
+    pub scale: Option<Warm>,
+}
+
+impl Correction {
+    /// Brings a length to 20 °C: L₂₀ = L [1 − α (T − 20) + α_s (T_s − 20)] (metrology.md, section 8).
+    ///
+    /// ```
+    /// use fitcheck::tolerance::fit::thermal::{Correction, Warm};
+    ///
+    /// // 80 mm of aluminium at 28 °C, read from scales at 24 °C.
+    /// let part = Warm { expansion: "23.1".parse()?, temperature: "28".parse()? };
+    /// let scale = Warm { expansion: "10".parse()?, temperature: "24".parse()? };
+    /// let found = Correction::new("80".parse()?, part, Some(scale));
+    /// assert_eq!(found.at_reference.to_string(), "79.988416");
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn new(measured: Length, part: Warm, scale: Option<Warm>) -> Self {
+        let growth = scale.map_or(0, Warm::growth) - part.growth();
+        let change = nanometres(i128::from(measured.nanometres()) * growth);
+        let at_reference = measured.checked_add(change).unwrap_or(measured);
+        Self { measured, at_reference, part, scale }
+    }
+
+    /// What was added to the measured length.
+    pub fn change(&self) -> Length {
+        self.at_reference.saturating_sub(self.measured)
+    }
+
+    /// How far the linear correction is from the exact one, L (1 + α_s ΔT_s) / (1 + α ΔT), to the nearest nanometre.
+    pub fn against_exact(&self) -> Length {
+        let growth = |warm: Warm| f64::from(warm.expansion.0) * 1e-9 * f64::from(warm.temperature.0 - REFERENCE) * 1e-3;
+        let (part, scale) = (growth(self.part), self.scale.map_or(0.0, growth));
+        // The difference alone, so that no digits of the length cancel.
+        let exact = (1.0 + scale) / (1.0 + part) - (1.0 - part + scale);
+        Length::from_mm_f64(self.measured.to_mm_f64() * -exact).unwrap_or_default()
+    }
+}
+
 /// How much longer a length is at a temperature than at 20 °C.
 pub fn growth(nominal: Length, part: Warm) -> Length {
     nanometres(i128::from(nominal.nanometres()) * part.growth())

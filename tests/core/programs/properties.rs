@@ -126,8 +126,9 @@ proptest! {
         let bodies: Vec<Body> = [vec![begin], bodies, vec![end]].concat();
         let text = write::program(bodies.iter().map(|body| (body, "x; \"y")));
         let (program, warnings) = Program::read(text.as_bytes()).unwrap();
-        // A label may occur twice.
-        let odd = warnings.iter().find(|warning| !warning.to_string().contains("already defined"));
+        // A label may occur twice, and behind a cycle something may be set that looks like its next line.
+        let is_known = |warning: &str| warning.contains("already defined") || warning.contains("has no ~ at its end");
+        let odd = warnings.iter().find(|warning| !is_known(&warning.to_string()));
         prop_assert!(odd.is_none(), "{}\n{}", odd.unwrap(), text);
         let read: Vec<Body> = program.blocks().iter().map(|block| without_places(&block.body)).collect();
         prop_assert_eq!(read, bodies, "{}", text);

@@ -1,0 +1,89 @@
+//! Materials of parts, by name or by expansion, and the temperature of a measured part.
+
+use std::path::{Path, PathBuf};
+
+use super::{CliError, Refused as _, What};
+use crate::control::text::decode;
+use crate::files;
+use crate::length::Length;
+use crate::tolerance::fit::materials::{Certainty, Materials};
+use crate::tolerance::fit::thermal::{Correction, Expansion, Temperature, ThermalError, Warm};
+
+/// The built-in materials, with a user's own file before them.
+pub(super) fn materials(own: Option<&Path>) -> Result<Materials, CliError> {
+    let shipped = Materials::shipped();
+    let Some(path) = own else { return Ok(shipped.clone()) };
+    let own = Materials::read(&decode(&files::read(path)?));
+    Ok(shipped.with_own(own.about(&path.display().to_string())?))
+}
+
+/// The material of a part.
+#[derive(Debug, Clone)]
+pub(super) struct Part {
+    /// Its English name; `None` where the expansion itself was given.
+    pub name: Option<String>,
+    pub certainty: Certainty,
+    pub source: Option<String>,
+    pub warm: Warm,
+}
+
+impl Part {
+    /// A material by its name, which may be a number such as 1.4301, or else an expansion.
+    pub(super) fn of(text: &str, materials: &Materials, temperature: Temperature) -> Result<Self, CliError> {
+        let warm = |expansion| Warm { expansion, temperature };
+        match materials.find(text) {
+            Ok(material) => Ok(Self {
+                name: Some(material.name.clone()),
+                certainty: material.certainty,
+                source: material.source.clone(),
+                warm: warm(material.expansion),
+            }),
+            Err(unknown) => match text.parse::<Expansion>() {
+                Ok(expansion) => {
+                    Ok(Self { name: None, certainty: Certainty::Own, source: None, warm: warm(expansion) })
+                }
+                Err(ThermalError::NotANumber { .. }) => Err(unknown).said(),
+                Err(error) => Err(error).said(),
+            },
+        }
+    }
+}
+
+/// The temperature at which a part was measured.
+#[derive(Debug, Clone, clap::Args)]
+#[command(next_help_heading = "Temperature")]
+pub(super) struct WarmArgs {
+    /// The temperature of the measured part in °C: the value is brought to 20 °C before it is judged
+    #[arg(long, value_name = "C", requires = "material", allow_hyphen_values = true)]
+    temperature: Option<String>,
+    /// The part's material, or its expansion in millionths per kelvin, such as 11.5
+    #[arg(long, value_name = "NAME", requires = "temperature", allow_hyphen_values = true)]
+    material: Option<String>,
+    /// The temperature of the machine's scales in °C, where the machine does not compensate them
+    #[arg(long, value_name = "C", requires_all = ["scale_material", "temperature"], allow_hyphen_values = true)]
+    scale_temperature: Option<String>,
+    /// The scales' material, or their expansion
+    #[arg(long, value_name = "NAME", requires = "scale_temperature", allow_hyphen_values = true)]
+    scale_material: Option<String>,
+    /// Your own materials, a TOML file: they replace those of the same name and add others
+    #[arg(long, value_name = "FILE.toml", requires = "material")]
+    materials: Option<PathBuf>,
+}
+
+impl WarmArgs {
+    /// The correction of a measured length; `None` where no temperature was given.
+    pub(super) fn correction(&self, measured: Length) -> Result<Option<(Correction, Part)>, CliError> {
+        let (Some(temperature), Some(material)) = (&self.temperature, &self.material) else { return Ok(None) };
+        let materials = materials(self.materials.as_deref())?;
+        let read = |text: &str| text.parse::<Temperature>().about(&What::Temperature);
+        let part = Part::of(material, &materials, read(temperature)?).about(&What::Option { name: "material" })?;
+        let scale = match (&self.scale_temperature, &self.scale_material) {
+            (Some(temperature), Some(material)) => {
+                let scale = Part::of(material, &materials, read(temperature)?);
+                Some(scale.about(&What::Option { name: "scale-material" })?.warm)
+            }
+            _ => None,
+        };
+        Ok(Some((Correction::new(measured, part.warm, scale), part)))
+    }
+}
