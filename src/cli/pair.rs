@@ -123,8 +123,12 @@ impl Args {
         for input in [&self.holes, &self.shafts] {
             self.not_the_output(input)?;
         }
-        let holes = Parts::read(&self.holes, Feature::Hole, io)?;
-        let shafts = Parts::read(&self.shafts, Feature::Shaft, io)?;
+        let mut holes = Parts::read(&self.holes, Feature::Hole, io)?;
+        let mut shafts = Parts::read(&self.shafts, Feature::Shaft, io)?;
+        if let Some((_, fit)) = &fit {
+            holes.hold_to(fit.hole(), io);
+            shafts.hold_to(fit.shaft(), io);
+        }
         let pairing = pair(&holes.measured, &shafts.measured, wanted);
         let grinding = grinding(&holes.measured, &shafts.measured, &pairing, wanted);
         let groups = self.groups(&holes, &shafts, fit.as_ref().map(|(_, fit)| fit))?;

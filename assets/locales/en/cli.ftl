@@ -121,6 +121,10 @@ cli-warning-named-twice = { $rows ->
         [one] a row has the name of an earlier row
        *[other] { $rows } rows have the name of an earlier row
     }, such as { $id } on lines { $first } and { $second }: each row counts as a part
+cli-warning-outside-limits = { $count ->
+        [one] 1 part is outside its own limits
+       *[other] { $count } parts are outside their own limits
+    }: pairs are made by clearance alone
 cli-warning-simulated-rows = { $count ->
         [one] 1 row is simulated
        *[other] { $count } rows are simulated

@@ -121,6 +121,10 @@ cli-warning-named-twice = { $rows ->
         [one] een rij heeft de naam van een eerdere rij
        *[other] { $rows } rijen hebben de naam van een eerdere rij
     }, zoals { $id } op regels { $first } en { $second }: elke rij telt als een onderdeel
+cli-warning-outside-limits = { $count ->
+        [one] 1 onderdeel ligt buiten zijn eigen grensmaten
+       *[other] { $count } onderdelen liggen buiten hun eigen grensmaten
+    }: paren volgen alleen uit de speling
 cli-warning-simulated-rows = { $count ->
         [one] 1 rij is gesimuleerd
        *[other] { $count } rijen zijn gesimuleerd

@@ -9,7 +9,8 @@ use crate::cli::{CliError, CliWarning};
 use crate::exchange::{ImportError, Size, Sizes, sizes};
 use crate::length::Length;
 use crate::message::{Located, Message, Say as _};
-use crate::tolerance::Feature;
+use crate::tolerance::{Feature, Limits};
+use crate::verdict::{Status, judge_size};
 
 /// Holes or shafts of a file.
 pub(super) struct Parts {
@@ -49,6 +50,17 @@ impl Parts {
             io.tell(format_args!("{}: {}", read.place(error), error.what.kind));
         }
         Ok(read)
+    }
+
+    /// Warns of parts outside their own limits: a pair of them may still have a wanted clearance.
+    pub(super) fn hold_to(&mut self, limits: &Limits, io: &mut Io<'_>) {
+        let is_out = |measured: &&Length| judge_size(limits, **measured).status != Status::Good;
+        let count = self.measured.iter().filter(is_out).count();
+        if 0 < count {
+            let what = CliWarning::OutsideLimits { count }.message();
+            io.tell(format_args!("{}: {}", self.file, warning(&what)));
+            self.warnings.push(format!("{}: {what}", self.file));
+        }
     }
 
     /// `holes.csv:4:2`
