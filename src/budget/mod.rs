@@ -5,6 +5,7 @@
 //! |---|---|
 //! | here | a budget, its contributions, and on which days it is valid |
 //! | `file` | a budget as TOML: its keys and what is allowed |
+//! | `piece` | its table `[calibrated]` |
 //! | `numbers` | which keys a contribution has, and their ranges |
 //! | `geometry` | how contacts spread the scatter of a touch into the diameter |
 //! | `evaluation` | the table of contributions, combined and expanded uncertainty, what would help most |
@@ -20,6 +21,7 @@ mod evaluation;
 mod file;
 mod geometry;
 mod numbers;
+mod piece;
 
 pub use calibrated::{Calibrated, CalibratedError, FEWEST_READINGS, Repeated};
 pub use coverage::{PROBABILITY, factor, student};
@@ -30,7 +32,8 @@ pub use geometry::{Geometry, GeometryError};
 use jiff::civil::Date;
 use serde::Deserialize;
 
-use crate::message::{Arg, IntoArg};
+use crate::message::{Arg, IntoArg as _};
+use crate::verdict::rules::{Uncertainty, UncertaintyError};
 
 /// A budget of one station and probe.
 #[derive(Debug, Clone, PartialEq)]
@@ -178,6 +181,17 @@ impl Budget {
             Validity::Valid
         }
     }
+}
+
+/// What a rule gets: micrometres rounded up to the picometre, and the coverage factor.
+///
+/// # Errors
+/// [`UncertaintyError`] where a rule has no place for it: a metre and more, or a coverage factor above 10.
+pub fn uncertainty(u: f64, k: f64) -> Result<Uncertainty, UncertaintyError> {
+    // A thousandth of a picometre is rounding of the sum.
+    let picometres = (u * 1e6 - 1e-3).ceil().max(1.0);
+    let k = Uncertainty::factor(&format!("{k:.3}"))?;
+    Ok(Uncertainty::standard(&format!("{:.6}", picometres / 1e6))?.covered(k))
 }
 
 /// A computed value as a text has it: with at most six decimals.

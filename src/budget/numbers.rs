@@ -6,6 +6,12 @@ use super::BudgetError;
 use crate::message::Located;
 use crate::probing::simulated::line_at;
 
+/// The largest uncertainty, in micrometres or kelvin: a metre.
+pub(super) const FAR: f64 = 1e6;
+
+/// The largest expansion per kelvin: a mistaken unit is a million times as large.
+pub(super) const ALPHA: f64 = 0.001;
+
 /// A number of a table, if it is there.
 pub(super) type Number = Option<Spanned<f64>>;
 
