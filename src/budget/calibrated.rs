@@ -2,14 +2,14 @@
 //!
 //! | term | what |
 //! |---|---|
-//! | u_cal | of the calibration, from its certificate |
-//! | u_p | of the procedure: the standard deviation of the readings |
-//! | u_b | of the bias: the expansion of the piece, or as given |
-//! | u_w | of the parts: their expansion, form and roughness |
+//! | `u_cal` | of the calibration, from its certificate |
+//! | `u_p` | of the procedure: the standard deviation of the readings |
+//! | `u_b` | of the bias: the expansion of the piece, or as given |
+//! | `u_w` | of the parts: their expansion, form and roughness |
 //! | b | the bias: mean of the readings minus the calibrated size |
 //!
-//! The edition of 2011 corrects the bias: U = k √(u_cal² + u_p² + u_b² + u_w²). The technical specification of 2004 adds it where
-//! it is not corrected: U = k √(u_cal² + u_p² + u_w²) + |b|. k is 2.
+//! The edition of 2011 corrects the bias: `U = k √(u_cal² + u_p² + u_b² + u_w²)`. The technical specification of 2004 adds it where
+//! it is not corrected: `U = k √(u_cal² + u_p² + u_w²) + |b|`. k is 2.
 
 use super::{brief, count};
 use crate::length::Length;
@@ -18,9 +18,6 @@ use crate::tolerance::Feature;
 
 /// The fewest readings that the standard asks for.
 pub const FEWEST_READINGS: usize = 20;
-
-/// The coverage factor of the standard.
-const K: f64 = 2.0;
 
 /// A calibrated piece and what is known beside its readings. Uncertainties in micrometres.
 #[derive(Debug, Clone, PartialEq)]
@@ -117,8 +114,8 @@ impl Calibrated {
             u_p,
             u_b,
             u_w,
-            expanded_2011: K * without.hypot(u_b),
-            expanded_2004: K * without + bias.abs(),
+            expanded_2011: Repeated::K * without.hypot(u_b),
+            expanded_2004: Repeated::K * without + bias.abs(),
             is_corrected,
         };
         if repeated.expanded() <= 0.0 { Err(CalibratedError::Nothing) } else { Ok(repeated) }
@@ -127,9 +124,7 @@ impl Calibrated {
 
 impl Repeated {
     /// The coverage factor of the standard.
-    pub const fn k(&self) -> f64 {
-        K
-    }
+    pub const K: f64 = 2.0;
 
     /// The expanded uncertainty that counts: that of 2011 for values that are corrected, otherwise that of 2004.
     pub const fn expanded(&self) -> f64 {
@@ -138,7 +133,7 @@ impl Repeated {
 
     /// Half of that.
     pub const fn u(&self) -> f64 {
-        self.expanded() / K
+        self.expanded() / Self::K
     }
 
     /// Whether there are as many readings as the standard asks for.

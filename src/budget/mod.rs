@@ -195,6 +195,7 @@ pub fn uncertainty(u: f64, k: f64) -> Result<Uncertainty, UncertaintyError> {
 }
 
 /// A computed value as a text has it: with at most six decimals.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as `say(with)` calls it")]
 fn brief(value: &f64) -> Arg {
     let text = format!("{value:.6}");
     text.trim_end_matches('0').trim_end_matches('.').to_owned().arg()

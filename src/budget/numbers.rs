@@ -44,12 +44,12 @@ impl Numbers<'_> {
 
     /// Refuses every key that is not one of these.
     pub(super) fn only(&self, allowed: &[&str]) -> Result<(), Refusal> {
-        let others = self.all.iter().filter(|(key, _)| !allowed.contains(key));
-        for (key, line) in others.filter_map(|(key, _)| Some((key, self.get(key)?.1))) {
+        let mut others = self.all.iter().filter(|(key, _)| !allowed.contains(key));
+        let found = others.find_map(|(key, _)| Some((key, self.get(key)?.1)));
+        found.map_or(Ok(()), |(key, line)| {
             let what = BudgetError::Key { table: self.table.to_owned(), key, allowed: allowed.join(", ") };
-            return Err(Located::in_line(line, what));
-        }
-        Ok(())
+            Err(Located::in_line(line, what))
+        })
     }
 
     /// A number of a range, both ends included; `None` where it is not given.

@@ -38,9 +38,15 @@ const PROVERS: [(&str, Prover); 2] = [("supplier", Prover::Supplier), ("customer
 impl RuleArgs {
     /// The rule, and with it the uncertainty.
     pub(super) fn rule(&self) -> Result<Rule, CliError> {
+        self.rule_with(None)
+    }
+
+    /// The same with the uncertainty of a budget instead of the options.
+    pub(super) fn rule_with(&self, budget: Option<Uncertainty>) -> Result<Rule, CliError> {
         let k = Uncertainty::factor(&self.k).about(&What::Option { name: "k" })?;
         let about = |name, read: Result<Uncertainty, UncertaintyError>| read.about(&What::Option { name });
         let uncertainty = match (&self.u, &self.expanded) {
+            _ if budget.is_some() => budget,
             (Some(u), _) => Some(about("u", Uncertainty::standard(u))?.covered(k)),
             (None, Some(expanded)) => Some(about("expanded", Uncertainty::expanded(expanded, k))?),
             (None, None) => None,
