@@ -10,6 +10,7 @@
 //! | [`probing`] | contacts, circles, measuring cycles, the simulated workpiece |
 //! | [`verdict`] | good, rework, scrap |
 //! | [`pairing`] | which measured holes go with which measured shafts |
+//! | [`budget`] | how sure a measured value is |
 //! | [`control`] | the control's tables, masks and logs |
 //! | [`nc`] | NC programs: read, written, run |
 //! | [`exchange`] | files of other tools |
@@ -21,6 +22,7 @@
 //! | [`words`], [`files`] | texts in the user's language; reading and writing files safely |
 
 pub mod batch;
+pub mod budget;
 pub mod cli;
 pub mod control;
 pub mod exchange;

@@ -4,10 +4,12 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use super::args::dialogue;
+use super::budget::Found;
 use super::material::{Part, WarmArgs};
 use super::rule::RuleArgs;
 use super::said::percent;
 use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
+use crate::budget::{Conditions, Geometry};
 use crate::control::mask::Mask;
 use crate::exchange::contacts::Contacts;
 use crate::files;
@@ -22,7 +24,7 @@ use crate::report::{csv, json};
 use crate::tolerance::fit::materials::Certainty;
 use crate::tolerance::fit::thermal::Correction;
 use crate::tolerance::{Callout, Feature, FigureWarning, Limits, LimitsError, Sources};
-use crate::verdict::Status;
+use crate::verdict::{Rule, Status};
 use crate::words::Dialogue;
 
 const EXAMPLES: &str = "Examples:
@@ -64,6 +66,9 @@ pub(super) struct Args {
     warm: WarmArgs,
     #[command(flatten)]
     rule: RuleArgs,
+    /// Uncertainty budget (TOML, see fitcheck budget) that gives uncertainty and coverage factor for the measured value
+    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["u", "expanded", "k"], help_heading = "Decision rule")]
+    budget: Option<PathBuf>,
     #[command(flatten)]
     tables: TableArgs,
 }
@@ -119,7 +124,8 @@ impl FromStr for MaskArg {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let rule = self.rule.rule()?;
+        // Without a budget a wrong rule is refused before anything is read.
+        let rule = if self.budget.is_none() { Some(self.rule.rule()?) } else { None };
         let sources = self.tables.load(io)?;
         let asked = self.callout.trim();
         let asked = if asked.is_empty() { What::Callout.arg() } else { asked.arg() };
@@ -140,6 +146,10 @@ impl Args {
             measurement.diameter = correction.at_reference;
         }
         let measured = measurement.diameter;
+        let (rule, budget) = match rule {
+            Some(rule) => (rule, None),
+            None => self.rule_by_budget(&measurement, io)?,
+        };
         let callout = callout.of_part(limits.feature);
         let record = Record::judged(super::now(), String::new(), Some(callout), limits, measurement, None);
         let record = Record { correction: correction.as_ref().map(|(correction, _)| *correction), ..record }.by(rule);
@@ -160,10 +170,23 @@ impl Args {
         }
         match self.format {
             Format::Text => self.print_window(&record, io)?,
-            Format::Json => print_json(&record, unstated, io)?,
+            Format::Json => print_json(&record, unstated, budget.as_ref(), io)?,
             Format::Csv => print_csv(&record, unstated, io)?,
         }
         Ok(Outcome::Judged(record.verdict.status()))
+    }
+
+    /// The rule with the uncertainty that the budget gives for this measurement, and that budget.
+    fn rule_by_budget(&self, measurement: &Measurement, io: &mut Io<'_>) -> Result<(Rule, Option<Found>), CliError> {
+        let Some(path) = &self.budget else { return Ok((self.rule.rule()?, None)) };
+        let geometry = match measurement.contacts.as_slice() {
+            [] => None,
+            contacts => Some(Geometry::of_contacts(contacts).about(&What::Option { name: "budget" })?),
+        };
+        let conditions = Conditions { size: Some(measurement.diameter), geometry };
+        let (found, uncertainty) = Found::read(path, &conditions, io)?;
+        found.introduce(io);
+        Ok((self.rule.rule_with(Some(uncertainty))?, Some(found)))
     }
 
     fn measurement(&self, limits: &Limits, io: &mut Io<'_>) -> Result<Measurement, CliError> {
@@ -274,10 +297,13 @@ fn tell_rule(record: &Record, io: &mut Io<'_>) {
 }
 
 /// `unstated`: the callout has no letters and nobody named hole or shaft, so the JSON does not either.
-fn print_json(record: &Record, unstated: bool, io: &mut Io<'_>) -> Result<(), CliError> {
+fn print_json(record: &Record, unstated: bool, budget: Option<&Found>, io: &mut Io<'_>) -> Result<(), CliError> {
     let mut object = json::object(record).said()?;
     if let Some(feature) = object.get_mut("feature").filter(|_| unstated) {
         *feature = serde_json::Value::Null;
+    }
+    if let Some(budget) = budget {
+        object.insert("budget".to_owned(), budget.head().into());
     }
     io.json(&object)
 }

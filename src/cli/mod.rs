@@ -38,6 +38,7 @@ macro_rules! subcommands {
 mod answers;
 mod args;
 mod batch;
+mod budget;
 mod check;
 mod circle;
 mod cycle;
@@ -92,6 +93,7 @@ subcommands! {
     Fit(fit::Args),
     Import(import::Args),
     Batch(batch::Args),
+    Budget(budget::Args),
     Circle(circle::Args),
     Cycle(cycle::Args),
     Decide(decide::Args),

@@ -18,7 +18,7 @@ use crate::pairing::{grinding, groups, pair};
 use crate::report::columns::names;
 use crate::tolerance::fit::Fit;
 use crate::tolerance::{Callout, Feature};
-use parts::Parts;
+pub(super) use parts::Parts;
 
 /// Pair measured holes with measured shafts for a wanted clearance: selective assembly
 #[derive(Debug, clap::Args)]

@@ -14,14 +14,14 @@ pub(super) struct RuleArgs {
     #[arg(long, value_name = "RULE", default_value = "simple", value_parser = one_of(RuleName::ALL, |rule| rule.word()))]
     rule: RuleName,
     /// Standard uncertainty of the measured value in µm
-    #[arg(long, value_name = "UM", conflicts_with = "expanded")]
+    #[arg(long, value_name = "UM", group = "uncertainty")]
     u: Option<String>,
     /// Expanded uncertainty in µm, instead of --u; it is divided by --k
-    #[arg(long, value_name = "UM")]
+    #[arg(long, value_name = "UM", group = "uncertainty")]
     expanded: Option<String>,
-    /// Coverage factor of the expanded uncertainty
-    #[arg(long, value_name = "K", default_value = "2")]
-    k: String,
+    /// Coverage factor of the expanded uncertainty; default: 2
+    #[arg(long, value_name = "K", requires = "uncertainty")]
+    k: Option<String>,
     /// Guard band as a multiple of the expanded uncertainty, for ilac-g8, asme-stringent and asme-relaxed; default: 1
     #[arg(long, value_name = "H")]
     factor: Option<String>,
@@ -38,9 +38,15 @@ const PROVERS: [(&str, Prover); 2] = [("supplier", Prover::Supplier), ("customer
 impl RuleArgs {
     /// The rule, and with it the uncertainty.
     pub(super) fn rule(&self) -> Result<Rule, CliError> {
-        let k = Uncertainty::factor(&self.k).about(&What::Option { name: "k" })?;
+        self.rule_with(None)
+    }
+
+    /// The same with the uncertainty of a budget instead of the options.
+    pub(super) fn rule_with(&self, budget: Option<Uncertainty>) -> Result<Rule, CliError> {
+        let k = Uncertainty::factor(self.k.as_deref().unwrap_or("2")).about(&What::Option { name: "k" })?;
         let about = |name, read: Result<Uncertainty, UncertaintyError>| read.about(&What::Option { name });
         let uncertainty = match (&self.u, &self.expanded) {
+            _ if budget.is_some() => budget,
             (Some(u), _) => Some(about("u", Uncertainty::standard(u))?.covered(k)),
             (None, Some(expanded)) => Some(about("expanded", Uncertainty::expanded(expanded, k))?),
             (None, None) => None,

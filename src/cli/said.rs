@@ -45,6 +45,15 @@ pub(super) enum CliRemark {
         #[say(with = Say::message)]
         rule: Rule,
     },
+    /// Where the uncertainty comes from.
+    Budget { name: String, date: String, until: String },
+    /// The contacts that its scatter is of.
+    BudgetContacts {
+        touches: usize,
+        step: String,
+        #[say(with = printed)]
+        factor: String,
+    },
     /// The values that it accepts.
     Accepted { least: Length, most: Length },
     /// It accepts no value: the uncertainty is too large for the tolerance.
@@ -124,6 +133,24 @@ pub(super) enum CliWarning<'a> {
     NoToolMonitored,
     /// A cycle with an unknown log.
     LogUnknown { code: &'a str },
+    /// A budget whose last day is over.
+    BudgetExpired { until: String },
+    /// A budget of a later day.
+    BudgetNotYet { date: String },
+    /// An option that a budget does not ask for.
+    BudgetOption { option: &'a str },
+    /// Fewer readings of a calibrated piece than the standard asks for.
+    FewReadings { readings: usize, fewest: usize },
+    /// A bias by which measured values must be corrected.
+    BiasCorrected {
+        #[say(with = printed)]
+        bias: String,
+    },
+    /// A bias that is part of the uncertainty.
+    BiasNotCorrected {
+        #[say(with = printed)]
+        bias: String,
+    },
     /// A folder for logs, and an input that wants no log.
     LogOff,
     /// A folder for logs, and a cycle without one.

@@ -41,7 +41,7 @@ fn none_names(files: &[(String, String)], words: &[&str]) {
 }
 
 /// The rooms from the ground up, each with the rooms that it may name: an arrow only points down.
-const ROOMS: [(&str, &[&str]); 18] = [
+const ROOMS: [(&str, &[&str]); 19] = [
     ("shipped", &[]),
     ("message", &["shipped"]),
     ("length", &["message"]),
@@ -50,6 +50,7 @@ const ROOMS: [(&str, &[&str]); 18] = [
     ("verdict", &["message", "length", "tolerance"]),
     ("pairing", &["message", "length", "tolerance"]),
     ("probing", &["message", "length", "words", "tolerance", "verdict"]),
+    ("budget", &["message", "length", "tolerance", "verdict", "probing"]),
     ("control", &["shipped", "message", "length", "words", "tolerance", "verdict", "probing"]),
     ("nc", &["shipped", "message", "length", "words", "tolerance", "verdict", "probing", "control"]),
     ("journal", &["message", "length", "words", "tolerance", "verdict", "probing", "control"]),
@@ -86,6 +87,7 @@ const ROOMS: [(&str, &[&str]); 18] = [
             "verdict",
             "pairing",
             "probing",
+            "budget",
             "control",
             "nc",
             "journal",
@@ -177,7 +179,7 @@ fn only_the_window_knows_egui() {
 #[test]
 fn the_core_touches_no_file_thread_or_clock() {
     let core = |name: &str| {
-        ["length/", "tolerance/", "pairing/", "probing/", "report/", "exchange/", "session/"]
+        ["length/", "tolerance/", "pairing/", "probing/", "budget/", "report/", "exchange/", "session/"]
             .iter()
             .any(|room| name.starts_with(room))
             || name.starts_with("verdict/")

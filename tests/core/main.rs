@@ -5,6 +5,7 @@
 mod around;
 mod bad_input;
 mod batch;
+mod budgets;
 mod callout_grammar;
 mod callouts;
 mod check_cli;

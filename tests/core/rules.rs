@@ -305,6 +305,17 @@ fn a_rule_has_what_it_needs_and_nothing_without_effect() {
 }
 
 #[test]
+fn a_coverage_factor_without_an_uncertainty_is_wrong_usage() {
+    let code = |options: &[&str]| {
+        let front = ["check", "25 H7", "--measured", "25.01"];
+        Command::new(env!("CARGO_BIN_EXE_fitcheck")).args(front).args(options).output().unwrap().status.code()
+    };
+    assert_eq!(code(&["--k", "3"]), Some(2));
+    assert_eq!(code(&["--u", "1", "--expanded", "2"]), Some(2));
+    assert_eq!(code(&["--u", "1", "--k", "3"]), Some(0));
+}
+
+#[test]
 fn csv_and_reports_have_the_rule_where_there_is_one() {
     let run = |arguments: &[&str]| {
         let output = Command::new(env!("CARGO_BIN_EXE_fitcheck")).args(arguments).output().unwrap();

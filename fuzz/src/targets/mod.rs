@@ -6,6 +6,7 @@
 
 mod batch;
 mod block;
+mod budget;
 mod callout;
 mod circle;
 mod command;
@@ -60,6 +61,7 @@ macro_rules! targets {
 targets! {
     batch "csv"
     block "klartext"
+    budget "toml"
     callout "sizes"
     circle "none"
     command "csv"

@@ -13,21 +13,21 @@ use crate::tolerance::{Feature, Limits};
 use crate::verdict::{Status, judge_size};
 
 /// Holes or shafts of a file.
-pub(super) struct Parts {
+pub(in crate::cli) struct Parts {
     /// The file as the user named it.
-    pub(super) file: String,
-    pub(super) sizes: Vec<Size>,
+    pub(in crate::cli) file: String,
+    pub(in crate::cli) sizes: Vec<Size>,
     /// The size of each part, in the same order.
-    pub(super) measured: Vec<Length>,
+    pub(in crate::cli) measured: Vec<Length>,
     /// What could not be used.
-    pub(super) errors: Vec<Located<ImportError>>,
+    pub(in crate::cli) errors: Vec<Located<ImportError>>,
     /// What was said about the file.
-    pub(super) warnings: Vec<String>,
+    pub(in crate::cli) warnings: Vec<String>,
 }
 
 impl Parts {
     /// Reads a file; errors and warnings also go to standard error.
-    pub(super) fn read(path: &Path, feature: Feature, io: &mut Io<'_>) -> Result<Self, CliError> {
+    pub(in crate::cli) fn read(path: &Path, feature: Feature, io: &mut Io<'_>) -> Result<Self, CliError> {
         let (name, bytes) = read_input(path, io)?;
         let file = if path.as_os_str() == "-" { name.clone() } else { path.display().to_string() };
         let Sizes { measured: found, errors, warnings } = sizes(&name, &bytes, feature);

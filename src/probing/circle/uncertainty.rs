@@ -49,6 +49,12 @@ impl Uncertainty {
         }
     }
 
+    /// For contacts in these directions, radians.
+    pub fn of_angles(angles: &[f64]) -> Self {
+        let points: Vec<[f64; 2]> = angles.iter().map(|angle| [angle.cos(), angle.sin()]).collect();
+        Self::of(&points, [0.0, 0.0])
+    }
+
     /// How many times worse the diameter is than with three contacts 120 degrees apart.
     pub fn against_three_by_120(&self) -> f64 {
         self.diameter / THREE_BY_120

@@ -69,7 +69,7 @@ pub(super) const STEEL: f64 = 11.5;
 pub(super) const REFERENCE: f64 = 20.0;
 
 /// The largest file in bytes: a real one has some hundred, and the TOML reader takes fifty times as many.
-pub(super) const LARGEST: usize = 1 << 20;
+pub(crate) const LARGEST: usize = 1 << 20;
 
 /// The most characters of the TOML reader's message.
 const LONGEST: usize = 300;
@@ -359,7 +359,7 @@ const fn hole_or_shaft<T: Copy>(feature: Feature, table: T) -> (Option<T>, Optio
 }
 
 /// The TOML reader's message, cut off where a key is very long.
-pub(super) fn bounded(said: &str) -> String {
+pub(crate) fn bounded(said: &str) -> String {
     match said.char_indices().nth(LONGEST) {
         Some((end, _)) => format!("{}…", said.get(..end).unwrap_or_default()),
         None => said.to_owned(),
@@ -367,7 +367,7 @@ pub(super) fn bounded(said: &str) -> String {
 }
 
 /// The TOML reader's message in a user's words: numbers instead of their types, and which key is there twice.
-pub(super) fn plain(error: &toml::de::Error, text: &str) -> String {
+pub(crate) fn plain(error: &toml::de::Error, text: &str) -> String {
     let said = error.message().replace("expected f64", "expected a number");
     let said = said.replace("expected u64", "expected a whole number from 0 to 9223372036854775807");
     let said = said.replace(" as i128", "").replace("expected u32", "expected a whole number from 0");
@@ -384,7 +384,7 @@ pub(super) fn plain(error: &toml::de::Error, text: &str) -> String {
 }
 
 /// The line of a place in a text, from 1.
-pub(super) fn line_at(text: &str, offset: usize) -> usize {
+pub(crate) fn line_at(text: &str, offset: usize) -> usize {
     1 + text.bytes().take(offset).filter(|byte| *byte == b'\n').count()
 }
 

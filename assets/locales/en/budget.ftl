@@ -1,0 +1,26 @@
+# budget
+
+budget-toml = { $said }
+budget-too-large = a budget file has at most { $most } KiB
+budget-not-one = a budget needs either [[contribution]] tables or one [calibrated] table
+budget-too-many = { $count } contributions: a budget has at most { $most }
+budget-empty = { $key } is empty: expected a text
+budget-day = { $key }: { $given } is not a day: expected YYYY-MM-DD
+budget-days = valid_until { $until } is before date { $date }
+budget-key = { $table }: { $key } is not used here: the allowed keys are { $allowed }
+budget-missing = { $table }: { $keys } is missing
+budget-range = { $table }: { $key } is { $given }: expected { $least } to { $most }
+budget-resolution-law = { $table }: a resolution is rectangular: expected law = "rectangular" or no law
+budget-geometry = { $table }: { $error }
+budget-length = { $key }: { $error }
+budget-geometry-touches = { $touches } touches: expected 3 to { $most }
+budget-geometry-step = { $touches } touches at { $step } degrees: expected a step of 0.01 to { $most } degrees
+budget-evaluation-no-size = { $contribution } depends on the size, and no size is given
+budget-evaluation-no-contacts = { $contribution } depends on the contacts: the budget has no touches and step_deg, and no contacts are given
+budget-evaluation-nothing = every contribution is zero
+budget-calibrated-too-few = { $readings ->
+        [one] one reading
+       *[other] { $readings } readings
+    }: at least 2 are needed
+budget-calibrated-far-away = the mean of the readings, { $mean } mm, is more than 1 mm from the calibrated size, { $size } mm
+budget-calibrated-nothing = every uncertainty is zero

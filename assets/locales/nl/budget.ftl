@@ -1,0 +1,26 @@
+# budget
+
+budget-toml = { $said }
+budget-too-large = een budgetbestand heeft hoogstens { $most } KiB
+budget-not-one = een budget heeft ofwel tabellen [[contribution]] ofwel één tabel [calibrated] nodig
+budget-too-many = { $count } bijdragen: een budget heeft er hoogstens { $most }
+budget-empty = { $key } is leeg: een tekst verwacht
+budget-day = { $key }: { $given } is geen dag: JJJJ-MM-DD verwacht
+budget-days = valid_until { $until } ligt vóór date { $date }
+budget-key = { $table }: { $key } wordt hier niet gebruikt: toegestaan zijn { $allowed }
+budget-missing = { $table }: { $keys } ontbreekt
+budget-range = { $table }: { $key } is { $given }: { $least } tot { $most } verwacht
+budget-resolution-law = { $table }: een resolutie is rechthoekig verdeeld: law = "rectangular" of geen law verwacht
+budget-geometry = { $table }: { $error }
+budget-length = { $key }: { $error }
+budget-geometry-touches = { $touches } tastpunten: 3 tot { $most } verwacht
+budget-geometry-step = { $touches } tastpunten om de { $step } graden: een stap van 0.01 tot { $most } graden verwacht
+budget-evaluation-no-size = { $contribution } hangt af van de maat, en er is geen maat gegeven
+budget-evaluation-no-contacts = { $contribution } hangt af van de tastpunten: het budget heeft geen touches en step_deg, en er zijn geen tastpunten gegeven
+budget-evaluation-nothing = elke bijdrage is nul
+budget-calibrated-too-few = { $readings ->
+        [one] één aflezing
+       *[other] { $readings } aflezingen
+    }: minstens 2 nodig
+budget-calibrated-far-away = het gemiddelde van de aflezingen, { $mean } mm, ligt meer dan 1 mm van de gekalibreerde maat, { $size } mm
+budget-calibrated-nothing = elke onzekerheid is nul

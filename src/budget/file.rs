@@ -1,0 +1,363 @@
+//! A budget as one TOML file.
+//!
+//! ```toml
+//! name = "Station 3, probe 1"
+//! date = 2026-01-15
+//! by = "J. Jansen"
+//! valid_until = 2027-01-14      # this day included
+//!
+//! [[contribution]]
+//! name = "Scatter of a touch"
+//! kind = "scatter"              # times the geometry factor of the contacts
+//! type = "A"
+//! law = "normal"
+//! standard_um = 0.5
+//! degrees_of_freedom = 24       # infinite without it
+//! touches = 4                   # with step_deg, unless contacts are given
+//! step_deg = 90
+//!
+//! [[contribution]]
+//! name = "Setting ring"
+//! type = "B"
+//! law = "normal"
+//! expanded_um = 1.0
+//! k = 2
+//!
+//! [[contribution]]
+//! name = "Temperature of the part"
+//! kind = "part-temperature"     # times size and expansion; "scale-temperature" likewise
+//! type = "B"
+//! law = "rectangular"
+//! half_width_k = 1.0
+//! alpha_per_k = 11.5e-6
+//!
+//! [[contribution]]
+//! name = "Geometry of the machine"
+//! type = "B"
+//! law = "rectangular"           # or "u-shaped", "triangular"
+//! half_width_um = 1.0
+//! sensitivity = 1.0             # 1 without it
+//!
+//! [[contribution]]
+//! name = "Display"
+//! kind = "resolution"           # the step of the display; rectangular
+//! type = "B"
+//! resolution_um = 0.1
+//! ```
+//!
+//! Instead of contributions a file can have one table `[calibrated]` (ISO 15530-3):
+//!
+//! ```toml
+//! [calibrated]
+//! x_cal_mm = 30.0012
+//! expanded_um = 0.6             # with k, or standard_um
+//! k = 2
+//! u_b_um = 0.1                  # or temperature_c and u_alpha_per_k of the piece
+//! u_w_um = 0.3                  # or temperature_c and u_alpha_parts_per_k; both add up
+//! bias_corrected = false        # whether measured values are corrected before they are judged; false without it
+//! feature = "hole"              # or "shaft", for files of readings
+//! readings_mm = [30.0021, 30.0024]
+//! ```
+//!
+//! An unknown key is an error.
+
+use serde::Deserialize;
+use toml::Spanned;
+
+use super::numbers::{ALPHA, FAR, Number, Numbers, Refusal};
+use super::piece::{Piece, calibrated};
+use super::{Basis, Budget, Contribution, Evaluated, Geometry, GeometryError, Kind, Law, brief};
+use crate::length::LengthError;
+use crate::message::{Located, Place, Say};
+use crate::probing::simulated::{LARGEST, bounded, line_at, plain};
+
+/// The most contributions of a budget.
+const MOST: usize = 1_000;
+
+/// Why a file is not a budget.
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "budget", error)]
+pub enum BudgetError {
+    /// It is not TOML, or has other keys.
+    Toml {
+        /// The TOML reader's message, in English.
+        said: String,
+    },
+    /// Larger than any such file.
+    #[say(args(most = LARGEST >> 10))]
+    TooLarge,
+    /// Neither contributions nor a calibrated piece, or both.
+    NotOne,
+    /// More contributions than a budget can have.
+    #[say(args(most = MOST))]
+    TooMany {
+        /// How many there are.
+        count: usize,
+    },
+    /// A text that says nothing.
+    Empty {
+        /// Its key.
+        key: &'static str,
+    },
+    /// Not a day.
+    Day {
+        /// The key.
+        key: &'static str,
+        /// What was given.
+        given: String,
+    },
+    /// The last valid day is before the day on which it was made.
+    Days {
+        /// The day on which it was made.
+        date: String,
+        /// The last valid day.
+        until: String,
+    },
+    /// A key that this table cannot have with the others that it has.
+    Key {
+        /// The table.
+        table: String,
+        /// The key.
+        key: &'static str,
+        /// The keys that it can have.
+        allowed: String,
+    },
+    /// A key without which the table says nothing.
+    Missing {
+        /// The table.
+        table: String,
+        /// The key, or the keys of which one is needed.
+        keys: &'static str,
+    },
+    /// A number out of its range.
+    Range {
+        /// The table.
+        table: String,
+        /// The key.
+        key: &'static str,
+        /// What was given.
+        given: f64,
+        /// The smallest allowed number.
+        #[say(with = brief)]
+        least: f64,
+        /// The largest.
+        #[say(with = brief)]
+        most: f64,
+    },
+    /// A law that a display does not have.
+    ResolutionLaw {
+        /// The contribution.
+        table: String,
+    },
+    /// Touches that are not on a circle.
+    Geometry {
+        /// The contribution.
+        table: String,
+        /// What is wrong.
+        error: GeometryError,
+    },
+    /// A length that is none.
+    Length {
+        /// The key.
+        key: &'static str,
+        /// What is wrong.
+        error: LengthError,
+    },
+}
+
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct File {
+    name: Spanned<String>,
+    date: Spanned<toml::Value>,
+    by: Spanned<String>,
+    valid_until: Spanned<toml::Value>,
+    #[serde(default)]
+    contribution: Vec<Given>,
+    calibrated: Option<Spanned<Piece>>,
+}
+
+/// A contribution as it is written.
+#[derive(Debug, Deserialize)]
+#[serde(deny_unknown_fields)]
+struct Given {
+    name: Spanned<String>,
+    #[serde(rename = "type")]
+    evaluated: Evaluated,
+    law: Option<Law>,
+    kind: Option<KindName>,
+    half_width_um: Number,
+    half_width_k: Number,
+    standard_um: Number,
+    standard_k: Number,
+    expanded_um: Number,
+    expanded_k: Number,
+    k: Number,
+    resolution_um: Number,
+    alpha_per_k: Number,
+    sensitivity: Number,
+    degrees_of_freedom: Number,
+    touches: Option<Spanned<u32>>,
+    step_deg: Number,
+}
+
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+enum KindName {
+    Scatter,
+    PartTemperature,
+    ScaleTemperature,
+    Resolution,
+}
+
+impl Budget {
+    /// Reads a file.
+    ///
+    /// # Errors
+    /// [`BudgetError`] with the line.
+    pub fn read(text: &str) -> Result<Self, Located<BudgetError>> {
+        let of_file = |what| Located { what, place: Place::default() };
+        if LARGEST < text.len() {
+            return Err(of_file(BudgetError::TooLarge));
+        }
+        let text = text.strip_prefix('\u{feff}').unwrap_or(text);
+        let file: File = toml::from_str(text).map_err(|error| {
+            let said = bounded(&plain(&error, text));
+            Located::in_line(line_at(text, error.span().map_or(0, |span| span.start)), BudgetError::Toml { said })
+        })?;
+        let (date, valid_until) = (day("date", &file.date, text)?, day("valid_until", &file.valid_until, text)?);
+        if valid_until < date {
+            let what = BudgetError::Days { date: date.to_string(), until: valid_until.to_string() };
+            return Err(Located::in_line(line_at(text, file.valid_until.span().start), what));
+        }
+        let basis = match (&file.calibrated, file.contribution.as_slice()) {
+            (Some(piece), []) => Basis::Calibrated(calibrated(piece, text)?),
+            (None, given) if MOST < given.len() => return Err(of_file(BudgetError::TooMany { count: given.len() })),
+            (None, given) if !given.is_empty() => {
+                Basis::Contributions(given.iter().map(|given| given.contribution(text)).collect::<Result<_, _>>()?)
+            }
+            _ => return Err(of_file(BudgetError::NotOne)),
+        };
+        let (name, by) = (filled("name", &file.name, text)?, filled("by", &file.by, text)?);
+        Ok(Self { name, date, by, valid_until, basis })
+    }
+}
+
+/// A text with something in it.
+fn filled(key: &'static str, given: &Spanned<String>, text: &str) -> Result<String, Refusal> {
+    let said = given.get_ref().trim();
+    if said.is_empty() {
+        return Err(Located::in_line(line_at(text, given.span().start), BudgetError::Empty { key }));
+    }
+    Ok(said.to_owned())
+}
+
+/// A day, as TOML's own or as a text.
+fn day(key: &'static str, given: &Spanned<toml::Value>, text: &str) -> Result<jiff::civil::Date, Refusal> {
+    let said = match given.get_ref() {
+        toml::Value::String(said) => said.clone(),
+        other => other.to_string(),
+    };
+    // Longer texts have a time, which would be passed over.
+    let day = (said.len() == "2026-01-15".len()).then(|| said.parse().ok()).flatten();
+    day.ok_or_else(|| {
+        let what = BudgetError::Day { key, given: bounded(&said) };
+        Located::in_line(line_at(text, given.span().start), what)
+    })
+}
+
+impl Given {
+    fn contribution(&self, text: &str) -> Result<Contribution, Refusal> {
+        let name = filled("name", &self.name, text)?;
+        let touches = self.touches.as_ref().map(|touches| Spanned::new(touches.span(), f64::from(*touches.get_ref())));
+        let all = [
+            ("half_width_um", &self.half_width_um),
+            ("half_width_k", &self.half_width_k),
+            ("standard_um", &self.standard_um),
+            ("standard_k", &self.standard_k),
+            ("expanded_um", &self.expanded_um),
+            ("expanded_k", &self.expanded_k),
+            ("k", &self.k),
+            ("resolution_um", &self.resolution_um),
+            ("alpha_per_k", &self.alpha_per_k),
+            ("sensitivity", &self.sensitivity),
+            ("degrees_of_freedom", &self.degrees_of_freedom),
+            ("touches", &touches),
+            ("step_deg", &self.step_deg),
+        ];
+        let line = line_at(text, self.name.span().start);
+        let numbers = Numbers { text, line, table: &name, all: &all };
+        let (law, u) = self.law_and_u(&numbers)?;
+        let kind = match self.kind {
+            None => Kind::Plain,
+            Some(KindName::Resolution) => Kind::Resolution,
+            Some(KindName::PartTemperature) => Kind::PartTemperature(numbers.needed("alpha_per_k", 0.0, ALPHA)?),
+            Some(KindName::ScaleTemperature) => Kind::ScaleTemperature(numbers.needed("alpha_per_k", 0.0, ALPHA)?),
+            Some(KindName::Scatter) => Kind::Scatter(self.geometry(&numbers)?),
+        };
+        let sensitivity = numbers.within("sensitivity", -FAR, FAR)?.unwrap_or(1.0);
+        let degrees = numbers.within("degrees_of_freedom", 1.0, f64::INFINITY)?;
+        let degrees_of_freedom = degrees.filter(|degrees| degrees.is_finite());
+        Ok(Contribution { evaluated: self.evaluated, law, kind, u, sensitivity, degrees_of_freedom, name })
+    }
+
+    /// The law, and the standard uncertainty that follows from what is given for it.
+    fn law_and_u(&self, numbers: &Numbers<'_>) -> Result<(Law, f64), Refusal> {
+        let always = ["sensitivity", "degrees_of_freedom"];
+        if self.kind == Some(KindName::Resolution) {
+            if self.law.is_some_and(|law| law != Law::Rectangular) {
+                let what = BudgetError::ResolutionLaw { table: numbers.table.to_owned() };
+                return Err(Located::in_line(numbers.line, what));
+            }
+            numbers.only(&["resolution_um", "sensitivity", "degrees_of_freedom"])?;
+            let step = numbers.needed("resolution_um", 0.0, FAR)?;
+            return Ok((Law::Rectangular, step / 2.0 / Law::Rectangular.divisor()));
+        }
+        let law = self.law.ok_or_else(|| numbers.missing("law"))?;
+        let is_temperature = matches!(self.kind, Some(KindName::PartTemperature | KindName::ScaleTemperature));
+        let [standard, expanded, half_width] = if is_temperature {
+            ["standard_k", "expanded_k", "half_width_k"]
+        } else {
+            ["standard_um", "expanded_um", "half_width_um"]
+        };
+        let by_kind: &[&str] = match self.kind {
+            Some(KindName::Scatter) => &["touches", "step_deg"],
+            Some(_) => &["alpha_per_k"],
+            None => &[],
+        };
+        let by_law: &[&str] = match law {
+            Law::Normal if numbers.has(standard) => &[standard],
+            Law::Normal => &[standard, expanded, "k"],
+            _ => &[half_width],
+        };
+        numbers.only(&[by_law, by_kind, &always].concat())?;
+        let u = if law != Law::Normal {
+            numbers.needed(half_width, 0.0, FAR)? / law.divisor()
+        } else if let Some(u) = numbers.within(standard, 0.0, FAR)? {
+            u
+        } else if let Some(expanded) = numbers.within(expanded, 0.0, FAR)? {
+            expanded / numbers.needed("k", 1.0, 10.0)?
+        } else {
+            return Err(numbers.missing(if is_temperature {
+                "standard_k, or expanded_k with k"
+            } else {
+                "standard_um, or expanded_um with k"
+            }));
+        };
+        Ok((law, u))
+    }
+
+    fn geometry(&self, numbers: &Numbers<'_>) -> Result<Option<Geometry>, Refusal> {
+        let (touches, step) = match (&self.touches, &self.step_deg) {
+            (None, None) => return Ok(None),
+            (Some(touches), Some(step)) => (touches, step),
+            (None, Some(_)) => return Err(numbers.missing("touches")),
+            (Some(_), None) => return Err(numbers.missing("step_deg")),
+        };
+        let geometry = Geometry::steps(*touches.get_ref(), *step.get_ref());
+        geometry.map(Some).map_err(|error| {
+            let what = BudgetError::Geometry { table: numbers.table.to_owned(), error };
+            Located::in_line(line_at(numbers.text, touches.span().start), what)
+        })
+    }
+}

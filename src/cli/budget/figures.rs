@@ -1,0 +1,169 @@
+//! The answer for programs; its names must not change.
+
+use serde_json::{Map, Value as Json, json};
+
+use super::Found;
+use super::found::{Answer, figure, rounded};
+use crate::budget::{Conditions, Help, Repeated, Row};
+use crate::cli::answers::csv_line;
+use crate::cli::{CliError, Figure, Io};
+
+/// Everything as one object.
+pub(super) fn json(found: &Found, conditions: &Conditions) -> Map<String, Json> {
+    let mut answer = found.head();
+    let mut put = |name: &str, value: Json| {
+        answer.insert(name.to_owned(), value);
+    };
+    put("size_mm", json!(conditions.size.map(|size| Figure::mm(size, 0))));
+    match &found.answer {
+        Answer::Combined(evaluation) => {
+            put("contributions", evaluation.rows.iter().map(contribution).collect());
+            put("largest", json!(evaluation.rows.get(evaluation.largest).map(|row| &row.name)));
+            put("help", evaluation.help.iter().map(help).collect());
+        }
+        Answer::Repeated(repeated) => {
+            put("readings", json!(repeated.readings));
+            put("mean_mm", rounded(repeated.mean_mm, 9));
+            for (name, um) in terms(repeated) {
+                put(&format!("{name}_um"), rounded(um, 6));
+            }
+            put("expanded_2011_um", rounded(repeated.expanded_2011, 6));
+            put("expanded_2004_um", rounded(repeated.expanded_2004, 6));
+            put("bias_corrected", json!(repeated.is_corrected));
+        }
+    }
+    answer
+}
+
+/// The terms of a calibrated piece, µm.
+pub(super) const fn terms(repeated: &Repeated) -> [(&'static str, f64); 5] {
+    let Repeated { u_cal, u_p, u_b, u_w, bias, .. } = *repeated;
+    [("u_cal", u_cal), ("u_p", u_p), ("u_b", u_b), ("u_w", u_w), ("bias", bias)]
+}
+
+fn contribution(row: &Row) -> Json {
+    json!({
+        "name": row.name,
+        "type": row.evaluated.letter(),
+        "law": row.law.name(),
+        "u": rounded(row.u, 6),
+        "unit": row.unit,
+        "sensitivity": rounded(row.sensitivity, 6),
+        "contribution_um": rounded(row.contribution, 6),
+        "share_percent": rounded(row.share, 3),
+        "degrees_of_freedom": row.degrees_of_freedom.map(|degrees| rounded(degrees, 2)),
+        "touches": row.geometry.map(|geometry| geometry.touches),
+        "step_deg": row.geometry.and_then(|geometry| geometry.step_deg),
+        "geometry_factor": row.geometry.map(|geometry| rounded(geometry.factor, 6)),
+    })
+}
+
+/// What helps by its name for programs, the touches that it takes, and what it comes to.
+const fn helped(help: &Help) -> (&'static str, Option<usize>, f64) {
+    match *help {
+        Help::Halved { u } => ("halved", None, u),
+        Help::FullCircle { touches, u } => ("full-circle", Some(touches), u),
+        Help::MoreTouches { touches, u } => ("more-touches", Some(touches), u),
+    }
+}
+
+fn help(one: &Help) -> Json {
+    let (what, touches, u) = helped(one);
+    json!({ "what": what, "touches": touches, "u_um": rounded(u, 6) })
+}
+
+/// A line of CSV.
+#[derive(Debug, Default)]
+struct Line<'a> {
+    row: &'static str,
+    name: &'a str,
+    evaluated: &'static str,
+    law: &'static str,
+    u: String,
+    unit: &'static str,
+    sensitivity: String,
+    um: String,
+    share: String,
+    degrees: String,
+    k: String,
+    expanded: String,
+}
+
+const COLUMNS: [(&str, fn(&Line<'_>) -> String); 12] = [
+    ("row", |line| line.row.to_owned()),
+    ("name", |line| line.name.to_owned()),
+    ("type", |line| line.evaluated.to_owned()),
+    ("law", |line| line.law.to_owned()),
+    ("u", |line| line.u.clone()),
+    ("unit", |line| line.unit.to_owned()),
+    ("sensitivity", |line| line.sensitivity.clone()),
+    ("contribution_um", |line| line.um.clone()),
+    ("share_percent", |line| line.share.clone()),
+    ("degrees_of_freedom", |line| line.degrees.clone()),
+    ("k", |line| line.k.clone()),
+    ("expanded_um", |line| line.expanded.clone()),
+];
+
+/// A row per contribution, then what they come to.
+pub(super) fn csv(found: &Found, io: &mut Io<'_>) -> Result<(), CliError> {
+    csv_line(COLUMNS.map(|(name, _)| name), io)?;
+    for line in lines(found) {
+        csv_line(COLUMNS.map(|(_, cell)| cell(&line)), io)?;
+    }
+    Ok(())
+}
+
+fn lines(found: &Found) -> Vec<Line<'_>> {
+    let combined = Line {
+        degrees: degrees(found.degrees_of_freedom()),
+        k: figure(found.k(), 3),
+        expanded: figure(found.u() * found.k(), 6),
+        ..Line::of("combined", &found.budget.name, found.u())
+    };
+    match &found.answer {
+        Answer::Combined(evaluation) => {
+            let name = evaluation.rows.get(evaluation.largest).map_or("", |row| &row.name);
+            let contributions = evaluation.rows.iter().map(Line::of_contribution);
+            let help = evaluation.help.iter().map(|help| {
+                let (what, _, u) = helped(help);
+                Line::of(what, name, u)
+            });
+            contributions.chain([combined]).chain(help).collect()
+        }
+        Answer::Repeated(repeated) => {
+            let terms = terms(repeated).into_iter().map(|(name, um)| Line::of("term", name, um));
+            let editions = [("2011", repeated.expanded_2011), ("2004", repeated.expanded_2004)];
+            let editions = editions.into_iter().map(|(name, um)| Line {
+                row: "edition",
+                name,
+                expanded: figure(um, 6),
+                ..Line::default()
+            });
+            terms.chain(editions).chain([combined]).collect()
+        }
+    }
+}
+
+impl<'a> Line<'a> {
+    /// Micrometres with a name.
+    fn of(row: &'static str, name: &'a str, um: f64) -> Self {
+        Self { row, name, um: figure(um, 6), ..Self::default() }
+    }
+
+    fn of_contribution(row: &'a Row) -> Self {
+        Self {
+            evaluated: row.evaluated.letter(),
+            law: row.law.name(),
+            u: figure(row.u, 6),
+            unit: row.unit,
+            sensitivity: figure(row.sensitivity, 6),
+            share: figure(row.share, 3),
+            degrees: degrees(row.degrees_of_freedom),
+            ..Self::of("contribution", &row.name, row.contribution)
+        }
+    }
+}
+
+fn degrees(degrees: Option<f64>) -> String {
+    degrees.map(|degrees| figure(degrees, 2)).unwrap_or_default()
+}

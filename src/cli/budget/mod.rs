@@ -1,0 +1,135 @@
+//! `fitcheck budget`: an uncertainty budget for a size and contacts.
+//!
+//! | file | what |
+//! |---|---|
+//! | `found` | a budget with its answer, and what has to be said of it; for `check`, too |
+//! | `figures` | the answer for programs |
+//! | `text` | the same for people |
+
+mod figures;
+mod found;
+mod text;
+
+use std::path::PathBuf;
+
+use jiff::civil::Date;
+
+use super::pair::Parts;
+use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts};
+use crate::budget::{Basis, Conditions, Geometry, Kind};
+use crate::length::Length;
+pub(super) use found::Found;
+
+const EXAMPLES: &str = "\
+Examples:
+  fitcheck budget station3.toml --size 25
+  fitcheck budget station3.toml --size 25 --touches 3 --step 60
+  fitcheck budget station3.toml --size 25 --contacts bore.csv --format json
+  fitcheck budget ring30.toml --readings ring30.csv
+  fitcheck check \"25 H7\" --measured 25.0195 --rule iso14253-2017 --budget station3.toml
+
+The file is TOML: name, date, by, valid_until, and either [[contribution]] tables, combined as in the GUM,
+or one table [calibrated] for repeated measurements of a calibrated piece (ISO 15530-3). A contribution:
+  name = \"Setting ring\"    type = \"B\"    law = \"normal\"    expanded_um = 1.0    k = 2
+law: normal (standard_um, or expanded_um with k), rectangular, u-shaped, triangular (half_width_um).
+kind: scatter of a touch (touches, step_deg), part-temperature and scale-temperature (alpha_per_k, and
+standard_k, expanded_k or half_width_k), resolution (resolution_um). Any may have sensitivity and
+degrees_of_freedom; they are 1 and infinite otherwise.
+
+The coverage factor is that of Student's law for 95.45 %, to the thousandth. CSV has a row per contribution,
+one for the combined uncertainty, and one for each thing that would help most.";
+
+/// Evaluate an uncertainty budget: contributions, combined and expanded uncertainty, what would help most
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Args {
+    /// The budget as TOML; - reads standard input
+    #[arg(value_name = "FILE.toml")]
+    file: PathBuf,
+    /// Measured size in mm, for contributions of temperature
+    #[arg(long, value_name = "MM")]
+    size: Option<String>,
+    /// Number of touches, instead of those in the file
+    #[arg(long, value_name = "N", requires = "step")]
+    touches: Option<u32>,
+    /// Angle from one touch to the next in degrees
+    #[arg(long, value_name = "DEG", requires = "touches")]
+    step: Option<String>,
+    /// Contacts that were taken, as CSV with columns x, y and optionally z, in mm
+    #[arg(long, value_name = "FILE.csv", conflicts_with = "touches")]
+    contacts: Option<PathBuf>,
+    /// Readings of the calibrated piece, in any format that import reads, instead of those in the file
+    #[arg(long, value_name = "FILE")]
+    readings: Option<PathBuf>,
+    /// The day for which the budget must be valid; default: today
+    #[arg(long, value_name = "YYYY-MM-DD")]
+    date: Option<Date>,
+    /// Format of the answer
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let (name, budget) = found::read(&self.file, io)?;
+        let size = self.size.as_ref().map(|text| super::diameter(text, What::Option { name: "size" })).transpose()?;
+        let conditions = Conditions { size, geometry: self.geometry(io)? };
+        let (readings, bad) = match &budget.basis {
+            Basis::Calibrated(piece) => self.readings(piece.feature, io)?,
+            Basis::Contributions(_) => (None, false),
+        };
+        for option in self.unused(&budget.basis) {
+            io.warn(&CliWarning::BudgetOption { option });
+        }
+        let day = self.date.unwrap_or_else(|| super::now().date());
+        let found = Found::of(budget, &conditions, readings.as_deref(), day).about(&name)?;
+        found.tell(io);
+        match self.format {
+            Format::Json => io.json(&figures::json(&found, &conditions))?,
+            Format::Csv => figures::csv(&found, io)?,
+            Format::Text => text::print(&found, &conditions, io)?,
+        }
+        Ok(if bad { Outcome::BadData } else { Outcome::Done })
+    }
+
+    fn geometry(&self, io: &mut Io<'_>) -> Result<Option<Geometry>, CliError> {
+        if let Some(path) = &self.contacts {
+            let (name, read) = read_contacts(path, io)?;
+            return Geometry::of_contacts(&read.contacts).map(Some).about(&name);
+        }
+        let (Some(touches), Some(step)) = (self.touches, &self.step) else { return Ok(None) };
+        let about = What::Option { name: "step" };
+        // A step has the digits of a length: a millionth of a degree.
+        let step: Length = step.parse().about(&about)?;
+        Geometry::steps(touches, step.to_mm_f64()).map(Some).about(&What::Option { name: "touches" })
+    }
+
+    /// The readings of a file, and whether some of them could not be used.
+    fn readings(
+        &self,
+        feature: crate::tolerance::Feature,
+        io: &mut Io<'_>,
+    ) -> Result<(Option<Vec<Length>>, bool), CliError> {
+        let Some(path) = &self.readings else { return Ok((None, false)) };
+        let read = Parts::read(path, feature, io)?;
+        Ok((Some(read.measured), !read.errors.is_empty()))
+    }
+
+    /// Options that change nothing for this budget.
+    fn unused(&self, basis: &Basis) -> Vec<&'static str> {
+        let has = |wanted: fn(Kind) -> bool| match basis {
+            Basis::Contributions(contributions) => contributions.iter().any(|one| wanted(one.kind)),
+            Basis::Calibrated(_) => false,
+        };
+        let has_scatter = has(|kind| matches!(kind, Kind::Scatter(_)));
+        let has_temperature = has(|kind| matches!(kind, Kind::PartTemperature(_) | Kind::ScaleTemperature(_)));
+        let is_calibrated = matches!(basis, Basis::Calibrated(_));
+        let options = [
+            ("size", self.size.is_some(), has_temperature),
+            ("touches", self.touches.is_some(), has_scatter),
+            ("contacts", self.contacts.is_some(), has_scatter),
+            ("readings", self.readings.is_some(), is_calibrated),
+        ];
+        options.into_iter().filter(|(_, given, used)| *given && !used).map(|(option, ..)| option).collect()
+    }
+}
