@@ -93,7 +93,10 @@ struct Line<'a> {
     expanded: String,
 }
 
-const COLUMNS: [(&str, fn(&Line<'_>) -> String); 12] = [
+/// A column: its name, and its cell in a line.
+type Column = (&'static str, fn(&Line<'_>) -> String);
+
+const COLUMNS: [Column; 12] = [
     ("row", |line| line.row.to_owned()),
     ("name", |line| line.name.to_owned()),
     ("type", |line| line.evaluated.to_owned()),
