@@ -2,15 +2,18 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::Found;
 use super::found::{Answer, figure, rounded};
+use super::{Beside, Found};
 use crate::budget::{Conditions, Help, Repeated, Row};
 use crate::cli::answers::csv_line;
 use crate::cli::{CliError, Figure, Io};
 
 /// Everything as one object.
-pub(super) fn json(found: &Found, conditions: &Conditions) -> Map<String, Json> {
+pub(super) fn json(found: &Found, conditions: &Conditions, beside: &Beside) -> Map<String, Json> {
     let mut answer = found.head();
+    if let Some(Json::Array(warnings)) = answer.get_mut("warnings") {
+        warnings.extend(beside.warnings.iter().map(|warning| json!(warning)));
+    }
     let mut put = |name: &str, value: Json| {
         answer.insert(name.to_owned(), value);
     };
@@ -23,6 +26,7 @@ pub(super) fn json(found: &Found, conditions: &Conditions) -> Map<String, Json> 
         }
         Answer::Repeated(repeated) => {
             put("readings", json!(repeated.readings));
+            put("refused", json!(beside.refused));
             put("mean_mm", rounded(repeated.mean_mm, 9));
             for (name, um) in terms(repeated) {
                 put(&format!("{name}_um"), rounded(um, 6));
@@ -89,7 +93,10 @@ struct Line<'a> {
     expanded: String,
 }
 
-const COLUMNS: [(&str, fn(&Line<'_>) -> String); 12] = [
+/// A column: its name, and its cell in a line.
+type Column = (&'static str, fn(&Line<'_>) -> String);
+
+const COLUMNS: [Column; 12] = [
     ("row", |line| line.row.to_owned()),
     ("name", |line| line.name.to_owned()),
     ("type", |line| line.evaluated.to_owned()),

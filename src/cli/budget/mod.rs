@@ -69,27 +69,47 @@ pub(super) struct Args {
     format: Format,
 }
 
+/// What was said before the budget was evaluated.
+#[derive(Debug, Default)]
+struct Beside {
+    /// Readings that cannot be used.
+    refused: Vec<String>,
+    /// What to check about the readings and the options.
+    warnings: Vec<String>,
+}
+
+impl Beside {
+    fn of(read: Option<&Parts>) -> Self {
+        let Some(read) = read else { return Self::default() };
+        Self { refused: read.errors.iter().map(ToString::to_string).collect(), warnings: read.warnings.clone() }
+    }
+}
+
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let (name, budget) = found::read(&self.file, io)?;
         let size = self.size.as_ref().map(|text| super::diameter(text, What::Option { name: "size" })).transpose()?;
         let conditions = Conditions { size, geometry: self.geometry(io)? };
-        let (readings, bad) = match &budget.basis {
-            Basis::Calibrated(piece) => self.readings(piece.feature, io)?,
-            Basis::Contributions(_) => (None, false),
+        let read = match (&budget.basis, &self.readings) {
+            (Basis::Calibrated(piece), Some(path)) => Some(Parts::read(path, piece.feature, io)?),
+            _ => None,
         };
+        let mut beside = Beside::of(read.as_ref());
         for option in self.unused(&budget.basis) {
-            io.warn(&CliWarning::BudgetOption { option });
+            let warning = CliWarning::BudgetOption { option };
+            io.warn(&warning);
+            beside.warnings.push(warning.to_string());
         }
+        let readings = read.map(|read| read.measured);
         let day = self.date.unwrap_or_else(|| super::now().date());
         let found = Found::of(budget, &conditions, readings.as_deref(), day).about(&name)?;
         found.tell(io);
         match self.format {
-            Format::Json => io.json(&figures::json(&found, &conditions))?,
+            Format::Json => io.json(&figures::json(&found, &conditions, &beside))?,
             Format::Csv => figures::csv(&found, io)?,
             Format::Text => text::print(&found, &conditions, io)?,
         }
-        Ok(if bad { Outcome::BadData } else { Outcome::Done })
+        Ok(if beside.refused.is_empty() { Outcome::Done } else { Outcome::BadData })
     }
 
     fn geometry(&self, io: &mut Io<'_>) -> Result<Option<Geometry>, CliError> {
@@ -102,17 +122,6 @@ impl Args {
         // A step has the digits of a length: a millionth of a degree.
         let step: Length = step.parse().about(&about)?;
         Geometry::steps(touches, step.to_mm_f64()).map(Some).about(&What::Option { name: "touches" })
-    }
-
-    /// The readings of a file, and whether some of them could not be used.
-    fn readings(
-        &self,
-        feature: crate::tolerance::Feature,
-        io: &mut Io<'_>,
-    ) -> Result<(Option<Vec<Length>>, bool), CliError> {
-        let Some(path) = &self.readings else { return Ok((None, false)) };
-        let read = Parts::read(path, feature, io)?;
-        Ok((Some(read.measured), !read.errors.is_empty()))
     }
 
     /// Options that change nothing for this budget.
