@@ -167,7 +167,7 @@ pub struct Correction {
 }
 
 impl Correction {
-    /// Brings a length to 20 °C: L₂₀ = L [1 − α (T − 20) + α_s (T_s − 20)] (metrology.md, section 8).
+    /// Brings a length to 20 °C: `L₂₀ = L [1 − α (T − 20) + α_s (T_s − 20)]` (metrology.md, section 8).
     ///
     /// ```
     /// use fitcheck::tolerance::fit::thermal::{Correction, Warm};
@@ -191,7 +191,7 @@ impl Correction {
         self.at_reference.saturating_sub(self.measured)
     }
 
-    /// How far the linear correction is from the exact one, L (1 + α_s ΔT_s) / (1 + α ΔT), to the nearest nanometre.
+    /// How far the linear correction is from the exact one, `L (1 + α_s ΔT_s) / (1 + α ΔT)`, to the nearest nanometre.
     pub fn against_exact(&self) -> Length {
         let growth = |warm: Warm| f64::from(warm.expansion.0) * 1e-9 * f64::from(warm.temperature.0 - REFERENCE) * 1e-3;
         let (part, scale) = (growth(self.part), self.scale.map_or(0.0, growth));
