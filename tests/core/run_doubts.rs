@@ -106,7 +106,7 @@ fn what_a_tool_call_does_not_say_or_cannot_have_is_told() {
     assert_eq!(measured("TOOL CALL 0 Z"), ["tool 0 was called: a TNC7 has no probe in the spindle then"]);
     assert_eq!(measured("TOOL CALL Z S50"), ["no TOOL CALL before names a tool: measured with the first probe"]);
     assert!(measured("TOOL CALL Z S50\nTOOL CALL 1 Z\nTOOL CALL S60").is_empty());
-    assert_eq!(measured("TOOL CALL 1 Z M3 X+100"), ["M3 X+100 is no word of a TOOL CALL and has no effect"]);
+    assert_eq!(measured("TOOL CALL 1 Z M3 X+100"), ["TOOL CALL does not take M3 X+100: ignored"]);
 }
 
 #[test]

@@ -1,6 +1,6 @@
 //! Contacts that lie apart from where a cycle probes: perhaps those of another feature, or in another order.
 
-use super::result::Remark;
+use super::remark::Remark;
 use crate::length::Length;
 use crate::probing::contact::{Contact, Touch};
 use crate::probing::vector::{along, dot, norm};

@@ -4,7 +4,7 @@
 
 use super::astray::Astray;
 use super::error::CycleError;
-use super::result::Remark;
+use super::remark::Remark;
 use crate::length::Length;
 use crate::probing::contact::{Contact, NoContact, Prober, Touch};
 use crate::probing::vector::along;

@@ -16,7 +16,7 @@
 //! | `inputs` | all values of a run, the probe, the position of the machine |
 //! | `course` | the path of the probe, move by move |
 //! | `astray` | contacts that lie apart from where the cycle probes |
-//! | `result` | what a cycle found |
+//! | `result`, `remark` | what a cycle found, and what is worth knowing of it |
 //! | `correction` | what it says about the tool that made the surface |
 //! | `shown` | its status window and its measuring log |
 //! | `error` | why a cycle did not run |
@@ -32,6 +32,7 @@ mod name;
 mod note;
 mod parameter;
 mod range;
+mod remark;
 mod result;
 pub(in crate::probing) mod shared;
 mod shown;
@@ -50,7 +51,8 @@ use parameter::in_language;
 pub(crate) use parameter::number;
 pub use parameter::{Parameter, Texts, Unset, UnsetWhere};
 pub use range::Range;
-pub use result::{Check, CircleFound, CycleResult, Found, FoundName, LogTarget, Plane, Remark, Stop};
+pub use remark::Remark;
+pub use result::{Check, CircleFound, CycleResult, Found, FoundName, LogTarget, Plane, Stop};
 pub use shown::{FigureKind, Log, LogFigure, TextLog, Window};
 pub(in crate::probing) use value::QUARTER_TURN;
 pub use value::{Angle, Value};

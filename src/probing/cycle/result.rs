@@ -3,6 +3,7 @@
 use super::course::Move;
 use super::inputs::Inputs;
 use super::key::Key;
+use super::remark::Remark;
 use super::value::Value;
 use crate::length::Length;
 use crate::message::{Message, Say, display};
@@ -352,55 +353,4 @@ pub enum LogTarget {
     Screen,
     /// On the screen while the program goes on.
     Shown,
-}
-
-/// Something worth knowing about a run.
-#[derive(Debug, Clone, PartialEq, Eq, Say)]
-#[say(prefix = "remark")]
-pub enum Remark {
-    /// A parameter was given that has no effect.
-    WithoutEffect {
-        /// The parameter.
-        key: Key,
-    },
-    /// A tool was named (Q330), and there is no tool table: nothing monitors it.
-    ToolNotMonitored {
-        /// Its number or name.
-        tool: String,
-    },
-    /// Rework and scrap follow the rule for an outside dimension.
-    OutsideDimension,
-    /// The nominal diameter is not between the limits, as a TNC7 requires.
-    NominalOutsideLimits {
-        /// The nominal diameter.
-        nominal: Length,
-    },
-    /// The nominal width is not between the limits, as a TNC7 requires.
-    NominalWidthOutsideLimits {
-        /// The nominal width.
-        nominal: Length,
-    },
-    /// The nominal coordinate is not between the limits, as the manual of TNC7 seems to ask of cycle 427.
-    NominalCoordinateOutsideLimits {
-        /// The nominal coordinate.
-        nominal: Length,
-    },
-    /// Contacts lie apart from where the cycle probes.
-    ContactAstray {
-        /// How many do.
-        count: usize,
-        /// The number of the one that is farthest, from 1.
-        contact: usize,
-        /// How far it is from the probing movement, mm.
-        distance: Length,
-    },
-    /// A control stores the deviation, but the manual names no parameter for it.
-    DeviationWithoutParameter,
-    /// What `#i99` holds is not documented.
-    VariableHoldsDiameter,
-    /// A tolerance text was given that is not a tolerance, such as `0.1+0.1`.
-    NoTolerance {
-        /// The parameter.
-        key: Key,
-    },
 }

@@ -29,7 +29,7 @@ pub use names::RuleName;
 pub use risk::{Acceptance, Prior, Risks, acceptance_for};
 pub use uncertainty::{Uncertainty, UncertaintyError, multiple};
 
-use super::Status;
+use super::{Status, classify};
 use crate::length::Length;
 use crate::message::{Message, Say};
 use crate::tolerance::{Bounds, Feature};
@@ -232,15 +232,10 @@ impl Zones {
     /// The status of a measured value: good where it is accepted, rework or scrap where it is rejected, re-measure between.
     pub fn status(&self, feature: Feature, measured: Length) -> Status {
         let [least, most] = self.rejected;
-        let is_accepted = self.accepted.is_some_and(|[least, most]| least <= measured && measured <= most);
-        let (too_small, too_large) = (measured < least, most < measured);
-        match feature {
-            _ if is_accepted => Status::Good,
-            Feature::Hole if too_small => Status::Rework,
-            Feature::Hole if too_large => Status::Scrap,
-            Feature::Shaft if too_large => Status::Rework,
-            Feature::Shaft if too_small => Status::Scrap,
-            Feature::Hole | Feature::Shaft => Status::ReMeasure,
+        match classify(feature, least, most, measured) {
+            _ if self.accepted.is_some_and(|[least, most]| least <= measured && measured <= most) => Status::Good,
+            Status::Good => Status::ReMeasure,
+            rejected => rejected,
         }
     }
 
