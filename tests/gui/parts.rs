@@ -11,7 +11,7 @@ use fitcheck::session::{Page, Purpose};
 use fitcheck::words::Language;
 
 use crate::dialogs::Dropped;
-use crate::harness::{DESK, Window, type_into};
+use crate::harness::{DESK, Window, click, press, type_into};
 use crate::pictures::can_paint;
 
 type Harnessed = Harness<'static, App>;
@@ -36,16 +36,6 @@ fn set(folder: &Path) -> [PathBuf; 2] {
     let said = std::process::Command::new(env!("CARGO_BIN_EXE_fitcheck")).current_dir(folder).args(args).output();
     assert!(said.as_ref().is_ok_and(|said| said.status.success()), "{said:?}");
     ["set/FIT_MAIN.H", "part.toml"].map(|name| folder.join(name))
-}
-
-fn press(page: &mut Harnessed, pressed: Key) {
-    page.key_press(pressed);
-    page.run();
-}
-
-fn click(page: &mut Harnessed, role: Role, label: &str) {
-    page.get_by_role_and_label(role, label).click_accesskit();
-    page.run();
 }
 
 /// Runs past every stop.

@@ -10,7 +10,7 @@ use fitcheck::gui::App;
 use fitcheck::words::Language;
 
 use crate::dialogs::Dropped;
-use crate::harness::{Window, type_into};
+use crate::harness::{Window, click, press, type_into};
 
 type Harnessed = Harness<'static, App>;
 
@@ -18,16 +18,6 @@ const TABLE: &str = concat!(env!("CARGO_MANIFEST_DIR"), "/tests/data/samples/too
 const MILL_D10: &str = "3 MILL_D10: L 88.12, R 5, DL 0, DR 0, LBREAK 0.2, RBREAK 0.2 mm";
 const CORRECTED: &str = "tool 3 (MILL_D10): DR changed by 0.015 mm, from 0 to 0.015 mm";
 const HINT: &str = "The table with these changes. The next run begins with the table as it was opened.";
-
-fn press(page: &mut Harnessed, pressed: Key) {
-    page.key_press(pressed);
-    page.run();
-}
-
-fn click(page: &mut Harnessed, role: Role, label: &str) {
-    page.get_by_role_and_label(role, label).click_accesskit();
-    page.run();
-}
 
 /// Types a path into the open dialog and takes it.
 fn take_file(page: &mut Harnessed, path: &Path) {
