@@ -16,9 +16,12 @@ pub mod natural;
 pub mod query;
 mod window;
 
+use std::sync::Arc;
+
 use jiff::civil::DateTime;
 pub use window::{status_variables, status_window};
 
+use crate::budget::Provenance;
 use crate::probing::Measurement;
 use crate::tolerance::fit::thermal::Correction;
 use crate::tolerance::{Callout, Limits};
@@ -43,6 +46,8 @@ pub struct Record {
     pub doubt: Option<Doubt>,
     /// How the diameter was brought to 20 °C, where it was: the measurement holds the result.
     pub correction: Option<Correction>,
+    /// The budget that gave the uncertainty, where one did.
+    pub budget: Option<Arc<Provenance>>,
 }
 
 impl Record {
@@ -58,7 +63,7 @@ impl Record {
     ) -> Self {
         let measured = measurement.diameter;
         let (verdict, doubt) = (judge(&limits, measured, position), doubt(&limits, measured));
-        Self { time, id, callout, limits, measurement, verdict, doubt, correction: None }
+        Self { time, id, callout, limits, measurement, verdict, doubt, correction: None, budget: None }
     }
 
     /// The same, judged by a rule.

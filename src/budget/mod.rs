@@ -11,10 +11,12 @@
 //! | `evaluation` | the table of contributions, combined and expanded uncertainty, what would help most |
 //! | `coverage` | the coverage factor for 95.45 % |
 //! | `calibrated` | a calibrated piece, measured again and again |
+//! | `assessment` | a budget evaluated for a day, what to check about it, and what is kept of it beside a verdict |
 //!
 //! Uncertainties are binary fractions of micrometres here; a rule gets them rounded up to the picometre. The day, the size and
 //! the contacts are given: nothing here asks a clock or a file.
 
+mod assessment;
 mod calibrated;
 mod coverage;
 mod evaluation;
@@ -23,6 +25,7 @@ mod geometry;
 mod numbers;
 mod piece;
 
+pub use assessment::{Answer, Assessment, AssessmentError, BudgetWarning, Provenance};
 pub use calibrated::{Calibrated, CalibratedError, FEWEST_READINGS, Repeated};
 pub use coverage::{PROBABILITY, factor, student};
 pub use evaluation::{Conditions, Evaluation, EvaluationError, Help, Row};

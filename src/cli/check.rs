@@ -4,12 +4,12 @@ use std::path::PathBuf;
 use std::str::FromStr;
 
 use super::args::dialogue;
-use super::budget::Found;
+use super::budget;
 use super::material::{Part, WarmArgs};
 use super::rule::RuleArgs;
 use super::said::percent;
 use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
-use crate::budget::{Conditions, Geometry};
+use crate::budget::{Assessment, Conditions, Geometry};
 use crate::control::mask::Mask;
 use crate::exchange::contacts::Contacts;
 use crate::files;
@@ -177,15 +177,19 @@ impl Args {
     }
 
     /// The rule with the uncertainty that the budget gives for this measurement, and that budget.
-    fn rule_by_budget(&self, measurement: &Measurement, io: &mut Io<'_>) -> Result<(Rule, Option<Found>), CliError> {
+    fn rule_by_budget(
+        &self,
+        measurement: &Measurement,
+        io: &mut Io<'_>,
+    ) -> Result<(Rule, Option<Assessment>), CliError> {
         let Some(path) = &self.budget else { return Ok((self.rule.rule()?, None)) };
         let geometry = match measurement.contacts.as_slice() {
             [] => None,
             contacts => Some(Geometry::of_contacts(contacts).about(&What::Option { name: "budget" })?),
         };
         let conditions = Conditions { size: Some(measurement.diameter), geometry };
-        let (found, uncertainty) = Found::read(path, &conditions, io)?;
-        found.introduce(io);
+        let (found, uncertainty) = budget::assess(path, &conditions, io)?;
+        budget::introduce(&found, io);
         Ok((self.rule.rule_with(Some(uncertainty))?, Some(found)))
     }
 
@@ -297,13 +301,13 @@ fn tell_rule(record: &Record, io: &mut Io<'_>) {
 }
 
 /// `unstated`: the callout has no letters and nobody named hole or shaft, so the JSON does not either.
-fn print_json(record: &Record, unstated: bool, budget: Option<&Found>, io: &mut Io<'_>) -> Result<(), CliError> {
+fn print_json(record: &Record, unstated: bool, budget: Option<&Assessment>, io: &mut Io<'_>) -> Result<(), CliError> {
     let mut object = json::object(record).said()?;
     if let Some(feature) = object.get_mut("feature").filter(|_| unstated) {
         *feature = serde_json::Value::Null;
     }
     if let Some(budget) = budget {
-        object.insert("budget".to_owned(), budget.head().into());
+        object.insert("budget".to_owned(), super::budget::head(budget).into());
     }
     io.json(&object)
 }

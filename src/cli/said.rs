@@ -133,24 +133,8 @@ pub(super) enum CliWarning<'a> {
     NoToolMonitored,
     /// A cycle with an unknown log.
     LogUnknown { code: &'a str },
-    /// A budget whose last day is over.
-    BudgetExpired { until: String },
-    /// A budget of a later day.
-    BudgetNotYet { date: String },
     /// An option that a budget does not ask for.
     BudgetOption { option: &'a str },
-    /// Fewer readings of a calibrated piece than the standard asks for.
-    FewReadings { readings: usize, fewest: usize },
-    /// A bias by which measured values must be corrected.
-    BiasCorrected {
-        #[say(with = printed)]
-        bias: String,
-    },
-    /// A bias that is part of the uncertainty.
-    BiasNotCorrected {
-        #[say(with = printed)]
-        bias: String,
-    },
     /// A folder for logs, and an input that wants no log.
     LogOff,
     /// A folder for logs, and a cycle without one.

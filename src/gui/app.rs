@@ -10,7 +10,7 @@ use super::keeping::Keeper;
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{check, cycles, dialogs, field, fit, keys, program, tables, top_bar};
+use super::{budget, check, cycles, dialogs, field, fit, keys, pairing, program, tables, top_bar};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Session, Theme};
 use crate::words::{Language, Words};
 
@@ -203,6 +203,8 @@ fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
         Page::Cycles => cycles::cycles_ui(ui, view),
         Page::Tables => tables::tables_ui(ui, view),
         Page::Program => program::program_ui(ui, view),
+        Page::Pairing => pairing::pairing_ui(ui, view),
+        Page::Budget => budget::budget_ui(ui, view),
     }
     dialogs::dialogs_ui(ui, view);
 }

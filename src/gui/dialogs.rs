@@ -20,7 +20,7 @@ fn dropped(ui: &Ui, view: &mut View<'_>) {
             Page::Cycles if is_tools(file.path()) => Purpose::OpenTools,
             Page::Cycles => Purpose::OpenCycleFile(cycle_file(file.path())),
             Page::Program => program_file(file.path()),
-            Page::Check | Page::Fit => Purpose::Import,
+            Page::Check | Page::Fit | Page::Pairing | Page::Budget => Purpose::Import,
         };
         view.send(FilesCommand::Open(purpose, file.path().to_owned()));
     }

@@ -7,7 +7,7 @@
 //! | `rows` | the workers behind the rows of a large file |
 //! | `store` | the state file |
 //! | `theme` | colours, sizes, fonts |
-//! | `check`, `fit`, `cycles`, `tables`, `program` | the pages |
+//! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget` | the pages |
 //! | `top_bar`, `dialogs`, `folder_list` | what belongs to every page |
 //! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
@@ -17,6 +17,7 @@
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
 
 mod app;
+mod budget;
 mod check;
 mod class_chooser;
 mod columns;
@@ -30,6 +31,7 @@ mod keeping;
 mod keypad;
 mod keys;
 mod limits;
+mod pairing;
 mod popup;
 mod program;
 mod reading;

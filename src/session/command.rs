@@ -5,12 +5,14 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::budget::BudgetCommand;
 use super::check::CheckCommand;
 use super::cycles::CyclesCommand;
 use super::field::Field;
 use super::files::{Content, FilesCommand, Launch};
 use super::fit::FitCommand;
 use super::history::ListCommand;
+use super::pairing::PairingCommand;
 use super::program::ProgramCommand;
 use super::rows::RowsCommand;
 use super::tables::TablesCommand;
@@ -36,6 +38,10 @@ pub enum Command {
     Tables(TablesCommand),
     /// Does something on the program page.
     Program(ProgramCommand),
+    /// Does something on the pairing page.
+    Pairing(PairingCommand),
+    /// Does something on the budget page.
+    Budget(BudgetCommand),
     /// Does something with the simulated workpiece or recorded contacts.
     Workpiece(WorkpieceCommand),
     /// Does something with the tool table.
@@ -118,6 +124,7 @@ impl From<ListCommand> for Command {
     }
 }
 
+from_variants!(Command: Pairing(PairingCommand), Budget(BudgetCommand));
 from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand), Tools(ToolsCommand), Files(FilesCommand));
 
 /// What a file dialog is for.
@@ -201,11 +208,16 @@ pub enum Page {
     Tables,
     /// NC programs.
     Program,
+    /// Measured holes against measured shafts.
+    Pairing,
+    /// Uncertainty budgets.
+    Budget,
 }
 
 impl Page {
     /// Every page in the order of the top bar.
-    pub const ALL: [Self; 5] = [Self::Check, Self::Fit, Self::Cycles, Self::Tables, Self::Program];
+    pub const ALL: [Self; 7] =
+        [Self::Check, Self::Fit, Self::Cycles, Self::Tables, Self::Program, Self::Pairing, Self::Budget];
 }
 
 /// Light or dark.

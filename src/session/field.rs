@@ -2,10 +2,12 @@
 
 use std::collections::BTreeMap;
 
+use super::budget::{BudgetCommand, BudgetField};
 use super::check::{CheckCommand, CheckField};
 use super::command::Command;
 use super::cycles::{CycleField, CyclesCommand, WorkpieceField};
 use super::fit::{FitCommand, FitField};
+use super::pairing::{PairingCommand, PairingField};
 use super::program::{ProgramCommand, ProgramField};
 use super::tables::{TablesCommand, TablesField};
 use super::workpiece::WorkpieceCommand;
@@ -25,6 +27,10 @@ pub enum Field {
     Tables(TablesField),
     /// One of the program page.
     Program(ProgramField),
+    /// One of the pairing page.
+    Pairing(PairingField),
+    /// One of the budget page.
+    Budget(BudgetField),
     /// A figure of the simulated workpiece, which the cycles page and the program page share.
     Workpiece(WorkpieceField),
 }
@@ -38,12 +44,15 @@ impl Field {
             Self::Cycles(field) => CyclesCommand::Type(field, text).into(),
             Self::Tables(field) => TablesCommand::Type(field, text).into(),
             Self::Program(field) => ProgramCommand::Type(field, text).into(),
+            Self::Pairing(field) => PairingCommand::Type(field, text).into(),
+            Self::Budget(field) => BudgetCommand::Type(field, text).into(),
             Self::Workpiece(field) => WorkpieceCommand::Type(field, text).into(),
         }
     }
 }
 
 from_variants!(Field: Check(CheckField), Fit(FitField), Cycles(CycleField), Tables(TablesField));
+from_variants!(Field: Pairing(PairingField), Budget(BudgetField));
 from_variants!(Field: Program(ProgramField), Workpiece(WorkpieceField));
 
 /// The fields of a page whose texts survive a restart.

@@ -3,7 +3,7 @@
 //! Menu, key, button, file and test send a [`Command`]; [`Session::apply`] changes the state and answers with
 //! [`Effect`]s for the world outside. No file, thread, clock or window is touched here: the time comes in.
 //!
-//! Five pages of the same shape, each in a folder of its name, as in `gui`: its state, its text fields (`field`), what
+//! Seven pages of the same shape, each in a folder of its name, as in `gui`: its state, its text fields (`field`), what
 //! can be done (`command`) and how (`apply`). A page changes itself and what belongs to all (`shared`).
 //!
 //! | file | what |
@@ -13,6 +13,8 @@
 //! | `cycles` | a measuring cycle on a workpiece or on recorded contacts |
 //! | `tables` | tables of deviations against ISO 286 |
 //! | `program` | an NC program is run and stepped |
+//! | `pairing` | measured holes against measured shafts |
+//! | `budget` | how sure a measured value is |
 //! | `rows` | the rows of a file that is too large for the history |
 //! | `shared`, `history`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
 //! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
@@ -32,6 +34,7 @@ macro_rules! from_variants {
 }
 
 pub mod action;
+mod budget;
 mod check;
 mod command;
 mod cycles;
@@ -39,6 +42,7 @@ mod field;
 mod files;
 mod fit;
 mod history;
+mod pairing;
 mod part;
 pub mod program;
 mod readers;
@@ -56,6 +60,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 pub use action::Action;
+pub use budget::{BudgetCommand, BudgetField, BudgetPage, OpenBudget};
 pub use check::{Asked, CheckCommand, CheckField, CheckPage, Lot, MeasureBy, Question, Shown};
 pub use command::{Command, CycleFile, Density, DialogId, Effect, Page, Purpose, Theme};
 pub use cycles::{
@@ -68,6 +73,7 @@ pub use fit::{
     ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
 };
 pub use history::{ChangeId, History, ListCommand, status_text};
+pub use pairing::{PairingCommand, PairingField, PairingPage};
 pub use part::{feature_message, shape_id};
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
@@ -95,6 +101,8 @@ pub struct Session {
     cycles: CyclesPage,
     tables: TablesPage,
     program: ProgramPage,
+    pairing: PairingPage,
+    budget: BudgetPage,
 }
 
 impl Session {
@@ -121,6 +129,8 @@ impl Session {
             cycles: CyclesPage::new(&saved.cycles),
             tables: TablesPage::new(&saved.inputs),
             program: ProgramPage::default(),
+            pairing: PairingPage::new(&saved.inputs),
+            budget: BudgetPage::new(&saved.inputs),
             shared,
         };
         (session, saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder)).into_iter().collect())
@@ -129,6 +139,7 @@ impl Session {
     /// What survives a restart.
     pub fn saved(&self) -> Saved {
         let texts = self.check.texts().chain(self.fit.texts()).chain(self.tables.texts());
+        let texts = texts.chain(self.pairing.texts()).chain(self.budget.texts());
         Saved {
             language: self.shared.language,
             theme: self.shared.theme,
@@ -160,6 +171,8 @@ impl Session {
             Command::Cycles(command) => self.cycles.apply(command, shared, now),
             Command::Tables(command) => self.tables.apply(command, shared, now),
             Command::Program(command) => self.program.apply(command, shared, now),
+            Command::Pairing(command) => self.pairing.apply(command, shared, now),
+            Command::Budget(command) => self.budget.apply(command, shared, now),
             command => self.apply_shared(command, now),
         };
         let shared = &mut self.shared;
@@ -169,6 +182,8 @@ impl Session {
             self.cycles.follow(&news, shared);
             self.tables.follow(&news, shared);
             self.program.follow(&news, shared);
+            self.pairing.follow(&news, shared);
+            self.budget.follow(&news, shared);
         }
         let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
         effects.extend(to_read.map(Effect::List));
@@ -180,7 +195,13 @@ impl Session {
     fn apply_shared(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         let shared = &mut self.shared;
         match command {
-            Command::Check(_) | Command::Fit(_) | Command::Cycles(_) | Command::Tables(_) | Command::Program(_) => {}
+            Command::Check(_)
+            | Command::Fit(_)
+            | Command::Cycles(_)
+            | Command::Tables(_)
+            | Command::Program(_)
+            | Command::Pairing(_)
+            | Command::Budget(_) => {}
             // Its answer was taken out of it.
             Command::Answered(..) => return Vec::new(),
             Command::Workpiece(command) => {
@@ -240,6 +261,8 @@ impl Session {
             Field::Cycles(field) => self.cycles.text(field),
             Field::Tables(field) => self.tables.text(field),
             Field::Program(field) => self.program.text(field),
+            Field::Pairing(field) => self.pairing.text(field),
+            Field::Budget(field) => self.budget.text(field),
             Field::Workpiece(field) => self.shared.workpiece.form.text(field),
         }
     }
@@ -252,6 +275,8 @@ impl Session {
             Field::Cycles(field) => self.cycles.error(field),
             Field::Tables(field) => self.tables.error(field),
             Field::Program(field) => self.program.error(field),
+            Field::Pairing(field) => self.pairing.error(field),
+            Field::Budget(field) => self.budget.error(field),
             Field::Workpiece(field) => self.shared.workpiece.form.error(field),
         }
     }
@@ -268,7 +293,7 @@ impl Session {
             Field::Tables(field) => field == TablesField::Filter,
             Field::Program(ProgramField::Tool(parameter)) => parameter.family.is_text(),
             Field::Program(field) => matches!(field, ProgramField::Filter | ProgramField::Name | ProgramField::Value),
-            Field::Cycles(_) | Field::Fit(_) | Field::Workpiece(_) => false,
+            Field::Cycles(_) | Field::Fit(_) | Field::Pairing(_) | Field::Budget(_) | Field::Workpiece(_) => false,
         }
     }
 
@@ -277,7 +302,12 @@ impl Session {
         match field.into() {
             Field::Check(field) => self.check.culprit(field),
             Field::Fit(field) => self.fit.culprit(field),
-            Field::Cycles(_) | Field::Tables(_) | Field::Program(_) | Field::Workpiece(_) => None,
+            Field::Cycles(_)
+            | Field::Tables(_)
+            | Field::Program(_)
+            | Field::Pairing(_)
+            | Field::Budget(_)
+            | Field::Workpiece(_) => None,
         }
     }
 
@@ -304,5 +334,20 @@ impl Session {
     /// The program page.
     pub const fn program(&self) -> &ProgramPage {
         &self.program
+    }
+
+    /// The budget whose uncertainty checks may use.
+    pub fn used_budget(&self) -> Option<&OpenBudget> {
+        self.shared.budget.as_deref()
+    }
+
+    /// The pairing page.
+    pub const fn pairing(&self) -> &PairingPage {
+        &self.pairing
+    }
+
+    /// The budget page.
+    pub const fn budget(&self) -> &BudgetPage {
+        &self.budget
     }
 }

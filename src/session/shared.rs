@@ -9,6 +9,7 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
+use super::budget::OpenBudget;
 use super::command::{Density, DialogId, Effect, Page, Purpose, Theme};
 use super::files::{Dialog, Places};
 use super::history::{ChangeId, History};
@@ -73,6 +74,8 @@ pub(super) enum News {
     PartTaken,
     /// Tools are monitored with another table, or with none.
     Tools,
+    /// Checks may use another budget's uncertainty, or none any more.
+    Budget,
     /// A part of this callout is to be checked.
     Check(String),
 }
@@ -114,6 +117,8 @@ pub(super) struct Shared {
     pub workpiece: SimulatedWorkpiece,
     /// The tool table that was opened.
     pub tools: Option<Arc<OpenTools>>,
+    /// The budget whose uncertainty checks may use.
+    pub budget: Option<Arc<OpenBudget>>,
     pub dialog: Option<Dialog>,
     /// How many dialogs were opened.
     dialogs: u64,

@@ -24,3 +24,9 @@ budget-calibrated-too-few = { $readings ->
     }: at least 2 are needed
 budget-calibrated-far-away = the mean of the readings, { $mean } mm, is more than 1 mm from the calibrated size, { $size } mm
 budget-calibrated-nothing = every uncertainty is zero
+
+budget-warning-expired = the budget has expired: it was valid until { $until }
+budget-warning-not-yet = the budget is not valid yet: its date is { $date }
+budget-warning-few-readings = { $readings } readings of the calibrated piece: ISO 15530-3 asks for at least { $fewest }
+budget-warning-bias-corrected = bias { $bias } µm: the uncertainty is that of values from which the bias has been subtracted; Fitcheck does not subtract it
+budget-warning-bias-not-corrected = bias { $bias } µm: it is not corrected, so the uncertainty includes it

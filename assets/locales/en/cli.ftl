@@ -133,12 +133,7 @@ cli-warning-simulated-rows = { $count ->
     }: nothing was measured
 cli-warning-tables-not-used = --tables, --source and options of the standard are not used: no limits are looked up without --fit
 cli-warning-empty-cell = { $class } over { $over } up to { $to } mm is left empty: ISO 286 has no single value for all of it
-cli-warning-budget-expired = the budget has expired: it was valid until { $until }
-cli-warning-budget-not-yet = the budget is not valid yet: its date is { $date }
 cli-warning-budget-option = --{ $option } has no effect: the budget does not depend on it
-cli-warning-few-readings = { $readings } readings of the calibrated piece: ISO 15530-3 asks for at least { $fewest }
-cli-warning-bias-corrected = bias { $bias } µm: the uncertainty is that of values from which the bias has been subtracted; Fitcheck does not subtract it
-cli-warning-bias-not-corrected = bias { $bias } µm: it is not corrected, so the uncertainty includes it
 cli-warning-contacts-left = the cycle used { $used } of { $count } contacts
 cli-warning-not-in-csv = CSV has no place for { $options }: HTML and JSON have
 cli-warning-notes-not-in-csv = { $count ->

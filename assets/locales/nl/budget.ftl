@@ -24,3 +24,9 @@ budget-calibrated-too-few = { $readings ->
     }: minstens 2 nodig
 budget-calibrated-far-away = het gemiddelde van de aflezingen, { $mean } mm, ligt meer dan 1 mm van de gekalibreerde maat, { $size } mm
 budget-calibrated-nothing = elke onzekerheid is nul
+
+budget-warning-expired = het budget is verlopen: het was geldig tot en met { $until }
+budget-warning-not-yet = het budget is nog niet geldig: zijn datum is { $date }
+budget-warning-few-readings = { $readings } aflezingen van het gekalibreerde stuk: ISO 15530-3 vraagt er minstens { $fewest }
+budget-warning-bias-corrected = afwijking { $bias } µm: de onzekerheid geldt voor waarden waarvan de afwijking is afgetrokken; Fitcheck trekt ze niet af
+budget-warning-bias-not-corrected = afwijking { $bias } µm: ze is niet gecorrigeerd, dus de onzekerheid bevat ze

@@ -133,12 +133,7 @@ cli-warning-simulated-rows = { $count ->
     }: er is niets gemeten
 cli-warning-tables-not-used = --tables, --source en opties van de norm worden niet gebruikt: zonder --fit worden geen grensmaten opgezocht
 cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft geen waarde die voor het hele bereik geldt
-cli-warning-budget-expired = het budget is verlopen: het was geldig tot en met { $until }
-cli-warning-budget-not-yet = het budget is nog niet geldig: zijn datum is { $date }
 cli-warning-budget-option = --{ $option } heeft geen effect: het budget hangt er niet van af
-cli-warning-few-readings = { $readings } aflezingen van het gekalibreerde stuk: ISO 15530-3 vraagt er minstens { $fewest }
-cli-warning-bias-corrected = afwijking { $bias } µm: de onzekerheid geldt voor waarden waarvan de afwijking is afgetrokken; Fitcheck trekt ze niet af
-cli-warning-bias-not-corrected = afwijking { $bias } µm: ze is niet gecorrigeerd, dus de onzekerheid bevat ze
 cli-warning-contacts-left = de cyclus heeft { $used } van de { $count } meetpunten gebruikt
 cli-warning-not-in-csv = CSV heeft geen plaats voor { $options }: HTML en JSON wel
 cli-warning-notes-not-in-csv = { $count ->

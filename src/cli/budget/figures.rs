@@ -2,15 +2,15 @@
 
 use serde_json::{Map, Value as Json, json};
 
-use super::found::{Answer, figure, rounded};
-use super::{Beside, Found};
-use crate::budget::{Conditions, Help, Repeated, Row};
+use super::Beside;
+use super::found::{figure, head, rounded};
+use crate::budget::{Answer, Assessment, Conditions, Help, Repeated, Row};
 use crate::cli::answers::csv_line;
 use crate::cli::{CliError, Figure, Io};
 
 /// Everything as one object.
-pub(super) fn json(found: &Found, conditions: &Conditions, beside: &Beside) -> Map<String, Json> {
-    let mut answer = found.head();
+pub(super) fn json(found: &Assessment, conditions: &Conditions, beside: &Beside) -> Map<String, Json> {
+    let mut answer = head(found);
     if let Some(Json::Array(warnings)) = answer.get_mut("warnings") {
         warnings.extend(beside.warnings.iter().map(|warning| json!(warning)));
     }
@@ -112,7 +112,7 @@ const COLUMNS: [Column; 12] = [
 ];
 
 /// A row per contribution, then what they come to.
-pub(super) fn csv(found: &Found, io: &mut Io<'_>) -> Result<(), CliError> {
+pub(super) fn csv(found: &Assessment, io: &mut Io<'_>) -> Result<(), CliError> {
     csv_line(COLUMNS.map(|(name, _)| name), io)?;
     for line in lines(found) {
         csv_line(COLUMNS.map(|(_, cell)| cell(&line)), io)?;
@@ -120,11 +120,11 @@ pub(super) fn csv(found: &Found, io: &mut Io<'_>) -> Result<(), CliError> {
     Ok(())
 }
 
-fn lines(found: &Found) -> Vec<Line<'_>> {
+fn lines(found: &Assessment) -> Vec<Line<'_>> {
     let combined = Line {
         degrees: degrees(found.degrees_of_freedom()),
         k: figure(found.k(), 3),
-        expanded: figure(found.u() * found.k(), 6),
+        expanded: figure(found.expanded(), 6),
         ..Line::of("combined", &found.budget.name, found.u())
     };
     match &found.answer {

@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `found` | a budget with its answer, and what has to be said of it; for `check`, too |
+//! | `found` | a budget's file, and what is said of it; for `check`, too |
 //! | `figures` | the answer for programs |
 //! | `text` | the same for people |
 
@@ -16,9 +16,9 @@ use jiff::civil::Date;
 
 use super::pair::Parts;
 use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts};
-use crate::budget::{Basis, Conditions, Geometry, Kind};
+use crate::budget::{Assessment, Basis, Conditions, Geometry, Kind};
 use crate::length::Length;
-pub(super) use found::Found;
+pub(super) use found::{assess, head, introduce};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -102,8 +102,8 @@ impl Args {
         }
         let readings = read.map(|read| read.measured);
         let day = self.date.unwrap_or_else(|| super::now().date());
-        let found = Found::of(budget, &conditions, readings.as_deref(), day).about(&name)?;
-        found.tell(io);
+        let found = Assessment::of(budget, &conditions, readings.as_deref(), day).about(&name)?;
+        found::tell(&found, io);
         match self.format {
             Format::Json => io.json(&figures::json(&found, &conditions, &beside))?,
             Format::Csv => figures::csv(&found, io)?,

@@ -1,15 +1,14 @@
 //! The answer for people.
 
-use super::Found;
 use super::figures::terms;
-use super::found::{Answer, figure};
-use crate::budget::{Conditions, Evaluation, Geometry, Help, Repeated, Row, Validity};
+use super::found::figure;
+use crate::budget::{Answer, Assessment, Conditions, Evaluation, Geometry, Help, Repeated, Row, Validity};
 use crate::cli::{CliError, Io};
 
 /// The longest name that sets the width of its column.
 const WIDEST: usize = 40;
 
-pub(super) fn print(found: &Found, conditions: &Conditions, io: &mut Io<'_>) -> Result<(), CliError> {
+pub(super) fn print(found: &Assessment, conditions: &Conditions, io: &mut Io<'_>) -> Result<(), CliError> {
     let budget = &found.budget;
     let valid = match found.validity {
         Validity::Valid => "",
@@ -34,7 +33,7 @@ pub(super) fn print(found: &Found, conditions: &Conditions, io: &mut Io<'_>) -> 
     } else {
         writeln!(io.people(), "k     {} by {}", figure(found.k(), 3), found.method())?;
     }
-    writeln!(io.people(), "U     {:.3} µm", found.u() * found.k())?;
+    writeln!(io.people(), "U     {:.3} µm", found.expanded())?;
     if let Answer::Combined(evaluation) = &found.answer {
         helps(evaluation, io)?;
     }

@@ -44,7 +44,7 @@ impl Action {
             (_, Page::Check) => Some(Self::Measure),
             (_, Page::Cycles) => Some(Self::RunCycle),
             (_, Page::Program) => Some(Self::RunProgram),
-            (_, Page::Fit | Page::Tables) => None,
+            (_, Page::Fit | Page::Tables | Page::Pairing | Page::Budget) => None,
         }
     }
 }

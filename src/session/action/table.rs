@@ -37,6 +37,8 @@ pub(super) fn row(action: Action) -> Row {
                 Page::Cycles => ("page-cycles", '3'),
                 Page::Tables => ("page-tables", '4'),
                 Page::Program => ("page-program", '5'),
+                Page::Pairing => ("page-pairing", '6'),
+                Page::Budget => ("page-budget", '7'),
             };
             everywhere(text, Command::OpenPage(page)).key(Shortcut::ctrl(key))
         }

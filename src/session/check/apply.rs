@@ -109,7 +109,8 @@ impl PageState for CheckPage {
             | News::WorkpieceTaken
             | News::ContactsTaken
             | News::PartTaken
-            | News::Tools => {}
+            | News::Tools
+            | News::Budget => {}
         }
     }
 }

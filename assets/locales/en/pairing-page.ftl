@@ -1,0 +1,1 @@
+page-pairing = Pairing
