@@ -249,13 +249,22 @@ impl Zones {
 
 impl Say for Rule {
     fn message(&self) -> Message {
-        let declaration = self.name.declaration();
-        let mut message = Message::new(declaration.text);
-        if let Some(uncertainty) = self.given.uncertainty {
-            message = message.message("u", uncertainty.message());
-        } else {
-            message = message.text("u", "");
-        }
+        let sentence = Message::new(self.name.declaration().text);
+        self.told(match self.given.uncertainty {
+            Some(uncertainty) => sentence.message("u", uncertainty.message()),
+            None => sentence.text("u", ""),
+        })
+    }
+}
+
+impl Rule {
+    /// Its sentence with something else in the place of its uncertainty.
+    pub fn message_with(&self, uncertainty: Message) -> Message {
+        self.told(Message::new(self.name.declaration().text).message("u", uncertainty))
+    }
+
+    /// The rest of what the sentence needs.
+    fn told(&self, mut message: Message) -> Message {
         message = message.mm("factor", thousandths(self.given.factor.unwrap_or(1000)));
         let width = self.given.width.unwrap_or_default();
         message = message.mm("width", width.exact(crate::length::Unit::Micrometre, 0));
@@ -270,7 +279,7 @@ impl std::fmt::Display for Rule {
 }
 
 /// A number of thousandths as a decimal.
-fn thousandths(number: u32) -> String {
+pub(super) fn thousandths(number: u32) -> String {
     let text = format!("{}.{:03}", number / 1000, number % 1000);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
