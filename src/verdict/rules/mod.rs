@@ -24,7 +24,7 @@ mod risk;
 mod simple;
 mod uncertainty;
 
-pub use conformity::Conformity;
+pub use conformity::{Conformity, percent};
 pub use names::RuleName;
 pub use risk::{Acceptance, Prior, Risks, acceptance_for};
 pub use uncertainty::{Uncertainty, UncertaintyError, multiple};
@@ -131,6 +131,12 @@ struct Declaration {
     bands: Option<fn(&Given, &Bounds) -> Bands>,
 }
 
+impl Declaration {
+    fn needs_uncertainty(&self) -> bool {
+        !self.takes_width && (self.bands.is_some() || self.how == Use::LimitsWithRatio)
+    }
+}
+
 /// Which values a rule accepts and which it rejects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Zones {
@@ -156,10 +162,11 @@ impl Rule {
     /// # Errors
     /// [`RuleError`] where something is missing, or given without effect.
     pub fn new(name: RuleName, given: Given) -> Result<Self, RuleError> {
-        let Declaration { name: rule, how, takes_factor, takes_width, bands, .. } = *name.declaration();
-        let needs_uncertainty = !takes_width && (bands.is_some() || how == Use::LimitsWithRatio);
+        let Declaration { name: rule, how, takes_factor, takes_width, .. } = *name.declaration();
         match given {
-            Given { uncertainty: None, .. } if needs_uncertainty => Err(RuleError::NoUncertainty { rule }),
+            Given { uncertainty: None, .. } if name.declaration().needs_uncertainty() => {
+                Err(RuleError::NoUncertainty { rule })
+            }
             Given { factor: Some(_), .. } if !takes_factor => Err(RuleError::NoFactor { rule }),
             Given { width: Some(_), .. } if !takes_width => Err(RuleError::NoWidth { rule }),
             Given { prover: Prover::Customer, .. } if how != Use::Proof => Err(RuleError::NoProver { rule }),
