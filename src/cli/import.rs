@@ -85,6 +85,7 @@ impl Args {
         let now = self.time.unwrap_or_else(super::now);
         let judge = self.by.judge(io)?;
         judge.tell(io);
+        judge.tell_rule(io);
         let mut printer = Printer::new(self.format, judge.more(), io)?;
         let mut tally = Tally::default();
         super::io::warn_of_repeats(&self.files, io);

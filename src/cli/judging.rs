@@ -16,6 +16,7 @@ use crate::verdict::rules::Uncertainty;
 
 /// By which rule a measured value is judged, and what is known of it.
 #[derive(Debug, Clone, clap::Args)]
+#[group(skip)]
 pub(super) struct JudgeArgs {
     #[command(flatten)]
     pub(super) warm: WarmArgs,
@@ -93,7 +94,7 @@ impl Judge {
         Ok(record.by_budget(rule, Arc::new(found.provenance())))
     }
 
-    /// Says once how all records are judged: nothing where it is as on a control.
+    /// Says once how all records are brought to 20 °C and by which budget they are judged.
     pub(super) fn tell(&self, io: &mut Io<'_>) {
         if let Some(Warmth { part, scale }) = &self.warmth {
             io.remark(&CliRemark::CorrectedAll {
@@ -108,15 +109,19 @@ impl Judge {
                 io.warn(&CliWarning::ExpansionUnconfirmed { expansion: part.warm.expansion });
             }
         }
-        match &self.budget {
-            Some(ByBudget { budget, .. }) => {
-                io.remark(&CliRemark::RuleByBudget { rule: self.rule });
-                let Budget { name, date, valid_until, .. } = budget;
-                let (name, date, until) = (name.clone(), date.to_string(), valid_until.to_string());
-                io.remark(&CliRemark::Budget { name, date, until });
-            }
-            None if !self.rule.is_plain() => io.remark(&CliRemark::Rule { rule: self.rule }),
-            None => {}
+        if let Some(ByBudget { budget, .. }) = &self.budget {
+            let Budget { name, date, valid_until, .. } = budget;
+            let (name, date, until) = (name.clone(), date.to_string(), valid_until.to_string());
+            io.remark(&CliRemark::Budget { name, date, until });
+        }
+    }
+
+    /// Says the rule once, where no answer says it: nothing where it is the control's own.
+    pub(super) fn tell_rule(&self, io: &mut Io<'_>) {
+        if self.budget.is_some() {
+            io.remark(&CliRemark::RuleByBudget { rule: self.rule });
+        } else if !self.rule.is_plain() {
+            io.remark(&CliRemark::Rule { rule: self.rule });
         }
     }
 }

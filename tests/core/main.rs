@@ -59,6 +59,7 @@ mod own_columns;
 mod pair_cli;
 mod pairing;
 #[cfg(feature = "parquet")]
+mod paper;
 mod parquet;
 mod part_plans;
 mod parts;
