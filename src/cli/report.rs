@@ -64,10 +64,10 @@ pub(super) struct Args {
     time: Option<DateTime>,
 
     #[command(flatten)]
-    by: JudgeArgs,
+    tables: TableArgs,
 
     #[command(flatten)]
-    tables: TableArgs,
+    by: JudgeArgs,
 }
 
 const EXAMPLES: &str = "\

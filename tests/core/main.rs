@@ -58,8 +58,8 @@ mod option_doubts;
 mod own_columns;
 mod pair_cli;
 mod pairing;
-#[cfg(feature = "parquet")]
 mod paper;
+#[cfg(feature = "parquet")]
 mod parquet;
 mod part_plans;
 mod parts;
