@@ -40,8 +40,11 @@ pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub struct More(u8);
 
-/// Columns that a file may have, in their order, and which checks have them.
-const MORE: [(&[Column<Row>], fn(&Record) -> bool); 4] = [
+/// Columns, and which checks have them.
+type Optional = (&'static [Column<Row>], fn(&Record) -> bool);
+
+/// Columns that a file may have, in their order.
+const MORE: [Optional; 4] = [
     (&CORRECTED, |record| record.correction.is_some()),
     (&GUARDED, |record| !record.verdict.rule.is_plain()),
     (&BUDGETED, |record| record.budget.is_some()),
@@ -65,7 +68,9 @@ impl More {
     /// What some records have.
     pub fn of(records: &[Record]) -> Self {
         let mut more = Self::default();
-        records.iter().for_each(|record| more.see(record));
+        for record in records {
+            more.see(record);
+        }
         more
     }
 

@@ -26,10 +26,15 @@ const SCATTER: &str = "name = 'Station 3'\ndate = 2026-01-15\nby = 'J. Jansen'\n
 
 const ROWS: &str = "callout;measured\n25 H7;25.0195\n10 g6;9.991\n100 H7;100.04\n";
 
-/// A folder with a budget, one that has expired, and measurements.
+#[expect(clippy::disallowed_methods, reason = "a test folder needs no careful writing")]
+fn write(folder: &Path, name: &str, text: &str) {
+    std::fs::write(folder.join(name), text).unwrap();
+}
+
+/// A folder with budgets and measurements.
 fn folder() -> tempfile::TempDir {
     let folder = tempfile::tempdir().unwrap();
-    let write = |name: &str, text: &str| std::fs::write(folder.path().join(name), text).unwrap();
+    let write = |name: &str, text: &str| write(folder.path(), name, text);
     write("b.toml", BUDGET);
     write("scatter.toml", SCATTER);
     write("rows.csv", ROWS);
@@ -312,8 +317,8 @@ fn contacts_decide_nothing_alone_by_the_limits_or_by_a_budget() {
 fn the_reason_is_said_in_text_json_csv_and_report() {
     let folder = folder();
     let contacts = touched(3, 45.0).measurement.contacts;
-    let lines: String = contacts.iter().map(|contact| format!("{};{}\n", contact.x, contact.y)).collect();
-    std::fs::write(folder.path().join("arc.csv"), format!("x;y\n{lines}")).unwrap();
+    let lines: Vec<String> = contacts.iter().map(|contact| format!("{};{}", contact.x, contact.y)).collect();
+    write(folder.path(), "arc.csv", &format!("x;y\n{}\n", lines.join("\n")));
     let check = |options: &str| run(folder.path(), &format!("check 25_H7 --contacts arc.csv --rule ilac-g8 {options}"));
     let reason = "the 3 contacts make the diameter 5.914 times less sure than 3 contacts round the full circle";
     let (code, text, said) = check("--u 0.5");

@@ -48,9 +48,12 @@ impl Shared {
     /// The lines of the head.
     pub fn entries(&self, words: &Words) -> Vec<Entry> {
         let entry = |id: &str, value: String| Entry { label: words.get(id), value };
-        let rule = self.rule.map(|rule| match self.has_own_uncertainties {
-            true => words.say(&rule.message_with(Message::new("report-own-uncertainty"))),
-            false => origins::rule(rule, words),
+        let rule = self.rule.map(|rule| {
+            if self.has_own_uncertainties {
+                words.say(&rule.message_with(Message::new("report-own-uncertainty")))
+            } else {
+                origins::rule(rule, words)
+            }
         });
         let correction = self.correction.map(|correction| {
             let part = correction.part;
