@@ -12,7 +12,7 @@
 //! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
 //! | `columns` | three columns, and how they fold |
-//! | `class_chooser`, `field`, `keypad`, `limits`, `popup`, `shapes`, `verdict_card` | widgets of our own |
+//! | `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
 
@@ -31,6 +31,7 @@ mod keeping;
 mod keypad;
 mod keys;
 mod limits;
+mod material;
 mod pairing;
 mod popup;
 mod program;
