@@ -73,14 +73,14 @@ impl RuleName {
         self.declaration().takes_factor
     }
 
-    /// Whether its sentence says the uncertainty: it is made of it.
-    pub fn says_uncertainty(self) -> bool {
-        self.declaration().needs_uncertainty()
-    }
-
     /// Whether it depends on who has to prove.
     pub fn takes_prover(self) -> bool {
         self.declaration().how == Use::Proof
+    }
+
+    /// Whether its sentence says the uncertainty: it is made of it.
+    pub fn says_uncertainty(self) -> bool {
+        self.declaration().needs_uncertainty()
     }
 
     /// Whether its guard band is given.
