@@ -33,6 +33,8 @@ pub(super) enum CliError {
     NotAboveZero { diameter: Length },
     /// An option of ISO 286, where the control's tables answer.
     OptionOfStandard { option: &'static str },
+    /// A temperature for values that are at 20 °C already.
+    AlreadyCorrected,
     /// Not a multiple of an uncertainty.
     NotAMultiple { given: String },
     /// Limits of which none was given, or of which the lower is not below the upper.

@@ -77,6 +77,8 @@ impl Judge {
     /// Where the budget gives no uncertainty for it.
     pub(super) fn judged(&self, record: Record) -> Result<Record, CliError> {
         let record = match &self.warmth {
+            // A file of Fitcheck says how its values were corrected.
+            Some(_) if record.correction.is_some() => return Err(CliError::AlreadyCorrected),
             Some(Warmth { part, scale }) => {
                 let measured = record.measurement.diameter;
                 record.corrected(Correction::new(measured, part.warm, *scale))

@@ -27,6 +27,8 @@ impl Say for ImportError {
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "exchange", error)]
 pub enum ImportErrorKind {
+    /// The columns of a correction to 20 °C and the measured value contradict each other.
+    Correction,
     /// There is nothing in the file.
     Empty,
     /// No format recognises the file.
@@ -200,6 +202,8 @@ pub enum ImportWarningKind {
     /// A warning about a log.
     #[say(transparent)]
     Log(LogWarningKind),
+    /// Values that a file of Fitcheck says to be at 20 °C already.
+    Corrected,
     /// Skipped columns.
     IgnoredColumns {
         /// Their names or numbers.

@@ -104,6 +104,9 @@ struct Reader<'a, 's, 'z> {
 impl<'a> Reader<'a, '_, '_> {
     fn warn_of_columns(&mut self, first_line: usize) {
         let line = self.columns.header.unwrap_or(first_line);
+        if self.columns.corrected.is_some() {
+            self.warn(line, ImportWarningKind::Corrected);
+        }
         if !self.columns.ignored.is_empty() {
             let columns = columns::listed(&self.columns.ignored);
             self.warn(line, ImportWarningKind::IgnoredColumns { columns });
@@ -181,7 +184,9 @@ impl<'a> Reader<'a, '_, '_> {
         let file = Arc::clone(&self.source.file);
         let origin = if is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } };
         let measurement = Measurement::of_diameter(measured, origin);
-        self.sink.keep(line, Record::judged(time, id, Some(callout), limits, measurement, None));
+        let correction = self.columns.corrected.map_or(Ok(None), |columns| columns.read(cells, measured))?;
+        let record = Record::judged(time, id, Some(callout), limits, measurement, None);
+        self.sink.keep(line, Record { correction, ..record });
         Ok(())
     }
 

@@ -10,6 +10,7 @@
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
 //! | `sizes` | what was measured alone, of holes or of shafts |
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
+//! | `corrected` | how the values of a CSV of Fitcheck were brought to 20 °C |
 //! | `cells` | what a cell or a row of a CSV seems to hold |
 //! | `tables` | tables of deviations for controls and other tools |
 //! | `sql` | limits and verdicts as plain SQL |
@@ -24,6 +25,7 @@ pub mod batch;
 mod cells;
 mod columns;
 pub mod contacts;
+mod corrected;
 mod delimited;
 pub mod error;
 pub mod imported;

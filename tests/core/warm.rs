@@ -117,3 +117,37 @@ proptest! {
         prop_assert_eq!(Correction::new(measured, cold, None).change(), Length::ZERO);
     }
 }
+
+/// A CSV of Fitcheck is read back with its correction, and no value is corrected twice.
+#[test]
+fn a_corrected_value_is_read_back_and_never_corrected_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = folder.path().join("warm.csv");
+    let run = |arguments: &[&str]| {
+        let output = Command::new(env!("CARGO_BIN_EXE_fitcheck")).args(arguments).output().unwrap();
+        (String::from_utf8(output.stdout).unwrap(), String::from_utf8(output.stderr).unwrap(), output.status.code())
+    };
+    let warm = ["--temperature", "28", "--material", "23.1", "--scale-temperature", "24", "--scale-material", "10"];
+    let check = ["check", "80 H7", "--measured", "80.02", "--format", "csv"];
+    let (csv, _, _) = run(&[&check[..], &warm[..]].concat());
+    std::fs::write(&path, &csv).unwrap();
+    let name = path.to_str().unwrap();
+    let (again, told, code) = run(&["import", name, "--format", "json"]);
+    assert_eq!(code, Some(0), "{told}");
+    assert!(told.contains("values with an entry in the column as_measured_mm are at 20 °C already"), "{told}");
+    let again = &serde_json::from_str::<Value>(&again).unwrap()[0];
+    let mut cells = csv.lines().map(|line| line.split(',').map(str::to_owned).collect::<Vec<_>>());
+    let (names, cells) = (cells.next().unwrap(), cells.next().unwrap());
+    for column in ["measured_mm", "as_measured_mm", "correction_um", "temperature_c", "scale_expansion_um_per_m_k"] {
+        let at = names.iter().position(|name| name == column).unwrap();
+        assert_eq!(again[column].as_f64(), cells[at].parse().ok(), "{column}: {again}");
+    }
+    let (out, told, code) = run(&["import", name, "--temperature", "28", "--material", "23.1"]);
+    assert_eq!((out.as_str(), code), ("", Some(2)), "{told}");
+    assert!(told.contains("the values are at 20 °C already"), "{told}");
+    // A value that does not follow from its own columns is refused.
+    std::fs::write(&path, csv.replace("80.02,", "80.03,")).unwrap();
+    let (_, told, code) = run(&["import", name]);
+    assert_eq!(code, Some(1), "{told}");
+    assert!(told.contains("does not follow from the value as measured and its temperatures"), "{told}");
+}

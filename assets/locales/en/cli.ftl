@@ -31,6 +31,7 @@ cli-what-set = --set { $name }={ $value }
 
 # Errors
 cli-not-above-zero = { $diameter } mm is not above 0
+cli-already-corrected = --temperature: the values are at 20 °C already, as the column as_measured_mm says
 cli-not-a-multiple = { $given }: expected a number above 0 with at most three decimals
 cli-no-limits = give --lower, --upper or both, with the lower limit below the upper one
 cli-risk-without-uncertainty = the risks of a process need --u or --expanded

@@ -93,3 +93,5 @@ table-format-pcdmis = CSV of ISO tolerances for PC-DMIS
 sql-border = table { $table }: a size range ends at { $end } mm; as SQL, ranges must end at whole millimetres
 sql-too-far = table { $table }: a size range ends at { $end } mm; as SQL, ranges must end by { $most } mm
 sql-twice = class { $class } is named twice
+exchange-correction = the value at 20 °C does not follow from the value as measured and its temperatures: expected the columns as Fitcheck writes them
+exchange-warning-corrected = values with an entry in the column as_measured_mm are at 20 °C already

@@ -31,6 +31,7 @@ cli-what-set = --set { $name }={ $value }
 
 # Fouten
 cli-not-above-zero = { $diameter } mm is niet groter dan 0
+cli-already-corrected = --temperature: de waarden gelden al bij 20 °C, zoals de kolom as_measured_mm zegt
 cli-not-a-multiple = { $given }: een getal boven 0 met hoogstens drie decimalen verwacht
 cli-no-limits = geef --lower, --upper of beide, met de ondergrens onder de bovengrens
 cli-risk-without-uncertainty = voor de risico's van een proces is --u of --expanded nodig

@@ -93,3 +93,5 @@ table-format-pcdmis = CSV met ISO-toleranties voor PC-DMIS
 sql-border = tabel { $table }: een maatbereik eindigt bij { $end } mm; voor SQL moeten bereiken bij hele millimeters eindigen
 sql-too-far = tabel { $table }: een maatbereik eindigt bij { $end } mm; voor SQL moeten bereiken uiterlijk bij { $most } mm eindigen
 sql-twice = klasse { $class } is twee keer genoemd
+exchange-correction = de waarde bij 20 °C volgt niet uit de gemeten waarde en haar temperaturen: verwacht worden de kolommen zoals Fitcheck ze schrijft
+exchange-warning-corrected = waarden met een cel in de kolom as_measured_mm gelden al bij 20 °C
