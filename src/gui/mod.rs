@@ -12,7 +12,7 @@
 //! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
 //! | `columns` | three columns, and how they fold |
-//! | `class_chooser`, `field`, `keypad`, `limits`, `popup`, `shapes`, `verdict_card` | widgets of our own |
+//! | `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
 
@@ -30,6 +30,7 @@ mod folder_list;
 mod keeping;
 mod keypad;
 mod keys;
+mod material;
 mod limits;
 mod pairing;
 mod popup;

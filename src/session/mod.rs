@@ -61,7 +61,9 @@ use jiff::civil::DateTime;
 
 pub use action::Action;
 pub use budget::{BudgetCommand, BudgetField, BudgetPage, OpenBudget};
-pub use check::{Asked, CheckCommand, CheckField, CheckPage, Lot, MeasureBy, Question, Shown};
+pub use check::{
+    Asked, CheckCommand, CheckField, CheckPage, Judging, Lot, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
+};
 pub use command::{Command, CycleFile, Density, DialogId, Effect, Page, Purpose, Theme};
 pub use cycles::{
     Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Standing, WorkpieceField,
@@ -149,7 +151,12 @@ impl Session {
             tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
             source: self.shared.sources.base(),
             standard: self.shared.sources.options(),
-            inputs: SavedInputs { texts: texts.collect(), by: self.check.by(), feature: self.check.feature() },
+            inputs: SavedInputs {
+                texts: texts.collect(),
+                by: self.check.by(),
+                feature: self.check.feature(),
+                judging: self.check.own_judging(),
+            },
             cycles: self.cycles.saved(),
             files: self.shared.places.saved(),
             ..Saved::default()

@@ -7,7 +7,7 @@ use std::path::PathBuf;
 
 use serde::{Deserialize, Serialize};
 
-use super::check::MeasureBy;
+use super::check::{Judging, MeasureBy};
 use super::command::{Density, Theme};
 use crate::message::Say;
 use crate::tolerance::{Base, Feature, iso286};
@@ -75,6 +75,8 @@ pub struct SavedInputs {
     pub by: MeasureBy,
     /// Hole or shaft, where the check page's callout does not say it.
     pub feature: Option<Feature>,
+    /// How the check page judges.
+    pub judging: Judging,
 }
 
 /// What is kept of the cycles page.

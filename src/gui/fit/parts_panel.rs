@@ -1,10 +1,11 @@
 //! Left: the measured parts; the temperature, and what the parts are made of.
 
-use eframe::egui::{Grid, Id, Ui, vec2};
+use eframe::egui::{Grid, Ui, vec2};
 
 use crate::gui::field::{Look, Pairs, error_ui, field_ui, pairs_ui};
+use crate::gui::material::material_ui;
 use crate::gui::theme::space;
-use crate::gui::view::{View, heading, list_ui, quiet};
+use crate::gui::view::{View, heading, quiet};
 use crate::session::{FitCommand, FitField};
 use crate::tolerance::Feature;
 
@@ -48,33 +49,13 @@ pub(super) fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
                 let material = quiet(ui, view.text(material));
                 let expansion = quiet(ui, view.text(expansion));
                 ui.end_row();
-                material_ui(ui, view, part, material.id, width);
+                let now = view.session.fit().expansion(part);
+                if let Some(expansion) = material_ui(ui, view, ("fit-material", part), now, (material.id, width)) {
+                    view.send(FitCommand::ChooseExpansion(part, expansion));
+                }
                 field_ui(ui, view, FitField::expansion(part), expansion.id, Look::number(width - space(2.0)));
                 ui.end_row();
             });
         error_ui(ui, view, FitField::expansion(part));
     }
-}
-
-/// Materials fill the field of expansion; a typed value belongs to no material any more.
-fn material_ui(ui: &mut Ui, view: &mut View<'_>, part: Feature, name: Id, width: f32) {
-    let language = view.session.language();
-    let now = view.session.fit().expansion(part);
-    let chosen = view.session.materials().iter().find(|material| Some(material.expansion) == now);
-    let shown = chosen.map_or_else(|| view.text("fit-own-value"), |material| material.name_in(language).to_owned());
-    let list = list_ui(ui, ("fit-material", part), shown, width, |ui| {
-        for material in view.session.materials().iter() {
-            let value = view.words.number(&material.expansion.to_string());
-            let text = format!("{}  {value}", material.name_in(language));
-            let is = Some(material.expansion) == now;
-            let certainty = view.words.told(&material.certainty);
-            let source = material.source.as_deref().unwrap_or_default();
-            let hint = if source.is_empty() { certainty } else { format!("{certainty}: {source}") };
-            if ui.selectable_label(is, text).on_hover_text(hint).clicked() {
-                view.send(FitCommand::ChooseExpansion(part, material.expansion));
-                ui.close();
-            }
-        }
-    });
-    list.labelled_by(name);
 }

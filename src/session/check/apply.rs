@@ -5,13 +5,14 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::{
-    Asked, CheckCommand, CheckField, CheckPage, Lot, MeasureBy, Question, Shown, class_text, measuring, nominal_text,
+    Asked, CheckCommand, CheckField, CheckPage, Judging, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
+    class_text, measuring, nominal_text, worth,
 };
-use crate::exchange::Imported;
 use crate::journal::query::RecordId;
 use crate::journal::{Record, status_window};
 use crate::message::{Message, Say as _};
 use crate::probing::Origin;
+use crate::session::budget::OpenBudget;
 use crate::session::command::{Effect, Page};
 use crate::session::rows::Rows;
 use crate::session::shared::{News, PageState, Shared};
@@ -40,6 +41,13 @@ impl PageState for CheckPage {
             CheckCommand::MeasureBy(by) => {
                 self.by = by;
                 self.edited(&shared.sources);
+            }
+            CheckCommand::UseRule(rule) => self.judge_by(Judging { rule, ..self.judging }, &shared.sources),
+            CheckCommand::LetProve(prover) => self.judge_by(Judging { prover, ..self.judging }, &shared.sources),
+            CheckCommand::TellUncertainty(from) => self.judge_by(Judging { from, ..self.judging }, &shared.sources),
+            CheckCommand::ChooseExpansion(field, expansion) => {
+                let sign = shared.language.decimal_sign().to_string();
+                self.type_text(field, expansion.to_string().replace('.', &sign), &shared.sources);
             }
             CheckCommand::Measure => self.measure(shared, now),
             CheckCommand::TakeMeant => {
@@ -103,6 +111,8 @@ impl PageState for CheckPage {
                 }
             }
             News::Check(callout) => self.take_callout(callout, &shared.sources),
+            // No verdict stays beside a budget that it was not made with.
+            News::Budget if self.own_judging().from == UncertaintyFrom::Budget => self.edited(&shared.sources),
             News::Opened(_)
             | News::OwnTables
             | News::Workpiece
@@ -133,8 +143,25 @@ impl CheckPage {
         }
     }
 
+    /// Judges the next part in another way. What stands in the fields of the rule is what is meant, even where a shown
+    /// record lent it.
+    fn judge_by(&mut self, judging: Judging, sources: &Sources) {
+        self.judging = judging;
+        self.keep_rule();
+        self.edited(sources);
+    }
+
+    /// The rule on screen is the user's own from now on.
+    fn keep_rule(&mut self) {
+        self.own_judging = None;
+        self.own.retain(|field, _| !worth::is_of_rule(*field));
+    }
+
     fn type_text(&mut self, field: CheckField, text: String, sources: &Sources) {
         self.own.remove(&field);
+        if worth::is_of_rule(field) {
+            self.keep_rule();
+        }
         self.texts.set(field, text);
         match field {
             CheckField::Callout => return self.callout_changed(true, sources),
@@ -155,7 +182,7 @@ impl CheckPage {
 
     /// Reads the fields anew. The limits are those of the record that lends them.
     fn read(&mut self, sources: &Sources) {
-        self.asked = Asked::read(&self.texts, self.feature, sources);
+        self.asked = Asked::read(&self.texts, self.feature, self.judging, sources);
         if let Some(record) = &self.lent {
             self.asked.show_limits(record.limits.clone(), record.callout);
         }
@@ -186,14 +213,20 @@ impl CheckPage {
     /// No verdict stays beside a value, a position or a name that it was not made with, and what it lent goes with it:
     /// the next value is judged by the source that is chosen now. Only limits without a callout stay, for the fields
     /// have no others.
-    fn edited(&mut self, sources: &Sources) {
+    pub(super) fn edited(&mut self, sources: &Sources) {
         (self.shown, self.question, self.lot, self.refusal) = (None, None, None, None);
         self.rows.iter_mut().for_each(Rows::hide);
         self.lent = self.lent.take().filter(|record| record.callout.is_none());
+        self.take_back_own();
+        self.read(sources);
+    }
+
+    /// The user's own texts and rule come back into the fields.
+    fn take_back_own(&mut self) {
         for (field, text) in std::mem::take(&mut self.own) {
             self.texts.set(field, text);
         }
-        self.read(sources);
+        self.judging = self.own_judging.take().unwrap_or(self.judging);
     }
 
     /// Without a record, the limits are again those of the fields.
@@ -206,8 +239,9 @@ impl CheckPage {
         let asked_about = self.question.take();
         // What stands in the fields is what is meant.
         self.own.clear();
+        self.own_judging = None;
         self.edited(&shared.sources);
-        let record = match measuring::measure(self, now) {
+        let record = match measuring::measure(self, shared.budget.as_deref(), now) {
             Ok(record) => record,
             Err((field, problem)) => {
                 // A typed value has its error beside it, in sight.
@@ -235,7 +269,7 @@ impl CheckPage {
     }
 
     /// Shows a record of the history; what made it stands in the fields.
-    fn show(&mut self, id: RecordId, shared: &mut Shared) {
+    pub(super) fn show(&mut self, id: RecordId, shared: &mut Shared) {
         let Some(record) = shared.history.get(id) else { return };
         shared.history.go_to(id);
         self.show_record(record, Some(id), shared);
@@ -259,7 +293,7 @@ impl CheckPage {
             self.feature = Some(record.limits.feature);
         }
         (self.lot, self.question, self.refusal) = (lot, None, None);
-        self.show_inputs(id, &record);
+        self.show_inputs(id, &record, shared.budget.as_deref());
         self.lent = Some(Arc::clone(&record));
         self.read(&shared.sources);
         self.draw(record, shared);
@@ -267,20 +301,30 @@ impl CheckPage {
 
     /// Puts what a record was made with back into the fields: nothing else stands beside the verdict. The user's own
     /// texts come back with the next edit.
-    fn show_inputs(&mut self, id: Option<RecordId>, record: &Record) {
-        for (field, text) in std::mem::take(&mut self.own) {
-            self.texts.set(field, text);
+    fn show_inputs(&mut self, id: Option<RecordId>, record: &Record, budget: Option<&OpenBudget>) {
+        self.take_back_own();
+        let worth = Worth::read(&self.texts, self.judging, &mut |_, _| {});
+        let mut inputs = self.inputs.of(id, record);
+        if !worth.agrees(record, budget) {
+            let (judging, texts) = worth::of_record(record);
+            self.own_judging = Some(std::mem::replace(&mut self.judging, judging));
+            inputs.extend(texts);
         }
-        for (field, text) in self.inputs.of(id, record) {
+        if !worth.agrees_on_temperature(record) {
+            inputs.extend(worth::temperatures_of(record));
+        }
+        for (field, text) in inputs {
             if self.text(field).trim() != text {
                 self.own.insert(field, self.text(field).to_owned());
                 self.texts.set(field, text);
             }
         }
         let is_typed = record.measurement.origin == Origin::Typed;
+        // As it was typed, not as it is at 20 °C.
+        let diameter = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
         let measured = self.asked.length(CheckField::Measured).filter(|_| is_typed);
-        if measured != Some(record.measurement.diameter) {
-            let text = if is_typed { record.measurement.diameter.to_string() } else { String::new() };
+        if measured != Some(diameter) {
+            let text = if is_typed { diameter.to_string() } else { String::new() };
             self.texts.set(CheckField::Measured, text);
         }
         self.measured_is_used = is_typed;
@@ -290,58 +334,5 @@ impl CheckPage {
         let (language, mask) = shared.drawn_with();
         let window = status_window(&record, language, mask).map_err(|error| error.message());
         self.shown = Some(Shown { record, window });
-    }
-
-    fn imported(&mut self, name: &str, result: Result<Box<Imported>, Message>, shared: &mut Shared, now: DateTime) {
-        let Some(mut imported) = shared.file_answered(result) else { return };
-        // The newest file is the one that is meant.
-        self.errands.extend(self.rows.as_mut().map(Rows::cancel).unwrap_or_default());
-        self.shows_rows = false;
-        let mut notice = measuring::import_notice(name, &imported);
-        if let Some(contacts) = imported.contacts.take() {
-            // Contacts are judged by what the user asked for, not by what an older check lent.
-            self.edited(&shared.sources);
-            match measuring::judge_contacts(name, &contacts, self, now) {
-                Ok(record) => {
-                    let id = shared.history.add(vec![Arc::new(record)]);
-                    self.inputs.keep(id, &self.texts);
-                    notice.change = shared.history.last_change();
-                    self.show(id, shared);
-                }
-                Err(why) => {
-                    notice.message = Message::new("import-contacts-not-judged").text("name", name);
-                    notice.details.insert(0, why);
-                    notice.is_problem = true;
-                }
-            }
-            shared.notices.push(notice);
-            return;
-        }
-        shared.notices.push(notice);
-        let records: Vec<_> = std::mem::take(&mut imported.records).into_iter().map(Arc::new).collect();
-        let is_lot = 1 < imported.rows && !(records.is_empty() && imported.unjudged.is_empty());
-        if !is_lot && records.is_empty() {
-            return;
-        }
-        let lot = |first| Lot::new(name, &imported, &records, first);
-        let first = shared.history.next();
-        self.clear(&shared.sources);
-        self.lot = is_lot.then(|| lot(first));
-        if !records.is_empty() {
-            shared.history.add(records);
-            shared.note_change();
-        }
-        if is_lot {
-            self.show_of_lot(shared);
-        } else {
-            self.show(first, shared);
-        }
-    }
-
-    /// Shows the row of the lot that is chosen.
-    fn show_of_lot(&mut self, shared: &mut Shared) {
-        if let Some(id) = self.lot.as_ref().and_then(Lot::record) {
-            self.show(id, shared);
-        }
     }
 }

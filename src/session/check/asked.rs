@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops;
 
 use super::CheckField;
+use super::worth::{Judging, Worth};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::probing::cycle::{Angle, Axis, Meaning, Value};
@@ -26,6 +27,7 @@ pub struct Asked {
     pub(super) seed: Option<u64>,
     /// The number of lobes of the simulated workpiece.
     pub(super) lobes: Option<u32>,
+    worth: Worth,
     errors: BTreeMap<CheckField, Message>,
 }
 
@@ -63,9 +65,16 @@ pub(in crate::session) fn class_text(callout: &str) -> &str {
 
 impl Asked {
     /// Reads the fields. Empty optional fields are not an error; a number that cannot be used is one.
-    pub(super) fn read(texts: &Texts<CheckField>, feature: Option<Feature>, sources: &Sources) -> Self {
+    pub(super) fn read(
+        texts: &Texts<CheckField>,
+        feature: Option<Feature>,
+        judging: Judging,
+        sources: &Sources,
+    ) -> Self {
         let mut asked = Self::default();
         asked.read_callout(texts.text(CheckField::Callout), feature, sources);
+        asked.worth = Worth::read(texts, judging, &mut |field, problem| _ = asked.errors.insert(field, problem));
+        asked.worth.look_at(asked.limits.as_ref());
         for (field, meaning) in PARAMETERS {
             asked.read_parameter(field, meaning, texts.text(field));
         }
@@ -149,6 +158,11 @@ impl Asked {
         self.lengths.get(&field).copied()
     }
 
+    /// What a measured value is worth: rule, uncertainty, temperature.
+    pub const fn worth(&self) -> &Worth {
+        &self.worth
+    }
+
     /// What is wrong with a field.
     pub fn error(&self, field: CheckField) -> Option<&Message> {
         self.errors.get(&field)
@@ -165,6 +179,7 @@ impl Asked {
         if self.callout.map(|asked| asked.of_part(limits.feature)) != callout {
             self.callout = callout;
         }
+        self.worth.look_at(Some(&limits));
         self.limits = Some(limits);
         self.culprit = None;
         self.errors.remove(&CheckField::Callout);

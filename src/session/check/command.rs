@@ -1,11 +1,13 @@
 //! What can be done on the check page.
 
-use super::{CheckField, MeasureBy};
+use super::{CheckField, MeasureBy, UncertaintyFrom};
 use crate::exchange::Imported;
 use crate::journal::query::RecordId;
 use crate::message::Message;
 use crate::session::{ListCommand, RowsCommand, Step};
+use crate::tolerance::fit::thermal::Expansion;
 use crate::tolerance::{Feature, ToleranceClass};
+use crate::verdict::rules::{Prover, RuleName};
 
 /// What can be done on the check page.
 #[derive(Debug, Clone)]
@@ -18,6 +20,14 @@ pub enum CheckCommand {
     ChooseFeature(Feature),
     /// Chooses where the next measurement comes from.
     MeasureBy(MeasureBy),
+    /// Chooses the decision rule.
+    UseRule(RuleName),
+    /// Says who has to prove.
+    LetProve(Prover),
+    /// Chooses how the uncertainty is told.
+    TellUncertainty(UncertaintyFrom),
+    /// Puts a material's expansion into a field.
+    ChooseExpansion(CheckField, Expansion),
     /// Measures and judges. A typed value that may be another quantity is asked about first; a second time judges it.
     Measure,
     /// Takes what the typed value may have been instead of it, and judges that.

@@ -44,6 +44,26 @@ kept_fields! {
     ProbeScatter: "probe-scatter", "0.0005";
     /// Seed of the scatter; counts up with every simulated measurement.
     Seed: "seed", "1";
+    /// Uncertainty of the measured value, µm, as it is told: standard or expanded; empty is not known.
+    Uncertainty: "uncertainty", "";
+    /// Coverage factor of the expanded uncertainty.
+    Coverage: "coverage-factor", "2";
+    /// Guard band as a multiple of the expanded uncertainty, where the rule takes one.
+    GuardFactor: "guard-factor", "1";
+    /// Guard band, µm, where the rule takes one.
+    GuardWidth: "guard-width", "";
+    /// Mean of what the process makes, mm; empty is the middle of the zone.
+    ProcessMean: "process-mean", "";
+    /// Standard deviation of what the process makes, µm; empty is not known.
+    ProcessSpread: "process-spread", "";
+    /// Temperature of the measured part, °C; empty is not corrected.
+    PartTemperature: "part-temperature", "";
+    /// Expansion of the part's material, 10⁻⁶/K.
+    PartExpansion: "part-expansion", "11.5";
+    /// Temperature of the machine's scales, °C; empty where the machine compensates them.
+    ScaleTemperature: "scale-temperature", "";
+    /// Expansion of the scales, 10⁻⁶/K.
+    ScaleExpansion: "scale-expansion", "10";
     /// Words that the listed checks of the history must have.
     HistoryFilter: "history-filter", "";
 }

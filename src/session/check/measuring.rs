@@ -1,27 +1,25 @@
-//! From the fields to a measurement and a record; from an imported file to the notice about it.
+//! From the fields to a measurement and a record.
 
 use jiff::civil::DateTime;
 
 use super::inputs::SIMULATION;
 use super::{Asked, CheckField, CheckPage, MeasureBy};
-use crate::exchange::Imported;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say as _};
 use crate::probing::measure::{ProbePosition, cycle_number, measure as run_cycle};
-use crate::probing::measurement::measure_contacts;
 use crate::probing::simulated::{Figure, Lobes, Machine, Probe, Workpiece, WorkpieceError};
-use crate::probing::{Contact, Measurement, Origin};
+use crate::probing::{Measurement, Origin};
+use crate::session::budget::OpenBudget;
 use crate::session::field::KeptField as _;
-use crate::session::shared::Notice;
 use crate::tolerance::{Limits, Sources};
-use crate::verdict::{AxisPosition, PositionVerdict};
+use crate::verdict::PositionVerdict;
 
 /// The field that measuring refused, and why.
 type Refusal = (CheckField, Message);
 
 /// Measures as the fields say.
-pub(super) fn measure(page: &CheckPage, now: DateTime) -> Result<Record, Refusal> {
+pub(super) fn measure(page: &CheckPage, budget: Option<&OpenBudget>, now: DateTime) -> Result<Record, Refusal> {
     let asked = &page.asked;
     let Some(limits) = asked.limits() else {
         // An error beside the callout says more than "no limits".
@@ -35,18 +33,25 @@ pub(super) fn measure(page: &CheckPage, now: DateTime) -> Result<Record, Refusal
             field => (field, problem),
         })?,
     };
-    Ok(record(page.text(CheckField::Part), asked, limits, (measurement, position), now))
+    let record = record(page.text(CheckField::Part), asked, limits, (measurement, position), now);
+    asked.worth().judge(record, budget)
 }
 
-fn record(
+/// The record of a measurement that was brought to 20 °C where a temperature is given.
+pub(super) fn record(
     part: &str,
     asked: &Asked,
     limits: &Limits,
-    (measurement, position): (Measurement, Option<PositionVerdict>),
+    (mut measurement, position): (Measurement, Option<PositionVerdict>),
     now: DateTime,
 ) -> Record {
     let callout = asked.callout().map(|callout| callout.of_part(limits.feature));
-    Record::judged(now, part.trim().to_owned(), callout, limits.clone(), measurement, position)
+    let correction = asked.worth().correction(measurement.diameter);
+    if let Some(correction) = &correction {
+        measurement.diameter = correction.at_reference;
+    }
+    let record = Record::judged(now, part.trim().to_owned(), callout, limits.clone(), measurement, position);
+    Record { correction, ..record }
 }
 
 fn typed(asked: &Asked) -> Result<Measurement, Refusal> {
@@ -59,7 +64,7 @@ fn needed<T>(asked: &Asked, field: CheckField, value: Option<T>) -> Result<T, Re
     value.ok_or_else(|| (field, problem()))
 }
 
-fn length(asked: &Asked, field: CheckField) -> Result<Length, Refusal> {
+pub(super) fn length(asked: &Asked, field: CheckField) -> Result<Length, Refusal> {
     needed(asked, field, asked.length(field))
 }
 
@@ -96,7 +101,7 @@ fn culprit(page: &CheckPage, limits: &Limits) -> CheckField {
     let is_it = |field: &&CheckField| {
         let mut texts = page.texts.clone();
         texts.set(**field, field.declared().1);
-        simulated(&Asked::read(&texts, page.feature, &Sources::default()), limits).is_ok()
+        simulated(&Asked::read(&texts, page.feature, page.judging, &Sources::default()), limits).is_ok()
     };
     changed.iter().find(is_it).or(changed.first()).copied().unwrap_or(CheckField::TrueDiameter)
 }
@@ -128,40 +133,4 @@ fn workpiece(asked: &Asked, limits: &Limits, position: &ProbePosition) -> Result
         surface_scatter: mm(CheckField::SurfaceScatter)?,
     };
     Ok((workpiece, Probe { trigger_scatter: mm(CheckField::ProbeScatter)?, ..Probe::STILL }))
-}
-
-/// The notice about an imported file: how many checks, and every row that could not be used.
-pub(super) fn import_notice(name: &str, imported: &Imported) -> Notice {
-    let good = imported.records.len() + usize::from(imported.contacts.is_some());
-    let message =
-        Message::new("import-notice").text("name", name).count("good", good).count("bad", imported.errors.len());
-    let problems = imported.errors.iter().map(crate::message::Say::message);
-    let unjudged =
-        imported.unjudged.iter().filter(|_| imported.contacts.is_none()).map(|unjudged| unjudged.why.message());
-    let warnings = imported.warnings.iter().map(crate::message::Say::message);
-    let details = problems.chain(unjudged).chain(warnings).collect();
-    Notice { message, details, is_problem: good == 0, file: None, change: None }
-}
-
-/// Judges contacts from a file by the limits on screen.
-pub(super) fn judge_contacts(
-    name: &str,
-    contacts: &[Contact],
-    page: &CheckPage,
-    now: DateTime,
-) -> Result<Record, Message> {
-    let asked = &page.asked;
-    let limits = asked.limits().ok_or_else(|| Message::new("measured-needs-limits"))?;
-    let origin = Origin::Contacts { file: name.into() };
-    let measurement = measure_contacts(contacts, origin).map_err(|error| error.message())?;
-    // A position that cannot be read is refused: leaving it out would call a shifted feature good.
-    let nominal = |field| length(asked, field).map_err(|(_, problem)| problem);
-    let (nominal_x, nominal_y) = (nominal(CheckField::CentreX)?, nominal(CheckField::CentreY)?);
-    let permitted = nominal(CheckField::CentreTolerance)?;
-    let position = measurement.centre.map(|[x, y]| {
-        let tolerance = (Length::ZERO < permitted).then_some(permitted);
-        let axis = |is: Length, nominal| AxisPosition { deviation: is.saturating_sub(nominal), tolerance };
-        PositionVerdict { axes: [axis(x, nominal_x), axis(y, nominal_y)] }
-    });
-    Ok(record(page.text(CheckField::Part), asked, limits, (measurement, position), now))
 }

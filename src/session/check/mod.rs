@@ -7,6 +7,8 @@
 //! | `command`, `apply` | what can be done, and doing it |
 //! | `asked` | what the texts mean: callout, limits, errors beside their fields |
 //! | `measuring` | from the fields to a measurement |
+//! | `importing` | from a file to checks and the notice about it |
+//! | `worth` | the rule that judges it, its uncertainty, its temperature |
 //! | `inputs` | what a check was made with, besides callout and value |
 //! | `lot` | the rows of an imported file: how many are what, worst first |
 
@@ -14,10 +16,12 @@ mod apply;
 mod asked;
 mod command;
 mod field;
+mod importing;
 mod inputs;
 mod lot;
 mod measuring;
 mod rows;
+mod worth;
 
 use std::collections::BTreeMap;
 use std::ops::Range;
@@ -30,6 +34,7 @@ pub(super) use asked::{class_text, nominal_text};
 pub use command::CheckCommand;
 pub use field::CheckField;
 pub use lot::Lot;
+pub use worth::{Judging, UncertaintyFrom, Worth};
 
 use self::inputs::Inputs;
 use super::command::Effect;
@@ -78,6 +83,10 @@ pub struct CheckPage {
     by: MeasureBy,
     /// Hole or shaft, where the callout does not say it.
     feature: Option<Feature>,
+    /// How it is judged.
+    judging: Judging,
+    /// How the user wants the next part to be judged, while a shown record's own stands in its place.
+    own_judging: Option<Judging>,
     asked: Asked,
     shown: Option<Shown>,
     /// The record whose limits are on screen: it may come from tables that are no longer used, or from a log without a
@@ -106,11 +115,14 @@ impl CheckPage {
     /// The page with what was saved, or with empty fields.
     pub(super) fn new(saved: &SavedInputs, sources: &Sources) -> Self {
         let (texts, by, feature) = (Texts::restored(&saved.texts), saved.by, saved.feature);
-        let asked = Asked::read(&texts, feature, sources);
+        let judging = saved.judging;
+        let asked = Asked::read(&texts, feature, judging, sources);
         Self {
             texts,
             by,
             feature,
+            judging,
+            own_judging: None,
             asked,
             shown: None,
             lent: None,
@@ -142,6 +154,11 @@ impl CheckPage {
             .filter(|(key, _)| key != filter && !(is_judged && key == measured))
             .collect::<Vec<_>>()
             .into_iter()
+    }
+
+    /// How the next part is judged, for the state file.
+    pub(super) fn own_judging(&self) -> Judging {
+        self.own_judging.unwrap_or(self.judging)
     }
 
     /// The text of a field.

@@ -29,13 +29,16 @@ pub use names::RuleName;
 pub use risk::{Acceptance, Prior, Risks, acceptance_for};
 pub use uncertainty::{Uncertainty, UncertaintyError, multiple};
 
+use serde::{Deserialize, Serialize};
+
 use super::{Status, classify};
 use crate::length::Length;
 use crate::message::{Message, Say};
 use crate::tolerance::{Bounds, Feature};
 
 /// Who carries the uncertainty: whoever has to prove something (ISO 14253-1).
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
 pub enum Prover {
     /// The supplier proves conformity: what is not proven is not accepted.
     #[default]
@@ -269,8 +272,8 @@ impl std::fmt::Display for Rule {
     }
 }
 
-/// A number of thousandths as a decimal.
-fn thousandths(number: u32) -> String {
+/// A number of thousandths as a decimal, without zeros at its end.
+pub fn thousandths(number: u32) -> String {
     let text = format!("{}.{:03}", number / 1000, number % 1000);
     text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }

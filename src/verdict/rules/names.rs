@@ -3,12 +3,15 @@
 //! A new rule is a file beside this one with its declaration, its lines here (variant, `ALL`, `declaration`) and its sentence in
 //! the locale files. The command line, the pages, records and reports follow.
 
+use serde::{Deserialize, Serialize};
+
 use super::{
-    Declaration, asme_relaxed, asme_simple, asme_stringent, fixed, ilac_g8, iso14253_1998, iso14253_2017, simple,
+    Declaration, Use, asme_relaxed, asme_simple, asme_stringent, fixed, ilac_g8, iso14253_1998, iso14253_2017, simple,
 };
 
-/// Which rule.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, PartialOrd, Ord)]
+/// Which rule. A state file keeps it by its word.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, PartialOrd, Ord, Serialize, Deserialize)]
+#[serde(into = "&'static str", try_from = "String")]
 pub enum RuleName {
     /// The control's own.
     #[default]
@@ -70,8 +73,30 @@ impl RuleName {
         self.declaration().takes_factor
     }
 
+    /// Whether it depends on who has to prove.
+    pub fn takes_prover(self) -> bool {
+        self.declaration().how == Use::Proof
+    }
+
     /// Whether its guard band is given.
     pub const fn takes_width(self) -> bool {
         self.declaration().takes_width
+    }
+}
+
+impl From<RuleName> for &'static str {
+    fn from(rule: RuleName) -> Self {
+        rule.word()
+    }
+}
+
+impl TryFrom<String> for RuleName {
+    type Error = String;
+
+    /// # Errors
+    /// The words of all rules.
+    fn try_from(word: String) -> Result<Self, String> {
+        let words = || Self::ALL.map(Self::word).join(", ");
+        Self::of_word(&word).ok_or_else(|| format!("{word} is no decision rule: expected {}", words()))
     }
 }
