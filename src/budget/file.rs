@@ -72,7 +72,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::kinds::{KindName, Keys};
+use super::kinds::{Keys, KindName};
 use super::numbers::{ALPHA, DEGREES, FAR, Number, Numbers, Refusal, refused};
 use super::piece::{Piece, calibrated};
 use super::{Basis, Budget, Contribution, Evaluated, Geometry, GeometryError, Kind, Law, brief};
@@ -215,6 +215,14 @@ struct Given {
 }
 
 impl Budget {
+    /// Whether a text, or the beginning of one, is a budget: one with `[[contribution]]` tables or a table `[calibrated]`.
+    pub fn is_file(text: &str) -> bool {
+        text.lines().any(|line| {
+            let line: String = line.chars().filter(|character| !character.is_whitespace()).collect();
+            line.starts_with("[[contribution]]") || line.starts_with("[calibrated]")
+        })
+    }
+
     /// Reads a file.
     ///
     /// # Errors
@@ -264,9 +272,7 @@ fn day(key: &'static str, given: &Spanned<toml::Value>, text: &str) -> Result<ji
     };
     // Longer texts have a time, which would be passed over.
     let day = (said.len() == "2026-01-15".len()).then(|| said.parse().ok()).flatten();
-    day.ok_or_else(|| {
-        refused(text, given.span().start, BudgetError::Day { key, given: bounded(&said) })
-    })
+    day.ok_or_else(|| refused(text, given.span().start, BudgetError::Day { key, given: bounded(&said) }))
 }
 
 impl Given {

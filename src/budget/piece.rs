@@ -94,7 +94,9 @@ pub(super) fn calibrated(piece: &Spanned<Piece>, text: &str) -> Result<Calibrate
 
 /// A length that a file gives as a number: exactly, or refused.
 fn length(key: &'static str, given: &Spanned<f64>, text: &str) -> Result<Length, Refusal> {
-    given.get_ref().to_string().parse().map_err(|error| {
-        refused(text, given.span().start, BudgetError::Length { key, error })
-    })
+    given
+        .get_ref()
+        .to_string()
+        .parse()
+        .map_err(|error| refused(text, given.span().start, BudgetError::Length { key, error }))
 }

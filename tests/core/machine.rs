@@ -832,6 +832,7 @@ fn the_shipped_programs_print_the_native_window() {
             verdict: judge(&limits, measured, None),
             doubt: None,
             correction: None,
+            budget: None,
             limits,
             measurement: Measurement::of_diameter(measured, Origin::Typed),
         };

@@ -36,6 +36,7 @@ fn record(callout: &str, upper_um: i32, measured: &str) -> Record {
         verdict: judge(&limits, measured, None),
         doubt: doubt(&limits, measured),
         correction: None,
+        budget: None,
         limits,
         measurement: Measurement::of_diameter(measured, Origin::Typed),
     }

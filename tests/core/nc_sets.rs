@@ -101,6 +101,7 @@ fn native(callout: Callout, limits: &Limits, measurement: Measurement, language:
         verdict,
         doubt: None,
         correction: None,
+        budget: None,
         limits: limits.clone(),
         measurement,
     };

@@ -44,6 +44,7 @@ fn record(
         verdict: judge(&limits, measurement.diameter, axes.map(|axes| PositionVerdict { axes })),
         doubt: doubt(&limits, measurement.diameter),
         correction: None,
+        budget: None,
         limits,
         measurement,
     }

@@ -105,6 +105,7 @@ fn native(limits: &Limits, callout: Callout, simulation: Simulation, language: D
         verdict,
         doubt: doubt(limits, measurement.diameter),
         correction: None,
+        budget: None,
         limits: limits.clone(),
         measurement,
     };

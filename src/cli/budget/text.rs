@@ -1,6 +1,5 @@
 //! The answer for people.
 
-use super::figures::terms;
 use super::found::figure;
 use crate::budget::{Answer, Assessment, Conditions, Evaluation, Geometry, Help, Repeated, Row, Validity};
 use crate::cli::{CliError, Io};
@@ -47,7 +46,8 @@ fn degrees(degrees: Option<f64>) -> String {
 fn table(evaluation: &Evaluation, io: &mut Io<'_>) -> Result<(), CliError> {
     let names = evaluation.rows.iter().map(|row| row.name.chars().count());
     let width = names.max().unwrap_or_default().clamp("contribution".len(), WIDEST);
-    let units = evaluation.rows.iter().map(|row| row.unit.chars().count()).max().unwrap_or_default().max("µm".chars().count());
+    let units =
+        evaluation.rows.iter().map(|row| row.unit.chars().count()).max().unwrap_or_default().max("µm".chars().count());
     writeln!(
         io.people(),
         "{:<width$}  type  law          {:>10} {:<units$}  {:>10}  {:>9}  {:>7}  degrees of freedom",
@@ -77,7 +77,7 @@ fn table(evaluation: &Evaluation, io: &mut Io<'_>) -> Result<(), CliError> {
 
 fn readings(repeated: &Repeated, io: &mut Io<'_>) -> Result<(), CliError> {
     writeln!(io.people(), "{} readings, mean {:.6} mm", repeated.readings, repeated.mean_mm)?;
-    for (name, um) in terms(repeated) {
+    for (name, um) in repeated.terms() {
         writeln!(io.people(), "{name:<5} {um:>8.3} µm")?;
     }
     writeln!(io.people(), "U by ISO 15530-3:2011, bias corrected         {:.3} µm", repeated.expanded_2011)?;
