@@ -7,7 +7,6 @@ use super::args::dialogue;
 use super::budget;
 use super::material::{Part, WarmArgs};
 use super::rule::RuleArgs;
-use super::said::percent;
 use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::budget::{Assessment, Conditions, Geometry};
 use crate::control::mask::Mask;
@@ -24,6 +23,7 @@ use crate::report::{csv, json};
 use crate::tolerance::fit::materials::Certainty;
 use crate::tolerance::fit::thermal::Correction;
 use crate::tolerance::{Callout, Feature, FigureWarning, Limits, LimitsError, Sources};
+use crate::verdict::rules::percent;
 use crate::verdict::{Rule, Status};
 use crate::words::Dialogue;
 

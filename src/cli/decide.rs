@@ -3,10 +3,10 @@
 use serde_json::{Map, Value as Json, json};
 
 use super::rule::RuleArgs;
-use super::said::percent;
 use super::{CliError, Format, Io, Outcome, Refused as _, What};
 use crate::length::{Length, Unit};
 use crate::tolerance::{Bounds, Deviations, Feature};
+use crate::verdict::rules::percent;
 use crate::verdict::rules::{Acceptance, Prior, Risks, Zones, acceptance_for};
 use crate::verdict::{Rule, Status};
 

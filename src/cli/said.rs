@@ -153,10 +153,3 @@ pub(super) fn remark(what: &impl Say) -> Message {
 pub(super) fn about(what: &(impl IntoArg + ?Sized), sentence: &impl Say) -> Message {
     Message::new("cli-about").with("what", what).with("error", sentence)
 }
-
-/// A probability in percent: two decimals, more near 0 and 1, where two would say certain.
-pub(super) fn percent(probability: f64) -> String {
-    let rest = probability.min(1.0 - probability);
-    let decimals = [(1e-4, 2), (1e-6, 4), (1e-8, 6)].into_iter().find(|(least, _)| *least <= rest);
-    format!("{:.*}", decimals.map_or(2, |(_, decimals)| decimals), probability * 100.0)
-}

@@ -157,6 +157,8 @@ pub(super) enum Hatch {
     Falling,
     /// Lines both ways: scrap.
     Cross,
+    /// Upright lines: nothing is decided.
+    Upright,
 }
 
 /// Hatches an area with lines at 45 degrees.
@@ -167,6 +169,14 @@ pub(super) fn hatch(painter: &Painter, rect: Rect, hatch: Hatch, stroke: Stroke)
     }
     let painter = painter.with_clip_rect(rect.intersect(painter.clip_rect()));
     let height = rect.height();
+    if hatch == Hatch::Upright {
+        let mut x = rect.left() + STEP / 3.0;
+        while x < rect.right() {
+            painter.vline(x, rect.y_range(), stroke);
+            x += STEP / 2.0;
+        }
+        return;
+    }
     let mut x = rect.left() - height;
     while x < rect.right() {
         if hatch != Hatch::Falling {

@@ -88,6 +88,7 @@ mod session_fit;
 mod session_history;
 mod session_parts;
 mod session_program;
+mod session_rules;
 mod session_saved;
 mod session_tables;
 mod session_tokens;

@@ -13,10 +13,11 @@ use fitcheck::probing::Origin;
 use fitcheck::session::program::{Input, WorkpieceFrom};
 use fitcheck::session::{
     CheckCommand, CheckField, Command, ContactsFrom, CycleField, CyclesCommand, FitCommand, FitField, ListCommand,
-    MeasureBy, Page, ProgramCommand, ProgramField, Session, Step, WorkpieceCommand,
+    MeasureBy, Page, ProgramCommand, ProgramField, Session, Step, UncertaintyFrom, WorkpieceCommand,
 };
 use fitcheck::tolerance::{Base, Feature};
-use fitcheck::verdict::{Status, judge};
+use fitcheck::verdict::rules::{Prover, RuleName};
+use fitcheck::verdict::{Status, judge_by};
 use fitcheck::words::{Dialogue, Language};
 use jiff::civil::{DateTime, date};
 use proptest::prelude::*;
@@ -81,6 +82,11 @@ fn typed_of_check() -> impl Strategy<Value = Command> {
         1 => select(["3", "5", "three"].as_slice()).prop_map(|text| (CheckField::Lobes, text)),
         1 => select(["0", "0.002"].as_slice()).prop_map(|text| (CheckField::LobeHeight, text)),
         1 => select(["1", "7", "x"].as_slice()).prop_map(|text| (CheckField::Seed, text)),
+        2 => select(["1.2", "20", "", "x"].as_slice()).prop_map(|text| (CheckField::Uncertainty, text)),
+        1 => select(["2", "3", "0"].as_slice()).prop_map(|text| (CheckField::Coverage, text)),
+        1 => select(["2", "0", ""].as_slice()).prop_map(|text| (CheckField::GuardWidth, text)),
+        1 => select(["24", "20", "", "hot"].as_slice()).prop_map(|text| (CheckField::PartTemperature, text)),
+        1 => select(["22", ""].as_slice()).prop_map(|text| (CheckField::ScaleTemperature, text)),
     ]
     .prop_map(|(field, text)| CheckCommand::Type(field, text.to_owned()).into())
 }
@@ -94,6 +100,12 @@ fn check_act() -> impl Strategy<Value = Act> {
         CheckCommand::ChooseFeature(Feature::Hole).into(),
         CheckCommand::ChooseFeature(Feature::Shaft).into(),
         CheckCommand::ChooseClass("H8".parse().unwrap()).into(),
+        CheckCommand::UseRule(RuleName::Simple).into(),
+        CheckCommand::UseRule(RuleName::Iso14253Of2017).into(),
+        CheckCommand::UseRule(RuleName::Fixed).into(),
+        CheckCommand::LetProve(Prover::Customer).into(),
+        CheckCommand::TellUncertainty(UncertaintyFrom::Expanded).into(),
+        CheckCommand::TellUncertainty(UncertaintyFrom::Standard).into(),
         CheckCommand::Clear.into(),
         CheckCommand::Show(RecordId(0)).into(),
         CheckCommand::Show(RecordId(2)).into(),
@@ -187,12 +199,18 @@ fn the_check_page_agrees_with_itself(session: &Session) {
     assert_eq!(callout.is_none(), page.text(CheckField::Callout).is_empty());
     match record.measurement.origin {
         Origin::Typed => {
-            assert_eq!(page.text(CheckField::Measured).parse::<Length>().unwrap(), record.measurement.diameter);
+            let measured = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
+            assert_eq!(page.text(CheckField::Measured).parse::<Length>().unwrap(), measured);
         }
         _ => assert_eq!(page.text(CheckField::Measured), ""),
     }
-    let again = judge(&record.limits, record.measurement.diameter, record.verdict.position);
+    let again = judge_by(record.verdict.rule, &record.limits, record.measurement.diameter, record.verdict.position);
     assert_eq!(again, record.verdict);
+    // The rule that judged stands in the fields, and so does the temperature.
+    let worth = page.asked().worth();
+    assert_eq!(worth.rule(), Some(record.verdict.rule));
+    let length = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
+    assert_eq!(worth.correction(length), record.correction);
     let word = fitcheck::control::status::status_word(record.verdict.status(), session.drawn_with().0);
     assert!(shown.window.as_ref().unwrap().contains(word));
 }
@@ -216,7 +234,10 @@ fn the_position_agrees(session: &Session, record: &Record) {
         &mut again,
         [CheckCommand::ChooseFeature(record.limits.feature), CheckCommand::MeasureBy(MeasureBy::Simulating)],
     );
-    for field in SIMULATION {
+    let judging = page.asked().worth().judging();
+    run(&mut again, [CheckCommand::UseRule(judging.rule), CheckCommand::LetProve(judging.prover)]);
+    run(&mut again, [CheckCommand::TellUncertainty(judging.from)]);
+    for field in SIMULATION.into_iter().chain(WORTH) {
         run(&mut again, [typed(field, page.text(field))]);
     }
     if again.check().asked().limits() == Some(&record.limits) {
@@ -242,6 +263,17 @@ const SIMULATION: [CheckField; 14] = [
     CheckField::LobeHeight,
     CheckField::SurfaceScatter,
     CheckField::ProbeScatter,
+];
+
+/// Everything that the judgement depends on.
+const WORTH: [CheckField; 7] = [
+    CheckField::Uncertainty,
+    CheckField::Coverage,
+    CheckField::GuardWidth,
+    CheckField::PartTemperature,
+    CheckField::PartExpansion,
+    CheckField::ScaleTemperature,
+    CheckField::ScaleExpansion,
 ];
 
 /// What the other pages show is what they would show if everything were done once more.
@@ -272,6 +304,9 @@ fn takes_away(act: &Act) -> bool {
                 | CheckCommand::ChooseFeature(_)
                 | CheckCommand::ChooseClass(_)
                 | CheckCommand::Clear
+                | CheckCommand::UseRule(_)
+                | CheckCommand::LetProve(_)
+                | CheckCommand::TellUncertainty(_)
         ),
         other => matches!(other, Command::UseSource(_) | Command::NoOwnTables),
     }

@@ -91,7 +91,7 @@ impl Pair {
                     list.focus();
                 }
             }
-            Page::Cycles => {}
+            Page::Cycles | Page::Pairing | Page::Budget => {}
         }
         self.window.step();
         self.window.step();

@@ -253,7 +253,7 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
             send(&mut window, ProgramCommand::Run);
             window.run_steps(20);
         }
-        Page::Check | Page::Tables => {}
+        Page::Check | Page::Tables | Page::Pairing | Page::Budget => {}
     }
     paint(&mut window, &what);
     if page != Page::Tables && page != Page::Program {

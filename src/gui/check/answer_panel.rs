@@ -2,6 +2,7 @@
 
 use eframe::egui::{CollapsingHeader, Ui, vec2};
 
+use crate::gui::check::worth_lines;
 use crate::gui::columns::is_low;
 use crate::gui::theme::{control, space};
 use crate::gui::verdict_card::{Card, card_ui, chip_ui, half_um, lines_below_ui, remove, status_id};
@@ -135,6 +136,7 @@ fn card(words: &Words, record: &Record) -> Card {
         let id = status_id(Some(size.status));
         lines.push(words.say(&Message::new("diameter-alone").text("status", words.get(id))));
     }
+    lines.extend(worth_lines::lines(words, record));
     lines.extend(record.doubt.map(|doubt| doubt_text(words, doubt)));
     if matches!(record.limits.source, Source::WithoutOwn { .. }) {
         lines.push(words.get("judged-without-own"));
@@ -144,7 +146,9 @@ fn card(words: &Words, record: &Record) -> Card {
         is_simulated: record.measurement.origin.is_simulated(),
         word: words.told(&status),
         value: Some(format!("{} mm", digits.mm(words, record.measurement.diameter, 3))),
-        instruction: removal.map(|removal| remove(words, &um(removal.to_limit))),
+        instruction: removal
+            .map(|removal| remove(words, &um(removal.to_limit)))
+            .or_else(|| worth_lines::measure_again(words, status)),
         lines,
         height: 0.0,
     }
@@ -157,6 +161,9 @@ fn why_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
         quiet(ui, said("why-limits", &record.limits.source));
         quiet(ui, said("why-measured", &record.measurement.origin));
         quiet(ui, said("why-rule", &record.verdict.rule));
+        for reason in worth_lines::reasons(view, record) {
+            quiet(ui, reason);
+        }
         for caveat in record.measurement.caveats() {
             quiet(ui, said("why-caveat", &caveat));
         }

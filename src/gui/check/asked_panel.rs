@@ -2,6 +2,7 @@
 
 use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
 
+use crate::gui::check::rule_panel::worth_ui;
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
 use crate::gui::field::{self, Look, Pairs, error_ui, field_ui};
 use crate::gui::limits::{self, feature_id};
@@ -22,6 +23,8 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     ui.separator();
     measured_ui(ui, view);
+    ui.separator();
+    worth_ui(ui, view);
     ui.separator();
     size_and_class_ui(ui, view);
     ui.separator();

@@ -11,8 +11,9 @@ use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::Message;
-use crate::report::band::{Band, Marker, Side};
+use crate::report::band::{Band, Guarded, Marker, Side};
 use crate::tolerance::{Feature, Limits};
+use crate::verdict::Status;
 use crate::words::Words;
 
 /// How far down the band the distance to the lower limit is drawn.
@@ -35,7 +36,9 @@ pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
         return;
     };
     let measured = record.map(|record| record.measurement.diameter);
-    let band = Band::new(limits, measured);
+    // The rule that judged; before anything is measured the one that will.
+    let rule = record.map(|record| record.verdict.rule).or_else(|| view.session.check().asked().worth().rule());
+    let band = Band::by(&rule.unwrap_or_default(), limits, measured);
     plot_ui(ui, view.words, &band, limits, record, height);
 }
 
@@ -66,7 +69,7 @@ fn plot_ui(ui: &mut Ui, words: &Words, band: &Band, limits: &Limits, record: Opt
         });
     let painter = ui.painter().with_clip_rect(response.response.rect);
     Drawing { painter, transform: response.transform, palette, words, band }.draw(record);
-    let said = describe(words, limits, record);
+    let said = describe(words, limits, record, band);
     response.response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, words.get("limit-band")));
     ui.ctx().accesskit_node_builder(response.response.id, |node| node.set_description(said.clone()));
 }
@@ -81,13 +84,23 @@ fn ticks(band: &Band) -> Vec<GridMark> {
 }
 
 /// What the picture shows, in words, for users who cannot see it.
-fn describe(words: &Words, limits: &Limits, record: Option<&Record>) -> String {
+fn describe(words: &Words, limits: &Limits, record: Option<&Record>, band: &Band) -> String {
     let zone = Message::new("band-describe")
         .text("lower", words.signed_um(limits.deviations.lower()))
         .text("upper", words.signed_um(limits.deviations.upper()))
         .text("left", words.get(side_id(limits.feature, true)))
         .text("right", words.get(side_id(limits.feature, false)));
     let mut text = words.say(&zone);
+    if let Some(guard) = &band.guard {
+        let um = |um: f64| words.number(&format!("{um}"));
+        let said = match guard.accepted {
+            Some([least, most]) => {
+                words.say(&Message::new("band-describe-accepted").text("least", um(least)).text("most", um(most)))
+            }
+            None => words.get("band-describe-nothing"),
+        };
+        text = format!("{text} {said}");
+    }
     if let Some(record) = record {
         let measured = Message::new("band-describe-measured")
             .text("deviation", words.signed_um(record.verdict.size.deviation))
@@ -128,6 +141,7 @@ impl Drawing<'_> {
         // A zone of no width is still drawn as a line.
         let zone = Rect::from_min_max(pos2(lower, body.top()), pos2(upper.max(lower + 1.0), body.bottom()));
         self.painter.rect_filled(zone, 0.0, self.palette.zone.0);
+        self.guard(body);
         for (x, um) in [(lower, self.band.lower_um), (upper, self.band.upper_um)] {
             self.painter.vline(x, body.y_range(), Stroke::new(2.0, self.palette.zone_edge.0));
             let text = format!("{}{}", if 0.0 < um { "+" } else { "" }, self.words.number(&format!("{um}")));
@@ -182,6 +196,35 @@ impl Drawing<'_> {
         let rect = rect.translate(vec2(shift, 0.0));
         self.painter.rect_filled(rect.expand2(vec2(3.0, 0.0)), 2.0, ground);
         self.painter.galley(rect.min, galley, colour);
+    }
+
+    /// The guard bands: what lies between a limit and where the rule decides.
+    fn guard(&self, body: Rect) {
+        let (measure_again, _) = self.palette.of_status(Some(Status::ReMeasure));
+        for band in self.band.guard.iter().flat_map(|guard| &guard.bands) {
+            let rect = Rect::from_x_y_ranges(self.x(band.from_um)..=self.x(band.to_um), body.y_range());
+            let (ground, hatch, colour, id) = match band.guarded {
+                Guarded::Undecided => (self.palette.panel.0, Hatch::Upright, measure_again, "guard-band"),
+                Guarded::AcceptedBeyond => {
+                    (self.palette.zone.0, Hatch::Falling, self.palette.zone_edge.0, "guard-band-beyond")
+                }
+            };
+            self.painter.rect_filled(rect, 0.0, ground);
+            shapes::hatch(&self.painter, rect, hatch, Stroke::new(1.0, colour.gamma_multiply(0.8)));
+            let text = self.words.get(id);
+            let galley = self.painter.layout_no_wrap(text, theme::font(sizes().small), self.palette.text.0);
+            let at = Align2::CENTER_BOTTOM.anchor_size(rect.center_bottom() - vec2(0.0, 4.0), galley.size());
+            if galley.size().x + 6.0 < rect.width() {
+                self.painter.rect_filled(at.expand2(vec2(3.0, 0.0)), 2.0, self.palette.panel.0);
+                self.painter.galley(at.min, galley, self.palette.text.0);
+            } else if band.guarded == Guarded::Undecided && space(5.0) < rect.width() {
+                // Too narrow for the word: the shape of the status says it.
+                let mark =
+                    Rect::from_center_size(rect.center_bottom() - vec2(0.0, space(4.0)), vec2(space(4.0), space(4.0)));
+                self.painter.rect_filled(mark.expand(2.0), 2.0, self.palette.panel.0);
+                shapes::status(&self.painter, mark, Some(Status::ReMeasure), measure_again);
+            }
+        }
     }
 
     fn side(&self, rect: Rect, side: Side, anchor: Align2) {

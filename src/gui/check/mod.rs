@@ -3,8 +3,9 @@
 //! | file | what |
 //! |---|---|
 //! | `asked_panel` | left: callout, limits, measured value, probe position, simulated workpiece |
+//! | `rule_panel` | left: decision rule, uncertainty, temperature |
 //! | `band_plot`, `contacts_plot`, `last_values` | middle: what was seen |
-//! | `answer_panel`, `status_panel` | right: the verdict, and the control's window |
+//! | `answer_panel`, `worth_lines`, `status_panel` | right: the verdict, what it is worth, and the control's window |
 //! | `history_panel`, `history_list` | bottom: earlier checks |
 //! | `rows_panel`, `rows_list` | in their place: the rows of a large file |
 
@@ -17,7 +18,9 @@ mod history_panel;
 mod last_values;
 mod rows_list;
 mod rows_panel;
+mod rule_panel;
 mod status_panel;
+mod worth_lines;
 
 use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
 pub(super) use history_list::id as history_id;

@@ -70,7 +70,9 @@ pub struct Worth {
     judging: Judging,
     given: Given,
     /// Why there is no rule.
-    refusal: Option<Refusal>,
+    no_rule: Option<Refusal>,
+    /// Why a value cannot be brought to 20 °C.
+    no_correction: Option<Refusal>,
     /// Part and scales.
     warm: Option<(Warm, Option<Warm>)>,
     /// What the process makes.
@@ -91,15 +93,14 @@ impl Worth {
             Ok(given) => worth.given = given,
             Err((field, problem)) => {
                 refuse(field, problem.clone());
-                worth.refusal = Some((field, problem));
+                worth.no_rule = Some((field, problem));
             }
         }
         match warm(texts) {
             Ok(warm) => worth.warm = warm,
             Err((field, problem)) => {
                 refuse(field, problem.clone());
-                // A value that cannot be brought to 20 °C is not judged.
-                worth.refusal.get_or_insert((field, problem));
+                worth.no_correction = Some((field, problem));
             }
         }
         match process(texts) {
@@ -155,7 +156,7 @@ impl Worth {
 
     /// The rule, where it is the same for every value; `None` where the fields give none, or a budget has to be asked.
     pub fn rule(&self) -> Option<Rule> {
-        let is_one = self.refusal.is_none() && self.judging.from != UncertaintyFrom::Budget;
+        let is_one = self.no_rule.is_none() && self.judging.from != UncertaintyFrom::Budget;
         is_one.then(|| made(self.judging.rule, self.given).ok()).flatten()
     }
 
@@ -167,7 +168,8 @@ impl Worth {
 
     /// Judges a record by the rule; a budget gives the uncertainty of its value and its contacts.
     pub(super) fn judge(&self, record: Record, budget: Option<&OpenBudget>) -> Result<Record, Refusal> {
-        if let Some(refusal) = &self.refusal {
+        // A value that cannot be brought to 20 °C is not judged.
+        if let Some(refusal) = self.no_rule.as_ref().or(self.no_correction.as_ref()) {
             return Err(refusal.clone());
         }
         let Judging { rule, from, .. } = self.judging;
@@ -209,7 +211,8 @@ impl Worth {
 
     /// Whether its value was brought to 20 °C, or not, as the fields say.
     pub(super) fn agrees_on_temperature(&self, record: &Record) -> bool {
-        self.warm == record.correction.map(|correction| (correction.part, correction.scale))
+        self.no_correction.is_none()
+            && self.warm == record.correction.map(|correction| (correction.part, correction.scale))
     }
 
     /// Whether the part's temperature is given.

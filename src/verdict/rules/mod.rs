@@ -24,7 +24,7 @@ mod risk;
 mod simple;
 mod uncertainty;
 
-pub use conformity::Conformity;
+pub use conformity::{Conformity, percent};
 pub use names::RuleName;
 pub use risk::{Acceptance, Prior, Risks, acceptance_for};
 pub use uncertainty::{Uncertainty, UncertaintyError, multiple};

@@ -1,0 +1,206 @@
+//! Left: what a measured value is worth. The decision rule, the uncertainty, what the process makes; the temperature.
+
+use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
+
+use crate::gui::field::{self, Look, Pairs, error_ui, field_ui};
+use crate::gui::material::material_ui;
+use crate::gui::theme::space;
+use crate::gui::view::{View, list_ui, quiet};
+use crate::length::Length;
+use crate::message::Message;
+use crate::session::{Action, CheckCommand, CheckField, Page, UncertaintyFrom, Worth};
+use crate::verdict::rules::{Prover, RuleName, percent};
+
+/// The fields that the header of the rule folds away.
+const OF_RULE: [CheckField; 6] = [
+    CheckField::Uncertainty,
+    CheckField::Coverage,
+    CheckField::GuardFactor,
+    CheckField::GuardWidth,
+    CheckField::ProcessMean,
+    CheckField::ProcessSpread,
+];
+
+/// The same of the temperature.
+const OF_TEMPERATURE: [CheckField; 4] =
+    [CheckField::PartTemperature, CheckField::PartExpansion, CheckField::ScaleTemperature, CheckField::ScaleExpansion];
+
+/// The rule and the temperature, folded: their headers say what is in force.
+pub(super) fn worth_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = view.text(&name_id(worth(view).judging().rule));
+    let header = view.words.say(&Message::new("check-rule-header").text("rule", name));
+    // An error is never folded away.
+    let is_wrong = |view: &View<'_>, fields: &[CheckField]| {
+        fields.iter().any(|field| view.session.check().error(*field).is_some())
+    };
+    let open = is_wrong(view, &OF_RULE).then_some(true);
+    CollapsingHeader::new(header).id_salt("rule").open(open).show_unindented(ui, |ui| rule_ui(ui, view));
+    let temperature = view.session.text(CheckField::PartTemperature).trim().to_owned();
+    let header = if temperature.is_empty() {
+        view.text("check-temperature-none")
+    } else {
+        view.words.say(&Message::new("check-temperature-header").text("temperature", temperature))
+    };
+    let open = is_wrong(view, &OF_TEMPERATURE).then_some(true);
+    CollapsingHeader::new(header).id_salt("warm").open(open).show_unindented(ui, |ui| temperature_ui(ui, view));
+}
+
+const fn worth<'a>(view: &View<'a>) -> &'a Worth {
+    view.session.check().asked().worth()
+}
+
+/// The name of a rule in the locale files.
+fn name_id(rule: RuleName) -> String {
+    format!("rule-name-{}", rule.word())
+}
+
+fn rule_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let judging = worth(view).judging();
+    let name = quiet(ui, view.text("check-rule"));
+    let width = ui.available_width();
+    let list = list_ui(ui, "rule-list", view.text(&name_id(judging.rule)), width - space(2.0), |ui| {
+        for rule in RuleName::ALL {
+            if ui.selectable_label(rule == judging.rule, view.text(&name_id(rule))).clicked() {
+                view.send(CheckCommand::UseRule(rule));
+                ui.close();
+            }
+        }
+    });
+    list.labelled_by(name.id);
+    if judging.rule.takes_prover() {
+        ui.horizontal_wrapped(|ui| {
+            for (prover, text) in [(Prover::Supplier, "prover-supplier"), (Prover::Customer, "prover-customer")] {
+                if ui.radio(judging.prover == prover, view.text(text)).clicked() {
+                    view.send(CheckCommand::LetProve(prover));
+                }
+            }
+        });
+    }
+    uncertainty_ui(ui, view);
+    if judging.rule.takes_factor() {
+        one_ui(ui, view, (CheckField::GuardFactor, "guard-factor", "× U"));
+    }
+    if judging.rule.takes_width() {
+        one_ui(ui, view, (CheckField::GuardWidth, "guard-width", "µm"));
+    }
+    zones_ui(ui, view);
+    process_ui(ui, view);
+}
+
+/// How uncertain a measured value is, and who says so.
+fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let judging = worth(view).judging();
+    quiet(ui, view.text("check-uncertainty"));
+    ui.horizontal_wrapped(|ui| {
+        for from in UncertaintyFrom::ALL {
+            let text = match from {
+                UncertaintyFrom::Standard => "uncertainty-standard",
+                UncertaintyFrom::Expanded => "uncertainty-expanded",
+                UncertaintyFrom::Budget => "uncertainty-budget",
+            };
+            if ui.radio(judging.from == from, view.text(text)).clicked() {
+                view.send(CheckCommand::TellUncertainty(from));
+            }
+        }
+    });
+    if judging.from == UncertaintyFrom::Budget {
+        match view.session.used_budget() {
+            Some(open) => {
+                let said = Message::new("check-budget-used").text("name", &open.budget.name).text("file", &open.file);
+                ui.label(view.words.say(&said));
+            }
+            None => _ = quiet(ui, view.text("check-budget-none")),
+        }
+        view.field_button(ui, Action::Open(Page::Budget));
+        error_ui(ui, view, CheckField::Uncertainty);
+        return;
+    }
+    let name = if judging.from == UncertaintyFrom::Expanded { "uncertainty-u-expanded" } else { "uncertainty-u" };
+    pairs_ui(ui, view, &[(CheckField::Uncertainty, name, "µm"), (CheckField::Coverage, "coverage-factor", "")]);
+}
+
+/// Which values are accepted; nothing where the limits themselves decide.
+fn zones_ui(ui: &mut Ui, view: &View<'_>) {
+    let asked = view.session.check().asked();
+    let (Some(rule), Some(limits)) = (asked.worth().rule(), asked.limits()) else { return };
+    if rule.is_plain() {
+        return;
+    }
+    ui.label(accepted_text(view, rule.zones(&limits.bounds()).accepted));
+}
+
+/// The accepted values in words.
+pub(super) fn accepted_text(view: &View<'_>, accepted: Option<[Length; 2]>) -> String {
+    match accepted {
+        Some([least, most]) => {
+            let mm = |length| view.words.mm(length, 3);
+            view.words.say(&Message::new("rule-accepted").text("least", mm(least)).text("most", mm(most)))
+        }
+        None => view.text("rule-accepts-nothing"),
+    }
+}
+
+/// What the process makes, and what then goes wrong by the rule.
+fn process_ui(ui: &mut Ui, view: &mut View<'_>) {
+    quiet(ui, view.text("check-process"));
+    pairs_ui(
+        ui,
+        view,
+        &[(CheckField::ProcessMean, "process-mean", "mm"), (CheckField::ProcessSpread, "process-spread", "µm")],
+    );
+    if let Some(risks) = worth(view).risks() {
+        for (text, risk) in [
+            ("risk-nonconforming", risks.nonconforming),
+            ("risk-consumer", risks.consumer),
+            ("risk-producer", risks.producer),
+        ] {
+            let said = Message::new(text).text("percent", view.words.number(&percent(risk)));
+            ui.label(view.words.say(&said));
+        }
+    }
+}
+
+/// The temperature of the part and of the scales, and what they are made of.
+fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
+    quiet(ui, view.text("check-temperature-hint"));
+    let width = (ui.available_width() - space(2.0)) / 2.0;
+    for (temperature, material, expansion, names) in [
+        (
+            CheckField::PartTemperature,
+            "check-part-material",
+            CheckField::PartExpansion,
+            ["part-temperature", "part-expansion"],
+        ),
+        (
+            CheckField::ScaleTemperature,
+            "check-scale-material",
+            CheckField::ScaleExpansion,
+            ["scale-temperature", "scale-expansion"],
+        ),
+    ] {
+        let [of_temperature, of_expansion] = names;
+        pairs_ui(ui, view, &[(temperature, of_temperature, "°C"), (expansion, of_expansion, "10⁻⁶/K")]);
+        let name = quiet(ui, view.text(material));
+        let now = view.session.text(expansion).parse().ok();
+        if let Some(taken) = material_ui(ui, view, material, now, (name.id, width * 2.0)) {
+            view.send(CheckCommand::ChooseExpansion(expansion, taken));
+        }
+    }
+}
+
+/// One field with its name above it and its unit after it.
+fn one_ui(ui: &mut Ui, view: &mut View<'_>, (of, name, unit): (CheckField, &str, &str)) {
+    let name = quiet(ui, view.text(name));
+    Grid::new(("one-field", of)).num_columns(2).min_row_height(0.0).spacing(vec2(space(2.0), 0.0)).show(ui, |ui| {
+        field_ui(ui, view, of, name.id, Look::number(space(22.0)));
+        quiet(ui, unit);
+        ui.end_row();
+    });
+    error_ui(ui, view, of);
+}
+
+fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[(CheckField, &str, &str)]) {
+    let fields: Vec<_> = fields.iter().map(|(field, name, unit)| ((*field).into(), view.text(name), *unit)).collect();
+    let pairs = Pairs { column: space(31.0), field: |_: &str| space(20.0), gap: space(2.0) };
+    field::pairs_ui(ui, view, &pairs, &fields);
+}

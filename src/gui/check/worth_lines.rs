@@ -1,0 +1,88 @@
+//! What the card and its reasons say about rule, uncertainty and temperature.
+
+use crate::gui::check::rule_panel::accepted_text;
+use crate::gui::view::{Digits, View};
+use crate::journal::Record;
+use crate::message::Message;
+use crate::tolerance::fit::thermal::Correction;
+use crate::verdict::Status;
+use crate::verdict::rules::percent;
+use crate::words::Words;
+
+/// The lines of the card: proven or not, the temperature, a budget that does not count.
+pub(super) fn lines(words: &Words, record: &Record) -> Vec<String> {
+    let mut lines = Vec::new();
+    let rule = record.verdict.rule;
+    let zones = rule.zones(&record.limits.bounds());
+    if let Some(is_proven) = zones.is_proven(record.measurement.diameter) {
+        lines.push(words.get(if is_proven { "rule-proven" } else { "rule-not-proven" }));
+    }
+    if zones.accepted.is_none() {
+        lines.push(words.get("rule-accepts-nothing"));
+    }
+    lines.extend(record.correction.as_ref().map(|correction| corrected(words, correction)));
+    if let Some(budget) = &record.budget {
+        lines.extend(budget.warnings.iter().map(|warning| words.told(warning)));
+    }
+    lines
+}
+
+/// What is to be done where nothing is decided, and why.
+pub(super) fn measure_again(words: &Words, status: Status) -> Option<(String, String)> {
+    (status == Status::ReMeasure).then(|| (words.get("measure-again"), words.get("measure-again-why")))
+}
+
+/// How the value was brought to 20 °C.
+fn corrected(words: &Words, correction: &Correction) -> String {
+    let message = Message::new("check-corrected")
+        .text("measured", words.mm(correction.measured, 3))
+        .text("temperature", words.number(&correction.part.temperature.to_string()))
+        .text("change", words.signed_um(correction.change()));
+    words.say(&message)
+}
+
+/// What engineers want to know: the accepted zone, the probabilities, where the uncertainty comes from, what the correction
+/// took.
+pub(super) fn reasons(view: &View<'_>, record: &Record) -> Vec<String> {
+    let (words, rule) = (view.words, record.verdict.rule);
+    let mut reasons = Vec::new();
+    if !rule.is_plain() {
+        let bounds = record.limits.bounds();
+        reasons.push(accepted_text(view, rule.zones(&bounds).accepted));
+        if let Some(found) = rule.conformity(&bounds, record.measurement.diameter) {
+            let percent = |probability: f64| words.number(&percent(probability));
+            let said = Message::new("why-conformity")
+                .text("within", percent(found.within))
+                .text("below", percent(found.below))
+                .text("above", percent(found.above));
+            reasons.push(words.say(&said));
+            let wrong = match record.verdict.size.status {
+                Status::Good => Some(("why-wrong-good", 1.0 - found.within)),
+                Status::Rework | Status::Scrap => Some(("why-wrong-bad", found.within)),
+                Status::ReMeasure => None,
+            };
+            reasons.extend(wrong.map(|(id, risk)| words.say(&Message::new(id).text("percent", percent(risk)))));
+        }
+    }
+    if let Some(budget) = &record.budget {
+        let said = Message::new("why-budget")
+            .text("name", &budget.name)
+            .text("date", budget.date.to_string())
+            .text("by", &budget.by)
+            .text("until", budget.valid_until.to_string());
+        reasons.push(words.say(&said));
+    }
+    if let Some(correction) = &record.correction {
+        let said = Message::new("why-corrected")
+            .text("expansion", words.number(&correction.part.expansion.to_string()))
+            .text("at-reference", Digits::Exact.mm(words, correction.at_reference, 3));
+        reasons.push(words.say(&said));
+        reasons.extend(correction.scale.map(|scale| {
+            let said = Message::new("why-scales")
+                .text("temperature", words.number(&scale.temperature.to_string()))
+                .text("expansion", words.number(&scale.expansion.to_string()));
+            words.say(&said)
+        }));
+    }
+    reasons
+}

@@ -1,0 +1,259 @@
+//! Decision rules, uncertainty and temperature on the check page.
+
+use fitcheck::exchange::import;
+use fitcheck::journal::Record;
+use fitcheck::journal::query::RecordId;
+use fitcheck::session::{CheckCommand, CheckField, Saved, Session, UncertaintyFrom};
+use fitcheck::verdict::Status;
+use fitcheck::verdict::rules::{Prover, RuleName};
+use fitcheck::words::Language;
+use jiff::civil::{DateTime, date};
+
+fn now() -> DateTime {
+    date(2026, 11, 21).at(10, 42, 7, 0)
+}
+
+fn run(session: &mut Session, commands: impl IntoIterator<Item = CheckCommand>) {
+    for command in commands {
+        session.apply(command.into(), now());
+    }
+}
+
+fn typed(field: CheckField, text: &str) -> CheckCommand {
+    CheckCommand::Type(field, text.to_owned())
+}
+
+fn measured(session: &mut Session, callout: &str, measured: &str) {
+    run(session, [typed(CheckField::Callout, callout), typed(CheckField::Measured, measured), CheckCommand::Measure]);
+}
+
+fn shown(session: &Session) -> &Record {
+    &session.check().shown().unwrap_or_else(|| panic!("{:?}", session.check().asked())).record
+}
+
+fn is_proven(record: &Record) -> Option<bool> {
+    record.verdict.rule.zones(&record.limits.bounds()).is_proven(record.measurement.diameter)
+}
+
+fn imported(session: &mut Session, bytes: &[u8]) {
+    let imported = import("parts.csv", bytes, session.sources(), now());
+    run(session, [CheckCommand::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(imported)) }]);
+}
+
+/// metrology.md, section 5: u = 1.2 µm; for each size the status by the limits, and whether the guard bands of 1.645 u and
+/// of U leave it undecided.
+const NINE: [(&str, Status, bool); 9] = [
+    ("24.9970", Status::Rework, false),
+    ("24.9990", Status::Rework, true),
+    ("25.0005", Status::Good, true),
+    ("25.0025", Status::Good, false),
+    ("25.0123", Status::Good, false),
+    ("25.0185", Status::Good, false),
+    ("25.0195", Status::Good, true),
+    ("25.0215", Status::Scrap, true),
+    ("25.0235", Status::Scrap, false),
+];
+
+/// The same for the shaft 25 g6.
+const OF_SHAFT: [(&str, Status, bool); 8] = [
+    ("24.9770", Status::Scrap, false),
+    ("24.9790", Status::Scrap, true),
+    ("24.9805", Status::Good, true),
+    ("24.9825", Status::Good, false),
+    ("24.9905", Status::Good, false),
+    ("24.9915", Status::Good, true),
+    ("24.9945", Status::Rework, true),
+    ("24.9955", Status::Rework, false),
+];
+
+#[test]
+fn the_published_sizes_have_their_states_by_each_rule() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::Uncertainty, "1.2")]);
+    for (callout, sizes) in [("25 H7", NINE.as_slice()), ("25 g6", OF_SHAFT.as_slice())] {
+        for &(size, by_limits, is_undecided) in sizes {
+            run(&mut session, [CheckCommand::UseRule(RuleName::Simple)]);
+            measured(&mut session, callout, size);
+            assert_eq!((shown(&session).verdict.status(), is_proven(shown(&session))), (by_limits, None), "{size}");
+            for rule in [RuleName::Iso14253Of2017, RuleName::Iso14253Of1998] {
+                run(&mut session, [CheckCommand::UseRule(rule)]);
+                measured(&mut session, callout, size);
+                let expected = if is_undecided { Status::ReMeasure } else { by_limits };
+                let is = (shown(&session).verdict.status(), is_proven(shown(&session)));
+                assert_eq!(is, (expected, Some(!is_undecided)), "{callout} {size} {rule:?}");
+            }
+        }
+    }
+}
+
+#[test]
+fn a_rule_that_needs_an_uncertainty_judges_nothing_without_one() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of2017)]);
+    measured(&mut session, "25 H7", "25.012");
+    assert!(session.check().shown().is_none());
+    let error = session.check().error(CheckField::Uncertainty).unwrap().to_string();
+    assert_eq!(error, "rule iso14253-2017 needs the uncertainty of the measured value");
+    run(&mut session, [typed(CheckField::Uncertainty, "1,2"), CheckCommand::Measure]);
+    assert_eq!(shown(&session).verdict.status(), Status::Good);
+    for (field, text, said) in [
+        (CheckField::Uncertainty, "-1", "an uncertainty is above 0 µm"),
+        (
+            CheckField::Coverage,
+            "0.5",
+            "coverage factor 0.5: expected a number from 1 to 10, with at most three decimals",
+        ),
+    ] {
+        run(&mut session, [typed(field, text), typed(CheckField::Measured, "25.012"), CheckCommand::Measure]);
+        assert!(session.check().shown().is_none(), "{text}");
+        assert_eq!(session.check().error(field).unwrap().to_string(), said);
+        run(&mut session, [typed(CheckField::Uncertainty, "1.2"), typed(CheckField::Coverage, "2")]);
+    }
+    run(&mut session, [CheckCommand::UseRule(RuleName::Fixed)]);
+    assert!(session.check().error(CheckField::GuardWidth).is_some());
+    run(&mut session, [CheckCommand::UseRule(RuleName::IlacG8), typed(CheckField::GuardFactor, "0")]);
+    assert!(session.check().error(CheckField::GuardFactor).is_some());
+}
+
+#[test]
+fn an_expanded_uncertainty_is_divided_by_its_factor() {
+    let mut session = Session::new(Language::En);
+    run(
+        &mut session,
+        [
+            CheckCommand::UseRule(RuleName::Iso14253Of1998),
+            CheckCommand::TellUncertainty(UncertaintyFrom::Expanded),
+            typed(CheckField::Uncertainty, "2.4"),
+        ],
+    );
+    // 25.0024 is U away from the limit: proven, and a nanometre less is not.
+    for (size, status) in [("25.002400", Status::Good), ("25.002399", Status::ReMeasure)] {
+        measured(&mut session, "25 H7", size);
+        assert_eq!(shown(&session).verdict.status(), status, "{size}");
+    }
+    assert_eq!(shown(&session).verdict.rule.uncertainty().unwrap().um(), "1.2");
+    assert_eq!(session.check().text(CheckField::Uncertainty), "2.4", "what was typed stays");
+}
+
+#[test]
+fn who_has_to_prove_changes_the_answer() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of2017), typed(CheckField::Uncertainty, "1.2")]);
+    measured(&mut session, "25 H7", "25.0215");
+    assert_eq!(shown(&session).verdict.status(), Status::ReMeasure);
+    run(&mut session, [CheckCommand::LetProve(Prover::Customer)]);
+    assert!(session.check().shown().is_none(), "no verdict of another rule stays");
+    measured(&mut session, "25 H7", "25.0215");
+    assert_eq!((shown(&session).verdict.status(), is_proven(shown(&session))), (Status::Good, Some(false)));
+}
+
+#[test]
+fn a_check_shown_again_stands_beside_its_own_rule_and_lends_it_to_nothing() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of2017), typed(CheckField::Uncertainty, "1.2")]);
+    run(&mut session, [typed(CheckField::PartTemperature, "24")]);
+    measured(&mut session, "25 H7", "25.012");
+    run(&mut session, [CheckCommand::UseRule(RuleName::Simple), typed(CheckField::Uncertainty, "")]);
+    run(&mut session, [typed(CheckField::PartTemperature, "")]);
+    measured(&mut session, "25 H7", "25.013");
+    run(&mut session, [CheckCommand::Show(RecordId(0))]);
+    let page = session.check();
+    assert_eq!(page.asked().worth().judging().rule, RuleName::Iso14253Of2017);
+    assert_eq!((page.text(CheckField::Uncertainty), page.text(CheckField::PartTemperature)), ("1.2", "24"));
+    assert_eq!(page.text(CheckField::Measured), "25.012", "as it was typed");
+    assert_eq!(session.saved().inputs.judging.rule, RuleName::Simple, "the user's own is kept");
+    run(&mut session, [typed(CheckField::Measured, "25.014")]);
+    let page = session.check();
+    assert_eq!(page.asked().worth().judging().rule, RuleName::Simple);
+    assert_eq!((page.text(CheckField::Uncertainty), page.text(CheckField::PartTemperature)), ("", ""));
+    // An edit of the rule itself takes what stands there.
+    run(&mut session, [CheckCommand::Show(RecordId(0)), typed(CheckField::Uncertainty, "1.3")]);
+    assert_eq!(session.check().asked().worth().judging().rule, RuleName::Iso14253Of2017);
+}
+
+#[test]
+fn a_warm_part_is_brought_to_twenty_degrees_and_says_so() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::PartTemperature, "28"), typed(CheckField::PartExpansion, "23.1")]);
+    run(&mut session, [typed(CheckField::ScaleTemperature, "24")]);
+    // The example of metrology.md, section 8: 80 mm of aluminium at 28 °C on scales at 24 °C with 10 · 10⁻⁶/K.
+    measured(&mut session, "80 H7", "80");
+    let record = shown(&session);
+    assert_eq!(record.measurement.diameter.to_string(), "79.988416");
+    assert_eq!(
+        (record.verdict.status(), record.correction.unwrap().measured.to_string()),
+        (Status::Rework, "80".into())
+    );
+    run(&mut session, [typed(CheckField::PartTemperature, "")]);
+    assert!(session.check().error(CheckField::PartTemperature).is_some(), "scales without a part");
+    run(&mut session, [typed(CheckField::Measured, "80"), CheckCommand::Measure]);
+    assert!(session.check().shown().is_none(), "nothing is judged that cannot be brought to 20 °C");
+}
+
+#[test]
+fn a_file_is_judged_by_the_rule_and_its_values_are_taken_as_they_are() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of1998), typed(CheckField::Uncertainty, "1.2")]);
+    run(&mut session, [typed(CheckField::PartTemperature, "28")]);
+    imported(&mut session, b"id,callout,measured\nA1,25 H7,25.0005\nA2,25 H7,25.0123\n");
+    let statuses: Vec<_> = session.history().iter().map(|record| record.verdict.status()).collect();
+    assert_eq!(statuses, [Status::ReMeasure, Status::Good]);
+    assert!(session.history().iter().all(|record| record.correction.is_none()));
+    let said: Vec<_> = session.notices()[0].details.iter().map(ToString::to_string).collect();
+    assert!(said[0].contains("Judged by the rule of the check page: ISO 14253-1:1998"), "{said:?}");
+    assert!(said[1].starts_with("Not brought to 20 °C"), "{said:?}");
+}
+
+#[test]
+fn a_file_is_not_judged_by_half_a_rule() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of1998)]);
+    imported(&mut session, b"id,callout,measured\nA1,25 H7,25.0005\n");
+    assert!(session.history().is_empty());
+    let notice = &session.notices()[0];
+    assert!(notice.is_problem);
+    assert_eq!(notice.message.to_string(), "parts.csv was read and nothing in it was judged");
+    assert!(notice.details[0].to_string().contains("needs the uncertainty"), "{:?}", notice.details);
+}
+
+#[test]
+fn the_rule_survives_a_restart() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [CheckCommand::UseRule(RuleName::IlacG8), CheckCommand::LetProve(Prover::Customer)]);
+    run(&mut session, [typed(CheckField::Uncertainty, "1.2"), typed(CheckField::GuardFactor, "0.83")]);
+    let bytes = session.saved().write();
+    let text = String::from_utf8(bytes.clone()).unwrap();
+    assert!(text.contains("rule = \"ilac-g8\"") && text.contains("prover = \"customer\""), "{text}");
+    let (again, _) = Session::restore(Saved::read(&bytes).unwrap());
+    assert_eq!(again.check().asked().worth().rule(), session.check().asked().worth().rule());
+    let other = text.replace("ilac-g8", "ilac-g9");
+    let refused = Saved::read(other.as_bytes()).unwrap_err().to_string();
+    assert!(refused.contains("ilac-g9 is no decision rule: expected simple, iso14253-2017"), "{refused}");
+}
+
+#[test]
+fn what_the_process_makes_tells_the_risks() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::Callout, "25 H7"), typed(CheckField::Uncertainty, "1.2")]);
+    assert_eq!(session.check().asked().worth().risks(), None);
+    run(&mut session, [typed(CheckField::ProcessSpread, "5.25")]);
+    let simple = session.check().asked().worth().risks().unwrap();
+    // Two standard deviations to either limit: 4.550 % of a normal law lie beyond.
+    assert!((simple.nonconforming - 0.045_500).abs() < 1e-6, "{simple:?}");
+    run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of1998)]);
+    let guarded = session.check().asked().worth().risks().unwrap();
+    assert!(guarded.consumer < simple.consumer / 10.0 && simple.producer < guarded.producer, "{guarded:?}");
+    run(&mut session, [typed(CheckField::ProcessSpread, "0")]);
+    assert_eq!(session.check().error(CheckField::ProcessSpread).unwrap().to_string(), "0: expected a number above 0");
+}
+
+#[test]
+fn without_a_budget_in_use_nothing_is_judged_by_one() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of2017)]);
+    run(&mut session, [CheckCommand::TellUncertainty(UncertaintyFrom::Budget)]);
+    measured(&mut session, "25 H7", "25.012");
+    assert!(session.check().shown().is_none());
+    let said = session.check().error(CheckField::Uncertainty).unwrap().to_string();
+    assert_eq!(said, "no budget is in use: open one on the budget page and use it for checks");
+}
