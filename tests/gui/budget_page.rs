@@ -4,13 +4,14 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Event, Key, Modifiers, Theme, Vec2, ViewportCommand, ViewportEvent, ViewportId, vec2};
+use eframe::egui::{Key, Modifiers, Theme, Vec2, ViewportCommand, ViewportEvent, ViewportId, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::session::{BudgetCommand, Command, Density, FilesCommand, Page, Purpose};
 use fitcheck::words::Language;
 
+use crate::dialogs::Dropped;
 use crate::harness::{DESK, Window, check, click, press, rows, type_into, verdict};
 use crate::pictures::can_paint;
 
@@ -231,10 +232,9 @@ fn a_calibrated_piece_takes_readings_from_the_history() {
 fn a_dropped_file_is_a_budget_or_readings() {
     let mut page = open(Window::default());
     let drop = |page: &mut Harnessed, path: PathBuf| {
-        page.input_mut().dropped_files.push(eframe::egui::DroppedFile::Path(path));
+        page.input_mut().dropped_files.push(std::sync::Arc::new(Dropped(path)));
         page.run();
     };
-    let _unused = Event::Copy;
     drop(&mut page, sample("ring30.toml"));
     page.get_by_label("20 readings in the budget");
 }
