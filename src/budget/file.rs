@@ -77,11 +77,14 @@ use super::numbers::{ALPHA, DEGREES, FAR, Number, Numbers, Refusal, refused};
 use super::piece::{Piece, calibrated};
 use super::{Basis, Budget, Contribution, Evaluated, Geometry, GeometryError, Kind, Law, brief};
 use crate::length::LengthError;
-use crate::message::{Located, Place, Say};
+use crate::message::{Located, Place, Say, shortened};
 use crate::probing::simulated::{LARGEST, bounded, plain};
 
 /// The most contributions of a budget.
 const MOST: usize = 1_000;
+
+/// The most characters of a list of keys.
+const LONGEST_LIST: usize = 600;
 
 /// Why a file is not a budget.
 #[derive(Debug, Clone, PartialEq, Say)]
@@ -234,7 +237,7 @@ impl Budget {
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let file: File = toml::from_str(text).map_err(|error| {
-            let said = bounded(&plain(&error, text));
+            let said = told(&plain(&error, text));
             refused(text, error.span().map_or(0, |span| span.start), BudgetError::Toml { said })
         })?;
         let (date, valid_until) = (day("date", &file.date, text)?, day("valid_until", &file.valid_until, text)?);
@@ -252,6 +255,15 @@ impl Budget {
         };
         let (name, by) = (filled("name", &file.name, text)?, filled("by", &file.by, text)?);
         Ok(Self { name, date, by, valid_until, basis })
+    }
+}
+
+/// The TOML reader's message. What was given is cut off where it is very long, and what is allowed is whole.
+fn told(said: &str) -> String {
+    const ALLOWED: &str = ", expected one of ";
+    match said.rsplit_once(ALLOWED) {
+        Some((given, allowed)) => format!("{}{ALLOWED}{}", bounded(given), shortened(allowed, LONGEST_LIST)),
+        None => bounded(said),
     }
 }
 

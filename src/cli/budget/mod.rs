@@ -34,8 +34,8 @@ or one table [calibrated] for repeated measurements of a calibrated piece (ISO 1
 law: normal (standard_um, or expanded_um with k), rectangular, u-shaped, triangular (half_width_um).
 kind: scatter of a touch (touches, step_deg), part-temperature and scale-temperature (alpha_per_k, and
 standard_k, expanded_k or half_width_k), part-expansion and scale-expansion (delta_k from 20 °C, and
-standard_per_k, expanded_per_k or half_width_per_k of the coefficient), resolution (resolution_um). Any may
-have sensitivity and degrees_of_freedom; they are 1 and infinite otherwise.
+standard_per_k, expanded_per_k or half_width_per_k), resolution (resolution_um). Any may have
+sensitivity and degrees_of_freedom; they are 1 and infinite otherwise.
 
 The coverage factor is that of Student's law for 95.45 %, to the thousandth. CSV has a row per contribution,
 one for the combined uncertainty, and one for each thing that would help most.";

@@ -104,7 +104,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn figures_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
-    let u = Message::new("budget-page-standard").mm("u", format!("{:.3}", found.u()));
+    let u = Message::new("budget-page-standard").mm("um", format!("{:.3}", found.u()));
     ui.label(RichText::new(view.words.say(&u)).font(theme::bold(sizes().value)));
     if let Answer::Combined(evaluation) = &found.answer {
         let infinite = || view.text("budget-page-infinite");
@@ -152,7 +152,7 @@ fn use_ui(ui: &mut Ui, view: &mut View<'_>) {
         (_, None) => Message::new("budget-page-uses-none"),
     };
     ui.label(view.words.say(&said));
-    let width = view.width_of(ui, &[Action::UseBudget]).max(ui.available_width().min(space(60.0)));
+    let width = view.width_of(ui, &[Action::UseBudget]);
     view.main_button(ui, Action::UseBudget, vec2(width, control(ui)));
     view.field_button(ui, Action::LeaveBudget);
 }

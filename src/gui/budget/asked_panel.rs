@@ -20,11 +20,19 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.separator();
     heading(ui, view.text("budget-page-for"));
     let column = (ui.available_width() - space(2.0)) / 2.0;
-    let pairs = Pairs { column, field: |_: &str| column - space(10.0), gap: space(1.0) };
+    let pairs = Pairs {
+        column,
+        field: |unit: &str| if unit.is_empty() { column } else { column - space(10.0) },
+        gap: space(1.0),
+    };
     let size = (BudgetField::Size.into(), view.text("budget-page-size"), "mm");
     let day = (BudgetField::Day.into(), view.text("budget-page-day"), "");
     let fields = if asks.size { vec![size, day] } else { vec![day] };
     pairs_ui(ui, view, &pairs, &fields);
+    if view.session.text(BudgetField::Day).trim().is_empty() {
+        let today = view.session.budget().day_shown();
+        quiet(ui, view.words.say(&Message::new("budget-page-day-hint").text("day", today)));
+    }
     if asks.contacts {
         contacts_ui(ui, view, &pairs);
     }
@@ -34,6 +42,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn contacts_ui(ui: &mut Ui, view: &mut View<'_>, pairs: &Pairs<impl Fn(&str) -> f32>) {
+    heading(ui, view.text("budget-page-contacts"));
     let fields = [
         (BudgetField::Touches.into(), view.text("budget-page-touches"), ""),
         (BudgetField::Step.into(), view.text("budget-page-step"), "°"),

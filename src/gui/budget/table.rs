@@ -1,7 +1,7 @@
 //! Middle: the table of contributions as the GUM has it. Where it is narrow, type and law stand below the name.
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Align, FontId, Grid, Label, Layout, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::{Align, FontId, Grid, Label, Layout, Rect, RichText, Sense, Ui, WidgetInfo, vec2};
 
 use crate::budget::{Answer, Assessment, Evaluation, Law, Row};
 use crate::gui::theme::{self, palette, sizes, space};
@@ -11,6 +11,9 @@ use crate::message::Message;
 /// The least width of a name where the table has all columns, and where it is narrow.
 const WIDE_NAME: f32 = 30.0;
 const LEAST_NAME: f32 = 18.0;
+
+/// How many columns of words come before the figures; where there is no room they stand below the name.
+const WORDS: usize = 2;
 
 /// Between columns.
 const GAP: f32 = 2.5;
@@ -54,14 +57,10 @@ fn contributions_ui(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
         view.text("budget-page-column-share"),
         "ν".to_owned(),
     ];
-    let cells = |row: &Told| -> Vec<String> {
-        let first = [row.letter.to_owned(), row.law.clone(), row.u.clone()];
-        first.into_iter().chain(row.figures.iter().cloned()).collect()
-    };
     let font = theme::font(sizes().small);
     let width = |text: &str| width(ui, text, &font);
     let widest = |number: usize, head: &String| {
-        let cells = rows.iter().filter_map(|row| cells(row).get(number).map(|text| width(text)));
+        let cells = rows.iter().filter_map(|row| row.cells().get(number).map(|text| width(text)));
         cells.fold(width(head), f32::max).ceil()
     };
     let widths: Vec<f32> = heads.iter().enumerate().map(|(number, head)| widest(number, head)).collect();
@@ -69,33 +68,13 @@ fn contributions_ui(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
         let columns = widths.get(from..).unwrap_or_default();
         columns.iter().fold(ui.available_width(), |room, width| room - width - space(GAP))
     };
-    let is_wide = space(WIDE_NAME) <= room(0);
-    let from = if is_wide { 0 } else { 2 };
-    let name_width = room(from).max(space(LEAST_NAME));
-    let columns: Vec<(&String, f32)> = heads.iter().zip(widths.iter().copied()).skip(from).collect();
-    Grid::new("budget-table")
-        .num_columns(columns.len() + 1)
-        .min_row_height(0.0)
-        .spacing(vec2(space(GAP), space(1.0)))
-        .show(ui, |ui| {
-            name_ui(ui, name_width, &[RichText::new(view.text("budget-page-column-name"))]);
-            for (number, (head, width)) in columns.iter().enumerate() {
-                cell_ui(ui, head, *width, is_wide && number < 2, true);
-            }
-            ui.end_row();
-            for row in &rows {
-                let below = format!("{}, {}", row.letter, row.law);
-                let name = RichText::new(&row.name).color(palette(ui.ctx()).text.0);
-                let lines = if is_wide { vec![name] } else { vec![name, RichText::new(below)] };
-                let mut rect = name_ui(ui, name_width, &lines);
-                for (number, (text, (_, width))) in cells(row).iter().skip(from).zip(&columns).enumerate() {
-                    rect = rect.union(cell_ui(ui, text, *width, is_wide && number < 2, false));
-                }
-                let response = ui.interact(rect, ui.scope_id().with(("row", &row.said)), Sense::hover());
-                response.widget_info(|| WidgetInfo::labeled(Role::Row, true, &row.said));
-                ui.end_row();
-            }
-        });
+    if space(WIDE_NAME) <= room(0) {
+        grid_ui(ui, view, &rows, &Columns { heads: &heads, widths: &widths, from: 0, name: room(0) });
+    } else if space(LEAST_NAME) <= room(WORDS) {
+        grid_ui(ui, view, &rows, &Columns { heads: &heads, widths: &widths, from: WORDS, name: room(WORDS) });
+    } else {
+        list_ui(ui, &rows);
+    }
     for row in &evaluation.rows {
         if let Some(geometry) = row.geometry {
             let factor = format!("{:.3}", geometry.factor);
@@ -110,34 +89,87 @@ fn contributions_ui(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
     ui.separator();
 }
 
+/// The columns of the table after the name, from one of them on.
+struct Columns<'a> {
+    heads: &'a [String],
+    widths: &'a [f32],
+    from: usize,
+    /// The width of the name.
+    name: f32,
+}
+
+fn grid_ui(ui: &mut Ui, view: &View<'_>, rows: &[Told], columns: &Columns<'_>) {
+    let Columns { heads, widths, from, name } = *columns;
+    let is_word = |number: usize| number < WORDS;
+    let quiet = palette(ui.ctx()).quiet.0;
+    let grid = Grid::new("budget-table").num_columns(heads.len() + 1 - from).min_row_height(0.0).min_col_width(0.0);
+    grid.spacing(vec2(space(GAP), space(1.0))).show(ui, |ui| {
+        name_ui(ui, name, vec![RichText::new(view.text("budget-page-column-name")).color(quiet)]);
+        for (number, (head, width)) in heads.iter().zip(widths).enumerate().skip(from) {
+            cell_ui(ui, RichText::new(head).color(quiet), *width, is_word(number));
+        }
+        ui.end_row();
+        for row in rows {
+            let below = RichText::new(format!("{}, {}", row.letter, row.law)).color(quiet);
+            let lines = std::iter::once(RichText::new(&row.name)).chain((0 < from).then_some(below));
+            let mut rect = name_ui(ui, name, lines.collect());
+            for (number, (text, width)) in row.cells().iter().zip(widths).enumerate().skip(from) {
+                rect = rect.union(cell_ui(ui, RichText::new(text), *width, is_word(number)));
+            }
+            row.say(ui, rect);
+            ui.end_row();
+        }
+    });
+}
+
+/// Where there is no room for columns, a row is a sentence.
+fn list_ui(ui: &mut Ui, rows: &[Told]) {
+    for row in rows {
+        let shown = quiet(ui, &row.said);
+        row.say(ui, shown.rect);
+    }
+}
+
+impl Told {
+    /// The cells after the name.
+    fn cells(&self) -> Vec<String> {
+        let first = [self.letter.to_owned(), self.law.clone(), self.u.clone()];
+        first.into_iter().chain(self.figures.iter().cloned()).collect()
+    }
+
+    /// What a screen reader says of the row.
+    fn say(&self, ui: &Ui, rect: Rect) {
+        let response = ui.interact(rect, ui.scope_id().with(("row", &self.said)), Sense::hover());
+        response.widget_info(|| WidgetInfo::labeled(Role::Row, true, &self.said));
+    }
+}
+
 fn width(ui: &Ui, text: &str, font: &FontId) -> f32 {
     ui.painter().layout_no_wrap(text.to_owned(), font.clone(), palette(ui.ctx()).text.0).size().x
 }
 
 /// The lines of a name, broken where they are too long.
-fn name_ui(ui: &mut Ui, width: f32, lines: &[RichText]) -> eframe::egui::Rect {
+fn name_ui(ui: &mut Ui, width: f32, lines: Vec<RichText>) -> Rect {
     let shown = ui.vertical(|ui| {
         ui.set_width(width);
         ui.spacing_mut().item_spacing.y = 0.0;
         for line in lines {
-            let _shown = ui.add(Label::new(RichText::clone(line).size(sizes().small)).wrap());
+            ui.add(Label::new(line.size(sizes().small)).wrap());
         }
     });
     shown.response.rect
 }
 
 /// A cell; figures stand at the right.
-fn cell_ui(ui: &mut Ui, text: &str, width: f32, is_word: bool, is_head: bool) -> eframe::egui::Rect {
+fn cell_ui(ui: &mut Ui, text: RichText, width: f32, is_word: bool) -> Rect {
     let layout = if is_word { Layout::left_to_right(Align::Min) } else { Layout::right_to_left(Align::Min) };
-    let colour = if is_head { palette(ui.ctx()).quiet.0 } else { palette(ui.ctx()).text.0 };
-    let text = RichText::new(text).size(sizes().small).color(colour);
-    let height = sizes().small;
-    ui.allocate_ui_with_layout(vec2(width, height), layout, |ui| {
+    let font = theme::font(sizes().small);
+    let height = ui.painter().layout_no_wrap("0".to_owned(), font, palette(ui.ctx()).text.0).size().y;
+    let shown = ui.allocate_ui_with_layout(vec2(width, height), layout, |ui| {
         ui.set_min_width(width);
-        ui.add(Label::new(text).extend());
-    })
-    .response
-    .rect
+        ui.add(Label::new(text.size(sizes().small)).extend());
+    });
+    shown.response.rect
 }
 
 pub(super) fn degrees(view: &View<'_>, degrees: Option<f64>) -> String {
