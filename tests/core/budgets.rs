@@ -359,23 +359,6 @@ fn wrong_files_are_refused_with_line_and_what_is_allowed() {
             "line 11, column 15: a: alpha_per_k is 11.5: expected 0 to 0.001",
         ),
         (
-            with("kind = \"part-expansion\"\nlaw = \"normal\"\nstandard_per_k = 1.0\ndelta_k = 4"),
-            "line 10, column 18: a: standard_per_k is 1: expected 0 to 0.001",
-        ),
-        (
-            with("kind = \"part-expansion\"\nlaw = \"normal\"\nstandard_k = 1e-6\ndelta_k = 4"),
-            "line 10, column 14: a: standard_k is not used here: the allowed keys are standard_per_k, expanded_per_k, k, delta_k, \
-             sensitivity, degrees_of_freedom",
-        ),
-        (
-            with("kind = \"scale-expansion\"\nlaw = \"normal\"\nstandard_per_k = 1e-6"),
-            "line 6, column 8: a: delta_k is missing",
-        ),
-        (
-            with("kind = \"scale-expansion\"\nlaw = \"normal\"\ndelta_k = 3"),
-            "line 6, column 8: a: standard_per_k, or expanded_per_k with k is missing",
-        ),
-        (
             with("kind = \"resolution\"\nlaw = \"triangular\"\nresolution_um = 1"),
             "line 6, column 8: a: a resolution is rectangular: expected law = \"rectangular\" or no law",
         ),
@@ -432,6 +415,34 @@ fn wrong_files_are_refused_with_line_and_what_is_allowed() {
     assert!(error.starts_with("line 9, column 1: unknown field `standard`, expected one of"), "{error}");
     let error = Budget::read(&piece("standard_um = 1\nexpanded_um = 2\nk = 2\nu_b_um = 0\nu_w_um = 0")).unwrap_err();
     assert!(error.to_string().starts_with("line 8, column 15: [calibrated]: expanded_um is not used here"), "{error}");
+}
+
+#[test]
+fn wrong_expansions_are_refused_with_place_and_what_is_allowed() {
+    let with = |keys: &str| format!("{HEAD}[[contribution]]\nname = \"a\"\ntype = \"B\"\n{keys}\n");
+    let cases = [
+        (
+            with("kind = \"part-expansion\"\nlaw = \"normal\"\nstandard_per_k = 1.0\ndelta_k = 4"),
+            "line 10, column 18: a: standard_per_k is 1: expected 0 to 0.001",
+        ),
+        (
+            with("kind = \"part-expansion\"\nlaw = \"normal\"\nstandard_k = 1e-6\ndelta_k = 4"),
+            "line 10, column 14: a: standard_k is not used here: the allowed keys are standard_per_k, expanded_per_k, k, delta_k, \
+             sensitivity, degrees_of_freedom",
+        ),
+        (
+            with("kind = \"scale-expansion\"\nlaw = \"normal\"\nstandard_per_k = 1e-6"),
+            "line 6, column 8: a: delta_k is missing",
+        ),
+        (
+            with("kind = \"scale-expansion\"\nlaw = \"normal\"\ndelta_k = 3"),
+            "line 6, column 8: a: standard_per_k, or expanded_per_k with k is missing",
+        ),
+    ];
+    for (file, wanted) in cases {
+        let error = Budget::read(&file).expect_err(wanted).to_string();
+        assert_eq!(error, wanted, "{file}");
+    }
 }
 
 proptest! {

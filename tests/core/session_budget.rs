@@ -433,3 +433,27 @@ fn readings_are_the_chosen_checks_or_all() {
     sizes.sort();
     assert_eq!(sizes, ["30.0019", "30.002"]);
 }
+
+#[test]
+fn contacts_that_are_taken_count_until_others_are_typed() {
+    let mut session = with("station3.toml");
+    assert!(!session.can(Action::ContactsOfCheck) && !session.can(Action::ContactsRecorded));
+    give(&mut session, CheckField::Callout, "25 H7");
+    send(&mut session, CheckCommand::MeasureBy(MeasureBy::Simulating));
+    send(&mut session, CheckCommand::Measure);
+    assert!(session.can(Action::ContactsOfCheck));
+    give(&mut session, BudgetField::Touches, "3");
+    give(&mut session, BudgetField::Step, "60");
+    let factor = |session: &Session| session.budget().found().unwrap().geometry().unwrap().factor;
+    assert!((factor(&session) - 3.464).abs() < 0.001);
+    let command = Action::ContactsOfCheck.command(&session).unwrap();
+    send(&mut session, command);
+    assert!((factor(&session) - 1.0).abs() < 0.001);
+    let taken = session.budget().contacts().unwrap();
+    assert_eq!(said(&taken.of), "4 contacts of the check 25 H7, 10:42:07, simulated");
+    assert_eq!([BudgetField::Touches, BudgetField::Step].map(|field| session.text(field).to_owned()), ["", ""]);
+    give(&mut session, BudgetField::Touches, "3");
+    give(&mut session, BudgetField::Step, "120");
+    assert!(session.budget().contacts().is_none());
+    assert!((factor(&session) - 1.1547).abs() < 0.001);
+}

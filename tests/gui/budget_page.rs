@@ -304,27 +304,6 @@ fn picture(name: &str, theme: Theme, size: Vec2, budget: &str) {
     let mut page = with(Window { size, theme, ..Window::default() }, budget);
     send(&mut page, BudgetCommand::Use);
     send(&mut page, Command::Close);
-    if let Ok(folder) = std::env::var("LOOK") {
-        for size in [(1024.0, 600.0), (480.0, 800.0), (1280.0, 800.0)] {
-            for b in ["station3.toml", "new", "error"] {
-                let mut p = with(Window { size: vec2(size.0, size.1), theme, ..Window::default() }, "station3.toml");
-                if b == "new" {
-                    send(&mut p, BudgetCommand::New);
-                    type_into(&mut p, "Number of contacts", "3");
-                    type_into(&mut p, "Step", "60");
-                    type_into(&mut p, "Day", "2999-01-15");
-                }
-                if b == "error" {
-                    let t = p.state().session().budget().toml().replace("half_width_um", "half_width");
-                    send(&mut p, BudgetCommand::Edit(t));
-                }
-                p.render()
-                    .unwrap()
-                    .save(std::path::Path::new(&folder).join(format!("{name}-{b}-{}.png", size.0)))
-                    .unwrap();
-            }
-        }
-    }
     page.snapshot(name);
 }
 

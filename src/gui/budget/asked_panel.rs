@@ -57,20 +57,17 @@ fn contacts_ui(ui: &mut Ui, view: &mut View<'_>, pairs: &Pairs<impl Fn(&str) -> 
 
 fn readings_ui(ui: &mut Ui, view: &mut View<'_>) {
     heading(ui, view.text("budget-page-readings"));
-    match view.session.budget().readings() {
-        Some(Readings { from, notes, .. }) => {
-            ui.label(view.words.say(from));
-            for note in notes.iter().take(NOTES) {
-                quiet(ui, view.words.say(note));
-            }
-            if let Some(more) = notes.len().checked_sub(NOTES).filter(|more| 0 < *more) {
-                quiet(ui, view.words.say(&Message::new("budget-page-more-notes").count("count", more)));
-            }
+    if let Some(Readings { from, notes, .. }) = view.session.budget().readings() {
+        ui.label(view.words.say(from));
+        for note in notes.iter().take(NOTES) {
+            quiet(ui, view.words.say(note));
         }
-        None => {
-            let count = view.session.budget().own_readings();
-            ui.label(view.words.say(&Message::new("budget-page-readings-own").count("count", count)));
+        if let Some(more) = notes.len().checked_sub(NOTES).filter(|more| 0 < *more) {
+            quiet(ui, view.words.say(&Message::new("budget-page-more-notes").count("count", more)));
         }
+    } else {
+        let count = view.session.budget().own_readings();
+        ui.label(view.words.say(&Message::new("budget-page-readings-own").count("count", count)));
     }
     buttons_ui(ui, view, &[Action::OpenReadings, Action::TakeReadings, Action::OwnReadings]);
 }

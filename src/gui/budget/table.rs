@@ -68,8 +68,11 @@ fn contributions_ui(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
         let columns = widths.get(from..).unwrap_or_default();
         columns.iter().fold(ui.available_width(), |room, width| room - width - space(GAP))
     };
+    // A short name leaves no gap before its figures.
+    let head = view.text("budget-page-column-name");
+    let names = rows.iter().map(|row| width(&row.name)).fold(width(&head), f32::max).ceil();
     if space(WIDE_NAME) <= room(0) {
-        grid_ui(ui, view, &rows, &Columns { heads: &heads, widths: &widths, from: 0, name: room(0) });
+        grid_ui(ui, view, &rows, &Columns { heads: &heads, widths: &widths, from: 0, name: names.min(room(0)) });
     } else if space(LEAST_NAME) <= room(WORDS) {
         grid_ui(ui, view, &rows, &Columns { heads: &heads, widths: &widths, from: WORDS, name: room(WORDS) });
     } else {

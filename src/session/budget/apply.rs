@@ -101,6 +101,9 @@ impl BudgetPage {
         match taken {
             Ok(taken) => {
                 self.contacts = Some(taken);
+                // What does not count does not stand in the fields.
+                self.texts.set(BudgetField::Touches, "");
+                self.texts.set(BudgetField::Step, "");
                 self.answer_anew();
             }
             Err(problem) => shared.tell(Message::new("budget-page-no-circle").message("problem", problem.message())),

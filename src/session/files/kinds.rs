@@ -86,8 +86,12 @@ impl Purpose {
             }
             Self::ExportStatus => vec!["txt"],
             Self::OpenCycleFile(CycleFile::Contacts) => vec!["csv", "txt"],
-            Self::OpenCycleFile(CycleFile::Workpiece) | Self::SaveWorkpiece | Self::OpenPart => vec!["toml"],
-            Self::OpenBudget | Self::UseBudget | Self::SaveBudget => vec!["toml"],
+            Self::OpenCycleFile(CycleFile::Workpiece)
+            | Self::SaveWorkpiece
+            | Self::OpenPart
+            | Self::OpenBudget
+            | Self::UseBudget
+            | Self::SaveBudget => vec!["toml"],
             Self::OpenCycleFile(CycleFile::Probes) => vec!["tp"],
             // The endings that the control uses: text, and a page.
             Self::SaveCycleLog => vec!["txt", "html"],
