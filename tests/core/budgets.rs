@@ -327,7 +327,6 @@ fn a_budget_says_what_it_needs() {
 #[test]
 fn wrong_files_are_refused_with_line_and_what_is_allowed() {
     let with = |keys: &str| format!("{HEAD}[[contribution]]\nname = \"a\"\ntype = \"B\"\n{keys}\n");
-    let piece = |keys: &str| format!("{HEAD}[calibrated]\nx_cal_mm = 30\n{keys}\n");
     let cases = [
         (HEAD.to_owned(), "a budget needs either [[contribution]] tables or one [calibrated] table"),
         (with("law = \"normal\""), "line 6, column 8: a: standard_um, or expanded_um with k is missing"),
@@ -394,6 +393,19 @@ fn wrong_files_are_refused_with_line_and_what_is_allowed() {
             with("law = \"rectangular\"\nhalf_width_um = 1").replace("J. Jansen", " "),
             "line 3, column 6: by is empty: expected a text",
         ),
+    ];
+    for (file, wanted) in cases {
+        let error = Budget::read(&file).expect_err(wanted).to_string();
+        assert_eq!(error, wanted, "{file}");
+    }
+    let error = Budget::read(&with("law = \"normal\"\nstandard = 1")).unwrap_err().to_string();
+    assert!(error.starts_with("line 9, column 1: unknown field `standard`, expected one of"), "{error}");
+}
+
+#[test]
+fn wrong_pieces_are_refused_with_place_and_what_is_missing() {
+    let piece = |keys: &str| format!("{HEAD}[calibrated]\nx_cal_mm = 30\n{keys}\n");
+    let cases = [
         (
             piece("u_b_um = 0\nu_w_um = 0"),
             "line 6, column 12: [calibrated]: standard_um, or expanded_um with k is missing",
@@ -411,8 +423,6 @@ fn wrong_files_are_refused_with_line_and_what_is_allowed() {
         let error = Budget::read(&file).expect_err(wanted).to_string();
         assert_eq!(error, wanted, "{file}");
     }
-    let error = Budget::read(&with("law = \"normal\"\nstandard = 1")).unwrap_err().to_string();
-    assert!(error.starts_with("line 9, column 1: unknown field `standard`, expected one of"), "{error}");
     let error = Budget::read(&piece("standard_um = 1\nexpanded_um = 2\nk = 2\nu_b_um = 0\nu_w_um = 0")).unwrap_err();
     assert!(error.to_string().starts_with("line 8, column 15: [calibrated]: expanded_um is not used here"), "{error}");
 }
