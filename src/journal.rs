@@ -6,11 +6,13 @@
 //! | file | what |
 //! |---|---|
 //! | here | a record |
+//! | `decision` | what the decision rule of a record says of its value |
 //! | `query` | which records are listed, and in which order; where records are kept, as a trait |
 //! | `memory` | records in memory |
 //! | `natural` | texts in the order in which people count |
 //! | `window` | the status window of a record |
 
+mod decision;
 pub mod memory;
 pub mod natural;
 pub mod query;
@@ -18,6 +20,7 @@ mod window;
 
 use std::sync::Arc;
 
+pub use decision::Decision;
 use jiff::civil::DateTime;
 pub use window::{status_variables, status_window};
 
@@ -66,10 +69,31 @@ impl Record {
         Self { time, id, callout, limits, measurement, verdict, doubt, correction: None, budget: None }
     }
 
-    /// The same, judged by a rule.
+    /// The same, judged by a rule. An uncertainty that was given with it counts for contacts round the circle; where those that were
+    /// taken are much worse, nothing is decided.
     #[must_use]
     pub fn by(mut self, rule: Rule) -> Self {
-        self.verdict = judge_by(rule, &self.limits, self.measurement.diameter, self.verdict.position);
+        let verdict = judge_by(rule, &self.limits, self.measurement.diameter, self.verdict.position);
+        self.verdict = match decision::undecided(rule, &self.measurement).filter(|_why| self.budget.is_none()) {
+            Some(why) => verdict.left_undecided(why),
+            None => verdict,
+        };
         self
+    }
+
+    /// The same with the budget that the rule's uncertainty is from: it counts for the contacts that were taken.
+    #[must_use]
+    pub fn by_budget(self, rule: Rule, budget: Arc<Provenance>) -> Self {
+        Self { budget: Some(budget), ..self }.by(rule)
+    }
+
+    /// The same with the diameter at 20 °C, judged again by its rule.
+    #[must_use]
+    pub fn corrected(mut self, correction: Correction) -> Self {
+        self.measurement.diameter = correction.at_reference;
+        self.doubt = doubt(&self.limits, correction.at_reference);
+        self.correction = Some(correction);
+        let rule = self.verdict.rule;
+        self.by(rule)
     }
 }

@@ -80,6 +80,13 @@ pub enum BudgetWarning {
     },
 }
 
+impl BudgetWarning {
+    /// Whether it says only that the budget does not count on the day.
+    pub const fn is_about_validity(&self) -> bool {
+        matches!(self, Self::Expired { .. } | Self::NotYet { .. })
+    }
+}
+
 /// Where an uncertainty comes from: what is kept of a budget beside the verdict that was made with it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Provenance {

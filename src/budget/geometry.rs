@@ -81,6 +81,24 @@ impl Geometry {
         Ok(Self { touches: contacts.len(), step_deg: None, factor })
     }
 
+    /// How many times larger its factor is than that of as many touches evenly round the full circle, in thousandths.
+    ///
+    /// ```
+    /// use fitcheck::budget::Geometry;
+    ///
+    /// assert_eq!(Geometry::steps(3, 60.0)?.times_even(), 3_000);
+    /// # Ok::<(), fitcheck::budget::GeometryError>(())
+    /// ```
+    #[expect(
+        clippy::as_conversions,
+        clippy::cast_possible_truncation,
+        clippy::cast_sign_loss,
+        reason = "a quotient of positive numbers; a larger one is as bad as the largest"
+    )]
+    pub fn times_even(&self) -> u32 {
+        (self.factor / Self::even_factor(self.touches) * 1e3).round() as u32
+    }
+
     /// The factor of this many touches evenly round the full circle: 2 / √n.
     pub fn even_factor(touches: usize) -> f64 {
         2.0 / count(touches).sqrt()

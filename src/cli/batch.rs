@@ -67,6 +67,7 @@ Every column is passed on as it is; added are
 
   {}
 
+Every row is judged by the control's own rule: the limits decide; fitcheck import and report know decision rules. \
 A row without a verdict keeps its place, with the reason in the last column. Inputs packed with gzip or \
 Zstandard are unpacked. Parquet, in and out, is known to programs built with the feature parquet; its columns keep \
 their types, and those of CSV become texts. The summary goes to standard error.

@@ -2,17 +2,18 @@
 
 use std::path::PathBuf;
 use std::str::FromStr;
+use std::sync::Arc;
 
 use super::args::dialogue;
 use super::budget;
-use super::material::{Part, WarmArgs};
-use super::rule::RuleArgs;
+use super::judging::JudgeArgs;
+use super::material::Part;
 use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::budget::{Assessment, Conditions, Geometry};
 use crate::control::mask::Mask;
 use crate::exchange::contacts::Contacts;
 use crate::files;
-use crate::journal::{Record, status_window};
+use crate::journal::{Decision, Record, status_window};
 use crate::length::Length;
 use crate::message::IntoArg as _;
 use crate::probing::measure::{ProbePosition, cycle_number, measure};
@@ -63,12 +64,7 @@ pub(super) struct Args {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     #[command(flatten)]
-    warm: WarmArgs,
-    #[command(flatten)]
-    rule: RuleArgs,
-    /// Uncertainty budget (TOML, see fitcheck budget) that gives uncertainty and coverage factor for the measured value
-    #[arg(long, value_name = "FILE.toml", conflicts_with_all = ["u", "expanded", "k"], help_heading = "Decision rule")]
-    budget: Option<PathBuf>,
+    by: JudgeArgs,
     #[command(flatten)]
     tables: TableArgs,
 }
@@ -125,7 +121,7 @@ impl FromStr for MaskArg {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         // Without a budget a wrong rule is refused before anything is read.
-        let rule = if self.budget.is_none() { Some(self.rule.rule()?) } else { None };
+        let rule = if self.by.budget.is_none() { Some(self.by.rule.rule()?) } else { None };
         let sources = self.tables.load(io)?;
         let asked = self.callout.trim();
         let asked = if asked.is_empty() { What::Callout.arg() } else { asked.arg() };
@@ -141,7 +137,7 @@ impl Args {
             return Err(CliError::AddFeature { error: LimitsError::NoFeature { callout } });
         }
         let mut measurement = self.measurement(&limits, io)?;
-        let correction = self.warm.correction(measurement.diameter)?;
+        let correction = self.by.warm.correction(measurement.diameter)?;
         if let Some((correction, _)) = &correction {
             measurement.diameter = correction.at_reference;
         }
@@ -152,13 +148,20 @@ impl Args {
         };
         let callout = callout.of_part(limits.feature);
         let record = Record::judged(super::now(), String::new(), Some(callout), limits, measurement, None);
-        let record = Record { correction: correction.as_ref().map(|(correction, _)| *correction), ..record }.by(rule);
+        let record = Record { correction: correction.as_ref().map(|(correction, _)| *correction), ..record };
+        let record = match &budget {
+            Some(found) => record.by_budget(rule, Arc::new(found.provenance())),
+            None => record.by(rule),
+        };
         let status = record.verdict.status();
         if unstated && (status == Status::Rework || status == Status::Scrap) {
             let (minimum, maximum) = (record.limits.minimum(), record.limits.maximum());
             return Err(CliError::ReworkOrScrap { asked, measured, minimum, maximum });
         }
         warn(&record, &sources, io);
+        if let Some(why) = record.verdict.undecided {
+            io.warn(&why);
+        }
         if let Some((correction, part)) = &correction {
             tell_correction(correction, part, io);
         }
@@ -182,7 +185,7 @@ impl Args {
         measurement: &Measurement,
         io: &mut Io<'_>,
     ) -> Result<(Rule, Option<Assessment>), CliError> {
-        let Some(path) = &self.budget else { return Ok((self.rule.rule()?, None)) };
+        let Some(path) = &self.by.budget else { return Ok((self.by.rule.rule()?, None)) };
         let geometry = match measurement.contacts.as_slice() {
             [] => None,
             contacts => Some(Geometry::of_contacts(contacts).about(&What::Option { name: "budget" })?),
@@ -190,7 +193,7 @@ impl Args {
         let conditions = Conditions { size: Some(measurement.diameter), geometry };
         let (found, uncertainty) = budget::assess(path, &conditions, io)?;
         budget::introduce(&found, io);
-        Ok((self.rule.rule_with(Some(uncertainty))?, Some(found)))
+        Ok((self.by.rule.rule_with(Some(uncertainty))?, Some(found)))
     }
 
     fn measurement(&self, limits: &Limits, io: &mut Io<'_>) -> Result<Measurement, CliError> {
@@ -281,21 +284,16 @@ fn tell_correction(correction: &Correction, part: &Part, io: &mut Io<'_>) {
 
 /// What a decision rule says of the value; nothing by the control's own rule without an uncertainty.
 fn tell_rule(record: &Record, io: &mut Io<'_>) {
-    let rule = record.verdict.rule;
-    if rule.is_plain() {
-        return;
-    }
-    let bounds = record.limits.bounds();
-    let (zones, measured) = (rule.zones(&bounds), record.measurement.diameter);
-    io.remark(&CliRemark::Rule { rule });
+    let Some(Decision { zones, proven, conformity }) = record.decision() else { return };
+    io.remark(&CliRemark::Rule { rule: record.verdict.rule });
     match zones.accepted {
         Some([least, most]) => io.remark(&CliRemark::Accepted { least, most }),
         None => io.remark(&CliRemark::NothingAccepted),
     }
-    if let Some(is_proven) = zones.is_proven(measured) {
+    if let Some(is_proven) = proven {
         io.remark(&if is_proven { CliRemark::Proven } else { CliRemark::NotProven });
     }
-    if let Some(conformity) = rule.conformity(&bounds, measured) {
+    if let Some(conformity) = conformity {
         io.remark(&CliRemark::Conformity { percent: percent(conformity.within) });
     }
 }
@@ -307,6 +305,8 @@ fn print_json(record: &Record, unstated: bool, budget: Option<&Assessment>, io: 
         *feature = serde_json::Value::Null;
     }
     if let Some(budget) = budget {
+        // The object says all that these say.
+        object.retain(|name, _value| !name.starts_with("budget"));
         object.insert("budget".to_owned(), super::budget::head(budget).into());
     }
     io.json(&object)

@@ -7,6 +7,7 @@ use std::path::{Path, PathBuf};
 
 use jiff::civil::DateTime;
 
+use super::judging::JudgeArgs;
 use super::{CliError, Format, Io, Outcome, TableArgs, said};
 use crate::exchange::{FORMATS, Item, import_each};
 use crate::files;
@@ -33,6 +34,9 @@ pub(super) struct Args {
 
     #[command(flatten)]
     tables: TableArgs,
+
+    #[command(flatten)]
+    by: JudgeArgs,
 }
 
 fn help() -> String {
@@ -52,12 +56,14 @@ A unit may stand in the header: measured [mm], measured_um, Istmaß (inch).
 
 Columns of --format csv, and names in JSON:
   {}
-status is the diameter's; position tells the centre's, IN or OUT, where the control monitored it.
+status is the diameter's; position tells the centre's, IN or OUT, where the control monitored it. \
+A decision rule, a budget and a temperature add the columns that they add in fitcheck report.
 
 Examples:
   fitcheck import bores.csv
   fitcheck import TCHPR421.TXT TCHPR422.TXT --format csv > verdicts.csv
   fitcheck import --tables my_tables --format json measurements.csv
+  fitcheck import bores.csv --rule iso14253-2017 --u 1.2 --format csv
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
 it is 1 where any row or file could not be used or not be judged. Files are read up to {largest} MiB.",
@@ -77,14 +83,17 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
         let now = self.time.unwrap_or_else(super::now);
-        let mut printer = Printer::new(self.format, io)?;
+        let judge = self.by.judge(io)?;
+        judge.tell(io);
+        judge.tell_rule(io);
+        let mut printer = Printer::new(self.format, judge.more(), io)?;
         let mut tally = Tally::default();
         super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {
             match files::read(path) {
                 Ok(bytes) => {
                     let name = path.file_name().unwrap_or_default().to_string_lossy();
-                    let mut rows = Rows::of(path);
+                    let mut rows = Rows::of(path, &judge);
                     let mut printed = Ok(());
                     import_each(&name, &bytes, &sources, now, &mut |item| {
                         warn(path, &item, io);

@@ -70,9 +70,22 @@ pub(super) struct WarmArgs {
     materials: Option<PathBuf>,
 }
 
+/// How warm a measured part is, and the scales that it was measured with where they count.
+#[derive(Debug, Clone)]
+pub(super) struct Warmth {
+    pub part: Part,
+    pub scale: Option<Warm>,
+}
+
 impl WarmArgs {
     /// The correction of a measured length; `None` where no temperature was given.
     pub(super) fn correction(&self, measured: Length) -> Result<Option<(Correction, Part)>, CliError> {
+        let Some(Warmth { part, scale }) = self.warmth()? else { return Ok(None) };
+        Ok(Some((Correction::new(measured, part.warm, scale), part)))
+    }
+
+    /// The temperatures; `None` where none was given.
+    pub(super) fn warmth(&self) -> Result<Option<Warmth>, CliError> {
         let (Some(temperature), Some(material)) = (&self.temperature, &self.material) else { return Ok(None) };
         let materials = materials(self.materials.as_deref())?;
         let read = |text: &str| text.parse::<Temperature>().about(&What::Temperature);
@@ -84,6 +97,6 @@ impl WarmArgs {
             }
             _ => None,
         };
-        Ok(Some((Correction::new(measured, part.warm, scale), part)))
+        Ok(Some(Warmth { part, scale }))
     }
 }

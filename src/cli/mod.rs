@@ -47,6 +47,7 @@ mod error;
 mod fit;
 mod import;
 mod io;
+mod judging;
 mod limits;
 mod material;
 mod nc;

@@ -6,7 +6,7 @@ use std::path::{Path, PathBuf};
 use jiff::civil::DateTime;
 
 use super::args::one_of;
-use super::rule::RuleArgs;
+use super::judging::{Judge, JudgeArgs, Warned};
 use super::{CliError, CliWarning, Io, Outcome, TableArgs};
 use crate::exchange::{Item, import_each};
 use crate::files;
@@ -14,9 +14,10 @@ use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say};
 use crate::probing::{Measurement, Origin};
+use crate::report::csv::More;
 use crate::report::{self, Checks, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
-use crate::verdict::{Rule, Status};
+use crate::verdict::Status;
 use crate::words::{Language, Words};
 
 /// Write an inspection report of one or more checks
@@ -63,10 +64,10 @@ pub(super) struct Args {
     time: Option<DateTime>,
 
     #[command(flatten)]
-    rule: RuleArgs,
+    tables: TableArgs,
 
     #[command(flatten)]
-    tables: TableArgs,
+    by: JudgeArgs,
 }
 
 const EXAMPLES: &str = "\
@@ -75,6 +76,8 @@ Examples:
   fitcheck report --check \"Bore A: 25 H7=25.012\" --check \"Stud: 10 g6=9,991\" \\
       --part 4711 --order 2026-118 --inspector \"J. Jansen\" --language nl -o report.html
   fitcheck report bores.csv TCHPR421.TXT -o report.html
+  fitcheck report bores.csv --rule iso14253-2017 --budget station3.toml -o report.html
+  fitcheck report bores.csv --temperature 26 --material steel -o report.html
   fitcheck report --check \"25 H7=25.012\" -o - --format json
 
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
@@ -136,7 +139,7 @@ struct Given {
     typed: Vec<Record>,
     sources: Sources,
     now: DateTime,
-    rule: Rule,
+    judge: Judge,
 }
 
 impl Checks for Given {
@@ -144,10 +147,12 @@ impl Checks for Given {
         for (name, bytes) in &self.files {
             let mut seen = Ok(());
             import_each(name, bytes, &self.sources, self.now, &mut |item| {
+                // What cannot be judged was noted at the first look.
                 if seen.is_ok()
                     && let Item::Record { record, .. } = item
+                    && let Ok(record) = self.judge.judged(*record)
                 {
-                    seen = see(&record.by(self.rule));
+                    seen = see(&record);
                 }
             });
             seen?;
@@ -155,9 +160,9 @@ impl Checks for Given {
         self.typed.iter().try_for_each(see)
     }
 
-    /// One rule judges all of them.
-    fn is_guarded(&self) -> io::Result<bool> {
-        Ok(!self.rule.is_plain())
+    /// One way judges all of them.
+    fn more(&self) -> io::Result<More> {
+        Ok(self.judge.more())
     }
 }
 
@@ -168,17 +173,19 @@ struct Collected {
     notes: Vec<Message>,
     more_notes: usize,
     bad: bool,
+    warned: Warned,
 }
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let rendering = self.rendering()?;
-        let rule = self.rule.rule()?;
+        let judge = self.by.judge(io)?;
         let sources = self.tables.load(io)?;
         let words = Words::new(self.language);
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
-        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, rule };
+        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, judge };
+        given.judge.tell(io);
         super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {
             let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -191,13 +198,13 @@ impl Args {
             }
         }
         for text in &self.checks {
-            match record(text, &given.sources, now) {
+            let judged = record(text, &given.sources, now).map_err(|error| error.message());
+            match judged.and_then(|record| given.judge.judged(record).map_err(|error| error.message())) {
                 Ok(record) => {
-                    let record = record.by(rule);
-                    collected.see(&record);
+                    collected.see(&record, io);
                     given.typed.push(record);
                 }
-                Err(error) => collected.refuse(Message::new("report-note").text("place", text), error.message(), io),
+                Err(error) => collected.refuse(Message::new("report-note").text("place", text), error, io),
             }
         }
         let Some(worst) = collected.worst else { return Err(CliError::ReportEmpty) };
@@ -256,7 +263,10 @@ impl Collected {
     fn file(&mut self, name: &str, bytes: &[u8], given: &Given, io: &mut Io<'_>) {
         let line = |line: usize| Message::new("report-note-line").text("place", name).text("line", line);
         import_each(name, bytes, &given.sources, given.now, &mut |item| match item {
-            Item::Record { record, .. } => self.see(&record.by(given.rule)),
+            Item::Record { record, line: at } => match given.judge.judged(*record) {
+                Ok(record) => self.see(&record, io),
+                Err(error) => self.refuse(line(at), error.message(), io),
+            },
             Item::Unjudged(unjudged) => self.refuse(line(unjudged.line), unjudged.why.message(), io),
             Item::Error(error) => self.refuse(Message::new("report-note").text("place", name), error.message(), io),
             Item::Warning(warning) => {
@@ -266,7 +276,8 @@ impl Collected {
         });
     }
 
-    fn see(&mut self, record: &Record) {
+    fn see(&mut self, record: &Record, io: &mut Io<'_>) {
+        self.warned.see(record, io);
         self.worst = self.worst.max(Some(record.verdict.status()));
     }
 

@@ -28,6 +28,14 @@ pub(super) enum CliRemark {
         change: String,
         at_reference: Length,
     },
+    /// All measured values, brought to 20 °C.
+    CorrectedAll {
+        #[say(with = printed)]
+        temperature: Temperature,
+        material: String,
+        #[say(with = printed)]
+        expansion: Expansion,
+    },
     /// The scales that it was measured with.
     Scales {
         #[say(with = printed)]
@@ -43,6 +51,11 @@ pub(super) enum CliRemark {
     /// The decision rule.
     Rule {
         #[say(with = Say::message)]
+        rule: Rule,
+    },
+    /// The decision rule, with an uncertainty of each value by a budget.
+    RuleByBudget {
+        #[say(with = by_budget)]
         rule: Rule,
     },
     /// Where the uncertainty comes from.
@@ -131,6 +144,8 @@ pub(super) enum CliWarning<'a> {
     LogUnknown { code: &'a str },
     /// An option that a budget does not ask for.
     BudgetOption { option: &'a str },
+    /// A value that is not a diameter, and another rule than the control's own, or a temperature.
+    LimitsAlone,
     /// A folder for logs, and an input that wants no log.
     LogOff,
     /// A folder for logs, and a cycle without one.
@@ -152,4 +167,9 @@ pub(super) fn remark(what: &impl Say) -> Message {
 /// A sentence after what it is about.
 pub(super) fn about(what: &(impl IntoArg + ?Sized), sentence: &impl Say) -> Message {
     Message::new("cli-about").with("what", what).with("error", sentence)
+}
+
+/// A rule whose uncertainty a budget gives for each value.
+fn by_budget(rule: &Rule) -> Message {
+    rule.message_with(Message::new("uncertainty-by-budget"))
 }

@@ -21,7 +21,7 @@ use crate::words::Words;
 pub const RENDERING: Rendering = Rendering { name: "csv", endings: &["csv"], render: render_report };
 
 fn render_report(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Result<()> {
-    let more = More { is_corrected: false, is_guarded: report.checks.is_guarded()? };
+    let more = report.checks.more()?;
     header(more, out)?;
     report.checks.each(&mut |record| check(&Row::of(record), more, out))
 }
@@ -36,19 +36,70 @@ pub fn render_without_feature(records: &[Record]) -> Result<Vec<u8>, RenderError
     render_rows(records.iter().map(|record| Row { feature: "", ..Row::of(record) }), More::of(records))
 }
 
-/// Which columns a file has besides those of every file.
-#[derive(Debug, Clone, Copy)]
-struct More {
-    is_corrected: bool,
-    is_guarded: bool,
-}
+/// Which columns a file has besides those of every file: only those that a check of it has.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct More(u8);
+
+/// Columns, and which checks have them.
+type Optional = (&'static [Column<Row>], fn(&Record) -> bool);
+
+/// Columns that a file may have, in their order.
+const MORE: [Optional; 4] = [
+    (&CORRECTED, |record| record.correction.is_some()),
+    (&GUARDED, |record| !record.verdict.rule.is_plain()),
+    (&BUDGETED, |record| record.budget.is_some()),
+    (&UNDECIDED, |record| record.verdict.undecided.is_some()),
+];
 
 impl More {
-    fn of(records: &[Record]) -> Self {
-        Self {
-            is_corrected: records.iter().any(|record| record.correction.is_some()),
-            is_guarded: records.iter().any(|record| !record.verdict.rule.is_plain()),
+    /// The columns of a correction to 20 °C.
+    pub const CORRECTED: Self = Self(1);
+    /// The columns of a decision rule.
+    pub const GUARDED: Self = Self(2);
+    /// The columns of a budget.
+    pub const BUDGETED: Self = Self(4);
+
+    /// The same with others, where they are wanted.
+    #[must_use]
+    pub const fn with(self, others: Self, are_wanted: bool) -> Self {
+        if are_wanted { Self(self.0 | others.0) } else { self }
+    }
+
+    /// What some records have.
+    pub fn of(records: &[Record]) -> Self {
+        let mut more = Self::default();
+        for record in records {
+            more.see(record);
         }
+        more
+    }
+
+    /// Adds what a record has.
+    pub fn see(&mut self, record: &Record) {
+        for (bit, (_, has)) in MORE.iter().enumerate() {
+            self.0 |= u8::from(has(record)) << bit;
+        }
+    }
+
+    /// The columns, in their order.
+    fn columns(self) -> impl Iterator<Item = &'static Column<Row>> {
+        let wanted = MORE.iter().enumerate().filter(move |(bit, _)| self.0 & (1 << bit) != 0);
+        wanted.flat_map(|(_, (columns, _))| columns.iter())
+    }
+
+    /// The names of the columns.
+    pub fn names(self) -> impl Iterator<Item = &'static str> {
+        self.columns().map(|(name, _)| *name)
+    }
+
+    /// The cells of a record in these columns.
+    pub fn cells(self, record: &Record) -> Vec<String> {
+        let row = Row::of(record);
+        self.of_row(&row).collect()
+    }
+
+    fn of_row(self, row: &Row) -> impl Iterator<Item = String> {
+        self.columns().map(|(_, cell)| cell(row).unwrap_or_default())
     }
 }
 
@@ -60,15 +111,11 @@ fn render_rows(mut rows: impl Iterator<Item = Row>, more: More) -> Result<Vec<u8
 
 /// The names of the columns.
 fn header(more: More, out: &mut dyn Write) -> io::Result<()> {
-    let corrected = names(&CORRECTED).into_iter().filter(|_name| more.is_corrected);
-    let guarded = names(&GUARDED).into_iter().filter(|_name| more.is_guarded);
-    line(names(&COLUMNS).into_iter().chain(corrected).chain(guarded), out)
+    line(names(&COLUMNS).into_iter().chain(more.names()), out)
 }
 
 fn check(row: &Row, more: More, out: &mut dyn Write) -> io::Result<()> {
-    let corrected = cells(&CORRECTED, row).filter(|_cell| more.is_corrected);
-    let guarded = cells(&GUARDED, row).filter(|_cell| more.is_guarded);
-    line(cells(&COLUMNS, row).chain(corrected).chain(guarded), out)
+    line(cells(&COLUMNS, row).chain(more.of_row(row)), out)
 }
 
 /// Writes a line. Into memory first: so an error of the stream stays what it is.
@@ -123,6 +170,17 @@ const GUARDED: [Column<Row>; 7] = [
     ("conformity", |row| Some(row.guarded.as_ref()?.conformity?.to_string())),
     ("proven", |row| row.guarded.as_ref()?.proven?.cell()),
 ];
+
+/// What a budget adds.
+const BUDGETED: [Column<Row>; 4] = [
+    ("budget", |row| harmless(&row.budgeted.as_ref()?.budget).cell()),
+    ("budget_date", |row| row.budgeted.as_ref()?.budget_date.cell()),
+    ("budget_valid_until", |row| row.budgeted.as_ref()?.budget_valid_until.cell()),
+    ("budget_validity", |row| row.budgeted.as_ref()?.budget_validity.cell()),
+];
+
+/// What contacts that the uncertainty does not count for add.
+const UNDECIDED: [Column<Row>; 1] = [("remeasure_reason", |row| row.undecided.as_ref()?.remeasure_reason.cell())];
 
 fn contacts(row: &Row) -> Option<String> {
     let all: serde_json::Value = row.contacts.iter().map(|contact| contact.to_vec()).collect();

@@ -1,13 +1,15 @@
 //! The report as one HTML page: no script, no external content, prints well on A4 and in black and white.
 //!
-//! The templates are in `assets/report`, their look `report.css`; every value is escaped by them. This file puts figures
+//! The templates are in `assets/report`, their look `report.css` and `guard.css`; every value is escaped by them. This file puts figures
 //! into words and decides nothing. The page is also well-formed XML, so other tools can read it.
 //!
 //! A check takes some kilobytes with its pictures, and a browser shows only so much. So a page lists at most
 //! [`MOST_CHECKS`]: of a longer report those that are not good or in doubt. The counts are always those of all checks.
 //! The page is written check by check, and only one of them is in memory.
 
+mod origins;
 mod seen;
+mod shared;
 
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -21,7 +23,7 @@ use super::text;
 use super::{Rendering, Report};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
-use crate::message::Message;
+use crate::message::{Message, Say as _};
 use crate::probing::{Circle, Contact};
 use crate::verdict::{Removal, Status, Verdict};
 use crate::words::Words;
@@ -64,6 +66,8 @@ struct Head<'a> {
     entries: Vec<Entry>,
     notes: Vec<String>,
     summary: Option<Summary>,
+    /// Whether a check has guard bands, which have their own look.
+    has_guards: bool,
     program: &'a str,
 }
 
@@ -143,6 +147,8 @@ struct Check {
     reason: String,
     /// The reason where the centre's position overrules the size.
     cause: Option<String>,
+    /// Why nothing is decided.
+    undecided: Option<String>,
     doubt: Option<String>,
     band: String,
     nominal: String,
@@ -181,9 +187,10 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     let head = Head {
         words,
         title: if report.title.is_empty() { words.get("report-title") } else { report.title.clone() },
-        entries: entries(report, words),
+        entries: entries(report, &seen, words),
         notes: seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note))).collect(),
         summary: (1 < seen.total).then(|| summary(&seen, words)),
+        has_guards: seen.has_guards,
         program: &report.program,
     };
     head.write(out)?;
@@ -220,7 +227,7 @@ fn printable(page: &str) -> Cow<'_, str> {
     page.chars().map(|c| if hidden(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
 }
 
-fn entries(report: &Report, words: &Words) -> Vec<Entry> {
+fn entries(report: &Report, seen: &Seen, words: &Words) -> Vec<Entry> {
     let created = report.created.strftime(DATE).to_string();
     [
         ("report-part", report.part.as_ref()),
@@ -231,6 +238,7 @@ fn entries(report: &Report, words: &Words) -> Vec<Entry> {
     ]
     .into_iter()
     .filter_map(|(id, value)| Some(Entry { label: words.get(id), value: value?.clone() }))
+    .chain(seen.shared.entries(words))
     .collect()
 }
 
@@ -275,6 +283,7 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
         sign: picture::verdict(status, words)?,
         reason: words.say(&text::size(&verdict.size, words)),
         cause: cause(verdict, words),
+        undecided: undecided(verdict, words),
         doubt: record.doubt.map(|doubt| words.told(&doubt)),
         band: picture::band(record, decimals, words)?,
         nominal,
@@ -283,7 +292,7 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
             size("report-minimum", limits.minimum(), false),
             size("report-measured", measurement.diameter, true),
         ],
-        removals: verdict.size.removal.map(|removal| removals(removal, words)).unwrap_or_default(),
+        removals: verdict.size.removal.map(|removal| removals(removal, record, words)).unwrap_or_default(),
         position: words.say(&text::position(verdict.position)),
         axes: verdict
             .position
@@ -295,7 +304,7 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
             words.say(&Message::new("report-centre").text("x", words.mm(x, 3)).text("y", words.mm(y, 3)))
         }),
         caveats: measurement.caveats().iter().map(|caveat| words.told(caveat)).collect(),
-        origins: origins(record, words),
+        origins: origins::of(record, words),
         contacts: contacts(&measurement.contacts, measurement.circle, words),
         contacts_at_end: CONTACTS_IN_CHECK < measurement.contacts.len(),
     })
@@ -309,32 +318,26 @@ fn cause(verdict: &Verdict, words: &Words) -> Option<String> {
     })
 }
 
+/// Why the value is to be measured again: what its contacts cannot tell, or the guard band.
+fn undecided(verdict: &Verdict, words: &Words) -> Option<String> {
+    let why = match verdict.undecided {
+        Some(why) => why.message(),
+        None => Message::new("report-in-guard-band"),
+    };
+    (verdict.size.status == Status::ReMeasure).then(|| words.say(&why))
+}
+
 /// What to remove, on diameter and per side. Half a nanometre per side is rounded up, so that it is enough.
-fn removals(removal: Removal, words: &Words) -> Vec<RemovalLine> {
+fn removals(removal: Removal, record: &Record, words: &Words) -> Vec<RemovalLine> {
     let line = |id: &str, amount: Length| RemovalLine {
         label: words.get(id),
         diameter: words.um(amount),
         side: words.um(Length::ZERO.midpoint(amount)),
     };
-    vec![line("report-remove-to-limit", removal.to_limit), line("report-remove-to-middle", removal.to_middle)]
-}
-
-/// Where each number comes from: limits, measured value, verdict.
-fn origins(record: &Record, words: &Words) -> Vec<Entry> {
-    let measurement = &record.measurement;
-    let origin = words.told(&measurement.origin);
-    let measured = match measurement.circle {
-        Some(_) => words.say(
-            &Message::new("report-origin-circle").text("origin", origin).count("contacts", measurement.contacts.len()),
-        ),
-        None => origin,
-    };
-    let entry = |id: &str, value: String| Entry { label: words.get(id), value };
-    vec![
-        entry("report-limits-from", words.say(&text::source(&record.limits.source, words))),
-        entry("report-measured-from", measured),
-        entry("report-verdict-from", words.told(&record.verdict.rule)),
-    ]
+    let size = &record.verdict.size;
+    let is_to_limit = size.above_minimum.min(size.below_maximum).negated() == removal.to_limit;
+    let nearest = if is_to_limit { "report-remove-to-limit" } else { "report-remove-to-accepted" };
+    vec![line(nearest, removal.to_limit), line("report-remove-to-middle", removal.to_middle)]
 }
 
 fn contacts(contacts: &[Contact], circle: Option<Circle>, words: &Words) -> Vec<ContactLine> {

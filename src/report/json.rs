@@ -8,6 +8,7 @@ use std::io::{self, Write};
 
 use serde::Serialize;
 
+use super::csv::More;
 use super::row::Row;
 use super::{Checks, RenderError, Rendering, Report};
 use crate::journal::Record;
@@ -69,6 +70,12 @@ pub fn object(record: &Record) -> Result<serde_json::Map<String, serde_json::Val
             && !matches!(value, serde_json::Value::Array(array) if array.is_empty())
     });
     Ok(object)
+}
+
+/// What a record has under the names of some columns; null where it has nothing.
+pub fn more(record: &Record, more: More) -> Result<Vec<(&'static str, serde_json::Value)>, RenderError> {
+    let row = serde_json::to_value(Row::of(record)).map_err(|error| RenderError::writer("json", &error))?;
+    Ok(more.names().map(|name| (name, row.get(name).cloned().unwrap_or_default())).collect())
 }
 
 /// Writes the file check by check, indented as `serde_json` does it.

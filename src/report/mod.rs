@@ -64,17 +64,17 @@ pub trait Checks: std::fmt::Debug + Send + Sync {
     /// The error of what it was shown to.
     fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()>;
 
-    /// Whether any check was judged by another rule than the control's own.
+    /// Which columns the checks need besides those of every file.
     ///
     /// # Errors
     /// As for [`Self::each`].
-    fn is_guarded(&self) -> io::Result<bool> {
-        let mut is_guarded = false;
+    fn more(&self) -> io::Result<csv::More> {
+        let mut more = csv::More::default();
         self.each(&mut |record| {
-            is_guarded |= !record.verdict.rule.is_plain();
+            more.see(record);
             Ok(())
         })?;
-        Ok(is_guarded)
+        Ok(more)
     }
 }
 

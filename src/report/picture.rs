@@ -1,11 +1,13 @@
-//! The report's pictures as SVG: the limit band and the verdict's sign.
+//! The report's pictures as SVG: the limit band with its guard bands, and the verdict's sign.
 //!
 //! Shapes are painted, never backgrounds: browsers leave backgrounds out when they print. The two sides differ by
-//! their hatching, not by colour alone. Colours are in `assets/report/report.css`, shapes in the templates.
+//! their hatching, not by colour alone, and so do guard bands. Colours are in `assets/report/report.css`, shapes in the templates.
+
+use std::iter;
 
 use askama::Template;
 
-use super::band::{Band, Marker, Side, micrometres};
+use super::band::{Band, Guard, GuardBand, Guarded, Marker, Side, micrometres};
 use super::text;
 use crate::journal::Record;
 use crate::length::Length;
@@ -19,6 +21,10 @@ const LEFT: f64 = 20.0;
 const WIDTH: f64 = 680.0;
 /// Height of the band.
 const HEIGHT: f64 = 66.0;
+/// A side is wider than this where its words have room. Without guard bands every side is.
+const SIDE: f64 = 60.0;
+/// The width of a legend's swatch; half of it is the height.
+const SWATCH: f64 = 28.0;
 /// Labels closer than this would overlap.
 const LABEL: f64 = 100.0;
 
@@ -57,6 +63,8 @@ struct SidePicture {
     hatch: String,
     cause: String,
     name: String,
+    /// Whether there is room for its words.
+    is_named: bool,
 }
 
 struct Tick {
@@ -79,11 +87,31 @@ struct MarkerPicture {
     pointer: String,
 }
 
+/// A guard band, from its left end on.
+struct GuardPicture {
+    class: &'static str,
+    x: String,
+    width: String,
+    hatch: String,
+}
+
+/// What a guard band means, below the picture: a swatch and words.
+struct Legend {
+    class: &'static str,
+    x: String,
+    text_x: String,
+    hatch: String,
+    name: String,
+}
+
 #[derive(Template)]
 #[template(path = "band.svg", config = "assets/report/askama.toml")]
 struct BandPicture {
     title: String,
-    sides: [SidePicture; 2],
+    height: u16,
+    sides: Vec<SidePicture>,
+    guards: Vec<GuardPicture>,
+    legends: Vec<Legend>,
     lower: LimitPicture,
     zone_width: String,
     zone_middle: String,
@@ -99,7 +127,7 @@ struct BandPicture {
 /// The limit band of a record with its measured value; sizes have at least this many decimals.
 pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::Result<String> {
     let limits = &record.limits;
-    let band = Band::new(limits, Some(record.measurement.diameter));
+    let band = Band::by(&record.verdict.rule, limits, Some(record.measurement.diameter));
     let at = |um: f64| LEFT + WIDTH * band.fraction(um);
     let (lower, upper) = (at(band.lower_um), at(band.upper_um));
     let limit = |um: f64, deviation: Length, size: Length| LimitPicture {
@@ -128,17 +156,33 @@ pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::R
         words.signed_um(record.verdict.size.deviation)
     );
     let title = Message::new("report-band-title").text("value", &value).text("distances", &distances);
+    let guard = band.guard.as_ref();
+    let title = iter::once(words.say(&title)).chain(guard.into_iter().flat_map(|guard| described(guard, words)));
+    // What is rejected begins where the rule says so; the zone is good as far as it is accepted.
+    let rejected = match guard {
+        Some(guard) => guard.rejected.map_or([LEFT, LEFT + WIDTH], |ends| ends.map(at)),
+        None => [lower, upper],
+    };
+    let good = match guard {
+        Some(guard) => guard.accepted.map(|ends| ends.map(|um| at(um).clamp(lower, upper))),
+        None => Some([lower, upper]),
+    };
+    let [good_from, good_to] = good.unwrap_or([lower, lower]);
+    let sides = [
+        side(band.left, [LEFT, rejected[0].min(lower)], words.get("report-side-too-small"), words),
+        side(band.right, [rejected[1].max(upper), LEFT + WIDTH], words.get("report-side-too-large"), words),
+    ];
     BandPicture {
-        title: words.say(&title),
-        sides: [
-            side(band.left, LEFT, lower, words.get("report-side-too-small"), words),
-            side(band.right, upper, LEFT + WIDTH, words.get("report-side-too-large"), words),
-        ],
+        title: title.collect::<Vec<_>>().join("; "),
+        height: if guard.is_some() { 206 } else { 184 },
+        sides: sides.into_iter().flatten().collect(),
+        guards: guard.map(|guard| guards(guard, at)).unwrap_or_default(),
+        legends: guard.map(|guard| legends(guard, words)).unwrap_or_default(),
         lower: lower_limit(),
         zone_width: units(upper - lower),
-        zone_middle: units(f64::midpoint(lower, upper)),
+        zone_middle: units(f64::midpoint(good_from, good_to)),
         zone_name: words.get("report-side-good"),
-        zone_named: LABEL / 2.0 < upper - lower,
+        zone_named: LABEL / 2.0 < good_to - good_from,
         ticks: ticks.collect(),
         nominal,
         nominal_name: words.say(&Message::new("report-band-nominal").mm("size", limits.nominal)),
@@ -148,9 +192,10 @@ pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::R
     .render()
 }
 
-fn side(side: Side, from: f64, to: f64, cause: String, words: &Words) -> SidePicture {
+/// A side of the band, where the axis shows any of it.
+fn side(side: Side, [from, to]: [f64; 2], cause: String, words: &Words) -> Option<SidePicture> {
     let width = to - from;
-    SidePicture {
+    (0.0 < width).then(|| SidePicture {
         class: match side {
             Side::Rework => "rework",
             Side::Scrap => "scrap",
@@ -161,7 +206,78 @@ fn side(side: Side, from: f64, to: f64, cause: String, words: &Words) -> SidePic
         hatch: hatch(side, width),
         cause,
         name: words.say(&text::side(side)),
+        is_named: SIDE < width,
+    })
+}
+
+/// The guard bands of a rule.
+fn guards(guard: &Guard, at: impl Fn(f64) -> f64) -> Vec<GuardPicture> {
+    let picture = |band: &GuardBand| {
+        let (x, width) = (at(band.from_um), at(band.to_um) - at(band.from_um));
+        GuardPicture {
+            class: guard_class(band.guarded),
+            x: units(x),
+            width: units(width),
+            hatch: guard_hatch(band.guarded, width, HEIGHT),
+        }
+    };
+    guard.bands.iter().map(picture).collect()
+}
+
+/// What the kinds of guard bands in the picture mean.
+fn legends(guard: &Guard, words: &Words) -> Vec<Legend> {
+    let kinds = [Guarded::Undecided, Guarded::AcceptedBeyond];
+    let shown = kinds.into_iter().filter(|kind| guard.bands.iter().any(|band| band.guarded == *kind));
+    let legend = |(x, guarded)| Legend {
+        class: guard_class(guarded),
+        x: units(x),
+        text_x: units(x + SWATCH + 8.0),
+        hatch: guard_hatch(guarded, SWATCH, SWATCH / 2.0),
+        name: words.get(guard_name(guarded)),
+    };
+    [LEFT, LEFT + WIDTH / 2.0].into_iter().zip(shown).map(legend).collect()
+}
+
+/// Each guard band in words, for those who do not see it.
+fn described(guard: &Guard, words: &Words) -> Vec<String> {
+    let range = |band: &GuardBand| {
+        words.say(
+            &Message::new("report-guard-range")
+                .text("what", words.get(guard_name(band.guarded)))
+                .text("from", tick_text(band.from_um, words))
+                .text("to", tick_text(band.to_um, words)),
+        )
+    };
+    guard.bands.iter().map(range).collect()
+}
+
+const fn guard_class(guarded: Guarded) -> &'static str {
+    match guarded {
+        Guarded::Undecided => "undecided",
+        Guarded::AcceptedBeyond => "beyond",
     }
+}
+
+const fn guard_name(guarded: Guarded) -> &'static str {
+    match guarded {
+        Guarded::Undecided => "report-guard-undecided",
+        Guarded::AcceptedBeyond => "report-guard-beyond",
+    }
+}
+
+/// Upright lines where nothing is decided, level ones where a value is accepted: no side has either.
+fn guard_hatch(guarded: Guarded, width: f64, height: f64) -> String {
+    let (end, line) = match guarded {
+        Guarded::Undecided => (width, format!("v{}", units(height))),
+        Guarded::AcceptedBeyond => (height, format!("h{}", units(width))),
+    };
+    let lines = (0_u16..).map(|n| 2.5 + 5.0 * f64::from(n)).take_while(|at| *at < end);
+    lines
+        .map(|at| match guarded {
+            Guarded::Undecided => format!("M{} 0{line}", units(at)),
+            Guarded::AcceptedBeyond => format!("M0 {}{line}", units(at)),
+        })
+        .collect()
 }
 
 /// Wide slanting lines for rework, a narrow lattice for scrap: different even in black and white.

@@ -5,7 +5,7 @@
 use serde::Serialize;
 
 use super::band::micrometres;
-use crate::journal::Record;
+use crate::journal::{Decision, Record};
 use crate::length::{Length, Unit};
 use crate::tolerance::Source;
 use crate::tolerance::fit::thermal::Warm;
@@ -41,6 +41,12 @@ pub(super) struct Row {
     /// By a rule of its own only.
     #[serde(flatten)]
     pub guarded: Option<Guarded>,
+    /// With an uncertainty from a budget only.
+    #[serde(flatten)]
+    pub budgeted: Option<Budgeted>,
+    /// Left undecided only.
+    #[serde(flatten)]
+    pub undecided: Option<LeftUndecided>,
 }
 
 /// What the correction of a measured value to 20 °C adds: `measured_mm` is the value at 20 °C.
@@ -89,12 +95,8 @@ pub(super) struct Guarded {
 
 impl Guarded {
     fn of(record: &Record) -> Option<Self> {
+        let Decision { zones, proven, conformity } = record.decision()?;
         let rule = record.verdict.rule;
-        if rule.is_plain() {
-            return None;
-        }
-        let bounds = record.limits.bounds();
-        let (zones, measured) = (rule.zones(&bounds), record.measurement.diameter);
         let number = |text: String| text.parse().ok();
         Some(Self {
             rule_name: rule.name().word(),
@@ -102,9 +104,42 @@ impl Guarded {
             k: rule.uncertainty().and_then(|uncertainty| number(uncertainty.k())),
             zone_min_mm: zones.accepted.map(|[least, _]| Millimetres(least)),
             zone_max_mm: zones.accepted.map(|[_, most]| Millimetres(most)),
-            conformity: rule.conformity(&bounds, measured).map(|conformity| conformity.within),
-            proven: zones.is_proven(measured),
+            conformity: conformity.map(|conformity| conformity.within),
+            proven,
         })
+    }
+}
+
+/// What a budget adds.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct Budgeted {
+    pub budget: String,
+    pub budget_date: String,
+    pub budget_valid_until: String,
+    pub budget_validity: &'static str,
+}
+
+impl Budgeted {
+    fn of(record: &Record) -> Option<Self> {
+        let budget = record.budget.as_ref()?;
+        Some(Self {
+            budget: budget.name.clone(),
+            budget_date: budget.date.to_string(),
+            budget_valid_until: budget.valid_until.to_string(),
+            budget_validity: budget.validity.word(),
+        })
+    }
+}
+
+/// Why a value decides nothing although the rule would, in English.
+#[derive(Debug, Clone, PartialEq, Serialize)]
+pub(super) struct LeftUndecided {
+    pub remeasure_reason: String,
+}
+
+impl LeftUndecided {
+    fn of(record: &Record) -> Option<Self> {
+        Some(Self { remeasure_reason: record.verdict.undecided?.to_string() })
     }
 }
 
@@ -175,6 +210,8 @@ impl Row {
             simulated: measurement.origin.is_simulated(),
             corrected: Corrected::of(record),
             guarded: Guarded::of(record),
+            budgeted: Budgeted::of(record),
+            undecided: LeftUndecided::of(record),
         }
     }
 }
@@ -201,6 +238,9 @@ pub fn warnings(record: &Record) -> Vec<String> {
         let um = |length| Micrometres(length).text();
         let (upper, lower) = (um(standard.upper()), um(standard.lower()));
         warnings.push(format!("own table: ISO 286 says {upper} and {lower} µm here"));
+    }
+    if let Some(budget) = &record.budget {
+        warnings.extend(budget.warnings.iter().map(ToString::to_string));
     }
     warnings.extend(measurement.caveats().iter().map(ToString::to_string));
     warnings

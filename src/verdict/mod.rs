@@ -15,7 +15,7 @@ pub mod rules;
 pub use rules::Rule;
 
 use crate::length::Length;
-use crate::message::Say;
+use crate::message::{Arg, Say, printed};
 use crate::tolerance::{Bounds, Feature, Limits};
 
 /// What to do with the part; `Display` is the English word.
@@ -130,6 +130,28 @@ pub struct Verdict {
     pub position: Option<PositionVerdict>,
     /// The rule that was used.
     pub rule: Rule,
+    /// Why nothing is decided although the rule would decide; then the size is to be measured again.
+    pub undecided: Option<Undecided>,
+}
+
+/// Why a measured value decides nothing, whatever the zones of the rule say.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "undecided")]
+pub enum Undecided {
+    /// The uncertainty was given, and the contacts make the diameter much less sure than contacts evenly round the full circle.
+    Contacts {
+        /// How many contacts there are.
+        contacts: usize,
+        /// How many times less sure, in thousandths.
+        #[say(with = thousandths)]
+        times: u32,
+    },
+}
+
+impl Undecided {
+    /// How many times less sure a diameter may be than by contacts evenly round the full circle, in thousandths: a given uncertainty
+    /// counts up to and including this.
+    pub const MOST_TIMES: u32 = 3_000;
 }
 
 impl Verdict {
@@ -138,6 +160,23 @@ impl Verdict {
     pub fn status(&self) -> Status {
         if self.position.is_some_and(|position| position.is_out()) { Status::Scrap } else { self.size.status }
     }
+}
+
+impl Verdict {
+    /// The same with a measured value that decides nothing: nothing is removed by it either.
+    #[must_use]
+    pub const fn left_undecided(mut self, why: Undecided) -> Self {
+        self.size.status = Status::ReMeasure;
+        self.size.removal = None;
+        self.undecided = Some(why);
+        self
+    }
+}
+
+/// A number of thousandths as a decimal.
+#[expect(clippy::trivially_copy_pass_by_ref, reason = "as `say(with)` calls it")]
+fn thousandths(number: &u32) -> Arg {
+    printed(&rules::thousandths(*number))
 }
 
 /// Good on or between the limits; a hole too small or a shaft too large is rework, the other side scrap.
@@ -210,7 +249,7 @@ pub fn judge_by(rule: Rule, limits: &Limits, measured: Length, position: Option<
             Feature::Shaft => measured.saturating_sub(most.min(bounds.maximum())),
         };
     }
-    Verdict { size, position, rule }
+    Verdict { size, position, rule, undecided: None }
 }
 
 /// What may be wrong with a measured value.

@@ -58,6 +58,7 @@ mod option_doubts;
 mod own_columns;
 mod pair_cli;
 mod pairing;
+mod paper;
 #[cfg(feature = "parquet")]
 mod parquet;
 mod part_plans;

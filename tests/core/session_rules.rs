@@ -32,7 +32,7 @@ fn shown(session: &Session) -> &Record {
 }
 
 fn is_proven(record: &Record) -> Option<bool> {
-    record.verdict.rule.zones(&record.limits.bounds()).is_proven(record.measurement.diameter)
+    record.decision()?.proven
 }
 
 fn imported(session: &mut Session, bytes: &[u8]) {

@@ -66,14 +66,14 @@ fn tab_walks_in_reading_order() {
             "Keypad",
             "Measure",
             "Clear",
+            "Decision rule: the limits decide",
+            "Temperature: not corrected",
             "Nominal size",
             "Class",
             "Part or feature",
             "Centre X",
             "Centre Y",
             "Height Z",
-            "First contact",
-            "Set-up clearance",
         ]
     );
 }

@@ -7,7 +7,10 @@ use std::panic::catch_unwind;
 
 use eframe::egui::{Theme, vec2};
 use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::App;
+use fitcheck::session::{CheckCommand, CheckField};
+use fitcheck::verdict::rules::RuleName;
 
 use crate::harness::{Window, check};
 
@@ -38,6 +41,36 @@ fn a_good_hole_in_light() {
 #[test]
 fn a_shaft_to_rework_in_dark() {
     picture("rework_shaft_dark", Theme::Dark, "25 h7", "25.004");
+}
+
+/// A value in a guard band: told apart from every other status without colour.
+fn guarded(name: &str, theme: Theme) {
+    if !can_paint(name) {
+        return;
+    }
+    let mut window: Harness<'_, App> = Window { theme, ..Window::default() }.open();
+    let ctx = window.ctx.clone();
+    for command in
+        [CheckCommand::UseRule(RuleName::Iso14253Of2017), CheckCommand::Type(CheckField::Uncertainty, "1.2".to_owned())]
+    {
+        window.state_mut().send(&ctx, command.into());
+    }
+    window.run();
+    window.get_by_label("Decision rule: ISO 14253-1:2017, 95 %").click();
+    check(&mut window, "25 H7", "25.0195");
+    window.get_by_label("Why?").click();
+    window.run();
+    window.snapshot(name);
+}
+
+#[test]
+fn a_value_in_a_guard_band_in_light() {
+    guarded("re_measure_light", Theme::Light);
+}
+
+#[test]
+fn a_value_in_a_guard_band_in_dark() {
+    guarded("re_measure_dark", Theme::Dark);
 }
 
 #[test]

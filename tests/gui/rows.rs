@@ -9,7 +9,8 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::files;
 use fitcheck::gui::App;
-use fitcheck::session::{LARGE, Purpose};
+use fitcheck::session::{CheckCommand, LARGE, Purpose};
+use fitcheck::verdict::rules::RuleName;
 
 use crate::harness::{Window, click, cursor, press, rows, verdict};
 
@@ -224,4 +225,16 @@ fn every_size_shows_rows_and_the_verdict() {
         let (grid, status) = (window.get_by_role(Role::Grid).rect(), window.get_by_role(Role::Status).rect());
         assert!(!grid.intersects(status.shrink(1.0)), "{size:?}: {grid:?} {status:?}");
     }
+}
+
+#[test]
+fn rows_that_no_rule_has_judged_say_so() {
+    let (_folder, mut window) = opened("big.csv", large().as_bytes());
+    let said =
+        "Judged by the limits alone: the decision rule and the temperature of this page are not used for a large file";
+    assert!(window.query_by_label(said).is_none());
+    let ctx = window.ctx.clone();
+    window.state_mut().send(&ctx, CheckCommand::UseRule(RuleName::Iso14253Of2017).into());
+    window.run();
+    window.get_by_label(said);
 }

@@ -92,9 +92,14 @@ cli-remark-corrected = measured { $measured } mm at { $temperature } °C: { $cha
     [0] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
 })
+cli-remark-corrected-all = every measured value is brought from { $temperature } °C to 20 °C ({ $material ->
+    [0] { $expansion } · 10⁻⁶/K
+   *[other] { $material }, { $expansion } · 10⁻⁶/K
+})
 cli-remark-scales = scales at { $temperature } °C, { $expansion } · 10⁻⁶/K
 cli-remark-linear-correction = the linear correction is { $off } µm from the exact one
 cli-remark-rule = rule: { $rule }
+cli-remark-rule-by-budget = rule: { $rule }
 cli-remark-budget = uncertainty by the budget { $name }, made { $date }, valid until { $until }
 cli-remark-budget-contacts = scatter of { $touches } contacts{ $step }, geometry factor { $factor }
 cli-remark-accepted = accepted: { $least } to { $most } mm
@@ -134,6 +139,7 @@ cli-warning-notes-not-in-csv = { $count ->
 }
 cli-warning-no-tool-monitored = the tool table is not used: no tool is given in Q330
 cli-warning-log-unknown = no log is written: the log of cycle { $code } is unknown
+cli-warning-limits-alone = the limits alone decide here: the decision rule and the temperature are for diameters
 cli-warning-log-off = no log is written: Q281 = 0
 cli-warning-log-none = no log is written: the cycle has none
 cli-warning-log-on-screen = no log is written: Q281 = 2 shows it on screen

@@ -88,6 +88,8 @@ rule-no-prover = rule { $rule } does not depend on who has to prove
 uncertainty = u = { $u } µm, U = { $expanded } µm (k = { $k })
 uncertainty-not-positive = an uncertainty is above 0 µm
 uncertainty-factor = coverage factor { $given }: expected a number from 1 to 10, with at most three decimals
+uncertainty-by-budget = u of each value by the budget
+undecided-contacts = the { $contacts } contacts make the diameter { $times } times less sure than { $contacts } contacts round the full circle, and the given uncertainty counts up to 3 times: take contacts farther round, or give a budget
 doubt-times-inch = measured value is 25.4 times the nominal size: was it converted from inch twice?
 doubt-inches = measured value is the nominal size divided by 25.4: is it in inch?
 doubt-double = measured value is twice the nominal size: was a diameter taken for a radius?

@@ -60,3 +60,4 @@ band-describe-accepted = De regel aanvaardt van { $least } tot { $most } µm.
 band-describe-nothing = De regel aanvaardt geen waarde.
 guard-band = opnieuw meten
 guard-band-beyond = aanvaard door de regel
+rows-by-limits = Alleen volgens de grenzen beoordeeld: de beslisregel en de temperatuur van deze pagina gelden niet voor een groot bestand

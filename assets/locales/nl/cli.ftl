@@ -92,9 +92,14 @@ cli-remark-corrected = gemeten { $measured } mm bij { $temperature } °C: { $cha
     [0] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
 })
+cli-remark-corrected-all = elke gemeten waarde wordt van { $temperature } °C naar 20 °C gebracht ({ $material ->
+    [0] { $expansion } · 10⁻⁶/K
+   *[other] { $material }, { $expansion } · 10⁻⁶/K
+})
 cli-remark-scales = meetlinialen bij { $temperature } °C, { $expansion } · 10⁻⁶/K
 cli-remark-linear-correction = de lineaire correctie ligt { $off } µm van de exacte
 cli-remark-rule = regel: { $rule }
+cli-remark-rule-by-budget = regel: { $rule }
 cli-remark-budget = onzekerheid volgens het budget { $name }, gemaakt op { $date }, geldig tot en met { $until }
 cli-remark-budget-contacts = spreiding van { $touches } tastpunten{ $step }, geometriefactor { $factor }
 cli-remark-accepted = aanvaard: { $least } tot { $most } mm
@@ -134,6 +139,7 @@ cli-warning-notes-not-in-csv = { $count ->
 }
 cli-warning-no-tool-monitored = de gereedschapstabel wordt niet gebruikt: Q330 noemt geen gereedschap
 cli-warning-log-unknown = er wordt geen meetprotocol geschreven: dat van cyclus { $code } is niet bekend
+cli-warning-limits-alone = hier beslissen alleen de grensmaten: de beslisregel en de temperatuur gelden voor diameters
 cli-warning-log-off = er wordt geen meetprotocol geschreven: Q281 = 0
 cli-warning-log-none = er wordt geen meetprotocol geschreven: de cyclus heeft er geen
 cli-warning-log-on-screen = er wordt geen meetprotocol geschreven: Q281 = 2 toont het op het scherm

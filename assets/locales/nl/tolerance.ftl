@@ -88,6 +88,8 @@ rule-no-prover = regel { $rule } hangt niet af van wie moet bewijzen
 uncertainty = u = { $u } µm, U = { $expanded } µm (k = { $k })
 uncertainty-not-positive = een onzekerheid is groter dan 0 µm
 uncertainty-factor = dekkingsfactor { $given }: een getal van 1 tot 10 verwacht, met hoogstens drie decimalen
+uncertainty-by-budget = u van elke waarde volgens het budget
+undecided-contacts = met deze { $contacts } tastpunten is de diameter { $times } keer zo onzeker als met { $contacts } tastpunten rond de hele cirkel, en de opgegeven onzekerheid geldt tot en met 3 keer: neem tastpunten verder rondom, of geef een budget op
 doubt-times-inch = de gemeten waarde is 25,4 keer de nominale maat: is er twee keer uit inch omgerekend?
 doubt-inches = de gemeten waarde is de nominale maat gedeeld door 25,4: staat die in inch?
 doubt-double = de gemeten waarde is twee keer de nominale maat: is een diameter voor een radius aangezien?

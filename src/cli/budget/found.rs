@@ -12,7 +12,7 @@ use crate::control::text::decode;
 use crate::verdict::rules::Uncertainty;
 
 /// A budget's file, and the name to call it by.
-pub(super) fn read(path: &Path, io: &mut Io<'_>) -> Result<(String, Budget), CliError> {
+pub(in crate::cli) fn read(path: &Path, io: &mut Io<'_>) -> Result<(String, Budget), CliError> {
     let (name, bytes) = read_input(path, io)?;
     let budget = Budget::read(&decode(&bytes)).about(&name)?;
     Ok((name, budget))

@@ -18,7 +18,7 @@ use super::pair::Parts;
 use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts};
 use crate::budget::{Assessment, Basis, Conditions, Geometry, Kind};
 use crate::length::Length;
-pub(super) use found::{assess, head, introduce};
+pub(super) use found::{assess, head, introduce, read};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -88,7 +88,7 @@ impl Beside {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let (name, budget) = found::read(&self.file, io)?;
+        let (name, budget) = read(&self.file, io)?;
         let size = self.size.as_ref().map(|text| super::diameter(text, What::Option { name: "size" })).transpose()?;
         let conditions = Conditions { size, geometry: self.geometry(io)? };
         let read = match (&budget.basis, &self.readings) {

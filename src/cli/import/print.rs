@@ -7,9 +7,11 @@ use serde_json::{Number, Value as Json};
 
 use super::row::{COLUMNS, Row, Value};
 use crate::cli::answers::csv_line;
-use crate::cli::{CliError, Format, Io};
+use crate::cli::{CliError, Format, Io, Refused as _};
 use crate::length::{Length, Unit};
 use crate::report::columns::names;
+use crate::report::csv::More;
+use crate::report::json;
 use crate::verdict::Status;
 
 /// How many rows decide how wide the columns of the text are; those after them are printed at once.
@@ -21,25 +23,36 @@ const WIDEST: usize = 200;
 /// Prints the rows of one file after another.
 pub(super) struct Printer {
     format: Format,
+    /// The columns besides those of every import.
+    more: More,
     is_first: bool,
     table: Table,
     summary: Summary,
 }
 
 impl Printer {
-    pub(super) fn new(format: Format, io: &mut Io<'_>) -> Result<Self, CliError> {
+    pub(super) fn new(format: Format, more: More, io: &mut Io<'_>) -> Result<Self, CliError> {
         match format {
             Format::Text => {}
-            Format::Csv => writeln!(io.data(), "{}", names(&COLUMNS).join(","))?,
+            Format::Csv => {
+                let names: Vec<&str> = names(&COLUMNS).into_iter().chain(more.names()).collect();
+                writeln!(io.data(), "{}", names.join(","))?;
+            }
             Format::Json => write!(io.data(), "[")?,
         }
-        Ok(Self { format, is_first: true, table: Table::default(), summary: Summary::default() })
+        Ok(Self { format, more, is_first: true, table: Table::default(), summary: Summary::default() })
     }
 
     pub(super) fn row(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
             Format::Text => self.text(row, io),
-            Format::Csv => csv_line(COLUMNS.map(|(_, value)| value(row).csv()), io),
+            Format::Csv => {
+                let more = match &row.judged {
+                    Some(record) => self.more.cells(record),
+                    None => self.more.names().map(|_name| String::new()).collect(),
+                };
+                csv_line(COLUMNS.map(|(_, value)| value(row).csv()).into_iter().chain(more), io)
+            }
             Format::Json => self.json(row, io),
         }
     }
@@ -74,8 +87,12 @@ impl Printer {
 
     fn json(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
         // Written by hand, so that the names are in the order of the columns.
-        let members: Vec<String> =
-            COLUMNS.iter().map(|(name, value)| format!("\"{name}\":{}", value(row).json())).collect();
+        let more = match &row.judged {
+            Some(record) => json::more(record, self.more).said()?,
+            None => self.more.names().map(|name| (name, Json::Null)).collect(),
+        };
+        let own = COLUMNS.iter().map(|(name, value)| (*name, value(row).json()));
+        let members: Vec<String> = own.chain(more).map(|(name, value)| format!("\"{name}\":{value}")).collect();
         let comma = if self.is_first { "" } else { "," };
         self.is_first = false;
         write!(io.data(), "{comma}\n  {{{}}}", members.join(","))?;

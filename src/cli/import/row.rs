@@ -3,7 +3,8 @@
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::cli::CliRemark;
+use crate::cli::judging::Judge;
+use crate::cli::{CliRemark, CliWarning};
 use crate::exchange::{ImportError, Item, Unjudged, WhyUnjudged};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
@@ -68,6 +69,8 @@ pub(super) struct Row {
     pub(super) source: Option<String>,
     pub(super) warnings: Vec<String>,
     pub(super) error: Option<String>,
+    /// The check, where it has more to say than a control.
+    pub(super) judged: Option<Box<Record>>,
 }
 
 /// A cell of the CSV or a value in JSON.
@@ -81,7 +84,8 @@ pub(super) enum Value<'a> {
 }
 
 /// Makes the rows of a file from what is read from it.
-pub(super) struct Rows {
+pub(super) struct Rows<'a> {
+    judge: &'a Judge,
     /// The path as the user gave it.
     path: String,
     /// The name without its folder.
@@ -90,18 +94,24 @@ pub(super) struct Rows {
     warnings: (usize, Vec<String>),
 }
 
-impl Rows {
-    pub(super) fn of(path: &Path) -> Self {
+impl<'a> Rows<'a> {
+    pub(super) fn of(path: &Path, judge: &'a Judge) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy().as_ref().into();
-        Self { path: path.display().to_string(), name, warnings: (0, Vec::new()) }
+        Self { judge, path: path.display().to_string(), name, warnings: (0, Vec::new()) }
     }
 
     /// The row of what was read; none for a warning, which goes to the row that follows, and for contacts, which have
     /// had theirs.
     pub(super) fn row(&mut self, item: Item) -> Option<Row> {
         let (line, mut row) = match item {
-            Item::Record { line, record } => (line, Row::of(&record)),
-            Item::Unjudged(unjudged) => (unjudged.line, Row::of_unjudged(&unjudged)),
+            Item::Record { line, record } => (line, self.record(record)),
+            Item::Unjudged(unjudged) => {
+                let mut row = Row::of_unjudged(&unjudged);
+                if row.status.is_some() && !self.judge.is_plain() {
+                    row.warnings.push(CliWarning::LimitsAlone.to_string());
+                }
+                (unjudged.line, row)
+            }
             Item::Error(error) => (error.place.line.unwrap_or(1), Row::of_error(&error)),
             Item::Warning(warning) => {
                 let line = warning.what.row?;
@@ -126,6 +136,20 @@ impl Rows {
     }
 }
 
+impl Rows<'_> {
+    /// The row of a record, as the judge of this import says.
+    fn record(&self, record: Box<Record>) -> Row {
+        if self.judge.is_plain() {
+            return Row::of(&record);
+        }
+        let (id, measured) = (record.id.clone(), record.measurement.diameter);
+        match self.judge.judged(*record) {
+            Ok(record) => Row { judged: Some(Box::new(record.clone())), ..Row::of(&record) },
+            Err(error) => Row { id, measured: Some(measured), error: Some(error.to_string()), ..Row::default() },
+        }
+    }
+}
+
 impl Row {
     fn of(record: &Record) -> Self {
         let limits = &record.limits;
@@ -133,6 +157,9 @@ impl Row {
         let mut warnings: Vec<String> = record.doubt.iter().map(ToString::to_string).collect();
         if record.measurement.origin.is_simulated() {
             warnings.push(CliRemark::Simulated.to_string());
+        }
+        if let Some(budget) = &record.budget {
+            warnings.extend(budget.warnings.iter().map(ToString::to_string));
         }
         if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
             warnings.push(differs(*standard));

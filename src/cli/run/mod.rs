@@ -39,7 +39,7 @@ TNC:\\fit\\a.tab is looked for as fit/a.tab and as a.tab: in the output folder, 
 in the folders of --folder in their order, and then among the built-in files. Files that FN 16 prints go below
 the output folder and nowhere else; it is created if missing, and without one they are not written. STOP and M0 do not wait. Without
 --workpiece and --contacts every cycle measures a perfect workpiece at nominal. A workpiece file is
-described in fitcheck cycle --help.
+described in fitcheck cycle --help. As on a control the limits alone decide: no decision rule, uncertainty or temperature.
 
 With --tools, cycles with Q330 correct DR or DL of that tool for the rest of the run; a broken
 tool is locked (TL), and the run stops. --tools-out writes the changed table, also after a fault.

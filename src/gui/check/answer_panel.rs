@@ -148,7 +148,7 @@ fn card(words: &Words, record: &Record) -> Card {
         value: Some(format!("{} mm", digits.mm(words, record.measurement.diameter, 3))),
         instruction: removal
             .map(|removal| remove(words, &um(removal.to_limit)))
-            .or_else(|| worth_lines::measure_again(words, status)),
+            .or_else(|| worth_lines::measure_again(words, record)),
         lines,
         height: 0.0,
     }

@@ -11,7 +11,7 @@ use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::Message;
-use crate::report::band::{Band, Guarded, Marker, Side};
+use crate::report::band::{Band, GuardBand, Guarded, Marker, Side};
 use crate::tolerance::{Feature, Limits};
 use crate::verdict::Status;
 use crate::words::Words;
@@ -156,6 +156,7 @@ impl Drawing<'_> {
             5.0,
             4.0,
         ));
+        self.guard_marks(body);
         if let (Some(marker), Some(record)) = (self.band.marker, record) {
             self.marker(marker, record, body);
         }
@@ -200,31 +201,51 @@ impl Drawing<'_> {
 
     /// The guard bands: what lies between a limit and where the rule decides.
     fn guard(&self, body: Rect) {
-        let (measure_again, _) = self.palette.of_status(Some(Status::ReMeasure));
-        for band in self.band.guard.iter().flat_map(|guard| &guard.bands) {
-            let rect = Rect::from_x_y_ranges(self.x(band.from_um)..=self.x(band.to_um), body.y_range());
-            let (ground, hatch, colour, id) = match band.guarded {
-                Guarded::Undecided => (self.palette.panel.0, Hatch::Upright, measure_again, "guard-band"),
-                Guarded::AcceptedBeyond => {
-                    (self.palette.zone.0, Hatch::Falling, self.palette.zone_edge.0, "guard-band-beyond")
-                }
+        for band in self.guard_bands() {
+            let rect = self.of_band(band, body);
+            let (ground, hatch, colour) = match band.guarded {
+                Guarded::Undecided => (self.palette.panel.0, Hatch::Upright, self.measure_again()),
+                Guarded::AcceptedBeyond => (self.palette.zone.0, Hatch::Falling, self.palette.zone_edge.0),
             };
             self.painter.rect_filled(rect, 0.0, ground);
             shapes::hatch(&self.painter, rect, hatch, Stroke::new(1.0, colour.gamma_multiply(0.8)));
-            let text = self.words.get(id);
-            let galley = self.painter.layout_no_wrap(text, theme::font(sizes().small), self.palette.text.0);
+        }
+    }
+
+    /// What happens in them: the word, or the shape of the status where the word has no room.
+    fn guard_marks(&self, body: Rect) {
+        for band in self.guard_bands() {
+            let rect = self.of_band(band, body);
+            let id = match band.guarded {
+                Guarded::Undecided => "guard-band",
+                Guarded::AcceptedBeyond => "guard-band-beyond",
+            };
+            let font = theme::font(sizes().small);
+            let galley = self.painter.layout_no_wrap(self.words.get(id), font, self.palette.text.0);
             let at = Align2::CENTER_BOTTOM.anchor_size(rect.center_bottom() - vec2(0.0, 4.0), galley.size());
+            let mark =
+                Rect::from_center_size(rect.center_bottom() - vec2(0.0, space(4.0)), vec2(space(4.0), space(4.0)));
             if galley.size().x + 6.0 < rect.width() {
                 self.painter.rect_filled(at.expand2(vec2(3.0, 0.0)), 2.0, self.palette.panel.0);
                 self.painter.galley(at.min, galley, self.palette.text.0);
             } else if band.guarded == Guarded::Undecided && space(5.0) < rect.width() {
-                // Too narrow for the word: the shape of the status says it.
-                let mark =
-                    Rect::from_center_size(rect.center_bottom() - vec2(0.0, space(4.0)), vec2(space(4.0), space(4.0)));
                 self.painter.rect_filled(mark.expand(2.0), 2.0, self.palette.panel.0);
-                shapes::status(&self.painter, mark, Some(Status::ReMeasure), measure_again);
+                shapes::status(&self.painter, mark, Some(Status::ReMeasure), self.palette.text.0);
             }
         }
+    }
+
+    fn guard_bands(&self) -> impl Iterator<Item = &GuardBand> {
+        self.band.guard.iter().flat_map(|guard| &guard.bands)
+    }
+
+    fn of_band(&self, band: &GuardBand, body: Rect) -> Rect {
+        Rect::from_x_y_ranges(self.x(band.from_um)..=self.x(band.to_um), body.y_range())
+    }
+
+    /// The colour of the status.
+    fn measure_again(&self) -> Color32 {
+        self.palette.of_status(Some(Status::ReMeasure)).0
     }
 
     fn side(&self, rect: Rect, side: Side, anchor: Align2) {

@@ -31,6 +31,9 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         }
         heading(ui, rows.name());
         state_ui(ui, view, rows);
+        if view.session.check().judges_by_more_than_limits() {
+            problem(ui, view.text("rows-by-limits"));
+        }
         why_ui(ui, view, rows);
         for (fate, count) in rows.fates() {
             // Nothing is re-measured without a guard band, so a zero would only raise questions.

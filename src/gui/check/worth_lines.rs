@@ -2,7 +2,7 @@
 
 use crate::gui::check::rule_panel::accepted_text;
 use crate::gui::view::{Digits, View};
-use crate::journal::Record;
+use crate::journal::{Decision, Record};
 use crate::message::Message;
 use crate::tolerance::fit::thermal::Correction;
 use crate::verdict::Status;
@@ -12,13 +12,11 @@ use crate::words::Words;
 /// The lines of the card: proven or not, the temperature, a budget that does not count.
 pub(super) fn lines(words: &Words, record: &Record) -> Vec<String> {
     let mut lines = Vec::new();
-    let rule = record.verdict.rule;
-    let zones = rule.zones(&record.limits.bounds());
-    if let Some(is_proven) = zones.is_proven(record.measurement.diameter) {
-        lines.push(words.get(if is_proven { "rule-proven" } else { "rule-not-proven" }));
-    }
-    if zones.accepted.is_none() {
-        lines.push(words.get("rule-accepts-nothing"));
+    if let Some(Decision { zones, proven, .. }) = record.decision() {
+        lines.extend(proven.map(|is_proven| words.get(if is_proven { "rule-proven" } else { "rule-not-proven" })));
+        if zones.accepted.is_none() {
+            lines.push(words.get("rule-accepts-nothing"));
+        }
     }
     lines.extend(record.correction.as_ref().map(|correction| corrected(words, correction)));
     if let Some(budget) = &record.budget {
@@ -28,8 +26,12 @@ pub(super) fn lines(words: &Words, record: &Record) -> Vec<String> {
 }
 
 /// What is to be done where nothing is decided, and why.
-pub(super) fn measure_again(words: &Words, status: Status) -> Option<(String, String)> {
-    (status == Status::ReMeasure).then(|| (words.get("measure-again"), words.get("measure-again-why")))
+pub(super) fn measure_again(words: &Words, record: &Record) -> Option<(String, String)> {
+    let verdict = &record.verdict;
+    (verdict.status() == Status::ReMeasure).then(|| {
+        let why = verdict.undecided.map(|why| words.told(&why));
+        (words.get("measure-again"), why.unwrap_or_else(|| words.get("measure-again-why")))
+    })
 }
 
 /// How the value was brought to 20 °C.
@@ -44,12 +46,11 @@ fn corrected(words: &Words, correction: &Correction) -> String {
 /// What engineers want to know: the accepted zone, the probabilities, where the uncertainty comes from, what the correction
 /// took.
 pub(super) fn reasons(view: &View<'_>, record: &Record) -> Vec<String> {
-    let (words, rule) = (view.words, record.verdict.rule);
+    let words = view.words;
     let mut reasons = Vec::new();
-    if !rule.is_plain() {
-        let bounds = record.limits.bounds();
-        reasons.push(accepted_text(view, rule.zones(&bounds).accepted));
-        if let Some(found) = rule.conformity(&bounds, record.measurement.diameter) {
+    if let Some(Decision { zones, conformity, .. }) = record.decision() {
+        reasons.push(accepted_text(view, zones.accepted));
+        if let Some(found) = conformity {
             let percent = |probability: f64| words.number(&percent(probability));
             let said = Message::new("why-conformity")
                 .text("within", percent(found.within))

@@ -2,6 +2,7 @@
 
 use std::io;
 
+use super::shared::Shared;
 use super::{CONTACTS_IN_CHECK, MOST_CHECKS};
 use crate::journal::Record;
 use crate::message::Message;
@@ -20,6 +21,10 @@ pub(super) struct Seen {
     all_wanted: usize,
     /// Whether a check has contacts at the end.
     pub has_annex: bool,
+    /// Whether a check was judged by a rule other than the plain one.
+    pub has_guards: bool,
+    /// What all checks have in common.
+    pub shared: Shared,
 }
 
 impl Seen {
@@ -38,6 +43,8 @@ impl Seen {
                     seen.wanted.push(seen.total);
                 }
             }
+            seen.has_guards |= !record.verdict.rule.is_plain();
+            seen.shared.see(record, seen.total == 0);
             seen.has_annex |= CONTACTS_IN_CHECK < record.measurement.contacts.len();
             seen.total += 1;
             Ok(())

@@ -42,16 +42,16 @@ pub(super) fn record(
     part: &str,
     asked: &Asked,
     limits: &Limits,
-    (mut measurement, position): (Measurement, Option<PositionVerdict>),
+    (measurement, position): (Measurement, Option<PositionVerdict>),
     now: DateTime,
 ) -> Record {
     let callout = asked.callout().map(|callout| callout.of_part(limits.feature));
     let correction = asked.worth().correction(measurement.diameter);
-    if let Some(correction) = &correction {
-        measurement.diameter = correction.at_reference;
-    }
     let record = Record::judged(now, part.trim().to_owned(), callout, limits.clone(), measurement, position);
-    Record { correction, ..record }
+    match correction {
+        Some(correction) => record.corrected(correction),
+        None => record,
+    }
 }
 
 fn typed(asked: &Asked) -> Result<Measurement, Refusal> {

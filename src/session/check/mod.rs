@@ -46,6 +46,7 @@ use crate::length::Length;
 use crate::message::Message;
 use crate::tolerance::{Callout, Feature, Sources};
 use crate::verdict::Doubt;
+use crate::verdict::rules::RuleName;
 
 /// Where the next measurement comes from.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -204,6 +205,13 @@ impl CheckPage {
     /// What is asked about the typed value before it is judged.
     pub const fn question(&self) -> Option<&Question> {
         self.question.as_ref()
+    }
+
+    /// Whether the next part is judged by more than its limits: the rows of a large file are not.
+    pub fn judges_by_more_than_limits(&self) -> bool {
+        let temperature = self.own.get(&CheckField::PartTemperature);
+        let temperature = temperature.map_or_else(|| self.text(CheckField::PartTemperature), String::as_str);
+        self.own_judging().rule != RuleName::Simple || !temperature.trim().is_empty()
     }
 
     /// The file that was imported last, while one of its rows or none is shown.

@@ -187,8 +187,8 @@ impl Worth {
         let assessment = assessment.map_err(|error| refused(error.message()))?;
         let uncertainty = assessment.uncertainty().map_err(|error| refused(error.message()))?;
         let given = Given { uncertainty: Some(uncertainty), ..self.given };
-        let budget = Some(Arc::new(assessment.provenance()));
-        Ok(Record { budget, ..record }.by(made(rule, given)?))
+        let budget = Arc::new(assessment.provenance());
+        Ok(record.by_budget(made(rule, given)?, budget))
     }
 
     /// Whether a record was judged as the fields say.

@@ -134,6 +134,12 @@ struct Declaration {
     bands: Option<fn(&Given, &Bounds) -> Bands>,
 }
 
+impl Declaration {
+    fn needs_uncertainty(&self) -> bool {
+        !self.takes_width && (self.bands.is_some() || self.how == Use::LimitsWithRatio)
+    }
+}
+
 /// Which values a rule accepts and which it rejects.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Zones {
@@ -159,10 +165,11 @@ impl Rule {
     /// # Errors
     /// [`RuleError`] where something is missing, or given without effect.
     pub fn new(name: RuleName, given: Given) -> Result<Self, RuleError> {
-        let Declaration { name: rule, how, takes_factor, takes_width, bands, .. } = *name.declaration();
-        let needs_uncertainty = !takes_width && (bands.is_some() || how == Use::LimitsWithRatio);
+        let Declaration { name: rule, how, takes_factor, takes_width, .. } = *name.declaration();
         match given {
-            Given { uncertainty: None, .. } if needs_uncertainty => Err(RuleError::NoUncertainty { rule }),
+            Given { uncertainty: None, .. } if name.declaration().needs_uncertainty() => {
+                Err(RuleError::NoUncertainty { rule })
+            }
             Given { factor: Some(_), .. } if !takes_factor => Err(RuleError::NoFactor { rule }),
             Given { width: Some(_), .. } if !takes_width => Err(RuleError::NoWidth { rule }),
             Given { prover: Prover::Customer, .. } if how != Use::Proof => Err(RuleError::NoProver { rule }),
@@ -252,13 +259,22 @@ impl Zones {
 
 impl Say for Rule {
     fn message(&self) -> Message {
-        let declaration = self.name.declaration();
-        let mut message = Message::new(declaration.text);
-        if let Some(uncertainty) = self.given.uncertainty {
-            message = message.message("u", uncertainty.message());
-        } else {
-            message = message.text("u", "");
-        }
+        let sentence = Message::new(self.name.declaration().text);
+        self.told(match self.given.uncertainty {
+            Some(uncertainty) => sentence.message("u", uncertainty.message()),
+            None => sentence.text("u", ""),
+        })
+    }
+}
+
+impl Rule {
+    /// Its sentence with something else in the place of its uncertainty.
+    pub fn message_with(&self, uncertainty: Message) -> Message {
+        self.told(Message::new(self.name.declaration().text).message("u", uncertainty))
+    }
+
+    /// The rest of what the sentence needs.
+    fn told(&self, mut message: Message) -> Message {
         message = message.mm("factor", thousandths(self.given.factor.unwrap_or(1000)));
         let width = self.given.width.unwrap_or_default();
         message = message.mm("width", width.exact(crate::length::Unit::Micrometre, 0));

@@ -78,6 +78,11 @@ impl RuleName {
         self.declaration().how == Use::Proof
     }
 
+    /// Whether its sentence says the uncertainty: it is made of it.
+    pub fn says_uncertainty(self) -> bool {
+        self.declaration().needs_uncertainty()
+    }
+
     /// Whether its guard band is given.
     pub const fn takes_width(self) -> bool {
         self.declaration().takes_width

@@ -1,0 +1,159 @@
+//! The pictures of the README: what the window shows today, byte for byte in `docs/screenshots`.
+//!
+//! `UPDATE_SNAPSHOTS=1 cargo test --all-features --test gui` takes all of them anew.
+
+use std::path::Path;
+
+use eframe::egui::{Key, Theme, Vec2, vec2};
+use egui_kittest::kittest::Queryable as _;
+use egui_kittest::{Harness, SnapshotOptions};
+use fitcheck::gui::App;
+use fitcheck::session::{
+    CheckCommand, CheckField, Command, CycleFile, FilesCommand, MeasureBy, Page, ProgramCommand, Purpose,
+};
+use fitcheck::verdict::rules::RuleName;
+
+use crate::harness::{DESK, Window, check, press};
+use crate::pictures::can_paint;
+
+/// Takes a picture of a window, if pictures can be made here.
+fn taken(name: &str, theme: Theme, size: Vec2, work: impl FnOnce(&mut Harness<'static, App>)) {
+    if !can_paint(name) {
+        return;
+    }
+    let mut window = Window { theme, size, ..Window::default() }.open();
+    work(&mut window);
+    window.run_ok();
+    let options = SnapshotOptions::new().output_path("docs/screenshots");
+    window.snapshot_options(name, &options);
+}
+
+fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
+    let ctx = window.ctx.clone();
+    window.state_mut().send(&ctx, command.into());
+    window.run_ok();
+}
+
+#[test]
+fn a_good_hole() {
+    taken("good", Theme::Light, DESK, |window| check(window, "25 H7", "25.012"));
+}
+
+#[test]
+fn a_hole_to_rework() {
+    taken("rework", Theme::Light, DESK, |window| check(window, "25 H7", "24.998"));
+}
+
+#[test]
+fn a_hole_that_is_scrap() {
+    taken("scrap", Theme::Dark, DESK, |window| check(window, "25 H7", "25.030"));
+}
+
+#[test]
+fn the_panel_of_a_control() {
+    taken("panel", Theme::Light, vec2(800.0, 600.0), |window| check(window, "25 H7", "24.998"));
+}
+
+#[test]
+fn a_wide_screen() {
+    taken("wide", Theme::Light, vec2(1920.0, 1080.0), |window| {
+        for measured in ["25.012", "25.005", "25.0185", "24.998", "25.014"] {
+            check(window, "25 H7", measured);
+        }
+    });
+}
+
+#[test]
+fn a_simulated_measurement_with_its_contacts() {
+    taken("contacts", Theme::Dark, DESK, |window| {
+        send(window, CheckCommand::Type(CheckField::Callout, "25 H7".to_owned()));
+        send(window, CheckCommand::MeasureBy(MeasureBy::Simulating));
+        send(window, CheckCommand::Measure);
+    });
+}
+
+#[test]
+fn a_value_in_a_guard_band() {
+    taken("rule", Theme::Light, DESK, |window| {
+        send(window, CheckCommand::UseRule(RuleName::Iso14253Of2017));
+        send(window, CheckCommand::Type(CheckField::Uncertainty, "1.2".to_owned()));
+        send(window, CheckCommand::Type(CheckField::PartTemperature, "24".to_owned()));
+        // The header stays open: the rule had no uncertainty at first, and an error is never folded away.
+        check(window, "25 H7", "25.0207");
+    });
+}
+
+/// A whole program with the contacts that were recorded for it, run to its end.
+fn program(name: &str, program: &str, contacts: &str) {
+    taken(name, Theme::Light, DESK, |window| {
+        let file = |name: &str| Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples").join(name);
+        send(window, FilesCommand::Open(Purpose::OpenProgram, file(program)));
+        send(window, Command::OpenPage(Page::Program));
+        send(window, FilesCommand::Open(Purpose::OpenCycleFile(CycleFile::Contacts), file(contacts)));
+        press(window, Key::F5);
+        while window.state().session().program().is_running() {
+            window.run_steps(1);
+        }
+        assert!(window.state().session().program().run().is_some_and(fitcheck::session::program::Run::is_over));
+    });
+}
+
+#[test]
+fn a_plate_is_milled_measured_and_reworked() {
+    program("program_plate", "plate_fit.h", "plate_fit.csv");
+}
+
+#[test]
+fn a_flange_is_turned_and_measured() {
+    program("program_flange", "flange_fit.nc", "flange_fit.csv");
+}
+
+/// Pictures of the README that other tests take, too.
+const OTHERS: [(&str, &str); 9] = [
+    ("cycle_421", "cycle_421_light"),
+    ("cycle_422", "cycle_422_dark"),
+    ("cycle_427", "cycle_427_light"),
+    ("cycle_444", "cycle_444_dark"),
+    ("cycle_g785", "cycle_g785_light"),
+    ("fit", "fit_interference_light"),
+    ("program", "program_light"),
+    ("program_part", "program_part_light"),
+    ("tables", "table_differs_light"),
+];
+
+#[test]
+fn the_other_pictures_are_those_of_the_tests() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    for (picture, of_test) in OTHERS {
+        let shown = root.join("docs/screenshots").join(format!("{picture}.png"));
+        let taken = root.join("tests/snapshots").join(format!("{of_test}.png"));
+        if std::env::var_os("UPDATE_SNAPSHOTS").is_some() {
+            std::fs::copy(&taken, &shown).unwrap();
+        }
+        assert!(std::fs::read(&shown).unwrap() == std::fs::read(&taken).unwrap(), "{picture} is not {of_test}");
+    }
+}
+
+#[test]
+fn every_picture_of_the_readme_is_taken_by_a_test() {
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    let text = std::fs::read_to_string(root.join("README.md")).unwrap();
+    let source = std::fs::read_to_string(root.join("tests/gui/readme.rs")).unwrap();
+    let mut count = 0;
+    for rest in text.split("(docs/screenshots/").skip(1) {
+        let name = rest.split_once(".png)").unwrap().0;
+        assert!(source.contains(&format!("(\"{name}\"")), "{name} is taken by no test");
+        count += 1;
+    }
+    assert_eq!(
+        count,
+        std::fs::read_dir(root.join("docs/screenshots"))
+            .unwrap()
+            .filter(|entry| {
+                let name = entry.as_ref().unwrap().file_name().to_string_lossy().into_owned();
+                !name.contains(".old.") && !name.contains(".new.") && !name.contains(".diff.")
+            })
+            .count(),
+        "a picture that nobody shows"
+    );
+}
