@@ -136,6 +136,12 @@ impl Repeated {
         self.expanded() / Self::K
     }
 
+    /// Its terms by their names in the standard, µm; the bias with its sign.
+    pub const fn terms(&self) -> [(&'static str, f64); 5] {
+        let Self { u_cal, u_p, u_b, u_w, bias, .. } = *self;
+        [("u_cal", u_cal), ("u_p", u_p), ("u_b", u_b), ("u_w", u_w), ("bias", bias)]
+    }
+
     /// Whether there are as many readings as the standard asks for.
     pub const fn is_enough(&self) -> bool {
         FEWEST_READINGS <= self.readings

@@ -22,7 +22,9 @@ pub struct Row {
     pub evaluated: Evaluated,
     /// The law of its values.
     pub law: Law,
-    /// The unit of its standard uncertainty, `µm` or `K`.
+    /// What it does to the diameter.
+    pub kind: Kind,
+    /// The unit of its standard uncertainty: `µm`, `K`, or `µm/(m K)` for an expansion.
     pub unit: &'static str,
     /// Its standard uncertainty.
     pub u: f64,
@@ -131,10 +133,10 @@ impl Evaluation {
 fn row(contribution: &Contribution, conditions: &Conditions) -> Result<Row, EvaluationError> {
     let Contribution { name, evaluated, law, kind, u, sensitivity, degrees_of_freedom } = contribution;
     let named = || name.clone();
-    let expanding = |alpha: f64| {
+    // Millimetres per kelvin as micrometres.
+    let um = |per_kelvin: f64| {
         let size = conditions.size.ok_or_else(|| EvaluationError::NoSize { contribution: named() })?;
-        // Millimetres per kelvin as micrometres.
-        Ok((size.to_mm_f64() * alpha * 1_000.0, "K", None))
+        Ok(size.to_mm_f64() * per_kelvin * 1_000.0)
     };
     let (by_kind, unit, geometry) = match *kind {
         Kind::Plain | Kind::Resolution => (1.0, "µm", None),
@@ -143,13 +145,16 @@ fn row(contribution: &Contribution, conditions: &Conditions) -> Result<Row, Eval
             let geometry = geometry.ok_or_else(|| EvaluationError::NoContacts { contribution: named() })?;
             (geometry.factor, "µm", Some(geometry))
         }
-        Kind::PartTemperature(alpha) | Kind::ScaleTemperature(alpha) => expanding(alpha)?,
+        Kind::PartTemperature(alpha) | Kind::ScaleTemperature(alpha) => (um(alpha)?, "K", None),
+        // The expansion is in millionths.
+        Kind::PartExpansion(delta) | Kind::ScaleExpansion(delta) => (um(delta * 1e-6)?, "µm/(m K)", None),
     };
     let sensitivity = sensitivity * by_kind;
     Ok(Row {
         name: named(),
         evaluated: *evaluated,
         law: *law,
+        kind: *kind,
         unit,
         u: *u,
         sensitivity,

@@ -32,6 +32,14 @@
 //! alpha_per_k = 11.5e-6
 //!
 //! [[contribution]]
+//! name = "Expansion of the part"
+//! kind = "part-expansion"       # u(alpha), times size and delta_k; "scale-expansion" likewise
+//! type = "B"
+//! law = "rectangular"
+//! half_width_per_k = 1e-6
+//! delta_k = 3.0                 # how far the temperature is from 20 °C
+//!
+//! [[contribution]]
 //! name = "Geometry of the machine"
 //! type = "B"
 //! law = "rectangular"           # or "u-shaped", "triangular"
@@ -64,15 +72,19 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::numbers::{ALPHA, FAR, Number, Numbers, Refusal};
+use super::kinds::{Keys, KindName};
+use super::numbers::{ALPHA, DEGREES, FAR, Number, Numbers, Refusal, refused};
 use super::piece::{Piece, calibrated};
 use super::{Basis, Budget, Contribution, Evaluated, Geometry, GeometryError, Kind, Law, brief};
 use crate::length::LengthError;
-use crate::message::{Located, Place, Say};
-use crate::probing::simulated::{LARGEST, bounded, line_at, plain};
+use crate::message::{Located, Place, Say, shortened};
+use crate::probing::simulated::{LARGEST, bounded, plain};
 
 /// The most contributions of a budget.
 const MOST: usize = 1_000;
+
+/// The most characters of a list of keys.
+const LONGEST_LIST: usize = 600;
 
 /// Why a file is not a budget.
 #[derive(Debug, Clone, PartialEq, Say)]
@@ -188,33 +200,36 @@ struct Given {
     kind: Option<KindName>,
     half_width_um: Number,
     half_width_k: Number,
+    half_width_per_k: Number,
     standard_um: Number,
     standard_k: Number,
+    standard_per_k: Number,
     expanded_um: Number,
     expanded_k: Number,
+    expanded_per_k: Number,
     k: Number,
     resolution_um: Number,
     alpha_per_k: Number,
+    delta_k: Number,
     sensitivity: Number,
     degrees_of_freedom: Number,
     touches: Option<Spanned<u32>>,
     step_deg: Number,
 }
 
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-enum KindName {
-    Scatter,
-    PartTemperature,
-    ScaleTemperature,
-    Resolution,
-}
-
 impl Budget {
+    /// Whether a text, or the beginning of one, is a budget: one with `[[contribution]]` tables or a table `[calibrated]`.
+    pub fn is_file(text: &str) -> bool {
+        text.lines().any(|line| {
+            let line: String = line.chars().filter(|character| !character.is_whitespace()).collect();
+            line.starts_with("[[contribution]]") || line.starts_with("[calibrated]")
+        })
+    }
+
     /// Reads a file.
     ///
     /// # Errors
-    /// [`BudgetError`] with the line.
+    /// [`BudgetError`] with line and column.
     pub fn read(text: &str) -> Result<Self, Located<BudgetError>> {
         let of_file = |what| Located { what, place: Place::default() };
         if LARGEST < text.len() {
@@ -222,13 +237,13 @@ impl Budget {
         }
         let text = text.strip_prefix('\u{feff}').unwrap_or(text);
         let file: File = toml::from_str(text).map_err(|error| {
-            let said = bounded(&plain(&error, text));
-            Located::in_line(line_at(text, error.span().map_or(0, |span| span.start)), BudgetError::Toml { said })
+            let said = told(&plain(&error, text));
+            refused(text, error.span().map_or(0, |span| span.start), BudgetError::Toml { said })
         })?;
         let (date, valid_until) = (day("date", &file.date, text)?, day("valid_until", &file.valid_until, text)?);
         if valid_until < date {
             let what = BudgetError::Days { date: date.to_string(), until: valid_until.to_string() };
-            return Err(Located::in_line(line_at(text, file.valid_until.span().start), what));
+            return Err(refused(text, file.valid_until.span().start, what));
         }
         let basis = match (&file.calibrated, file.contribution.as_slice()) {
             (Some(piece), []) => Basis::Calibrated(calibrated(piece, text)?),
@@ -243,11 +258,20 @@ impl Budget {
     }
 }
 
+/// The TOML reader's message. What was given is cut off where it is very long, and what is allowed is whole.
+fn told(said: &str) -> String {
+    const ALLOWED: &str = ", expected one of ";
+    match said.rsplit_once(ALLOWED) {
+        Some((given, allowed)) => format!("{}{ALLOWED}{}", bounded(given), shortened(allowed, LONGEST_LIST)),
+        None => bounded(said),
+    }
+}
+
 /// A text with something in it.
 fn filled(key: &'static str, given: &Spanned<String>, text: &str) -> Result<String, Refusal> {
     let said = given.get_ref().trim();
     if said.is_empty() {
-        return Err(Located::in_line(line_at(text, given.span().start), BudgetError::Empty { key }));
+        return Err(refused(text, given.span().start, BudgetError::Empty { key }));
     }
     Ok(said.to_owned())
 }
@@ -260,10 +284,7 @@ fn day(key: &'static str, given: &Spanned<toml::Value>, text: &str) -> Result<ji
     };
     // Longer texts have a time, which would be passed over.
     let day = (said.len() == "2026-01-15".len()).then(|| said.parse().ok()).flatten();
-    day.ok_or_else(|| {
-        let what = BudgetError::Day { key, given: bounded(&said) };
-        Located::in_line(line_at(text, given.span().start), what)
-    })
+    day.ok_or_else(|| refused(text, given.span().start, BudgetError::Day { key, given: bounded(&said) }))
 }
 
 impl Given {
@@ -273,26 +294,31 @@ impl Given {
         let all = [
             ("half_width_um", &self.half_width_um),
             ("half_width_k", &self.half_width_k),
+            ("half_width_per_k", &self.half_width_per_k),
             ("standard_um", &self.standard_um),
             ("standard_k", &self.standard_k),
+            ("standard_per_k", &self.standard_per_k),
             ("expanded_um", &self.expanded_um),
             ("expanded_k", &self.expanded_k),
+            ("expanded_per_k", &self.expanded_per_k),
             ("k", &self.k),
             ("resolution_um", &self.resolution_um),
             ("alpha_per_k", &self.alpha_per_k),
+            ("delta_k", &self.delta_k),
             ("sensitivity", &self.sensitivity),
             ("degrees_of_freedom", &self.degrees_of_freedom),
             ("touches", &touches),
             ("step_deg", &self.step_deg),
         ];
-        let line = line_at(text, self.name.span().start);
-        let numbers = Numbers { text, line, table: &name, all: &all };
+        let numbers = Numbers { text, offset: self.name.span().start, table: &name, all: &all };
         let (law, u) = self.law_and_u(&numbers)?;
         let kind = match self.kind {
             None => Kind::Plain,
             Some(KindName::Resolution) => Kind::Resolution,
             Some(KindName::PartTemperature) => Kind::PartTemperature(numbers.needed("alpha_per_k", 0.0, ALPHA)?),
             Some(KindName::ScaleTemperature) => Kind::ScaleTemperature(numbers.needed("alpha_per_k", 0.0, ALPHA)?),
+            Some(KindName::PartExpansion) => Kind::PartExpansion(numbers.needed("delta_k", -DEGREES, DEGREES)?),
+            Some(KindName::ScaleExpansion) => Kind::ScaleExpansion(numbers.needed("delta_k", -DEGREES, DEGREES)?),
             Some(KindName::Scatter) => Kind::Scatter(self.geometry(&numbers)?),
         };
         let sensitivity = numbers.within("sensitivity", -FAR, FAR)?.unwrap_or(1.0);
@@ -307,44 +333,30 @@ impl Given {
         if self.kind == Some(KindName::Resolution) {
             if self.law.is_some_and(|law| law != Law::Rectangular) {
                 let what = BudgetError::ResolutionLaw { table: numbers.table.to_owned() };
-                return Err(Located::in_line(numbers.line, what));
+                return Err(refused(numbers.text, numbers.offset, what));
             }
             numbers.only(&["resolution_um", "sensitivity", "degrees_of_freedom"])?;
             let step = numbers.needed("resolution_um", 0.0, FAR)?;
             return Ok((Law::Rectangular, step / 2.0 / Law::Rectangular.divisor()));
         }
         let law = self.law.ok_or_else(|| numbers.missing("law"))?;
-        let is_temperature = matches!(self.kind, Some(KindName::PartTemperature | KindName::ScaleTemperature));
-        let [standard, expanded, half_width] = if is_temperature {
-            ["standard_k", "expanded_k", "half_width_k"]
-        } else {
-            ["standard_um", "expanded_um", "half_width_um"]
-        };
-        let by_kind: &[&str] = match self.kind {
-            Some(KindName::Scatter) => &["touches", "step_deg"],
-            Some(_) => &["alpha_per_k"],
-            None => &[],
-        };
+        let Keys { standard, expanded, half_width, normal, unit, most } = *KindName::keys(self.kind);
         let by_law: &[&str] = match law {
             Law::Normal if numbers.has(standard) => &[standard],
             Law::Normal => &[standard, expanded, "k"],
             _ => &[half_width],
         };
-        numbers.only(&[by_law, by_kind, &always].concat())?;
+        numbers.only(&[by_law, KindName::besides(self.kind), &always].concat())?;
         let u = if law != Law::Normal {
-            numbers.needed(half_width, 0.0, FAR)? / law.divisor()
-        } else if let Some(u) = numbers.within(standard, 0.0, FAR)? {
+            numbers.needed(half_width, 0.0, most)? / law.divisor()
+        } else if let Some(u) = numbers.within(standard, 0.0, most)? {
             u
-        } else if let Some(expanded) = numbers.within(expanded, 0.0, FAR)? {
+        } else if let Some(expanded) = numbers.within(expanded, 0.0, most)? {
             expanded / numbers.needed("k", 1.0, 10.0)?
         } else {
-            return Err(numbers.missing(if is_temperature {
-                "standard_k, or expanded_k with k"
-            } else {
-                "standard_um, or expanded_um with k"
-            }));
+            return Err(numbers.missing(normal));
         };
-        Ok((law, u))
+        Ok((law, u * unit))
     }
 
     fn geometry(&self, numbers: &Numbers<'_>) -> Result<Option<Geometry>, Refusal> {
@@ -357,7 +369,7 @@ impl Given {
         let geometry = Geometry::steps(*touches.get_ref(), *step.get_ref());
         geometry.map(Some).map_err(|error| {
             let what = BudgetError::Geometry { table: numbers.table.to_owned(), error };
-            Located::in_line(line_at(numbers.text, touches.span().start), what)
+            refused(numbers.text, touches.span().start, what)
         })
     }
 }

@@ -6,6 +6,7 @@
 //! | here | a budget, its contributions, and on which days it is valid |
 //! | `file` | a budget as TOML: its keys and what is allowed |
 //! | `piece` | its table `[calibrated]` |
+//! | `kinds` | the kinds of contributions, and the keys that each has |
 //! | `numbers` | which keys a contribution has, and their ranges |
 //! | `geometry` | how contacts spread the scatter of a touch into the diameter |
 //! | `evaluation` | the table of contributions, combined and expanded uncertainty, what would help most |
@@ -22,6 +23,7 @@ mod coverage;
 mod evaluation;
 mod file;
 mod geometry;
+mod kinds;
 mod numbers;
 mod piece;
 
@@ -73,7 +75,7 @@ pub struct Contribution {
     pub law: Law,
     /// What it does to the diameter.
     pub kind: Kind,
-    /// Its standard uncertainty: kelvin for temperatures, otherwise micrometres.
+    /// Its standard uncertainty: kelvin for temperatures, µm/(m K) for expansions, otherwise micrometres.
     pub u: f64,
     /// By what it is multiplied besides what its kind says.
     pub sensitivity: f64,
@@ -147,6 +149,10 @@ pub enum Kind {
     PartTemperature(f64),
     /// The temperature of the machine's scales: the same with their expansion.
     ScaleTemperature(f64),
+    /// The expansion of the part per kelvin: multiplied by the size and by how far the temperature is from 20 °C.
+    PartExpansion(f64),
+    /// That of the machine's scales.
+    ScaleExpansion(f64),
     /// The step of the display, half of it to either side.
     Resolution,
 }
@@ -169,6 +175,18 @@ impl Validity {
             Self::Valid => "valid",
             Self::Expired => "expired",
             Self::NotYet => "not-yet-valid",
+        }
+    }
+}
+
+impl Kind {
+    /// Whether it depends on the measured size.
+    pub const fn grows_with_size(self) -> bool {
+        match self {
+            Self::PartTemperature(_) | Self::ScaleTemperature(_) | Self::PartExpansion(_) | Self::ScaleExpansion(_) => {
+                true
+            }
+            Self::Plain | Self::Scatter(_) | Self::Resolution => false,
         }
     }
 }

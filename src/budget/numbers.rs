@@ -3,8 +3,8 @@
 use toml::Spanned;
 
 use super::BudgetError;
-use crate::message::Located;
-use crate::probing::simulated::line_at;
+use crate::message::{Located, Place};
+use crate::probing::simulated::{column_at, line_at};
 
 /// The largest uncertainty, in micrometres or kelvin: a metre.
 pub(super) const FAR: f64 = 1e6;
@@ -12,18 +12,26 @@ pub(super) const FAR: f64 = 1e6;
 /// The largest expansion per kelvin: a mistaken unit is a million times as large.
 pub(super) const ALPHA: f64 = 0.001;
 
+/// The farthest that a temperature can be from 20 °C, in kelvin.
+pub(super) const DEGREES: f64 = 1_000.0;
+
 /// A number of a table, if it is there.
 pub(super) type Number = Option<Spanned<f64>>;
 
-/// A refusal with its line.
+/// A refusal with its place.
 pub(super) type Refusal = Located<BudgetError>;
+
+/// What is wrong at a place of a text, which counts bytes.
+pub(super) fn refused(text: &str, offset: usize, what: BudgetError) -> Refusal {
+    Located { what, place: Place::in_line(line_at(text, offset), column_at(text, offset)) }
+}
 
 /// The numbers of one table of a file.
 pub(super) struct Numbers<'t> {
     /// The whole file.
     pub(super) text: &'t str,
-    /// The first line of the table, for what is missing.
-    pub(super) line: usize,
+    /// Where the table is, for what is missing.
+    pub(super) offset: usize,
     /// What the table is called: the name of a contribution, or `[calibrated]`.
     pub(super) table: &'t str,
     /// Every key that such a table can have.
@@ -34,7 +42,7 @@ impl Numbers<'_> {
     fn get(&self, key: &str) -> Option<(f64, usize)> {
         let (_, number) = self.all.iter().find(|(known, _)| *known == key)?;
         let number = number.as_ref()?;
-        Some((*number.get_ref(), line_at(self.text, number.span().start)))
+        Some((*number.get_ref(), number.span().start))
     }
 
     /// Whether the key is there.
@@ -46,20 +54,20 @@ impl Numbers<'_> {
     pub(super) fn only(&self, allowed: &[&str]) -> Result<(), Refusal> {
         let mut others = self.all.iter().filter(|(key, _)| !allowed.contains(key));
         let found = others.find_map(|(key, _)| Some((key, self.get(key)?.1)));
-        found.map_or(Ok(()), |(key, line)| {
+        found.map_or(Ok(()), |(key, offset)| {
             let what = BudgetError::Key { table: self.table.to_owned(), key, allowed: allowed.join(", ") };
-            Err(Located::in_line(line, what))
+            Err(refused(self.text, offset, what))
         })
     }
 
     /// A number of a range, both ends included; `None` where it is not given.
     pub(super) fn within(&self, key: &'static str, least: f64, most: f64) -> Result<Option<f64>, Refusal> {
-        let Some((given, line)) = self.get(key) else { return Ok(None) };
+        let Some((given, offset)) = self.get(key) else { return Ok(None) };
         if (least..=most).contains(&given) {
             return Ok(Some(given));
         }
         let table = self.table.to_owned();
-        Err(Located::in_line(line, BudgetError::Range { table, key, given, least, most }))
+        Err(refused(self.text, offset, BudgetError::Range { table, key, given, least, most }))
     }
 
     /// The same where it must be given.
@@ -69,6 +77,6 @@ impl Numbers<'_> {
 
     /// What is missing.
     pub(super) fn missing(&self, keys: &'static str) -> Refusal {
-        Located::in_line(self.line, BudgetError::Missing { table: self.table.to_owned(), keys })
+        refused(self.text, self.offset, BudgetError::Missing { table: self.table.to_owned(), keys })
     }
 }

@@ -3,11 +3,9 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::numbers::{ALPHA, FAR, Number, Numbers, Refusal};
+use super::numbers::{ALPHA, FAR, Number, Numbers, Refusal, refused};
 use super::{BudgetError, Calibrated};
 use crate::length::Length;
-use crate::message::Located;
-use crate::probing::simulated::line_at;
 use crate::tolerance::Feature;
 
 /// A calibrated piece as it is written.
@@ -52,8 +50,7 @@ pub(super) fn calibrated(piece: &Spanned<Piece>, text: &str) -> Result<Calibrate
         ("u_alpha_per_k", &given.u_alpha_per_k),
         ("u_alpha_parts_per_k", &given.u_alpha_parts_per_k),
     ];
-    let line = line_at(text, given.x_cal_mm.span().start);
-    let numbers = Numbers { text, line, table: "[calibrated]", all: &all };
+    let numbers = Numbers { text, offset: given.x_cal_mm.span().start, table: "[calibrated]", all: &all };
     let size = length("x_cal_mm", &given.x_cal_mm, text)?;
     let u_cal = match (numbers.within("standard_um", 0.0, FAR)?, numbers.within("expanded_um", 0.0, FAR)?) {
         (Some(_), _) if numbers.has("expanded_um") || numbers.has("k") => {
@@ -97,8 +94,9 @@ pub(super) fn calibrated(piece: &Spanned<Piece>, text: &str) -> Result<Calibrate
 
 /// A length that a file gives as a number: exactly, or refused.
 fn length(key: &'static str, given: &Spanned<f64>, text: &str) -> Result<Length, Refusal> {
-    given.get_ref().to_string().parse().map_err(|error| {
-        let what = BudgetError::Length { key, error };
-        Located::in_line(line_at(text, given.span().start), what)
-    })
+    given
+        .get_ref()
+        .to_string()
+        .parse()
+        .map_err(|error| refused(text, given.span().start, BudgetError::Length { key, error }))
 }

@@ -156,7 +156,7 @@ impl eframe::App for App {
         self.keeper.frame(ctx, &mut self.session, &self.runner);
         // Nothing is lost without a question to the user.
         let closing = ctx.input(|input| input.viewport().close_requested());
-        if closing && !self.leaves && !self.session.unsaved_tables().is_empty() {
+        if closing && !self.leaves && !self.session.unsaved().is_empty() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             self.apply(ctx, vec![Command::AskToLeave]);
         }

@@ -9,7 +9,7 @@ use super::folder_list::{folder_list_ui, has_room};
 use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
 use crate::message::Message;
-use crate::session::{Action, Command, CycleFile, Dialog, FilesCommand, Notice, Page, Purpose};
+use crate::session::{Action, BudgetCommand, Command, CycleFile, Dialog, FilesCommand, Notice, Page, Purpose};
 
 /// Files dropped on the window are read, each as the open page uses it.
 fn dropped(ui: &Ui, view: &mut View<'_>) {
@@ -20,7 +20,8 @@ fn dropped(ui: &Ui, view: &mut View<'_>) {
             Page::Cycles if is_tools(file.path()) => Purpose::OpenTools,
             Page::Cycles => Purpose::OpenCycleFile(cycle_file(file.path())),
             Page::Program => program_file(file.path()),
-            Page::Check | Page::Fit | Page::Pairing | Page::Budget => Purpose::Import,
+            Page::Budget => budget_file(view, file.path()),
+            Page::Check | Page::Fit | Page::Pairing => Purpose::Import,
         };
         view.send(FilesCommand::Open(purpose, file.path().to_owned()));
     }
@@ -35,6 +36,15 @@ fn program_file(path: &Path) -> Purpose {
             Purpose::OpenCycleFile(CycleFile::Contacts)
         }
         _ => Purpose::OpenProgram,
+    }
+}
+
+/// What a file dropped on the budget page is: a budget by its ending, else readings where the budget asks for them.
+fn budget_file(view: &View<'_>, path: &Path) -> Purpose {
+    match cycle_file(path) {
+        CycleFile::Workpiece => Purpose::OpenBudget,
+        _ if view.session.budget().asks().readings => Purpose::OpenReadings,
+        _ => Purpose::Import,
     }
 }
 
@@ -59,6 +69,8 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
     let session = view.session;
     if view.session.is_leaving() {
         Modal::new(Id::unique("leaving")).show(ui, |ui| leaving_ui(ui, view));
+    } else if session.budget().is_asking() {
+        Modal::new(Id::unique("discarding")).show(ui, |ui| discarding_ui(ui, view));
     } else if let Some(dialog) = session.dialog() {
         Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, dialog));
     } else if let Some(notice) = view.session.notices().first().cloned() {
@@ -71,7 +83,7 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
 fn leaving_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.set_width(space(110.0));
     heading(ui, view.text("leave"));
-    let names = view.session.unsaved_tables().join(", ");
+    let names = view.session.unsaved().join(", ");
     ui.label(view.words.say(&Message::new("leave-unsaved").text("names", names)));
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = control(ui);
@@ -84,6 +96,27 @@ fn leaving_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         if ui.button(view.text("leave-anyway")).clicked() {
             view.send(Command::Leave(true));
+        }
+    });
+}
+
+/// Another budget takes the place of one with changes.
+fn discarding_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.set_width(space(110.0));
+    heading(ui, view.text("budget-page-discard"));
+    let name = view.session.budget().name();
+    ui.label(view.words.say(&Message::new("budget-page-unsaved").text("name", name)));
+    ui.horizontal(|ui| {
+        ui.spacing_mut().interact_size.y = control(ui);
+        let keep = ui.button(view.text("budget-page-discard-no"));
+        if just_opened(ui, Id::unique("discarding")) {
+            keep.request_focus();
+        }
+        if keep.clicked() {
+            view.send(BudgetCommand::Discard(false));
+        }
+        if ui.button(view.text("budget-page-discard-yes")).clicked() {
+            view.send(BudgetCommand::Discard(true));
         }
     });
 }
@@ -107,6 +140,9 @@ pub(super) const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::OpenTools => "tools-dialog-open",
         Purpose::SaveTools => "tools-dialog-save",
         Purpose::SaveTable(_) => "tables-dialog-save",
+        Purpose::OpenBudget | Purpose::UseBudget => "budget-page-dialog-open",
+        Purpose::SaveBudget => "budget-page-dialog-save",
+        Purpose::OpenReadings => "budget-page-dialog-readings",
     }
 }
 

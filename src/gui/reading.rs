@@ -18,8 +18,8 @@ use crate::nc::program::ProgramWarning;
 use crate::probing::simulated::{Part, Simulation};
 use crate::session::program::Document;
 use crate::session::{
-    CheckCommand, Command, CycleFile, CyclesCommand, ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand,
-    WorkpieceCommand,
+    BothSizes, BudgetCommand, CheckCommand, Command, CycleFile, CyclesCommand, ProgramCommand, Purpose, RowsCommand,
+    TablesCommand, ToolsCommand, WorkpieceCommand,
 };
 use crate::tolerance::{DeviationTable, Sources};
 
@@ -37,6 +37,8 @@ pub(super) const fn is_read(command: &Command) -> bool {
         Command::Workpiece(WorkpieceCommand::PartRead { result, .. }) => result.is_ok(),
         Command::Cycles(CyclesCommand::ProbesRead { result, .. }) => result.is_ok(),
         Command::Tools(ToolsCommand::Read { result, .. }) => result.is_ok(),
+        Command::Budget(BudgetCommand::Read { result, .. } | BudgetCommand::UsedRead { result, .. }) => result.is_ok(),
+        Command::Budget(BudgetCommand::ReadingsRead { result, .. }) => result.is_ok(),
         _ => false,
     }
 }
@@ -62,6 +64,9 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: Date
             CyclesCommand::ProbesRead { name, result: read_probes(&path) }.into()
         }
         Purpose::OpenTools => ToolsCommand::Read { name, result: read_tools(&path) }.into(),
+        Purpose::OpenBudget => BudgetCommand::Read { result: read_text(&path), path }.into(),
+        Purpose::UseBudget => BudgetCommand::UsedRead { result: read_text(&path), path }.into(),
+        Purpose::OpenReadings => BudgetCommand::ReadingsRead { result: read_readings(&path), name }.into(),
         // These purposes write files.
         _ => Command::Picked(None),
     }
@@ -129,6 +134,16 @@ fn read_workpiece(path: &Path, name: String) -> WorkpieceCommand {
     // Impossible figures are said now, and not in the middle of a run.
     let result = result.and_then(|part| part.machine().map(|_| Box::new(part)).map_err(|error| error.message()));
     WorkpieceCommand::PartRead { name, result }
+}
+
+fn read_text(path: &Path) -> Result<String, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    Ok(decode(&bytes).into_owned())
+}
+
+fn read_readings(path: &Path) -> Result<Box<BothSizes>, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    Ok(Box::new(BothSizes::read(&name(path), &bytes)))
 }
 
 fn read_tools(path: &Path) -> Result<Box<ToolTable>, Message> {

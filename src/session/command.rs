@@ -76,7 +76,7 @@ pub enum Command {
     Confirm,
     /// Closes the dialog or the oldest notice.
     Close,
-    /// Asks whether the window may be closed: at once, unless a table has unsaved changes.
+    /// Asks whether the window may be closed: at once, unless a table or a budget has unsaved changes.
     AskToLeave,
     /// Closes the window without saving, or keeps it open.
     Leave(bool),
@@ -158,6 +158,14 @@ pub enum Purpose {
     OpenTools,
     /// Writing the tool table as a run has changed it.
     SaveTools,
+    /// Reading an uncertainty budget.
+    OpenBudget,
+    /// Reading the budget that checks used the last time.
+    UseBudget,
+    /// Writing the budget of the budget page.
+    SaveBudget,
+    /// Reading readings of a calibrated piece.
+    OpenReadings,
 }
 
 impl Purpose {
@@ -169,7 +177,8 @@ impl Purpose {
             | Self::SaveTable(_)
             | Self::SaveWorkpiece
             | Self::SaveCycleLog
-            | Self::SaveTools => false,
+            | Self::SaveTools
+            | Self::SaveBudget => false,
             Self::Import
             | Self::LoadMask
             | Self::LoadTables
@@ -177,7 +186,10 @@ impl Purpose {
             | Self::OpenCycleFile(_)
             | Self::OpenProgram
             | Self::OpenPart
-            | Self::OpenTools => true,
+            | Self::OpenTools
+            | Self::OpenBudget
+            | Self::UseBudget
+            | Self::OpenReadings => true,
         }
     }
 }

@@ -96,6 +96,7 @@ impl Session {
             Purpose::SaveCycleLog => self.cycles.log().map_or_else(String::new, |log| log.name.clone()),
             Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
             Purpose::SaveTools => self.tools().map_or_else(String::new, |tools| tools.name.clone()),
+            Purpose::SaveBudget => self.budget.name(),
             _ => String::new(),
         };
         self.shared.open_dialog(purpose, path);
@@ -178,6 +179,7 @@ impl Session {
             Purpose::Export(format) => self.export(format, now)?,
             Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?.into(),
             Purpose::SaveTools => self.tools_bytes()?.into(),
+            Purpose::SaveBudget => self.budget.bytes(&path).into(),
             Purpose::SaveCycleLog => {
                 let log = self.cycles.log().ok_or_else(|| Message::new("cycles-no-log"))?;
                 log.bytes.clone().into()
@@ -257,6 +259,7 @@ impl Session {
         let purpose = dialog.as_ref().map(|dialog| dialog.purpose);
         if result.is_err() {
             self.tables.not_saved(path);
+            self.budget.not_saved(path);
         }
         let result = match (result, dialog) {
             // The user is asked, or taken to the folder whose name was typed.
@@ -268,6 +271,7 @@ impl Session {
             return;
         }
         self.tables.saved(path);
+        self.budget.saved(path, &self.shared);
         if let Some(purpose) = purpose {
             self.shared.places.used(purpose, path);
         }

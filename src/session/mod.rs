@@ -60,7 +60,10 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 pub use action::Action;
-pub use budget::{BudgetCommand, BudgetField, BudgetPage, OpenBudget};
+pub use budget::{
+    Asks, Bar, BothSizes, BudgetCommand, BudgetField, BudgetPage, OpenBudget, Readings, TakenContacts, UseOf, advice,
+    bars,
+};
 pub use check::{
     Asked, CheckCommand, CheckField, CheckPage, Judging, Lot, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
 };
@@ -113,8 +116,8 @@ impl Session {
         Self::restore(Saved { language, ..Saved::default() }).0
     }
 
-    /// A session from what was saved. The tables' folder is read by the effect that comes with it; until its answer
-    /// comes, nothing is judged by a class.
+    /// A session from what was saved. The tables' folder and the budget that checks used are read by the effects that come
+    /// with it; until the answer of the first comes, nothing is judged by a class.
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
         let mut shared = Shared::new(saved.language, saved.theme);
         shared.keypad = saved.keypad;
@@ -132,10 +135,12 @@ impl Session {
             tables: TablesPage::new(&saved.inputs),
             program: ProgramPage::default(),
             pairing: PairingPage::new(&saved.inputs),
-            budget: BudgetPage::new(&saved.inputs),
+            budget: BudgetPage::new(&saved.inputs, saved.budget.clone()),
             shared,
         };
-        (session, saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder)).into_iter().collect())
+        let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));
+        let budget = saved.budget.map(|path| Effect::Read(Purpose::UseBudget, path));
+        (session, tables.into_iter().chain(budget).collect())
     }
 
     /// What survives a restart.
@@ -149,6 +154,7 @@ impl Session {
             density: self.shared.density,
             // A path that is not text cannot be written.
             tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
+            budget: self.budget.used_file().cloned().filter(|path| path.to_str().is_some()),
             source: self.shared.sources.base(),
             standard: self.shared.sources.options(),
             inputs: SavedInputs {
@@ -171,6 +177,7 @@ impl Session {
             self.shared.answered = None;
             return effects;
         }
+        self.budget.see_day(now.date());
         let shared = &mut self.shared;
         let mut effects = match command {
             Command::Check(command) => self.check.apply(command, shared, now),
@@ -240,7 +247,9 @@ impl Session {
             Command::Picked(path) => return self.picked(path.as_deref(), now),
             Command::Confirm => return self.confirm(now),
             Command::Close => self.close(),
-            Command::AskToLeave if self.tables.unsaved().next().is_none() => return vec![Effect::Leave],
+            Command::AskToLeave if self.tables.unsaved().next().is_none() && !self.budget.is_unsaved() => {
+                return vec![Effect::Leave];
+            }
             Command::AskToLeave => shared.leaving = true,
             Command::Leave(false) => shared.leaving = false,
             Command::Leave(true) => return vec![Effect::Leave],

@@ -3,13 +3,13 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::Session;
 use super::command::{Density, Page, Theme};
 use super::cycles::WorkpieceForm;
 use super::files::{Dialog, RecentFile};
 use super::history::History;
 use super::shared::{MaskChoice, Notice};
 use super::workpiece::{OpenPart, RecordedContacts};
-use super::{Session, tables};
 use crate::control::mask::Mask;
 use crate::message::Message;
 use crate::tolerance::fit::materials::Materials;
@@ -146,9 +146,10 @@ impl Session {
         self.shared.tell(message);
     }
 
-    /// The names of tables with unsaved changes.
-    pub fn unsaved_tables(&self) -> Vec<&str> {
-        self.tables.unsaved().map(tables::Document::title).collect()
+    /// The names of tables and of a budget with unsaved changes.
+    pub fn unsaved(&self) -> Vec<String> {
+        let tables = self.tables.unsaved().map(|document| document.title().to_owned());
+        tables.chain(self.budget.is_unsaved().then(|| self.budget.name())).collect()
     }
 
     /// The user's own tables that are not open yet: number among [`Sources::own`], and table.

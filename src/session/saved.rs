@@ -31,6 +31,8 @@ pub struct Saved {
     pub density: Density,
     /// The folder of the user's own tables.
     pub tables_folder: Option<PathBuf>,
+    /// The file of the budget that checks use.
+    pub budget: Option<PathBuf>,
     /// What limits are looked up in after the user's own tables.
     pub source: Base,
     /// Where editions of ISO 286 differ.
@@ -98,6 +100,7 @@ impl Default for Saved {
             keypad: false,
             density: Density::default(),
             tables_folder: None,
+            budget: None,
             source: Base::default(),
             standard: iso286::Options::default(),
             inputs: SavedInputs::default(),

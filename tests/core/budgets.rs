@@ -152,8 +152,9 @@ fn the_end_gauge_of_the_gum_has_its_figures() {
             nm / 1_000.0
         )
     };
-    let expansion = "[[contribution]]\nname = \"difference of expansion\"\ntype = \"B\"\nlaw = \"normal\"\nstandard_um = 0.58\n\
-         sensitivity = 0.005\ndegrees_of_freedom = 50\n";
+    // δα within ±1e-6 per kelvin, at −0.1 K.
+    let expansion = "[[contribution]]\nname = \"difference of expansion\"\nkind = \"part-expansion\"\ntype = \"B\"\n\
+         law = \"rectangular\"\nhalf_width_per_k = 1e-6\ndelta_k = -0.1\ndegrees_of_freedom = 50\n";
     let temperature = "[[contribution]]\nname = \"difference of temperature\"\nkind = \"part-temperature\"\ntype = \"B\"\n\
          law = \"rectangular\"\nhalf_width_k = 0.05\nalpha_per_k = 11.5e-6\ndegrees_of_freedom = 2\n";
     let tables = [
@@ -165,7 +166,8 @@ fn the_end_gauge_of_the_gum_has_its_figures() {
         temperature.to_owned(),
     ];
     let found = Evaluation::of(&contributions(&tables.concat()), &at("50.000838", None)).unwrap();
-    near(found.rows[4].contribution, 0.0029, 1e-9);
+    near(found.rows[4].u, 0.577, 0.0005);
+    near(found.rows[4].contribution, 0.0029, 5e-5);
     near(found.rows[5].contribution, 0.0166, 5e-5);
     assert_eq!(format!("{:.0}", found.u * 1_000.0), "32");
     let degrees = found.degrees_of_freedom.unwrap();
@@ -176,6 +178,35 @@ fn the_end_gauge_of_the_gum_has_its_figures() {
     near(0.0318 * student(Some(16.0), 0.99), 0.093, 0.0005);
     near(student(Some(15.78), 0.95), 2.122, 0.0005);
     near(32.0 * student(Some(15.78), 0.95), 68.0, 0.5);
+}
+
+/// u(alpha) · D · (T − 20): 0.5e-6 per kelvin, 100 mm and 4 K are 0.2 µm, whatever it is that expands and however it is given.
+#[test]
+fn the_uncertainty_of_an_expansion_counts_by_size_and_temperature() {
+    let laws = [
+        ("normal", "standard_per_k = 0.5e-6"),
+        ("normal", "expanded_per_k = 1e-6\nk = 2"),
+        ("rectangular", "half_width_per_k = 0.866025e-6"),
+        ("triangular", "half_width_per_k = 1.224745e-6"),
+        ("u-shaped", "half_width_per_k = 0.707107e-6"),
+    ];
+    for kind in ["part-expansion", "scale-expansion"] {
+        for (law, keys) in laws {
+            for delta in ["4", "-4.0"] {
+                let table = format!(
+                    "[[contribution]]\nname = \"alpha\"\nkind = \"{kind}\"\ntype = \"B\"\nlaw = \"{law}\"\n{keys}\n\
+                     delta_k = {delta}\n"
+                );
+                let found = Evaluation::of(&contributions(&table), &at("100", None)).unwrap();
+                near(found.u, 0.2, 1e-6);
+                assert_eq!((found.rows[0].unit, found.rows[0].geometry), ("µm/(m K)", None));
+                near(found.rows[0].u, 0.5, 1e-6);
+                near(found.rows[0].sensitivity.abs(), 0.4, 1e-12);
+                let error = Evaluation::of(&contributions(&table), &Conditions::default()).unwrap_err();
+                assert_eq!(error.to_string(), "alpha depends on the size, and no size is given");
+            }
+        }
+    }
 }
 
 /// JCGM 100, table G.2, the column of 95.45 %.
@@ -296,66 +327,71 @@ fn a_budget_says_what_it_needs() {
 #[test]
 fn wrong_files_are_refused_with_line_and_what_is_allowed() {
     let with = |keys: &str| format!("{HEAD}[[contribution]]\nname = \"a\"\ntype = \"B\"\n{keys}\n");
-    let piece = |keys: &str| format!("{HEAD}[calibrated]\nx_cal_mm = 30\n{keys}\n");
     let cases = [
         (HEAD.to_owned(), "a budget needs either [[contribution]] tables or one [calibrated] table"),
-        (with("law = \"normal\""), "line 6: a: standard_um, or expanded_um with k is missing"),
-        (with("law = \"normal\"\nexpanded_um = 1"), "line 6: a: k is missing"),
-        (with("standard_um = 1"), "line 6: a: law is missing"),
-        (with("law = \"rectangular\"\nhalf_width_um = -1"), "line 9: a: half_width_um is -1: expected 0 to 1000000"),
-        (with("law = \"rectangular\"\nhalf_width_um = nan"), "line 9: a: half_width_um is NaN: expected 0 to 1000000"),
+        (with("law = \"normal\""), "line 6, column 8: a: standard_um, or expanded_um with k is missing"),
+        (with("law = \"normal\"\nexpanded_um = 1"), "line 6, column 8: a: k is missing"),
+        (with("standard_um = 1"), "line 6, column 8: a: law is missing"),
+        (
+            with("law = \"rectangular\"\nhalf_width_um = -1"),
+            "line 9, column 17: a: half_width_um is -1: expected 0 to 1000000",
+        ),
+        (
+            with("law = \"rectangular\"\nhalf_width_um = nan"),
+            "line 9, column 17: a: half_width_um is NaN: expected 0 to 1000000",
+        ),
         (
             with("law = \"rectangular\"\nstandard_um = 1"),
-            "line 9: a: standard_um is not used here: the allowed keys are half_width_um, sensitivity, degrees_of_freedom",
+            "line 9, column 15: a: standard_um is not used here: the allowed keys are half_width_um, sensitivity, degrees_of_freedom",
         ),
         (
             with("law = \"normal\"\nstandard_um = 1\nk = 2"),
-            "line 10: a: k is not used here: the allowed keys are standard_um, sensitivity, degrees_of_freedom",
+            "line 10, column 5: a: k is not used here: the allowed keys are standard_um, sensitivity, degrees_of_freedom",
         ),
-        (with("law = \"normal\"\nexpanded_um = 1\nk = 0.5"), "line 10: a: k is 0.5: expected 1 to 10"),
+        (with("law = \"normal\"\nexpanded_um = 1\nk = 0.5"), "line 10, column 5: a: k is 0.5: expected 1 to 10"),
         (
             with("law = \"normal\"\nstandard_um = 1\ndegrees_of_freedom = 0"),
-            "line 10: a: degrees_of_freedom is 0: expected 1 to inf",
+            "line 10, column 22: a: degrees_of_freedom is 0: expected 1 to inf",
         ),
         (
             with("kind = \"part-temperature\"\nlaw = \"normal\"\nstandard_k = 1\nalpha_per_k = 11.5"),
-            "line 11: a: alpha_per_k is 11.5: expected 0 to 0.001",
+            "line 11, column 15: a: alpha_per_k is 11.5: expected 0 to 0.001",
         ),
         (
             with("kind = \"resolution\"\nlaw = \"triangular\"\nresolution_um = 1"),
-            "line 6: a: a resolution is rectangular: expected law = \"rectangular\" or no law",
+            "line 6, column 8: a: a resolution is rectangular: expected law = \"rectangular\" or no law",
         ),
         (
             with("kind = \"scatter\"\nlaw = \"normal\"\nstandard_um = 1\ntouches = 2\nstep_deg = 90"),
-            "line 11: a: 2 touches: expected 3 to 1000",
+            "line 11, column 11: a: 2 touches: expected 3 to 1000",
         ),
         (
             with("kind = \"scatter\"\nlaw = \"normal\"\nstandard_um = 1\ntouches = 4\nstep_deg = 120"),
-            "line 11: a: 4 touches at 120 degrees: expected a step of 0.01 to 90 degrees",
+            "line 11, column 11: a: 4 touches at 120 degrees: expected a step of 0.01 to 90 degrees",
         ),
-        (with("kind = \"scatter\"\nlaw = \"normal\"\nstandard_um = 1\ntouches = 4"), "line 6: a: step_deg is missing"),
+        (
+            with("kind = \"scatter\"\nlaw = \"normal\"\nstandard_um = 1\ntouches = 4"),
+            "line 6, column 8: a: step_deg is missing",
+        ),
         (
             with("law = \"gaussian\""),
-            "line 8: unknown variant `gaussian`, expected one of `normal`, `rectangular`, `u-shaped`, `triangular`",
+            "line 8, column 7: unknown variant `gaussian`, expected one of `normal`, `rectangular`, `u-shaped`, `triangular`",
         ),
-        (HEAD.replace("2027-01-14", "2025-12-31"), "line 4: valid_until 2025-12-31 is before date 2026-01-15"),
-        (HEAD.replace("2026-01-15", "\"15.01.2026\""), "line 2: date: 15.01.2026 is not a day: expected YYYY-MM-DD"),
+        (
+            HEAD.replace("2027-01-14", "2025-12-31"),
+            "line 4, column 15: valid_until 2025-12-31 is before date 2026-01-15",
+        ),
+        (
+            HEAD.replace("2026-01-15", "\"15.01.2026\""),
+            "line 2, column 8: date: 15.01.2026 is not a day: expected YYYY-MM-DD",
+        ),
         (
             HEAD.replace("2026-01-15", "2026-01-15T10:00:00"),
-            "line 2: date: 2026-01-15T10:00:00 is not a day: expected YYYY-MM-DD",
+            "line 2, column 8: date: 2026-01-15T10:00:00 is not a day: expected YYYY-MM-DD",
         ),
         (
             with("law = \"rectangular\"\nhalf_width_um = 1").replace("J. Jansen", " "),
-            "line 3: by is empty: expected a text",
-        ),
-        (piece("u_b_um = 0\nu_w_um = 0"), "line 6: [calibrated]: standard_um, or expanded_um with k is missing"),
-        (
-            piece("standard_um = 0.3\nu_w_um = 0"),
-            "line 6: [calibrated]: u_b_um, or u_alpha_per_k with temperature_c is missing",
-        ),
-        (
-            piece("standard_um = 0.3\nu_alpha_per_k = 1e-6\nu_w_um = 0"),
-            "line 6: [calibrated]: temperature_c is missing",
+            "line 3, column 6: by is empty: expected a text",
         ),
     ];
     for (file, wanted) in cases {
@@ -363,9 +399,60 @@ fn wrong_files_are_refused_with_line_and_what_is_allowed() {
         assert_eq!(error, wanted, "{file}");
     }
     let error = Budget::read(&with("law = \"normal\"\nstandard = 1")).unwrap_err().to_string();
-    assert!(error.starts_with("line 9: unknown field `standard`, expected one of"), "{error}");
+    assert!(error.starts_with("line 9, column 1: unknown field `standard`, expected one of"), "{error}");
+}
+
+#[test]
+fn wrong_pieces_are_refused_with_place_and_what_is_missing() {
+    let piece = |keys: &str| format!("{HEAD}[calibrated]\nx_cal_mm = 30\n{keys}\n");
+    let cases = [
+        (
+            piece("u_b_um = 0\nu_w_um = 0"),
+            "line 6, column 12: [calibrated]: standard_um, or expanded_um with k is missing",
+        ),
+        (
+            piece("standard_um = 0.3\nu_w_um = 0"),
+            "line 6, column 12: [calibrated]: u_b_um, or u_alpha_per_k with temperature_c is missing",
+        ),
+        (
+            piece("standard_um = 0.3\nu_alpha_per_k = 1e-6\nu_w_um = 0"),
+            "line 6, column 12: [calibrated]: temperature_c is missing",
+        ),
+    ];
+    for (file, wanted) in cases {
+        let error = Budget::read(&file).expect_err(wanted).to_string();
+        assert_eq!(error, wanted, "{file}");
+    }
     let error = Budget::read(&piece("standard_um = 1\nexpanded_um = 2\nk = 2\nu_b_um = 0\nu_w_um = 0")).unwrap_err();
-    assert!(error.to_string().starts_with("line 8: [calibrated]: expanded_um is not used here"), "{error}");
+    assert!(error.to_string().starts_with("line 8, column 15: [calibrated]: expanded_um is not used here"), "{error}");
+}
+
+#[test]
+fn wrong_expansions_are_refused_with_place_and_what_is_allowed() {
+    let with = |keys: &str| format!("{HEAD}[[contribution]]\nname = \"a\"\ntype = \"B\"\n{keys}\n");
+    let cases = [
+        (
+            with("kind = \"part-expansion\"\nlaw = \"normal\"\nstandard_per_k = 1.0\ndelta_k = 4"),
+            "line 10, column 18: a: standard_per_k is 1: expected 0 to 0.001",
+        ),
+        (
+            with("kind = \"part-expansion\"\nlaw = \"normal\"\nstandard_k = 1e-6\ndelta_k = 4"),
+            "line 10, column 14: a: standard_k is not used here: the allowed keys are standard_per_k, expanded_per_k, k, delta_k, \
+             sensitivity, degrees_of_freedom",
+        ),
+        (
+            with("kind = \"scale-expansion\"\nlaw = \"normal\"\nstandard_per_k = 1e-6"),
+            "line 6, column 8: a: delta_k is missing",
+        ),
+        (
+            with("kind = \"scale-expansion\"\nlaw = \"normal\"\ndelta_k = 3"),
+            "line 6, column 8: a: standard_per_k, or expanded_per_k with k is missing",
+        ),
+    ];
+    for (file, wanted) in cases {
+        let error = Budget::read(&file).expect_err(wanted).to_string();
+        assert_eq!(error, wanted, "{file}");
+    }
 }
 
 proptest! {

@@ -81,6 +81,7 @@ mod run_cli;
 mod run_doubts;
 mod session;
 mod session_actions;
+mod session_budget;
 mod session_cycles;
 mod session_files;
 mod session_filter;

@@ -223,6 +223,16 @@ fn keys_of_the_table_page() {
 }
 
 #[test]
+fn keys_of_the_budget_page() {
+    let mut pair = Pair::on(Page::Budget);
+    pair.press_all();
+    pair.press_all();
+    for name in ["NewBudget", "OpenBudget", "SaveBudget"] {
+        assert!(pair.done.iter().any(|done| done.starts_with(name)), "{name} was never possible");
+    }
+}
+
+#[test]
 fn keys_of_the_program_page() {
     let mut pair = Pair::on(Page::Program);
     pair.press_all();

@@ -3,6 +3,7 @@
 #![cfg(test)]
 
 mod actions;
+mod budget_page;
 mod check_page;
 mod cycle_page;
 mod dialogs;

@@ -9,7 +9,7 @@ use egui_kittest::kittest::Queryable as _;
 use egui_kittest::{Harness, SnapshotOptions};
 use fitcheck::gui::App;
 use fitcheck::session::{
-    CheckCommand, CheckField, Command, CycleFile, FilesCommand, MeasureBy, Page, ProgramCommand, Purpose,
+    BudgetCommand, CheckCommand, CheckField, Command, CycleFile, FilesCommand, MeasureBy, Page, ProgramCommand, Purpose,
 };
 use fitcheck::verdict::rules::RuleName;
 
@@ -156,4 +156,14 @@ fn every_picture_of_the_readme_is_taken_by_a_test() {
             .count(),
         "a picture that nobody shows"
     );
+}
+
+#[test]
+fn a_budget() {
+    taken("budget", Theme::Light, DESK, |window| {
+        let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/corpus/inputs/station3.toml");
+        send(window, FilesCommand::Open(Purpose::OpenBudget, path));
+        send(window, BudgetCommand::Use);
+        send(window, Command::Close);
+    });
 }

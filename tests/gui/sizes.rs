@@ -13,7 +13,8 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::message::Bundle;
 use fitcheck::session::{
-    CheckCommand, CheckField, Command, CyclesCommand, Field, FitField, MeasureBy, Page, ProgramCommand,
+    BudgetCommand, BudgetField, CheckCommand, CheckField, Command, CyclesCommand, Field, FitField, MeasureBy, Page,
+    ProgramCommand,
 };
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
@@ -253,7 +254,12 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
             send(&mut window, ProgramCommand::Run);
             window.run_steps(20);
         }
-        Page::Check | Page::Tables | Page::Pairing | Page::Budget => {}
+        Page::Budget => {
+            send(&mut window, BudgetCommand::New);
+            typed(&mut window, BudgetField::Touches, "3");
+            typed(&mut window, BudgetField::Step, "60");
+        }
+        Page::Check | Page::Tables | Page::Pairing => {}
     }
     paint(&mut window, &what);
     if page != Page::Tables && page != Page::Program {
@@ -262,7 +268,7 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
     faults(&window, tongue, &what)
 }
 
-const OTHER_PAGES: [Page; 4] = [Page::Fit, Page::Cycles, Page::Program, Page::Tables];
+const OTHER_PAGES: [Page; 5] = [Page::Fit, Page::Cycles, Page::Program, Page::Tables, Page::Budget];
 
 #[test]
 fn the_check_page_at_every_size() {

@@ -1,1 +1,130 @@
 page-budget = Budget
+
+budget-page-text = Budget as TOML
+budget-page-none = Begin a new budget, or open one
+budget-page-new = New budget
+budget-page-open = Open budget…
+budget-page-save = Save budget as…
+budget-page-dialog-open = Open a budget
+budget-page-dialog-save = Save the budget
+budget-page-dialog-readings = Readings of the calibrated piece
+budget-page-not-saved = { $name }, not saved
+budget-page-discard = Discard the changes?
+budget-page-unsaved = Not saved: { $name }
+budget-page-discard-no = Keep editing
+budget-page-discard-yes = Discard changes
+
+budget-page-for = Evaluated for
+budget-page-size = Measured size
+budget-page-contacts = Contacts
+budget-page-touches = Number of contacts
+budget-page-step = Step
+budget-page-contacts-hint = Empty: the contacts of the budget
+budget-page-day = Day
+budget-page-day-hint = Day empty: today, { $day }
+budget-page-no-day = { $given } is not a day: expected YYYY-MM-DD
+budget-page-other-missing = Missing: give both the number of contacts and the step, or neither
+budget-page-take-check = Of the shown check
+budget-page-take-recorded = Recorded contacts
+budget-page-own-contacts = Of the budget
+budget-page-of-check = { $count } contacts of the check { $what }, { $time }
+budget-page-of-simulated-check = { $count } contacts of the check { $what }, { $time }, simulated
+budget-page-of-recorded = { $count } recorded contacts of { $name }
+budget-page-contacts-used = { $count } contacts, factor { $factor }
+budget-page-contacts-stepped = { $count } contacts at { $step }°, factor { $factor }
+budget-page-no-circle = The contacts are not used: { $problem }
+
+budget-page-readings = Readings
+budget-page-open-readings = From a file…
+budget-page-take-readings = From the history
+budget-page-own-readings = Of the budget
+budget-page-readings-own = { $count ->
+        [one] one reading in the budget
+       *[other] { $count } readings in the budget
+    }
+budget-page-readings-of-file = { $count ->
+        [one] one reading of { $name }
+       *[other] { $count } readings of { $name }
+    }
+budget-page-readings-of-history = { $count ->
+        [one] one reading: the check of the history
+       *[other] { $count } readings: all checks of the history
+    }
+budget-page-readings-of-chosen = { $count ->
+        [one] one reading: the chosen check of the history
+       *[other] { $count } readings: the chosen checks of the history
+    }
+budget-page-readings-are-shafts = { $count ->
+        [one] a check of a shaft is
+       *[other] { $count } checks of shafts are
+    } not used: the piece is a hole
+budget-page-readings-are-holes = { $count ->
+        [one] a check of a hole is
+       *[other] { $count } checks of holes are
+    } not used: the piece is a shaft
+budget-page-readings-simulated = { $count ->
+        [one] one reading is
+       *[other] { $count } readings are
+    } simulated: nothing was measured
+budget-page-more-notes = { $count ->
+        [one] and one more
+       *[other] and { $count } more
+    }
+
+budget-page-answer = Expanded uncertainty
+budget-page-no-answer = No answer
+budget-page-expanded = U = { $um } µm
+budget-page-covered = k = { $k } for 95.45 %
+budget-page-covered-by = k = { $k } by { $method }
+budget-page-standard = u = { $um } µm
+budget-page-degrees = Effective degrees of freedom { $degrees }
+budget-page-infinite = infinite
+budget-page-valid = Valid until { $until }
+budget-page-expired = EXPIRED
+budget-page-expired-on = valid until { $until }, on { $day }
+budget-page-not-yet = NOT YET VALID
+budget-page-not-yet-on = valid from { $date }
+budget-page-made = Made { $date } by { $by }
+budget-page-method = Method { $method }
+budget-page-method-gum = JCGM 100 (GUM)
+budget-page-largest = Largest contribution
+budget-page-largest-is = { $name }, { $percent } % of the variance
+budget-page-help = What would help most
+budget-page-help-halved = Half of it: u = { $u } µm
+budget-page-help-part-temperature = The temperature of the part known twice as well: u = { $u } µm
+budget-page-help-scale-temperature = The temperature of the scales known twice as well: u = { $u } µm
+budget-page-help-expansion = Half as far from 20 °C, or the expansion known twice as well: u = { $u } µm
+budget-page-help-full-circle = { $count } contacts evenly round the full circle: u = { $u } µm
+budget-page-help-more-touches = { $count } contacts evenly round the full circle: u = { $u } µm
+
+budget-page-checks = Checks
+budget-page-use = Use for checks
+budget-page-leave = Stop using
+budget-page-uses-none = Checks use no budget
+budget-page-uses-this = In use: { $name }
+budget-page-uses-another = In use: { $name } of { $file }, not as it stands here
+budget-page-used = Checks use the budget { $name }
+budget-page-not-kept = Save the budget to use it after a restart, too
+budget-page-readings-not-kept = The readings are not in the file of the budget: after a restart it is not used any more
+budget-page-used-unread = { $path }: the budget that checks used cannot be read, so they use none: { $problem }
+
+budget-page-table = Contributions
+budget-page-column-name = Name
+budget-page-column-type = Type
+budget-page-column-law = Law
+budget-page-column-sensitivity = c
+budget-page-column-share = Share
+budget-page-row = { $name }, type { $type }, { $law }, u { $u } { $unit }, sensitivity { $sensitivity }, contribution { $um } µm, share { $percent } %, degrees of freedom { $degrees }
+budget-page-law-normal = normal
+budget-page-law-rectangular = rectangular
+budget-page-law-u-shaped = U-shaped
+budget-page-law-triangular = triangular
+budget-page-shares = Shares of the variance
+budget-page-terms = Terms and expanded uncertainty
+budget-page-mean = Mean of the readings { $mm } mm
+budget-page-named = { $name }
+budget-page-percent = { $percent } %
+budget-page-um = { $um } µm
+budget-page-edition-2011 = U, 2011, corrected
+budget-page-edition-2004 = U, 2004, not corrected
+budget-page-nothing-seen = The table and the shares appear with a budget that can be evaluated

@@ -95,3 +95,11 @@ sql-too-far = table { $table }: a size range ends at { $end } mm; as SQL, ranges
 sql-twice = class { $class } is named twice
 exchange-correction = the value at 20 °C does not follow from the value as measured and its temperatures: expected the columns as Fitcheck writes them
 exchange-warning-corrected = values with an entry in the column as_measured_mm are at 20 °C already
+sizes-warning-named-twice = { $rows ->
+        [one] a row has the name of an earlier row
+       *[other] { $rows } rows have the name of an earlier row
+    }, such as { $id } on lines { $first } and { $second }: each row counts as a part
+sizes-warning-simulated-rows = { $count ->
+        [one] 1 row is simulated
+       *[other] { $count } rows are simulated
+    }: nothing was measured

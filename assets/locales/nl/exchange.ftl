@@ -95,3 +95,11 @@ sql-too-far = tabel { $table }: een maatbereik eindigt bij { $end } mm; voor SQL
 sql-twice = klasse { $class } is twee keer genoemd
 exchange-correction = de waarde bij 20 °C volgt niet uit de gemeten waarde en haar temperaturen: verwacht worden de kolommen zoals Fitcheck ze schrijft
 exchange-warning-corrected = waarden met een cel in de kolom as_measured_mm gelden al bij 20 °C
+sizes-warning-named-twice = { $rows ->
+        [one] een rij heeft de naam van een eerdere rij
+       *[other] { $rows } rijen hebben de naam van een eerdere rij
+    }, zoals { $id } op regels { $first } en { $second }: elke rij telt als een onderdeel
+sizes-warning-simulated-rows = { $count ->
+        [one] 1 rij is gesimuleerd
+       *[other] { $count } rijen zijn gesimuleerd
+    }: er is niets gemeten

@@ -4,7 +4,7 @@ use serde_json::{Map, Value as Json, json};
 
 use super::Beside;
 use super::found::{figure, head, rounded};
-use crate::budget::{Answer, Assessment, Conditions, Help, Repeated, Row};
+use crate::budget::{Answer, Assessment, Conditions, Help, Row};
 use crate::cli::answers::csv_line;
 use crate::cli::{CliError, Figure, Io};
 
@@ -28,7 +28,7 @@ pub(super) fn json(found: &Assessment, conditions: &Conditions, beside: &Beside)
             put("readings", json!(repeated.readings));
             put("refused", json!(beside.refused));
             put("mean_mm", rounded(repeated.mean_mm, 9));
-            for (name, um) in terms(repeated) {
+            for (name, um) in repeated.terms() {
                 put(&format!("{name}_um"), rounded(um, 6));
             }
             put("expanded_2011_um", rounded(repeated.expanded_2011, 6));
@@ -37,12 +37,6 @@ pub(super) fn json(found: &Assessment, conditions: &Conditions, beside: &Beside)
         }
     }
     answer
-}
-
-/// The terms of a calibrated piece, µm.
-pub(super) const fn terms(repeated: &Repeated) -> [(&'static str, f64); 5] {
-    let Repeated { u_cal, u_p, u_b, u_w, bias, .. } = *repeated;
-    [("u_cal", u_cal), ("u_p", u_p), ("u_b", u_b), ("u_w", u_w), ("bias", bias)]
 }
 
 fn contribution(row: &Row) -> Json {
@@ -138,7 +132,7 @@ fn lines(found: &Assessment) -> Vec<Line<'_>> {
             contributions.chain([combined]).chain(help).collect()
         }
         Answer::Repeated(repeated) => {
-            let terms = terms(repeated).into_iter().map(|(name, um)| Line::of("term", name, um));
+            let terms = repeated.terms().into_iter().map(|(name, um)| Line::of("term", name, um));
             let editions = [("2011", repeated.expanded_2011), ("2004", repeated.expanded_2004)];
             let editions = editions.into_iter().map(|(name, um)| Line {
                 row: "edition",

@@ -33,8 +33,9 @@ or one table [calibrated] for repeated measurements of a calibrated piece (ISO 1
   name = \"Setting ring\"    type = \"B\"    law = \"normal\"    expanded_um = 1.0    k = 2
 law: normal (standard_um, or expanded_um with k), rectangular, u-shaped, triangular (half_width_um).
 kind: scatter of a touch (touches, step_deg), part-temperature and scale-temperature (alpha_per_k, and
-standard_k, expanded_k or half_width_k), resolution (resolution_um). Any may have sensitivity and
-degrees_of_freedom; they are 1 and infinite otherwise.
+standard_k, expanded_k or half_width_k), part-expansion and scale-expansion (delta_k from 20 °C, and
+standard_per_k, expanded_per_k or half_width_per_k), resolution (resolution_um). Any may have
+sensitivity and degrees_of_freedom; they are 1 and infinite otherwise.
 
 The coverage factor is that of Student's law for 95.45 %, to the thousandth. CSV has a row per contribution,
 one for the combined uncertainty, and one for each thing that would help most.";
@@ -131,10 +132,10 @@ impl Args {
             Basis::Calibrated(_) => false,
         };
         let has_scatter = has(|kind| matches!(kind, Kind::Scatter(_)));
-        let has_temperature = has(|kind| matches!(kind, Kind::PartTemperature(_) | Kind::ScaleTemperature(_)));
+        let depends_on_size = has(Kind::grows_with_size);
         let is_calibrated = matches!(basis, Basis::Calibrated(_));
         let options = [
-            ("size", self.size.is_some(), has_temperature),
+            ("size", self.size.is_some(), depends_on_size),
             ("touches", self.touches.is_some(), has_scatter),
             ("contacts", self.contacts.is_some(), has_scatter),
             ("readings", self.readings.is_some(), is_calibrated),

@@ -1,6 +1,5 @@
 //! The answer for people.
 
-use super::figures::terms;
 use super::found::figure;
 use crate::budget::{Answer, Assessment, Conditions, Evaluation, Geometry, Help, Repeated, Row, Validity};
 use crate::cli::{CliError, Io};
@@ -47,11 +46,14 @@ fn degrees(degrees: Option<f64>) -> String {
 fn table(evaluation: &Evaluation, io: &mut Io<'_>) -> Result<(), CliError> {
     let names = evaluation.rows.iter().map(|row| row.name.chars().count());
     let width = names.max().unwrap_or_default().clamp("contribution".len(), WIDEST);
+    let units =
+        evaluation.rows.iter().map(|row| row.unit.chars().count()).max().unwrap_or_default().max("µm".chars().count());
     writeln!(
         io.people(),
-        "{:<width$}  type  law          {:>10}     {:>10}  {:>9}  {:>7}  degrees of freedom",
+        "{:<width$}  type  law          {:>10} {:<units$}  {:>10}  {:>9}  {:>7}  degrees of freedom",
         "contribution",
         "u",
+        "",
         "c",
         "c·u µm",
         "share",
@@ -62,7 +64,7 @@ fn table(evaluation: &Evaluation, io: &mut Io<'_>) -> Result<(), CliError> {
         let freedom = degrees(row.degrees_of_freedom);
         writeln!(
             io.people(),
-            "{name:<width$}  {letter:<4}  {law:<11}  {u:>10.3} {unit:<2}  {sensitivity:>10.4}  {contribution:>9.3}  {share:>5.1} %  {freedom}",
+            "{name:<width$}  {letter:<4}  {law:<11}  {u:>10.3} {unit:<units$}  {sensitivity:>10.4}  {contribution:>9.3}  {share:>5.1} %  {freedom}",
         )?;
     }
     for (row, geometry) in evaluation.rows.iter().filter_map(|row| Some((row, row.geometry?))) {
@@ -75,7 +77,7 @@ fn table(evaluation: &Evaluation, io: &mut Io<'_>) -> Result<(), CliError> {
 
 fn readings(repeated: &Repeated, io: &mut Io<'_>) -> Result<(), CliError> {
     writeln!(io.people(), "{} readings, mean {:.6} mm", repeated.readings, repeated.mean_mm)?;
-    for (name, um) in terms(repeated) {
+    for (name, um) in repeated.terms() {
         writeln!(io.people(), "{name:<5} {um:>8.3} µm")?;
     }
     writeln!(io.people(), "U by ISO 15530-3:2011, bias corrected         {:.3} µm", repeated.expanded_2011)?;

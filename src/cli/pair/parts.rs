@@ -1,6 +1,5 @@
 //! The measured parts of a file, with everything about it that has to be said.
 
-use std::collections::HashMap;
 use std::path::Path;
 
 use crate::cli::io::{Io, read_input};
@@ -30,14 +29,12 @@ impl Parts {
     pub(in crate::cli) fn read(path: &Path, feature: Feature, io: &mut Io<'_>) -> Result<Self, CliError> {
         let (name, bytes) = read_input(path, io)?;
         let file = if path.as_os_str() == "-" { name.clone() } else { path.display().to_string() };
-        let Sizes { measured: found, errors, warnings } = sizes(&name, &bytes, feature);
+        let read = sizes(&name, &bytes, feature);
+        let doubts = read.doubts();
+        let Sizes { measured: found, errors, warnings } = read;
         let mut notes: Vec<(Option<usize>, Message)> =
             warnings.iter().map(|found| (found.place.line, found.what.message())).collect();
-        notes.extend(named_twice(&found).map(|twice| (None, twice.message())));
-        let count = found.iter().filter(|part| part.is_simulated).count();
-        if 0 < count {
-            notes.push((None, CliWarning::SimulatedRows { count }.message()));
-        }
+        notes.extend(doubts.iter().map(|doubt| (None, doubt.message())));
         let mut warnings = Vec::new();
         for (line, what) in notes {
             let place = line.map_or_else(|| file.clone(), |line| format!("{file}:{line}"));
@@ -68,18 +65,4 @@ impl Parts {
         let column = error.place.column.map_or(String::new(), |column| format!(":{column}"));
         format!("{}:{}{column}", self.file, error.place.line.unwrap_or(1))
     }
-}
-
-/// The first name that two rows have, and how many rows have the name of an earlier one.
-fn named_twice(parts: &[Size]) -> Option<CliWarning<'_>> {
-    let mut lines: HashMap<&str, usize> = HashMap::new();
-    let (mut rows, mut found) = (0, None);
-    for part in parts.iter().filter(|part| !part.id.is_empty()) {
-        let first = *lines.entry(&part.id).or_insert(part.line);
-        if first != part.line {
-            rows += 1;
-            found = found.or(Some((part.id.as_str(), first, part.line)));
-        }
-    }
-    found.map(|(id, first, second)| CliWarning::NamedTwice { id, first, second, rows })
 }

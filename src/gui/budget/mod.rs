@@ -1,12 +1,55 @@
-//! The budget page.
+//! The budget page: how sure a measured value is.
+//!
+//! | file | what |
+//! |---|---|
+//! | `text_panel` | left: the budget as TOML, with what is wrong with it |
+//! | `asked_panel` | left, below: size, contacts, day and readings that it is evaluated for |
+//! | `table`, `bars` | middle: the table of contributions, and their shares as bars |
+//! | `answer_panel` | right: U, validity, what would help most, use for checks |
 
-use eframe::egui::{CentralPanel, Ui};
+mod answer_panel;
+mod asked_panel;
+mod bars;
+mod table;
+mod text_panel;
 
-use super::view::{View, heading};
+use eframe::egui::{Id, Ui};
 
-/// The page.
+use super::columns::{Page, column_ui, columns_ui};
+use super::dialogs::just_opened;
+use super::theme::space;
+use super::view::{View, quiet};
+
+/// The page: left what is asked, middle what is seen, right the answer.
 pub(super) fn budget_ui(ui: &mut Ui, view: &mut View<'_>) {
-    CentralPanel::default().show(ui, |ui| {
-        heading(ui, view.text("page-budget"));
+    if just_opened(ui, Id::unique("budget-page")) {
+        ui.memory_mut(|memory| memory.request_focus(text_panel::id(view)));
+    }
+    let page = Page {
+        name: "budget",
+        left: space(104.0),
+        right: space(76.0),
+        head: Some(text_panel::head_ui),
+        asked: |ui, view| {
+            text_panel::text_ui(ui, view);
+            asked_panel::asked_ui(ui, view);
+        },
+        seen: seen_ui,
+        seen_height: space(150.0),
+        verdict: |ui, view| answer_panel::card_ui(ui, view),
+        least: space(64.0),
+        answer: answer_panel::answer_ui,
+    };
+    columns_ui(ui, view, &page);
+}
+
+fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
+    column_ui(ui, "budget-seen", |ui| {
+        let Some(found) = view.session.budget().found() else {
+            quiet(ui, view.text("budget-page-nothing-seen"));
+            return;
+        };
+        table::table_ui(ui, view, found);
+        bars::bars_ui(ui, view, found);
     });
 }

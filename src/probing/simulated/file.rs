@@ -389,7 +389,7 @@ pub(crate) fn line_at(text: &str, offset: usize) -> usize {
 }
 
 /// The character in its line of a place in a text, from 1.
-pub(super) fn column_at(text: &str, offset: usize) -> usize {
+pub(crate) fn column_at(text: &str, offset: usize) -> usize {
     let before = text.get(..offset).unwrap_or_default();
     1 + before.chars().rev().take_while(|character| *character != '\n').count()
 }

@@ -31,7 +31,7 @@ use rand_chacha::rand_core::SeedableRng as _;
 use rand_distr::{Distribution as _, StandardNormal};
 
 pub use figure::Figure;
-pub(crate) use file::{LARGEST, bounded, line_at, plain};
+pub(crate) use file::{LARGEST, bounded, column_at, line_at, plain};
 pub use file::{Simulation, SimulationError};
 pub use part::{Collision, Extent, FeatureFault, Mover, Part, PartFeature};
 pub use probe::Probe;

@@ -236,4 +236,27 @@ actions! {
     MoveBlock(Step): Step::BLOCKS;
     /// Gives a parameter a value at the next start.
     GiveValue;
+
+    /// Begins a new uncertainty budget.
+    NewBudget;
+    /// Reads a budget.
+    OpenBudget;
+    /// Writes the budget.
+    SaveBudget;
+    /// Checks use the budget.
+    UseBudget;
+    /// Checks use no budget any more.
+    LeaveBudget;
+    /// Evaluates the budget for the contacts of the check that is shown on the check page.
+    ContactsOfCheck;
+    /// Evaluates the budget for the recorded contacts.
+    ContactsRecorded;
+    /// Evaluates the budget for its own contacts, or those of the fields.
+    OwnContacts;
+    /// Reads readings of a calibrated piece.
+    OpenReadings;
+    /// Takes the checks of the history as readings.
+    TakeReadings;
+    /// Takes the readings of the budget.
+    OwnReadings;
 }

@@ -27,6 +27,7 @@ pub use place::{Part, Place};
 pub use shortcut::{Held, Key, Shortcut};
 
 use self::row::Row;
+use super::budget::BudgetCommand;
 use super::cycles::CyclesCommand;
 use super::tables;
 use super::workpiece::WorkpieceCommand;
@@ -119,6 +120,8 @@ impl Session {
         let has_notice = !self.notices().is_empty();
         if self.is_leaving() {
             Some(Command::Leave(false))
+        } else if self.budget().is_asking() {
+            Some(BudgetCommand::Discard(false).into())
         } else if self.dialog().is_some() || has_notice {
             Some(Command::Close)
         } else if self.cycles().block().is_some() && is_on(Page::Cycles) {

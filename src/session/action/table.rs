@@ -1,13 +1,14 @@
 //! A row for every action. Menus, buttons, tooltips and keys are made from it.
 
 use super::possible::{
-    asks_to_replace, can_step, cell, differs, free_dialog, has_bad, has_cell, has_cursor, has_history, has_listed,
-    has_rows, has_status, has_table, is_after_first, is_after_worst, is_before_best, is_before_last, is_of_1988,
-    rounds_js, selected, tells_of_file,
+    asks_to_replace, can_step, can_use_budget, cell, checked_contacts, contacts_of_check, differs, free_dialog,
+    has_bad, has_cell, has_cursor, has_history, has_listed, has_rows, has_status, has_table, is_after_first,
+    is_after_worst, is_before_best, is_before_last, is_of_1988, rounds_js, selected, tells_of_file,
 };
 use super::row::{Row, Sends, everywhere, in_dialog, of_workpiece, on, switch, within};
 use super::{Action, Held, Key, Part, Place, Shortcut};
 use crate::journal::query::Column;
+use crate::session::budget::BudgetCommand;
 use crate::session::check::{CheckCommand, CheckField};
 use crate::session::cycles::CyclesCommand;
 use crate::session::files::{FilesCommand, Launch};
@@ -365,6 +366,30 @@ pub(super) fn row(action: Action) -> Row {
         Action::GiveValue => {
             on(Page::Program, "program-page-give", ProgramCommand::SetValue).hint("program-page-give-hint")
         }
+
+        Action::NewBudget => on(Page::Budget, "budget-page-new", BudgetCommand::New).key(Shortcut::ctrl('N')),
+        Action::OpenBudget => on(Page::Budget, "budget-page-open", open(Purpose::OpenBudget)).key(Shortcut::ctrl('O')),
+        Action::SaveBudget => on(Page::Budget, "budget-page-save", open(Purpose::SaveBudget))
+            .key(Shortcut::ctrl('S'))
+            .when(|session| !session.budget().toml().is_empty()),
+        Action::UseBudget => on(Page::Budget, "budget-page-use", BudgetCommand::Use).when(can_use_budget),
+        Action::LeaveBudget => {
+            on(Page::Budget, "budget-page-leave", BudgetCommand::Leave).when(|session| session.used_budget().is_some())
+        }
+        Action::ContactsOfCheck => {
+            Row::new(Place::Page(Page::Budget), "budget-page-take-check", Sends::FromState(contacts_of_check))
+                .when(|session| checked_contacts(session).is_some())
+        }
+        Action::ContactsRecorded => on(Page::Budget, "budget-page-take-recorded", BudgetCommand::TakeRecorded)
+            .when(|session| session.recorded().is_some()),
+        Action::OwnContacts => on(Page::Budget, "budget-page-own-contacts", BudgetCommand::OwnContacts)
+            .when(|session| session.budget().contacts().is_some()),
+        Action::OpenReadings => on(Page::Budget, "budget-page-open-readings", open(Purpose::OpenReadings))
+            .when(|session| session.budget().asks().readings),
+        Action::TakeReadings => on(Page::Budget, "budget-page-take-readings", BudgetCommand::TakeRecords)
+            .when(|session| session.budget().asks().readings && has_history(session)),
+        Action::OwnReadings => on(Page::Budget, "budget-page-own-readings", BudgetCommand::OwnReadings)
+            .when(|session| session.budget().readings().is_some()),
     }
 }
 

@@ -2,6 +2,7 @@
 
 use std::path::Path;
 
+use crate::budget::Budget;
 use crate::control::log::is_log;
 use crate::control::text::decode;
 use crate::exchange::{self, tables::TABLE_FORMATS};
@@ -30,7 +31,7 @@ pub enum OpenError {
 
 impl Purpose {
     /// Everything that reads a file or a folder.
-    const READERS: [Self; 10] = [
+    const READERS: [Self; 12] = [
         Self::Import,
         Self::LoadMask,
         Self::LoadTables,
@@ -38,6 +39,8 @@ impl Purpose {
         Self::OpenProgram,
         Self::OpenPart,
         Self::OpenTools,
+        Self::OpenBudget,
+        Self::OpenReadings,
         Self::OpenCycleFile(CycleFile::Contacts),
         Self::OpenCycleFile(CycleFile::Workpiece),
         Self::OpenCycleFile(CycleFile::Probes),
@@ -59,6 +62,8 @@ impl Purpose {
             Self::OpenProgram => "program",
             Self::OpenPart => "part",
             Self::OpenTools | Self::SaveTools => "tools",
+            Self::OpenBudget | Self::UseBudget | Self::SaveBudget => "budget",
+            Self::OpenReadings => "readings",
         }
     }
 
@@ -72,6 +77,7 @@ impl Purpose {
     pub fn endings(self) -> Vec<&'static str> {
         match self {
             Self::Import => exchange::endings().into_iter().chain(PACKED).collect(),
+            Self::OpenReadings => exchange::endings().into_iter().collect(),
             Self::LoadMask => vec!["a"],
             Self::LoadTables | Self::OpenTable => vec!["tab"],
             Self::Export(number) => RENDERINGS.get(number).map(|format| format.endings.to_vec()).unwrap_or_default(),
@@ -80,7 +86,12 @@ impl Purpose {
             }
             Self::ExportStatus => vec!["txt"],
             Self::OpenCycleFile(CycleFile::Contacts) => vec!["csv", "txt"],
-            Self::OpenCycleFile(CycleFile::Workpiece) | Self::SaveWorkpiece | Self::OpenPart => vec!["toml"],
+            Self::OpenCycleFile(CycleFile::Workpiece)
+            | Self::SaveWorkpiece
+            | Self::OpenPart
+            | Self::OpenBudget
+            | Self::UseBudget
+            | Self::SaveBudget => vec!["toml"],
             Self::OpenCycleFile(CycleFile::Probes) => vec!["tp"],
             // The endings that the control uses: text, and a page.
             Self::SaveCycleLog => vec!["txt", "html"],
@@ -111,6 +122,7 @@ impl Purpose {
         let shows = match self {
             Self::Import => Page::Check,
             Self::OpenTable => Page::Tables,
+            Self::OpenBudget | Self::OpenReadings => Page::Budget,
             // Both pages monitor tools with it.
             Self::OpenTools if open == Page::Cycles => open,
             Self::OpenProgram | Self::OpenPart | Self::OpenTools => Page::Program,
@@ -136,6 +148,7 @@ impl Purpose {
             "h" | "i" | "nc" | "ncs" => Some(Self::OpenProgram),
             "tab" => Some(Self::OpenTable),
             "toml" if Part::is_file(&decode(head)) => Some(Self::OpenPart),
+            "toml" if Budget::is_file(&decode(head)) => Some(Self::OpenBudget),
             "toml" => Some(Self::OpenCycleFile(CycleFile::Workpiece)),
             "t" => Some(Self::OpenTools),
             "tp" => Some(Self::OpenCycleFile(CycleFile::Probes)),

@@ -89,6 +89,10 @@ impl Places {
 
     /// A file was looked for: it comes first among the recent ones, or is taken from them where it is gone.
     pub fn seen(&mut self, purpose: Purpose, path: PathBuf, fate: Fate) {
+        if purpose == Purpose::UseBudget {
+            // It is read at every start: that says nothing of what the user does now.
+            return;
+        }
         if purpose == Purpose::LoadTables {
             // A folder is no file, and it is read at every start: that says nothing of what the user does now.
             if fate == Fate::Read {

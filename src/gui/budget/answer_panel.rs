@@ -1,0 +1,158 @@
+//! Right: the answer. U and whether the budget is valid as a card, then how it came about, what would help most, and its
+//! use for checks.
+
+use eframe::egui::accesskit::Live;
+use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Ui, vec2};
+
+use super::table::degrees;
+use crate::budget::{Answer, Assessment, Validity};
+use crate::gui::shapes;
+use crate::gui::theme::{self, control, palette, sizes, space};
+use crate::gui::view::{View, heading, live, problem, quiet};
+use crate::message::Message;
+use crate::session::{Action, UseOf, advice};
+use crate::verdict::Status;
+
+/// U and the validity. It is not a verdict on a part, so it does not have the colour of one.
+pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>) {
+    let palette = palette(ui.ctx());
+    let found = view.session.budget().found();
+    let word = view.text(if found.is_some() { "budget-page-answer" } else { "budget-page-no-answer" });
+    let mut said = vec![word.clone()];
+    let card =
+        Frame::new().fill(palette.background.0).corner_radius(6.0).inner_margin(Margin::same(12)).show(ui, |ui| {
+            ui.set_min_width(ui.available_width());
+            ui.with_layout(Layout::top_down(Align::Center), |ui| {
+                ui.spacing_mut().item_spacing.y = space(0.5);
+                quiet(ui, &word);
+                let Some(found) = found else { return };
+                let um = format!("{:.3}", found.expanded());
+                let large = view.words.say(&Message::new("budget-page-expanded").mm("um", um));
+                let wanted = (ui.available_width() * 0.14).min(ui.ctx().content_rect().height() * 0.08);
+                let galley = ui.painter().layout_no_wrap(large.clone(), theme::bold(wanted), Color32::PLACEHOLDER);
+                let size = wanted.min(wanted * ui.available_width() / galley.size().x.max(1.0)).floor();
+                ui.label(RichText::new(&large).font(theme::bold(size)).color(palette.text.0));
+                let covered = covered(view, found);
+                ui.label(&covered);
+                said.extend([large, covered]);
+                said.extend(validity_ui(ui, view, found));
+            });
+        });
+    let response = ui.interact(card.response.rect, ui.scope_id().with("budget-answer"), Sense::hover());
+    live(ui, &response, &said.join(". "), Live::Polite);
+}
+
+fn covered(view: &View<'_>, found: &Assessment) -> String {
+    let k = format!("{:.3}", found.k());
+    let k = k.trim_end_matches('0').trim_end_matches('.').to_owned();
+    view.words.say(&match found.answer {
+        Answer::Combined(_) => Message::new("budget-page-covered").mm("k", k),
+        Answer::Repeated(_) => Message::new("budget-page-covered-by").mm("k", k).text("method", found.method()),
+    })
+}
+
+/// Whether the budget is valid: a word, a shape and the day. Returns what a screen reader says.
+fn validity_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) -> Vec<String> {
+    let palette = palette(ui.ctx());
+    let until = || found.budget.valid_until.to_string();
+    let (shape, colour, word, rest) = match found.validity {
+        Validity::Valid => {
+            let word = Message::new("budget-page-valid").text("until", until());
+            (Some(Status::Good), palette.text.0, view.words.say(&word), None)
+        }
+        Validity::Expired => {
+            let day = view.session.budget().day_shown();
+            let rest = Message::new("budget-page-expired-on").text("until", until()).text("day", day);
+            (Some(Status::Scrap), palette.error.0, view.text("budget-page-expired"), Some(rest))
+        }
+        Validity::NotYet => {
+            let rest = Message::new("budget-page-not-yet-on").text("date", found.budget.date);
+            (None, palette.error.0, view.text("budget-page-not-yet"), Some(rest))
+        }
+    };
+    let font = if rest.is_some() { theme::bold(sizes().value) } else { theme::font(sizes().body) };
+    let galley = ui.painter().layout_no_wrap(word.clone(), font, colour);
+    let mark = space(4.0);
+    let size = vec2(mark + space(1.5) + galley.size().x, galley.size().y.max(mark));
+    let (rect, _) = ui.allocate_exact_size(size, Sense::hover());
+    let place = eframe::egui::Align2::LEFT_CENTER.align_size_within_rect(vec2(mark, mark), rect);
+    shapes::status(ui.painter(), place, shape, colour);
+    let at = eframe::egui::Align2::RIGHT_CENTER.align_size_within_rect(galley.size(), rect);
+    ui.painter().galley(at.min, galley, colour);
+    let rest = rest.map(|rest| view.words.say(&rest));
+    if let Some(rest) = &rest {
+        ui.label(rest);
+    }
+    std::iter::once(word).chain(rest).collect()
+}
+
+/// How it came about, what would help most, and its use.
+pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
+    match view.session.budget().answer() {
+        Some(Ok(found)) => {
+            figures_ui(ui, view, found);
+            help_ui(ui, view, found);
+            ui.separator();
+        }
+        Some(Err(error)) => {
+            problem(ui, view.words.say(error));
+            ui.separator();
+        }
+        None => {}
+    }
+    use_ui(ui, view);
+}
+
+fn figures_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
+    let u = Message::new("budget-page-standard").mm("um", format!("{:.3}", found.u()));
+    ui.label(RichText::new(view.words.say(&u)).font(theme::bold(sizes().value)));
+    if let Answer::Combined(evaluation) = &found.answer {
+        let infinite = || view.text("budget-page-infinite");
+        let shown =
+            evaluation.degrees_of_freedom.map_or_else(infinite, |_| degrees(view, evaluation.degrees_of_freedom));
+        ui.label(view.words.say(&Message::new("budget-page-degrees").text("degrees", shown)));
+    }
+    let budget = &found.budget;
+    ui.label(RichText::new(&budget.name).font(theme::bold(sizes().body)));
+    let made = Message::new("budget-page-made").text("date", budget.date).text("by", &budget.by);
+    quiet(ui, view.words.say(&made));
+    let method = match found.answer {
+        Answer::Combined(_) => view.text("budget-page-method-gum"),
+        Answer::Repeated(_) => found.method().to_owned(),
+    };
+    quiet(ui, view.words.say(&Message::new("budget-page-method").text("method", method)));
+    for warning in found.warnings() {
+        problem(ui, view.words.told(&warning));
+    }
+}
+
+fn help_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
+    let Answer::Combined(evaluation) = &found.answer else { return };
+    let Some(row) = evaluation.rows.get(evaluation.largest) else { return };
+    ui.separator();
+    heading(ui, view.text("budget-page-largest"));
+    let largest =
+        Message::new("budget-page-largest-is").text("name", &row.name).mm("percent", format!("{:.1}", row.share));
+    ui.label(view.words.say(&largest));
+    heading(ui, view.text("budget-page-help"));
+    for help in advice(evaluation) {
+        ui.label(view.words.say(&help));
+    }
+}
+
+/// Which budget checks use.
+fn use_ui(ui: &mut Ui, view: &mut View<'_>) {
+    heading(ui, view.text("budget-page-checks"));
+    let used = view.session.used_budget();
+    let said = match (view.session.budget().use_of(used), used) {
+        (UseOf::Another, Some(used)) => {
+            Message::new("budget-page-uses-another").text("name", &used.budget.name).text("file", &used.file)
+        }
+        (_, Some(used)) => Message::new("budget-page-uses-this").text("name", &used.budget.name),
+        (_, None) => Message::new("budget-page-uses-none"),
+    };
+    ui.label(view.words.say(&said));
+    let width = view.width_of(ui, &[Action::UseBudget]);
+    view.main_button(ui, Action::UseBudget, vec2(width, control(ui)));
+    view.field_button(ui, Action::LeaveBudget);
+}

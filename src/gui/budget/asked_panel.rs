@@ -1,0 +1,81 @@
+//! Left, below the text: what the budget is evaluated for. Only what it asks for is shown.
+
+use eframe::egui::Ui;
+
+use crate::gui::field::{Pairs, pairs_ui};
+use crate::gui::theme::space;
+use crate::gui::view::{View, heading, quiet};
+use crate::message::Message;
+use crate::session::{Action, BudgetField, Readings};
+
+/// How many notes on readings are shown; a notice had all of them.
+const NOTES: usize = 5;
+
+/// Size, contacts, readings, day.
+pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let asks = view.session.budget().asks();
+    if view.session.budget().read().is_none() {
+        return;
+    }
+    ui.separator();
+    heading(ui, view.text("budget-page-for"));
+    let column = (ui.available_width() - space(2.0)) / 2.0;
+    let pairs = Pairs {
+        column,
+        field: |unit: &str| if unit.is_empty() { column } else { column - space(10.0) },
+        gap: space(1.0),
+    };
+    let size = (BudgetField::Size.into(), view.text("budget-page-size"), "mm");
+    let day = (BudgetField::Day.into(), view.text("budget-page-day"), "");
+    let fields = if asks.size { vec![size, day] } else { vec![day] };
+    pairs_ui(ui, view, &pairs, &fields);
+    if view.session.text(BudgetField::Day).trim().is_empty() {
+        let today = view.session.budget().day_shown();
+        quiet(ui, view.words.say(&Message::new("budget-page-day-hint").text("day", today)));
+    }
+    if asks.contacts {
+        contacts_ui(ui, view, &pairs);
+    }
+    if asks.readings {
+        readings_ui(ui, view);
+    }
+}
+
+fn contacts_ui(ui: &mut Ui, view: &mut View<'_>, pairs: &Pairs<impl Fn(&str) -> f32>) {
+    heading(ui, view.text("budget-page-contacts"));
+    let fields = [
+        (BudgetField::Touches.into(), view.text("budget-page-touches"), ""),
+        (BudgetField::Step.into(), view.text("budget-page-step"), "°"),
+    ];
+    pairs_ui(ui, view, pairs, &fields);
+    match view.session.budget().contacts() {
+        Some(taken) => quiet(ui, view.words.say(&taken.of)),
+        None => quiet(ui, view.text("budget-page-contacts-hint")),
+    };
+    buttons_ui(ui, view, &[Action::ContactsOfCheck, Action::ContactsRecorded, Action::OwnContacts]);
+}
+
+fn readings_ui(ui: &mut Ui, view: &mut View<'_>) {
+    heading(ui, view.text("budget-page-readings"));
+    if let Some(Readings { from, notes, .. }) = view.session.budget().readings() {
+        ui.label(view.words.say(from));
+        for note in notes.iter().take(NOTES) {
+            quiet(ui, view.words.say(note));
+        }
+        if let Some(more) = notes.len().checked_sub(NOTES).filter(|more| 0 < *more) {
+            quiet(ui, view.words.say(&Message::new("budget-page-more-notes").count("count", more)));
+        }
+    } else {
+        let count = view.session.budget().own_readings();
+        ui.label(view.words.say(&Message::new("budget-page-readings-own").count("count", count)));
+    }
+    buttons_ui(ui, view, &[Action::OpenReadings, Action::TakeReadings, Action::OwnReadings]);
+}
+
+fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, actions: &[Action]) {
+    ui.horizontal_wrapped(|ui| {
+        for action in actions {
+            view.field_button(ui, *action);
+        }
+    });
+}
