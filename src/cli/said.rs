@@ -121,12 +121,6 @@ pub(super) enum CliWarning<'a> {
     PredefUnused { name: &'a str },
     /// An option of the log, without a log.
     LogOption { option: &'a str },
-    /// Parts of one file with the same name.
-    NamedTwice { id: &'a str, first: usize, second: usize, rows: usize },
-    /// Parts outside their own limits.
-    OutsideLimits { count: usize },
-    /// Rows that say that nobody measured.
-    SimulatedRows { count: usize },
     /// Where limits come from, and no limits are looked up.
     TablesNotUsed,
     /// A cell for which ISO 286 has no value, or several.

@@ -47,7 +47,7 @@ use jiff::civil::DateTime;
 pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
 use imported::Sink;
 pub use imported::{Coordinate, Imported, Item, Unjudged, WhyUnjudged};
-pub use sizes::{Size, Sizes, sizes};
+pub use sizes::{Size, Sizes, SizesWarning, sizes};
 
 use crate::control::text;
 use crate::message::{Message, Say, display};

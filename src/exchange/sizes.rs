@@ -2,13 +2,15 @@
 //!
 //! The formats and the columns are those of [`super::import`]. Of a callout only its side counts, hole or shaft.
 
+use std::collections::HashMap;
+
 use jiff::civil::DateTime;
 
 use super::error::{ImportError, ImportErrorKind, ImportWarning};
 use super::imported::{Item, Sink, Unjudged, WhyUnjudged};
 use super::{FORMATS, Source, measurements};
 use crate::length::Length;
-use crate::message::{Located, Place, Say as _};
+use crate::message::{Located, Place, Say};
 use crate::tolerance::{Feature, Sources};
 
 /// A measured size.
@@ -33,6 +35,28 @@ pub struct Sizes {
     pub errors: Vec<Located<ImportError>>,
     /// Warnings about what was still readable.
     pub warnings: Vec<Located<ImportWarning>>,
+}
+
+/// What to check about the sizes of a file as a whole.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "sizes-warning")]
+pub enum SizesWarning {
+    /// Parts with the same name.
+    NamedTwice {
+        /// The first such name.
+        id: String,
+        /// The line of its first part.
+        first: usize,
+        /// The line of its second one.
+        second: usize,
+        /// How many rows have the name of an earlier one.
+        rows: usize,
+    },
+    /// Rows that say that nobody measured.
+    SimulatedRows {
+        /// How many.
+        count: usize,
+    },
 }
 
 /// Where sizes go, and which side they are of.
@@ -75,6 +99,28 @@ pub fn sizes(file_name: &str, bytes: &[u8], feature: Feature) -> Sizes {
 }
 
 impl Sizes {
+    /// What to check about the file as a whole.
+    pub fn doubts(&self) -> Vec<SizesWarning> {
+        let count = self.measured.iter().filter(|size| size.is_simulated).count();
+        let simulated = (0 < count).then_some(SizesWarning::SimulatedRows { count });
+        self.named_twice().into_iter().chain(simulated).collect()
+    }
+
+    /// The first name that two rows have, and how many rows have the name of an earlier one.
+    fn named_twice(&self) -> Option<SizesWarning> {
+        let mut lines: HashMap<&str, usize> = HashMap::new();
+        let (mut rows, mut found) = (0, None);
+        for part in self.measured.iter().filter(|part| !part.id.is_empty()) {
+            let first = *lines.entry(&part.id).or_insert(part.line);
+            if first != part.line {
+                rows += 1;
+                found = found.or(Some((&part.id, first, part.line)));
+            }
+        }
+        let (id, first, second) = found?;
+        Some(SizesWarning::NamedTwice { id: id.clone(), first, second, rows })
+    }
+
     fn refuse(&mut self, line: usize, kind: ImportErrorKind) {
         self.errors.push(Located { what: ImportError { kind, given: String::new() }, place: Place::line(line) });
     }

@@ -93,3 +93,11 @@ table-format-pcdmis = CSV of ISO tolerances for PC-DMIS
 sql-border = table { $table }: a size range ends at { $end } mm; as SQL, ranges must end at whole millimetres
 sql-too-far = table { $table }: a size range ends at { $end } mm; as SQL, ranges must end by { $most } mm
 sql-twice = class { $class } is named twice
+sizes-warning-named-twice = { $rows ->
+        [one] a row has the name of an earlier row
+       *[other] { $rows } rows have the name of an earlier row
+    }, such as { $id } on lines { $first } and { $second }: each row counts as a part
+sizes-warning-simulated-rows = { $count ->
+        [one] 1 row is simulated
+       *[other] { $count } rows are simulated
+    }: nothing was measured

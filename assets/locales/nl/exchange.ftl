@@ -93,3 +93,11 @@ table-format-pcdmis = CSV met ISO-toleranties voor PC-DMIS
 sql-border = tabel { $table }: een maatbereik eindigt bij { $end } mm; voor SQL moeten bereiken bij hele millimeters eindigen
 sql-too-far = tabel { $table }: een maatbereik eindigt bij { $end } mm; voor SQL moeten bereiken uiterlijk bij { $most } mm eindigen
 sql-twice = klasse { $class } is twee keer genoemd
+sizes-warning-named-twice = { $rows ->
+        [one] een rij heeft de naam van een eerdere rij
+       *[other] { $rows } rijen hebben de naam van een eerdere rij
+    }, zoals { $id } op regels { $first } en { $second }: elke rij telt als een onderdeel
+sizes-warning-simulated-rows = { $count ->
+        [one] 1 rij is gesimuleerd
+       *[other] { $count } rijen zijn gesimuleerd
+    }: er is niets gemeten
