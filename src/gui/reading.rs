@@ -1,6 +1,7 @@
 //! What a file holds, as the command that takes it: read whole, and refused with its reason.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
@@ -16,12 +17,13 @@ use crate::files;
 use crate::message::{Message, Say as _};
 use crate::nc::program::ProgramWarning;
 use crate::probing::simulated::{Part, Simulation};
+use crate::report::pairing::Parts;
 use crate::session::program::Document;
 use crate::session::{
-    CheckCommand, Command, CycleFile, CyclesCommand, ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand,
-    WorkpieceCommand,
+    CheckCommand, Command, CycleFile, CyclesCommand, PairingCommand, ProgramCommand, Purpose, RowsCommand,
+    TablesCommand, ToolsCommand, WorkpieceCommand, usable,
 };
-use crate::tolerance::{DeviationTable, Sources};
+use crate::tolerance::{DeviationTable, Feature, Sources};
 
 /// Whether an answer brings what a file holds.
 pub(super) const fn is_read(command: &Command) -> bool {
@@ -37,6 +39,7 @@ pub(super) const fn is_read(command: &Command) -> bool {
         Command::Workpiece(WorkpieceCommand::PartRead { result, .. }) => result.is_ok(),
         Command::Cycles(CyclesCommand::ProbesRead { result, .. }) => result.is_ok(),
         Command::Tools(ToolsCommand::Read { result, .. }) => result.is_ok(),
+        Command::Pairing(PairingCommand::Read { result, .. }) => result.is_ok(),
         _ => false,
     }
 }
@@ -62,6 +65,9 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: Date
             CyclesCommand::ProbesRead { name, result: read_probes(&path) }.into()
         }
         Purpose::OpenTools => ToolsCommand::Read { name, result: read_tools(&path) }.into(),
+        Purpose::OpenParts(feature) => {
+            PairingCommand::Read { feature, result: read_parts(&path, &name, feature), path }.into()
+        }
         // These purposes write files.
         _ => Command::Picked(None),
     }
@@ -129,6 +135,11 @@ fn read_workpiece(path: &Path, name: String) -> WorkpieceCommand {
     // Impossible figures are said now, and not in the middle of a run.
     let result = result.and_then(|part| part.machine().map(|_| Box::new(part)).map_err(|error| error.message()));
     WorkpieceCommand::PartRead { name, result }
+}
+
+fn read_parts(path: &Path, name: &str, feature: Feature) -> Result<Arc<Parts>, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    usable(name, Parts::of_file(name, exchange::sizes(name, &bytes, feature)))
 }
 
 fn read_tools(path: &Path) -> Result<Box<ToolTable>, Message> {

@@ -22,7 +22,8 @@ use crate::control::mask::Mask;
 use crate::exchange::batch::Part;
 use crate::files::FileError;
 use crate::message::Message;
-use crate::tolerance::{Base, DeviationTable, iso286};
+use crate::report::pairing::Asked;
+use crate::tolerance::{Base, DeviationTable, Feature, iso286};
 use crate::words::{Dialogue, Language};
 
 /// A change of the state.
@@ -158,6 +159,10 @@ pub enum Purpose {
     OpenTools,
     /// Writing the tool table as a run has changed it.
     SaveTools,
+    /// Reading measured holes or shafts for the pairing page.
+    OpenParts(Feature),
+    /// Writing the pairs in a format of their list, by its number there.
+    SavePairs(usize),
 }
 
 impl Purpose {
@@ -169,7 +174,8 @@ impl Purpose {
             | Self::SaveTable(_)
             | Self::SaveWorkpiece
             | Self::SaveCycleLog
-            | Self::SaveTools => false,
+            | Self::SaveTools
+            | Self::SavePairs(_) => false,
             Self::Import
             | Self::LoadMask
             | Self::LoadTables
@@ -177,7 +183,8 @@ impl Purpose {
             | Self::OpenCycleFile(_)
             | Self::OpenProgram
             | Self::OpenPart
-            | Self::OpenTools => true,
+            | Self::OpenTools
+            | Self::OpenParts(_) => true,
         }
     }
 }
@@ -297,6 +304,13 @@ pub enum Effect {
         run: u64,
         /// Parts of the file, with the numbers of the rows in each, ascending.
         wanted: Vec<(Arc<Part>, Vec<usize>)>,
+    },
+    /// Pair measured parts and send [`PairingCommand::Paired`].
+    Pair {
+        /// The number of the question.
+        run: u64,
+        /// What is asked.
+        asked: Box<Asked>,
     },
     /// Close the window.
     Leave,

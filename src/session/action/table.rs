@@ -1,5 +1,6 @@
 //! A row for every action. Menus, buttons, tooltips and keys are made from it.
 
+use super::pairing;
 use super::possible::{
     asks_to_replace, can_step, cell, differs, free_dialog, has_bad, has_cell, has_cursor, has_history, has_listed,
     has_rows, has_status, has_table, is_after_first, is_after_worst, is_before_best, is_before_last, is_of_1988,
@@ -365,6 +366,12 @@ pub(super) fn row(action: Action) -> Row {
         Action::GiveValue => {
             on(Page::Program, "program-page-give", ProgramCommand::SetValue).hint("program-page-give-hint")
         }
+
+        Action::OpenParts(feature) => pairing::open(feature),
+        Action::HistoryParts(feature) => pairing::of_history(feature),
+        Action::SavePairs(number) => pairing::save(number),
+        Action::MovePair(step) => pairing::step(step).key(keys(step)),
+        Action::CopyPairs => pairing::copy(),
     }
 }
 
