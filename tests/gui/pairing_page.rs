@@ -244,7 +244,9 @@ fn by_touch_everything_is_high_enough() {
 
 #[test]
 fn the_settled_page_asks_for_no_repaint() {
-    for mut window in vec![page(Window::default()), usual()] {
+    let windows: [fn() -> Harness<'static, App>; 2] = [|| page(Window::default()), usual];
+    for open in windows {
+        let mut window = open();
         window.run();
         // A focused field's cursor blinks.
         window.ctx.memory_mut(|memory| memory.surrender_focus(memory.focused().unwrap_or(eframe::egui::Id::NULL)));
