@@ -40,6 +40,13 @@ impl Conformity {
     }
 }
 
+/// A probability in percent: two decimals, more near 0 and 1, where two would say certain.
+pub fn percent(probability: f64) -> String {
+    let rest = probability.min(1.0 - probability);
+    let decimals = [(1e-4, 2), (1e-6, 4), (1e-8, 6)].into_iter().find(|(least, _)| *least <= rest);
+    format!("{:.*}", decimals.map_or(2, |(_, decimals)| decimals), probability * 100.0)
+}
+
 /// A limit minus a value, nanometres; both are whole numbers of at most 1e15.
 #[expect(clippy::as_conversions, clippy::cast_precision_loss, reason = "far from a limit its last digits do not count")]
 fn distance(limit: Length, value: Length) -> f64 {
@@ -49,11 +56,4 @@ fn distance(limit: Length, value: Length) -> f64 {
 /// The normal distribution.
 pub(super) fn normal(x: f64) -> f64 {
     erfc(-x / std::f64::consts::SQRT_2) / 2.0
-}
-
-/// A probability in percent: two decimals, more near 0 and 1, where two would say certain.
-pub fn percent(probability: f64) -> String {
-    let rest = probability.min(1.0 - probability);
-    let decimals = [(1e-4, 2), (1e-6, 4), (1e-8, 6)].into_iter().find(|(least, _)| *least <= rest);
-    format!("{:.*}", decimals.map_or(2, |(_, decimals)| decimals), probability * 100.0)
 }
