@@ -65,8 +65,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
-use crate::length::{Length, Unit};
-use crate::report::columns::Cell;
+use crate::report::figure::Figure;
 use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
 use error::{CliError, Refused, What};
@@ -104,38 +103,6 @@ subcommands! {
     Run(run::Args),
     Sql(sql::Args),
     Table(table::Args),
-}
-/// An exact decimal: unchanged in CSV, a number in JSON.
-#[derive(Debug)]
-struct Figure(String);
-
-impl Figure {
-    /// Millimetres exactly, with at least this many decimals.
-    fn mm(length: Length, decimals: usize) -> Self {
-        Self(length.exact(Unit::Millimetre, decimals))
-    }
-
-    /// Micrometres exactly.
-    fn um(length: Length) -> Self {
-        Self(length.exact(Unit::Micrometre, 0))
-    }
-}
-
-impl serde::Serialize for Figure {
-    fn serialize<S: serde::Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        match (self.0.parse::<i64>(), self.0.parse::<f64>()) {
-            (Ok(whole), _) => serializer.serialize_i64(whole),
-            // A length has at most 16 figures and none finer than a nanometre, so its nearest float prints the same.
-            (_, Ok(number)) => serializer.serialize_f64(number),
-            _ => serializer.serialize_str(&self.0),
-        }
-    }
-}
-
-impl Cell for Figure {
-    fn cell(&self) -> Option<String> {
-        Some(self.0.clone())
-    }
 }
 
 /// How a subcommand ended.

@@ -3,22 +3,21 @@
 //! | file | what |
 //! |---|---|
 //! | `parts` | the measured parts of a file |
-//! | `figures` | the answer in figures: the names that CSV and JSON share |
-//! | `text` | the same for people |
+//! | `text` | the answer for people; `report::pairing` has it in figures |
 
-mod figures;
 mod parts;
 mod text;
 
+use std::io::Write;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, heard_or_not, save_with};
-use crate::pairing::{Grinding, Groups, MOST_AMOUNTS, MOST_GROUPS, Pairing, Range, Ranges, Wanted};
-use crate::pairing::{grinding, groups, pair};
-use crate::report::columns::names;
+use crate::pairing::{MOST_AMOUNTS, MOST_GROUPS, Wanted};
+use crate::report::pairing::{Answer, Asked, FORMATS, Note, column_names};
 use crate::tolerance::fit::Fit;
 use crate::tolerance::{Callout, Feature};
-pub(super) use parts::Parts;
+pub(super) use parts::read_parts;
 
 /// Pair measured holes with measured shafts for a wanted clearance: selective assembly
 #[derive(Debug, clap::Args)]
@@ -93,20 +92,8 @@ actual (of the pairs, with band_um), holes_outside_groups, shafts_outside_groups
 are the pairs after grinding, with their clearances then.
 
 Exit codes: 0 done, 1 where any row or file could not be used, 2 wrong usage.",
-        names(&figures::Row::COLUMNS).join(", "),
+        column_names().join(", "),
     )
-}
-
-/// What is printed.
-struct Answer<'a> {
-    holes: &'a Parts,
-    shafts: &'a Parts,
-    wanted: Wanted,
-    fit: Option<&'a Callout>,
-    pairing: Pairing,
-    /// `None` where holes or shafts are not left over.
-    grinding: Option<Grinding>,
-    groups: Option<Groups>,
 }
 
 impl Args {
@@ -123,17 +110,19 @@ impl Args {
         for input in [&self.holes, &self.shafts] {
             self.not_the_output(input)?;
         }
-        let mut holes = Parts::read(&self.holes, Feature::Hole, io)?;
-        let mut shafts = Parts::read(&self.shafts, Feature::Shaft, io)?;
-        if let Some((_, fit)) = &fit {
-            holes.hold_to(fit.hole(), io);
-            shafts.hold_to(fit.shaft(), io);
+        let holes = Arc::new(read_parts(&self.holes, Feature::Hole, io)?);
+        let shafts = Arc::new(read_parts(&self.shafts, Feature::Shaft, io)?);
+        let asked = Asked { holes, shafts, wanted, fit, group_count: self.classes.map(usize::from) };
+        let answer = asked.answer();
+        let Asked { holes, shafts, .. } = &answer.asked;
+        for (parts, outside) in [holes, shafts].into_iter().zip(&answer.outside) {
+            if let Some(outside) = outside {
+                parts::tell(parts, &Note::of(outside), io);
+            }
         }
-        let pairing = pair(&holes.measured, &shafts.measured, wanted);
-        let grinding = grinding(&holes.measured, &shafts.measured, &pairing, wanted);
-        let groups = self.groups(&holes, &shafts, fit.as_ref().map(|(_, fit)| fit))?;
-        let fit = fit.as_ref().map(|(callout, _)| callout);
-        let answer = Answer { holes: &holes, shafts: &shafts, wanted, fit, pairing, grinding, groups };
+        if let Some(Err(error)) = &answer.sorted {
+            return Err(error.clone()).said();
+        }
         self.print(&answer, io)?;
         let is_whole = holes.errors.is_empty() && shafts.errors.is_empty();
         Ok(if is_whole { Outcome::Done } else { Outcome::BadData })
@@ -153,19 +142,6 @@ impl Args {
         Ok(Some((callout, fit)))
     }
 
-    fn groups(&self, holes: &Parts, shafts: &Parts, fit: Option<&Fit>) -> Result<Option<Groups>, CliError> {
-        let Some(count) = self.classes else { return Ok(None) };
-        let (holes, shafts) = (&holes.measured, &shafts.measured);
-        let ranges = match fit {
-            Some(fit) => Ranges {
-                holes: Range { from: fit.hole().minimum(), to: fit.hole().maximum() },
-                shafts: Range { from: fit.shaft().minimum(), to: fit.shaft().maximum() },
-            },
-            None => Ranges::measured(holes, shafts).said()?,
-        };
-        groups(holes, shafts, count.into(), ranges).said().map(Some)
-    }
-
     /// An answer never replaces what it was made from.
     fn not_the_output(&self, input: &Path) -> Result<(), CliError> {
         let Some(output) = &self.output else { return Ok(()) };
@@ -175,21 +151,26 @@ impl Args {
         Ok(())
     }
 
-    fn print(&self, answer: &Answer<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
-        let write = match self.format {
-            Format::Text => text::write,
-            Format::Csv => figures::csv,
-            Format::Json => figures::json,
+    fn print(&self, answer: &Answer, io: &mut Io<'_>) -> Result<(), CliError> {
+        let name = match self.format {
+            Format::Text => "",
+            Format::Csv => "csv",
+            Format::Json => "json",
+        };
+        let format = FORMATS.iter().find(|format| format.name == name);
+        let write = |answer: &Answer, out: &mut dyn Write| match format {
+            Some(format) => (format.write)(answer, out),
+            None => text::write(answer, out),
         };
         match self.output.as_deref().filter(|path| *path != Path::new("-")) {
-            Some(path) => save_with(path, &mut |out| write(out, answer), io),
+            Some(path) => save_with(path, &mut |out| write(answer, out), io),
             None if self.format == Format::Text => {
                 // In one piece: what a person reads is looked through piece by piece.
                 let mut text = Vec::new();
-                write(&mut text, answer)?;
+                write(answer, &mut text)?;
                 heard_or_not(io.people().write_all(&text))
             }
-            None => heard_or_not(write(&mut io.data(), answer)),
+            None => heard_or_not(write(answer, &mut io.data())),
         }
     }
 }

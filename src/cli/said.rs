@@ -121,8 +121,6 @@ pub(super) enum CliWarning<'a> {
     PredefUnused { name: &'a str },
     /// An option of the log, without a log.
     LogOption { option: &'a str },
-    /// Parts outside their own limits.
-    OutsideLimits { count: usize },
     /// Where limits come from, and no limits are looked up.
     TablesNotUsed,
     /// A cell for which ISO 286 has no value, or several.

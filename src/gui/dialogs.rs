@@ -9,19 +9,30 @@ use super::folder_list::{folder_list_ui, has_room};
 use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
 use crate::message::Message;
-use crate::session::{Action, BudgetCommand, Command, CycleFile, Dialog, FilesCommand, Notice, Page, Purpose};
+use crate::session::{
+    Action, BudgetCommand, Command, CycleFile, Dialog, FilesCommand, Notice, Page, PairingCommand, Purpose,
+};
+use crate::tolerance::Feature;
 
 /// Files dropped on the window are read, each as the open page uses it.
 fn dropped(ui: &Ui, view: &mut View<'_>) {
     let dropped = ui.input(|input| input.raw.dropped_files.clone());
-    for file in dropped {
+    for (number, file) in dropped.iter().enumerate() {
         let purpose = match view.session.page() {
             Page::Tables => Purpose::OpenTable,
             Page::Cycles if is_tools(file.path()) => Purpose::OpenTools,
             Page::Cycles => Purpose::OpenCycleFile(cycle_file(file.path())),
             Page::Program => program_file(file.path()),
             Page::Budget => budget_file(view, file.path()),
-            Page::Check | Page::Fit | Page::Pairing => Purpose::Import,
+            Page::Pairing => {
+                let Some(feature) = view.session.pairing().side_of_dropped(number) else {
+                    let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
+                    view.send(PairingCommand::NoSideFree { name });
+                    continue;
+                };
+                Purpose::OpenParts(feature)
+            }
+            Page::Check | Page::Fit => Purpose::Import,
         };
         view.send(FilesCommand::Open(purpose, file.path().to_owned()));
     }
@@ -143,6 +154,9 @@ pub(super) const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::OpenBudget | Purpose::UseBudget => "budget-page-dialog-open",
         Purpose::SaveBudget => "budget-page-dialog-save",
         Purpose::OpenReadings => "budget-page-dialog-readings",
+        Purpose::OpenParts(Feature::Hole) => "pairing-page-dialog-holes",
+        Purpose::OpenParts(Feature::Shaft) => "pairing-page-dialog-shafts",
+        Purpose::SavePairs(_) => "pairing-page-dialog-save",
     }
 }
 

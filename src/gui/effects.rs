@@ -15,7 +15,10 @@ use super::rows::Runs;
 use crate::exchange::batch::Part;
 use crate::files;
 use crate::message::Message;
-use crate::session::{Command, Content, Effect, Fate, FilesCommand, Launch, Purpose, RowsCommand, WorkpieceCommand};
+use crate::session::{
+    Command, Content, Effect, Fate, FilesCommand, Launch, Paired, PairingCommand, Purpose, RowsCommand,
+    WorkpieceCommand,
+};
 use crate::tolerance::Sources;
 use crate::words::Words;
 
@@ -87,7 +90,7 @@ impl Runner {
         let (sender, ctx, sources) = (self.sender.clone(), ctx.clone(), Arc::clone(sources));
         let (errands, filters) = (self.errands, Filters::of(effect.errand(), words));
         let may_wait = match effect.errand() {
-            Effect::Browse { .. } | Effect::List(_) | Effect::Launch(..) => true,
+            Effect::Browse { .. } | Effect::List(_) | Effect::Launch(..) | Effect::Pair { .. } => true,
             // What is judged waits for it, and nothing else has to.
             Effect::Read(purpose, _) => *purpose == Purpose::LoadTables,
             _ => false,
@@ -198,6 +201,9 @@ fn answers(
             };
             let failed = |reason: String| Message::new("launch-failed").text("reason", reason);
             vec![FilesCommand::Launched(result.map_err(failed)).into()]
+        }
+        Effect::Pair { run, asked } => {
+            vec![PairingCommand::Paired { run, paired: Arc::new(Paired::of(*asked)) }.into()]
         }
         Effect::Copy(_)
         | Effect::Focus(_)

@@ -1,6 +1,7 @@
 //! What a file holds, as the command that takes it: read whole, and refused with its reason.
 
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
@@ -16,12 +17,13 @@ use crate::files;
 use crate::message::{Message, Say as _};
 use crate::nc::program::ProgramWarning;
 use crate::probing::simulated::{Part, Simulation};
+use crate::report::pairing::Parts;
 use crate::session::program::Document;
 use crate::session::{
-    BothSizes, BudgetCommand, CheckCommand, Command, CycleFile, CyclesCommand, ProgramCommand, Purpose, RowsCommand,
-    TablesCommand, ToolsCommand, WorkpieceCommand,
+    BothSizes, BudgetCommand, CheckCommand, Command, CycleFile, CyclesCommand, PairingCommand, ProgramCommand, Purpose,
+    RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand, usable,
 };
-use crate::tolerance::{DeviationTable, Sources};
+use crate::tolerance::{DeviationTable, Feature, Sources};
 
 /// Whether an answer brings what a file holds.
 pub(super) const fn is_read(command: &Command) -> bool {
@@ -39,6 +41,7 @@ pub(super) const fn is_read(command: &Command) -> bool {
         Command::Tools(ToolsCommand::Read { result, .. }) => result.is_ok(),
         Command::Budget(BudgetCommand::Read { result, .. } | BudgetCommand::UsedRead { result, .. }) => result.is_ok(),
         Command::Budget(BudgetCommand::ReadingsRead { result, .. }) => result.is_ok(),
+        Command::Pairing(PairingCommand::Read { result, .. }) => result.is_ok(),
         _ => false,
     }
 }
@@ -67,6 +70,9 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: Date
         Purpose::OpenBudget => BudgetCommand::Read { result: read_text(&path), path }.into(),
         Purpose::UseBudget => BudgetCommand::UsedRead { result: read_text(&path), path }.into(),
         Purpose::OpenReadings => BudgetCommand::ReadingsRead { result: read_readings(&path), name }.into(),
+        Purpose::OpenParts(feature) => {
+            PairingCommand::Read { feature, result: read_parts(&path, &name, feature), path }.into()
+        }
         // These purposes write files.
         _ => Command::Picked(None),
     }
@@ -144,6 +150,11 @@ fn read_text(path: &Path) -> Result<String, Message> {
 fn read_readings(path: &Path) -> Result<Box<BothSizes>, Message> {
     let bytes = files::read_file(path).map_err(|error| error.message())?;
     Ok(Box::new(BothSizes::read(&name(path), &bytes)))
+}
+
+fn read_parts(path: &Path, name: &str, feature: Feature) -> Result<Arc<Parts>, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    usable(name, Parts::of_file(name, exchange::sizes(name, &bytes, feature)))
 }
 
 fn read_tools(path: &Path) -> Result<Box<ToolTable>, Message> {

@@ -5,6 +5,8 @@
 //! | `html` | one self-contained page that prints well on A4 |
 //! | `csv`, `json` | the checks in figures, for spreadsheets and programs, the same in every language |
 //! | `row` | the names and figures that CSV and JSON share |
+//! | `figure` | an exact decimal in files for programs |
+//! | `pairing` | which parts go together, and its files |
 //! | `band` | the limit band's geometry, for the report and the window |
 //! | `picture` | the limit band and the verdict's sign as SVG |
 //! | `text` | sentences about status, source of the limits, size and position |
@@ -16,8 +18,10 @@
 pub mod band;
 pub mod columns;
 pub mod csv;
+pub mod figure;
 pub mod html;
 pub mod json;
+pub mod pairing;
 mod picture;
 mod row;
 pub mod text;

@@ -22,7 +22,8 @@ use crate::control::mask::Mask;
 use crate::exchange::batch::Part;
 use crate::files::FileError;
 use crate::message::Message;
-use crate::tolerance::{Base, DeviationTable, iso286};
+use crate::report::pairing::Asked;
+use crate::tolerance::{Base, DeviationTable, Feature, iso286};
 use crate::words::{Dialogue, Language};
 
 /// A change of the state.
@@ -166,6 +167,10 @@ pub enum Purpose {
     SaveBudget,
     /// Reading readings of a calibrated piece.
     OpenReadings,
+    /// Reading measured holes or shafts for the pairing page.
+    OpenParts(Feature),
+    /// Writing the pairs in a format of their list, by its number there.
+    SavePairs(usize),
 }
 
 impl Purpose {
@@ -178,7 +183,8 @@ impl Purpose {
             | Self::SaveWorkpiece
             | Self::SaveCycleLog
             | Self::SaveTools
-            | Self::SaveBudget => false,
+            | Self::SaveBudget
+            | Self::SavePairs(_) => false,
             Self::Import
             | Self::LoadMask
             | Self::LoadTables
@@ -189,7 +195,8 @@ impl Purpose {
             | Self::OpenTools
             | Self::OpenBudget
             | Self::UseBudget
-            | Self::OpenReadings => true,
+            | Self::OpenReadings
+            | Self::OpenParts(_) => true,
         }
     }
 }
@@ -309,6 +316,13 @@ pub enum Effect {
         run: u64,
         /// Parts of the file, with the numbers of the rows in each, ascending.
         wanted: Vec<(Arc<Part>, Vec<usize>)>,
+    },
+    /// Pair measured parts and send [`PairingCommand::Paired`].
+    Pair {
+        /// The number of the question.
+        run: u64,
+        /// What is asked.
+        asked: Box<Asked>,
     },
     /// Close the window.
     Leave,

@@ -60,8 +60,13 @@ impl Session {
             }
             FilesCommand::Launched(Ok(())) => {}
             FilesCommand::Launched(Err(problem)) => self.shared.tell_first(problem),
-            FilesCommand::IsFolder(path) if !self.shared.dialog_waits() => {
-                self.shared.tell(FileError::IsFolder { path }.message());
+            FilesCommand::IsFolder(path) => {
+                self.pairing.is_no_file(&path);
+                if !self.shared.dialog_waits() {
+                    self.shared.tell(FileError::IsFolder { path }.message());
+                } else if let Some(dialog) = &mut self.shared.dialog {
+                    dialog.apply(FilesCommand::IsFolder(path), None);
+                }
             }
             FilesCommand::Take(number) => {
                 if let Some(dialog) = &mut self.shared.dialog {
@@ -97,6 +102,10 @@ impl Session {
             Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
             Purpose::SaveTools => self.tools().map_or_else(String::new, |tools| tools.name.clone()),
             Purpose::SaveBudget => self.budget.name(),
+            Purpose::SavePairs(_) => {
+                let name = Words::new(self.shared.language).get("pairing-page-file-name");
+                names::dated(&names::allowed(&name), now, ending(purpose))
+            }
             _ => String::new(),
         };
         self.shared.open_dialog(purpose, path);
@@ -187,6 +196,11 @@ impl Session {
             Purpose::ExportStatus => {
                 let text = self.check.status_text().ok_or_else(|| Message::new("dialog-no-status"))?;
                 text.as_bytes().to_vec().into()
+            }
+            Purpose::SavePairs(format) => self.pairing.content(format)?,
+            Purpose::OpenParts(feature) => {
+                self.pairing.awaits(feature, path.clone());
+                return Ok(Effect::Read(purpose, path));
             }
             _ => return Ok(Effect::Read(purpose, path)),
         };

@@ -78,7 +78,9 @@ pub use fit::{
     ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
 };
 pub use history::{ChangeId, History, ListCommand, status_text};
-pub use pairing::{PairingCommand, PairingField, PairingPage};
+pub use pairing::{
+    Bin, FromMiddle, Marks, PairRow, Paired, PairingCommand, PairingField, PairingPage, PairsPicture, Sight, usable,
+};
 pub use part::{feature_message, shape_id};
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
@@ -134,7 +136,7 @@ impl Session {
             cycles: CyclesPage::new(&saved.cycles),
             tables: TablesPage::new(&saved.inputs),
             program: ProgramPage::default(),
-            pairing: PairingPage::new(&saved.inputs),
+            pairing: PairingPage::new(&saved.inputs, &shared.sources),
             budget: BudgetPage::new(&saved.inputs, saved.budget.clone()),
             shared,
         };
@@ -202,6 +204,7 @@ impl Session {
         let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
         effects.extend(to_read.map(Effect::List));
         effects.extend(self.check.take_errands());
+        effects.extend(self.pairing.take_errands());
         shared.in_order(effects)
     }
 
@@ -309,7 +312,9 @@ impl Session {
             Field::Tables(field) => field == TablesField::Filter,
             Field::Program(ProgramField::Tool(parameter)) => parameter.family.is_text(),
             Field::Program(field) => matches!(field, ProgramField::Filter | ProgramField::Name | ProgramField::Value),
-            Field::Cycles(_) | Field::Fit(_) | Field::Pairing(_) | Field::Budget(_) | Field::Workpiece(_) => false,
+            // Two points stand between two clearances.
+            Field::Pairing(field) => field == PairingField::Wanted,
+            Field::Cycles(_) | Field::Fit(_) | Field::Budget(_) | Field::Workpiece(_) => false,
         }
     }
 

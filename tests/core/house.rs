@@ -57,7 +57,19 @@ const ROOMS: [(&str, &[&str]); 19] = [
     ("exchange", &["message", "length", "tolerance", "verdict", "probing", "control", "journal"]),
     (
         "report",
-        &["shipped", "message", "length", "words", "tolerance", "verdict", "pairing", "probing", "budget", "journal"],
+        &[
+            "shipped",
+            "message",
+            "length",
+            "words",
+            "tolerance",
+            "verdict",
+            "pairing",
+            "probing",
+            "budget",
+            "journal",
+            "exchange",
+        ],
     ),
     ("files", &["message", "tolerance", "control", "nc"]),
     (

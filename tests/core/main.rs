@@ -87,6 +87,7 @@ mod session_files;
 mod session_filter;
 mod session_fit;
 mod session_history;
+mod session_pairing;
 mod session_parts;
 mod session_program;
 mod session_rules;

@@ -153,7 +153,7 @@ fn a_corrected_value_is_read_back_and_never_corrected_again() {
     assert_eq!(code, Some(1), "{told}");
     assert!(told.contains("the values are at 20 °C already"), "{told}");
     // A value that does not follow from its own columns is refused.
-    std::fs::write(&path, csv.replace("80.02,", "80.03,")).unwrap();
+    std::fs::write(&path, csv.replace("80.020", "80.021")).unwrap();
     let (_, told, code) = run(&["import", name]);
     assert_eq!(code, Some(1), "{told}");
     assert!(told.contains("does not follow from the value as measured and its temperatures"), "{told}");

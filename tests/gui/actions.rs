@@ -10,9 +10,10 @@ use fitcheck::gui::App;
 use fitcheck::session::action::{Held, Part, Shortcut};
 use fitcheck::session::program::Speed;
 use fitcheck::session::{
-    Action, CheckCommand, CheckField, Command, CyclesCommand, Field, FitField, Page, ProgramCommand, Purpose, Session,
-    Step, TablesCommand, Theme,
+    Action, CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, FitField, Page, Paired, PairingCommand,
+    PairingField, ProgramCommand, Purpose, Session, Step, TablesCommand, Theme,
 };
+use fitcheck::tolerance::Feature;
 use fitcheck::words::Language;
 
 use crate::harness::window;
@@ -33,7 +34,14 @@ impl Pair {
     }
 
     fn apply(&mut self, command: Command) {
-        self.session.apply(command, jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0));
+        let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
+        for effect in self.session.apply(command, now) {
+            // The window pairs at once.
+            if let Effect::Pair { run, asked } = effect {
+                let paired = std::sync::Arc::new(Paired::of(*asked));
+                self.session.apply(PairingCommand::Paired { run, paired }.into(), now);
+            }
+        }
     }
 
     /// Gives both a command.
@@ -85,13 +93,13 @@ impl Pair {
             Page::Fit => self.window.get_by_role_and_label(Role::RadioGroup, "Hole classes").focus(),
             Page::Tables => self.window.get_by_role(Role::Grid).focus(),
             Page::Program => self.window.get_by_role(Role::List).focus(),
-            Page::Check => {
+            Page::Check | Page::Pairing => {
                 // Without checks there is no list.
                 if let Some(list) = self.window.query_by_role(Role::Grid) {
                     list.focus();
                 }
             }
-            Page::Cycles | Page::Pairing | Page::Budget => {}
+            Page::Cycles | Page::Budget => {}
         }
         self.window.step();
         self.window.step();
@@ -192,6 +200,25 @@ fn keys_of_the_fit_page() {
     pair.press_all();
     let done = pair.done.iter().filter(|name| name.starts_with("MoveClass")).count();
     assert_eq!(done, 4);
+}
+
+#[test]
+fn keys_of_the_pairing_page() {
+    let mut pair = Pair::on(Page::Check);
+    for (callout, measured) in [("25 H7", "25.012"), ("25 H7", "25.004"), ("25 g6", "24.990"), ("25 g6", "24.985")] {
+        pair.send(Field::from(CheckField::Callout).typed(callout.to_owned()));
+        pair.send(Field::from(CheckField::Measured).typed(measured.to_owned()));
+        pair.send(CheckCommand::Measure);
+    }
+    pair.send(Command::OpenPage(Page::Pairing));
+    pair.send(PairingCommand::TakeHistory(Feature::Hole));
+    pair.send(PairingCommand::TakeHistory(Feature::Shaft));
+    pair.send(Field::from(PairingField::Wanted).typed("0..0.1".to_owned()));
+    pair.press_all();
+    for name in ["OpenParts(Hole)", "OpenParts(Shaft)", "SavePairs(0)", "CopyPairs"] {
+        assert!(pair.done.iter().any(|done| done.starts_with(name)), "{name} was never possible");
+    }
+    assert_eq!(pair.done.iter().filter(|name| name.starts_with("MovePair")).count(), 6);
 }
 
 #[test]

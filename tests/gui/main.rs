@@ -12,6 +12,7 @@ mod harness;
 mod history;
 mod keeping;
 mod keyboard;
+mod pairing_page;
 mod parts;
 mod pictures;
 mod program_page;

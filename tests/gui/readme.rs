@@ -5,11 +5,10 @@
 use std::path::Path;
 
 use eframe::egui::{Key, Theme, Vec2, vec2};
-use egui_kittest::kittest::Queryable as _;
 use egui_kittest::{Harness, SnapshotOptions};
 use fitcheck::gui::App;
 use fitcheck::session::{
-    BudgetCommand, CheckCommand, CheckField, Command, CycleFile, FilesCommand, MeasureBy, Page, ProgramCommand, Purpose,
+    BudgetCommand, CheckCommand, CheckField, Command, CycleFile, FilesCommand, MeasureBy, Page, Purpose,
 };
 use fitcheck::verdict::rules::RuleName;
 
@@ -109,13 +108,14 @@ fn a_flange_is_turned_and_measured() {
 }
 
 /// Pictures of the README that other tests take, too.
-const OTHERS: [(&str, &str); 9] = [
+const OTHERS: [(&str, &str); 10] = [
     ("cycle_421", "cycle_421_light"),
     ("cycle_422", "cycle_422_dark"),
     ("cycle_427", "cycle_427_light"),
     ("cycle_444", "cycle_444_dark"),
     ("cycle_g785", "cycle_g785_light"),
     ("fit", "fit_interference_light"),
+    ("pairing", "pairing_light"),
     ("program", "program_light"),
     ("program_part", "program_part_light"),
     ("tables", "table_differs_light"),

@@ -4,6 +4,7 @@
 //! `PICTURES=FOLDER cargo test --all-features --test gui sizes` also writes a picture of every page at every size.
 
 use std::borrow::Cow;
+use std::io::Write as _;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::epaint::TextShape;
@@ -13,9 +14,10 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::message::Bundle;
 use fitcheck::session::{
-    BudgetCommand, BudgetField, CheckCommand, CheckField, Command, CyclesCommand, Field, FitField, MeasureBy, Page,
-    ProgramCommand,
+    BudgetCommand, BudgetField, CheckCommand, CheckField, Command, CyclesCommand, Field, FilesCommand, FitField,
+    MeasureBy, Page, PairingCommand, PairingField, ProgramCommand, Purpose,
 };
+use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 
@@ -259,7 +261,18 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
             typed(&mut window, BudgetField::Touches, "3");
             typed(&mut window, BudgetField::Step, "60");
         }
-        Page::Check | Page::Tables | Page::Pairing => {}
+        Page::Pairing => {
+            typed(&mut window, PairingField::Wanted, "0.010..0.030");
+            typed(&mut window, PairingField::Groups, "3");
+            let folder = tempfile::tempdir().unwrap();
+            for (feature, name, rows) in [(Feature::Hole, "holes.csv", HOLES), (Feature::Shaft, "shafts.csv", SHAFTS)] {
+                let path = folder.path().join(name);
+                std::fs::File::create(&path).and_then(|mut file| file.write_all(rows)).unwrap();
+                send(&mut window, FilesCommand::Open(Purpose::OpenParts(feature), path));
+            }
+            send(&mut window, PairingCommand::Select(1));
+        }
+        Page::Check | Page::Tables => {}
     }
     paint(&mut window, &what);
     if page != Page::Tables && page != Page::Program {
@@ -268,7 +281,10 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
     faults(&window, tongue, &what)
 }
 
-const OTHER_PAGES: [Page; 5] = [Page::Fit, Page::Cycles, Page::Program, Page::Tables, Page::Budget];
+const OTHER_PAGES: [Page; 6] = [Page::Fit, Page::Cycles, Page::Program, Page::Tables, Page::Pairing, Page::Budget];
+
+const HOLES: &[u8] = b"id;measured\nH1;25,012\nH2;25,004\nH3;25,001\nH4;25,021\nH5;\n";
+const SHAFTS: &[u8] = b"id;measured\nS1;24,990\nS2;24,986\nS3;25,016\nS4;24,999\n";
 
 #[test]
 fn the_check_page_at_every_size() {

@@ -125,10 +125,6 @@ cli-warning-position-unused = --position has no effect: cycle { $code } does not
 cli-warning-predef-unused = --predef has no effect on { $name }: it is not set to PREDEF
 cli-warning-log-option = --{ $option } has no effect: no log is written or shown
 cli-warning-more-figures = { $count } more such figures are not listed
-cli-warning-outside-limits = { $count ->
-        [one] 1 part is outside its own limits
-       *[other] { $count } parts are outside their own limits
-    }: pairs are made by clearance alone
 cli-warning-tables-not-used = --tables, --source and options of the standard are not used: no limits are looked up without --fit
 cli-warning-empty-cell = { $class } over { $over } up to { $to } mm is left empty: ISO 286 has no single value for all of it
 cli-warning-budget-option = --{ $option } has no effect: the budget does not depend on it

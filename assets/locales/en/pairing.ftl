@@ -13,3 +13,17 @@ pairing-no-sizes = there are no { $feature ->
         [hole] holes
        *[shaft] shafts
     } to sort
+
+# What to check about parts
+pairing-parts-outside-limits = { $count ->
+        [one] 1 part is outside its own limits
+       *[other] { $count } parts are outside their own limits
+    }: pairs are made by clearance alone
+pairing-parts-checked-twice = { $rows ->
+        [one] a check has the name of an earlier check
+       *[other] { $rows } checks have the name of an earlier check
+    }, such as { $id }, checks { $first } and { $second }: each check counts as a part
+pairing-parts-simulated-checks = { $count ->
+        [one] 1 check is simulated
+       *[other] { $count } checks are simulated
+    }: nothing was measured

@@ -125,10 +125,6 @@ cli-warning-position-unused = --position heeft geen effect: cyclus { $code } beg
 cli-warning-predef-unused = --predef heeft geen effect op { $name }: die staat niet op PREDEF
 cli-warning-log-option = --{ $option } heeft geen effect: er wordt geen meetprotocol geschreven of getoond
 cli-warning-more-figures = nog { $count } zulke waarden zijn niet vermeld
-cli-warning-outside-limits = { $count ->
-        [one] 1 onderdeel ligt buiten zijn eigen grensmaten
-       *[other] { $count } onderdelen liggen buiten hun eigen grensmaten
-    }: paren volgen alleen uit de speling
 cli-warning-tables-not-used = --tables, --source en opties van de norm worden niet gebruikt: zonder --fit worden geen grensmaten opgezocht
 cli-warning-empty-cell = { $class } boven { $over } tot en met { $to } mm blijft leeg: ISO 286 heeft geen waarde die voor het hele bereik geldt
 cli-warning-budget-option = --{ $option } heeft geen effect: het budget hangt er niet van af

@@ -13,3 +13,17 @@ pairing-no-sizes = er zijn geen { $feature ->
         [hole] boringen
        *[shaft] assen
     } om te sorteren
+
+# What to check about parts
+pairing-parts-outside-limits = { $count ->
+        [one] 1 onderdeel ligt buiten zijn eigen grensmaten
+       *[other] { $count } onderdelen liggen buiten hun eigen grensmaten
+    }: paren volgen alleen uit de speling
+pairing-parts-checked-twice = { $rows ->
+        [one] een controle heeft de naam van een eerdere controle
+       *[other] { $rows } controles hebben de naam van een eerdere controle
+    }, zoals { $id }, controles { $first } en { $second }: elke controle telt als een onderdeel
+pairing-parts-simulated-checks = { $count ->
+        [one] 1 controle is gesimuleerd
+       *[other] { $count } controles zijn gesimuleerd
+    }: er is niets gemeten

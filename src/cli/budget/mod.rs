@@ -14,10 +14,11 @@ use std::path::PathBuf;
 
 use jiff::civil::Date;
 
-use super::pair::Parts;
+use super::pair::read_parts;
 use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts};
 use crate::budget::{Assessment, Basis, Conditions, Geometry, Kind};
 use crate::length::Length;
+use crate::report::pairing::Parts;
 pub(super) use found::{assess, head, introduce, read};
 
 const EXAMPLES: &str = "\
@@ -82,7 +83,7 @@ struct Beside {
 impl Beside {
     fn of(read: Option<&Parts>) -> Self {
         let Some(read) = read else { return Self::default() };
-        Self { refused: read.errors.iter().map(ToString::to_string).collect(), warnings: read.warnings.clone() }
+        Self { refused: read.errors.iter().map(ToString::to_string).collect(), warnings: read.warnings() }
     }
 }
 
@@ -92,7 +93,7 @@ impl Args {
         let size = self.size.as_ref().map(|text| super::diameter(text, What::Option { name: "size" })).transpose()?;
         let conditions = Conditions { size, geometry: self.geometry(io)? };
         let read = match (&budget.basis, &self.readings) {
-            (Basis::Calibrated(piece), Some(path)) => Some(Parts::read(path, piece.feature, io)?),
+            (Basis::Calibrated(piece), Some(path)) => Some(read_parts(path, piece.feature, io)?),
             _ => None,
         };
         let mut beside = Beside::of(read.as_ref());

@@ -1,68 +1,36 @@
-//! The measured parts of a file, with everything about it that has to be said.
+//! The measured parts of a file; everything about it that has to be said goes to standard error.
 
 use std::path::Path;
 
+use crate::cli::CliError;
 use crate::cli::io::{Io, read_input};
 use crate::cli::said::warning;
-use crate::cli::{CliError, CliWarning};
-use crate::exchange::{ImportError, Size, Sizes, sizes};
-use crate::length::Length;
-use crate::message::{Located, Message, Say as _};
-use crate::tolerance::{Feature, Limits};
-use crate::verdict::{Status, judge_size};
+use crate::exchange::{ImportError, sizes};
+use crate::message::Located;
+use crate::report::pairing::{Note, Parts};
+use crate::tolerance::Feature;
 
-/// Holes or shafts of a file.
-pub(in crate::cli) struct Parts {
-    /// The file as the user named it.
-    pub(in crate::cli) file: String,
-    pub(in crate::cli) sizes: Vec<Size>,
-    /// The size of each part, in the same order.
-    pub(in crate::cli) measured: Vec<Length>,
-    /// What could not be used.
-    pub(in crate::cli) errors: Vec<Located<ImportError>>,
-    /// What was said about the file.
-    pub(in crate::cli) warnings: Vec<String>,
+/// Reads a file; errors and warnings also go to standard error.
+pub(in crate::cli) fn read_parts(path: &Path, feature: Feature, io: &mut Io<'_>) -> Result<Parts, CliError> {
+    let (name, bytes) = read_input(path, io)?;
+    let file = if path.as_os_str() == "-" { name.clone() } else { path.display().to_string() };
+    let parts = Parts::of_file(file, sizes(&name, &bytes, feature));
+    for note in &parts.notes {
+        tell(&parts, note, io);
+    }
+    for error in &parts.errors {
+        io.tell(format_args!("{}: {}", place(&parts, error), error.what.kind));
+    }
+    Ok(parts)
 }
 
-impl Parts {
-    /// Reads a file; errors and warnings also go to standard error.
-    pub(in crate::cli) fn read(path: &Path, feature: Feature, io: &mut Io<'_>) -> Result<Self, CliError> {
-        let (name, bytes) = read_input(path, io)?;
-        let file = if path.as_os_str() == "-" { name.clone() } else { path.display().to_string() };
-        let read = sizes(&name, &bytes, feature);
-        let doubts = read.doubts();
-        let Sizes { measured: found, errors, warnings } = read;
-        let mut notes: Vec<(Option<usize>, Message)> =
-            warnings.iter().map(|found| (found.place.line, found.what.message())).collect();
-        notes.extend(doubts.iter().map(|doubt| (None, doubt.message())));
-        let mut warnings = Vec::new();
-        for (line, what) in notes {
-            let place = line.map_or_else(|| file.clone(), |line| format!("{file}:{line}"));
-            io.tell(format_args!("{place}: {}", warning(&what)));
-            warnings.push(format!("{place}: {what}"));
-        }
-        let measured = found.iter().map(|part| part.measured).collect();
-        let read = Self { file, sizes: found, measured, errors, warnings };
-        for error in &read.errors {
-            io.tell(format_args!("{}: {}", read.place(error), error.what.kind));
-        }
-        Ok(read)
-    }
+/// `holes.csv:4: warning: …`
+pub(super) fn tell(parts: &Parts, note: &Note, io: &mut Io<'_>) {
+    io.tell(format_args!("{}: {}", parts.place_of(note), warning(&note.what)));
+}
 
-    /// Warns of parts outside their own limits: a pair of them may still have a wanted clearance.
-    pub(super) fn hold_to(&mut self, limits: &Limits, io: &mut Io<'_>) {
-        let is_out = |measured: &&Length| judge_size(limits, **measured).status != Status::Good;
-        let count = self.measured.iter().filter(is_out).count();
-        if 0 < count {
-            let what = CliWarning::OutsideLimits { count }.message();
-            io.tell(format_args!("{}: {}", self.file, warning(&what)));
-            self.warnings.push(format!("{}: {what}", self.file));
-        }
-    }
-
-    /// `holes.csv:4:2`
-    fn place(&self, error: &Located<ImportError>) -> String {
-        let column = error.place.column.map_or(String::new(), |column| format!(":{column}"));
-        format!("{}:{}{column}", self.file, error.place.line.unwrap_or(1))
-    }
+/// `holes.csv:4:2`
+fn place(parts: &Parts, error: &Located<ImportError>) -> String {
+    let column = error.place.column.map_or(String::new(), |column| format!(":{column}"));
+    format!("{}:{}{column}", parts.file(), error.place.line.unwrap_or(1))
 }

@@ -2,16 +2,14 @@
 
 use std::io::{Result, Write};
 
-use super::Answer;
-use super::figures::actual;
-use super::parts::Parts;
 use crate::exchange::Size;
 use crate::length::{Length, Unit};
 use crate::pairing::{Grinding, Group, Groups, Pair, Wanted};
+use crate::report::pairing::{Answer, Asked, Parts};
 
-pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
-    let Answer { holes, shafts, wanted, pairing, .. } = answer;
-    let fit = answer.fit.map_or(String::new(), |fit| format!("{fit}, "));
+pub(super) fn write(answer: &Answer, out: &mut dyn Write) -> Result<()> {
+    let Answer { asked: Asked { holes, shafts, wanted, fit, .. }, pairing, .. } = answer;
+    let fit = fit.as_ref().map_or(String::new(), |(callout, _)| format!("{callout}, "));
     let negative = if wanted.minimum() < Length::ZERO { " (negative is interference)" } else { "" };
     writeln!(
         out,
@@ -25,13 +23,13 @@ pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
     if 0 < refused {
         writeln!(out, "{} refused", counted(refused, "row"))?;
     }
-    if let Some((smallest, largest)) = actual(&pairing.pairs) {
+    if let Some((smallest, largest)) = answer.clearances() {
         let band = um(pairing.band);
         writeln!(out, "clearances {}, in a band of {band} µm around the middle\n", range(smallest, largest))?;
         pairs(out, answer, &pairing.pairs)?;
     }
     leftovers(out, answer)?;
-    if let Some(groups) = &answer.groups {
+    if let Some(groups) = answer.groups() {
         writeln!(out)?;
         sorted(out, groups, *wanted)?;
     }
@@ -64,9 +62,9 @@ const fn simulated(part: &Size, what: &'static str) -> &'static str {
     if part.is_simulated { what } else { "" }
 }
 
-fn pairs(out: &mut dyn Write, answer: &Answer<'_>, pairs: &[Pair]) -> Result<()> {
+fn pairs(out: &mut dyn Write, answer: &Answer, pairs: &[Pair]) -> Result<()> {
     let row = |pair: &Pair| {
-        let (hole, shaft) = (answer.holes.sizes.get(pair.hole)?, answer.shafts.sizes.get(pair.shaft)?);
+        let (hole, shaft) = (answer.asked.holes.sizes.get(pair.hole)?, answer.asked.shafts.sizes.get(pair.shaft)?);
         let notes = [simulated(hole, "hole simulated"), simulated(shaft, "shaft simulated")];
         let notes = notes.into_iter().filter(|note| !note.is_empty()).collect::<Vec<_>>().join(", ");
         let clearance = pair.clearance.signed_um();
@@ -77,8 +75,8 @@ fn pairs(out: &mut dyn Write, answer: &Answer<'_>, pairs: &[Pair]) -> Result<()>
     table(out, headings, [false, true, false, true, true, false], &rows)
 }
 
-fn leftovers(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
-    let Answer { holes, shafts, pairing, .. } = answer;
+fn leftovers(out: &mut dyn Write, answer: &Answer) -> Result<()> {
+    let Answer { asked: Asked { holes, shafts, .. }, pairing, .. } = answer;
     if pairing.holes.is_empty() && pairing.shafts.is_empty() {
         return Ok(());
     }
@@ -95,7 +93,7 @@ fn leftovers(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
     answer.grinding.as_ref().map_or(Ok(()), |grinding| ground(out, answer, grinding))
 }
 
-fn ground(out: &mut dyn Write, answer: &Answer<'_>, grinding: &Grinding) -> Result<()> {
+fn ground(out: &mut dyn Write, answer: &Answer, grinding: &Grinding) -> Result<()> {
     let bounded = if grinding.is_bounded() {
         format!(
             "; only amounts up to {} µm were tried, the farthest would need {} µm",

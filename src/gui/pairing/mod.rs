@@ -1,12 +1,58 @@
-//! The pairing page.
+//! The pairing page: which measured holes go with which measured shafts.
+//!
+//! | file | what |
+//! |---|---|
+//! | `asked_panel` | left: the wanted clearance, holes and shafts, groups |
+//! | `picture` | middle: both columns of parts with their pairs as lines |
+//! | `pairs_list` | middle: the pairs in sight of all |
+//! | `answer_panel` | right: how many pairs, their clearances, what is left over, grinding |
+//! | `groups_panel` | right: the groups |
 
-use eframe::egui::{CentralPanel, Ui};
+mod answer_panel;
+mod asked_panel;
+mod groups_panel;
+mod pairs_list;
+mod picture;
 
-use super::view::{View, heading};
+use eframe::egui::{Id, Ui};
 
-/// The page.
+pub(super) use pairs_list::id as list_id;
+
+use super::columns::{Page, columns_ui, of_height};
+use super::dialogs::just_opened;
+use super::field;
+use super::theme::{control, space};
+use super::view::View;
+use crate::session::PairingField;
+
+/// The page: left what is asked, middle what is seen, right the answer.
 pub(super) fn pairing_ui(ui: &mut Ui, view: &mut View<'_>) {
-    CentralPanel::default().show(ui, |ui| {
-        heading(ui, view.text("page-pairing"));
-    });
+    if just_opened(ui, Id::unique("pairing-page")) {
+        ui.memory_mut(|memory| memory.request_focus(field::id(PairingField::Wanted)));
+    }
+    let page = Page {
+        name: "pairing",
+        left: space(76.0),
+        right: space(82.0),
+        head: None,
+        asked: asked_panel::asked_ui,
+        seen: seen_ui,
+        seen_height: space(140.0),
+        verdict: |ui, view| answer_panel::count_ui(ui, view),
+        least: space(64.0),
+        answer: answer_panel::answer_ui,
+    };
+    columns_ui(ui, view, &page);
+}
+
+/// Picture and list; without an answer what is to be done.
+fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let Some(paired) = view.session.pairing().paired() else { return asked_panel::missing_ui(ui, view) };
+    // The list keeps its heads and three rows.
+    let height = (ui.available_height() * 0.52).min(ui.available_height() - control(ui) * 4.0 - space(4.0));
+    if space(24.0) <= height {
+        of_height(ui, height, |ui| picture::picture_ui(ui, view, paired));
+        ui.separator();
+    }
+    pairs_list::list_ui(ui, view, paired);
 }

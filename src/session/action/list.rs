@@ -3,6 +3,7 @@
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::journal::query::Column;
 use crate::report::RENDERINGS;
+use crate::report::pairing::FORMATS as PAIR_FORMATS;
 use crate::session::program::Switch;
 use crate::session::{Density, MeasureBy, Page, Step, Theme};
 use crate::tolerance::{Base, Feature};
@@ -259,4 +260,15 @@ actions! {
     TakeReadings;
     /// Takes the readings of the budget.
     OwnReadings;
+
+    /// Reads measured holes or shafts.
+    OpenParts(Feature): [Feature::Hole, Feature::Shaft];
+    /// Takes the holes or the shafts of the history.
+    HistoryParts(Feature): [Feature::Hole, Feature::Shaft];
+    /// Writes the pairs in a format of their list, by its number there.
+    SavePairs(usize): 0..PAIR_FORMATS.len();
+    /// Goes to another pair.
+    MovePair(Step): Step::BLOCKS;
+    /// Puts all pairs on the clipboard.
+    CopyPairs;
 }

@@ -6,6 +6,7 @@
 //! | here | what is asked of an action: its name, whether it is possible, its command |
 //! | `list` | every action |
 //! | `table` | a row for every action |
+//! | `pairing` | the rows of the pairing page |
 //! | `row` | what a row says |
 //! | `possible` | the conditions of the rows |
 //! | `place` | where an action applies |
@@ -16,6 +17,7 @@
 
 mod keys;
 mod list;
+mod pairing;
 mod place;
 mod possible;
 mod row;

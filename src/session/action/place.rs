@@ -30,11 +30,13 @@ pub enum Part {
     History,
     /// The list of the rows of a large file, in its place.
     Rows,
+    /// The list of pairs on the pairing page.
+    Pairs,
 }
 
 impl Part {
     /// The parts of all pages.
-    pub const ALL: [Self; 5] = [Self::Classes, Self::Cells, Self::Listing, Self::History, Self::Rows];
+    pub const ALL: [Self; 6] = [Self::Classes, Self::Cells, Self::Listing, Self::History, Self::Rows, Self::Pairs];
 
     /// The page that it belongs to.
     pub const fn page(self) -> Page {
@@ -43,6 +45,7 @@ impl Part {
             Self::Cells => Page::Tables,
             Self::Listing => Page::Program,
             Self::History | Self::Rows => Page::Check,
+            Self::Pairs => Page::Pairing,
         }
     }
 }

@@ -1,5 +1,6 @@
 //! A row for every action. Menus, buttons, tooltips and keys are made from it.
 
+use super::pairing;
 use super::possible::{
     asks_to_replace, can_step, can_use_budget, cell, checked_contacts, contacts_of_check, differs, free_dialog,
     has_bad, has_cell, has_cursor, has_history, has_listed, has_rows, has_status, has_table, is_after_first,
@@ -390,6 +391,12 @@ pub(super) fn row(action: Action) -> Row {
             .when(|session| session.budget().asks().readings && has_history(session)),
         Action::OwnReadings => on(Page::Budget, "budget-page-own-readings", BudgetCommand::OwnReadings)
             .when(|session| session.budget().readings().is_some()),
+
+        Action::OpenParts(feature) => pairing::open(feature),
+        Action::HistoryParts(feature) => pairing::of_history(feature),
+        Action::SavePairs(number) => pairing::save(number),
+        Action::MovePair(step) => pairing::step(step).key(keys(step)),
+        Action::CopyPairs => pairing::copy(),
     }
 }
 

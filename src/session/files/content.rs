@@ -3,7 +3,9 @@
 use std::io::{self, Write};
 use std::sync::Arc;
 
+use crate::report::pairing::Format;
 use crate::report::{Rendering, Report};
+use crate::session::pairing::Paired;
 use crate::words::{Language, Words};
 
 /// What is written into a file.
@@ -20,6 +22,13 @@ pub enum Content {
         /// The language of its words.
         language: Language,
     },
+    /// The pairs of measured parts.
+    Pairs {
+        /// The pairs.
+        paired: Arc<Paired>,
+        /// How they are written.
+        format: &'static Format,
+    },
 }
 
 impl Content {
@@ -31,6 +40,7 @@ impl Content {
         match self {
             Self::Bytes(bytes) => out.write_all(bytes),
             Self::Report { report, rendering, language } => (rendering.render)(report, &Words::new(*language), out),
+            Self::Pairs { paired, format } => (format.write)(&paired.answer, out),
         }
     }
 
@@ -58,6 +68,9 @@ impl PartialEq for Content {
             (Self::Bytes(bytes), Self::Bytes(others)) => bytes == others,
             (Self::Report { report, .. }, Self::Report { report: other, .. }) => {
                 Arc::ptr_eq(&report.checks, &other.checks)
+            }
+            (Self::Pairs { paired, format }, Self::Pairs { paired: other, format: other_format }) => {
+                Arc::ptr_eq(paired, other) && format.name == other_format.name
             }
             _ => false,
         }

@@ -9,7 +9,9 @@ use crate::exchange::{self, tables::TABLE_FORMATS};
 use crate::message::Say;
 use crate::probing::simulated::Part;
 use crate::report::RENDERINGS;
+use crate::report::pairing::FORMATS as PAIR_FORMATS;
 use crate::session::command::{CycleFile, Page, Purpose};
+use crate::tolerance::Feature;
 use crate::words::Words;
 
 /// How much of a file is looked at to find out what it is.
@@ -31,7 +33,7 @@ pub enum OpenError {
 
 impl Purpose {
     /// Everything that reads a file or a folder.
-    const READERS: [Self; 12] = [
+    const READERS: [Self; 14] = [
         Self::Import,
         Self::LoadMask,
         Self::LoadTables,
@@ -44,6 +46,8 @@ impl Purpose {
         Self::OpenCycleFile(CycleFile::Contacts),
         Self::OpenCycleFile(CycleFile::Workpiece),
         Self::OpenCycleFile(CycleFile::Probes),
+        Self::OpenParts(Feature::Hole),
+        Self::OpenParts(Feature::Shaft),
     ];
 
     /// The name of the kind of thing in the state file. What is read and written alike has one folder.
@@ -64,6 +68,9 @@ impl Purpose {
             Self::OpenTools | Self::SaveTools => "tools",
             Self::OpenBudget | Self::UseBudget | Self::SaveBudget => "budget",
             Self::OpenReadings => "readings",
+            Self::OpenParts(Feature::Hole) => "holes",
+            Self::OpenParts(Feature::Shaft) => "shafts",
+            Self::SavePairs(_) => "pairs",
         }
     }
 
@@ -78,6 +85,10 @@ impl Purpose {
         match self {
             Self::Import => exchange::endings().into_iter().chain(PACKED).collect(),
             Self::OpenReadings => exchange::endings().into_iter().collect(),
+            Self::OpenParts(_) => exchange::endings(),
+            Self::SavePairs(number) => {
+                PAIR_FORMATS.get(number).map(|format| format.endings.to_vec()).unwrap_or_default()
+            }
             Self::LoadMask => vec!["a"],
             Self::LoadTables | Self::OpenTable => vec!["tab"],
             Self::Export(number) => RENDERINGS.get(number).map(|format| format.endings.to_vec()).unwrap_or_default(),
@@ -106,7 +117,8 @@ impl Purpose {
         let reports = (0..RENDERINGS.len()).map(Self::Export);
         let written = [Self::ExportStatus, Self::SaveWorkpiece, Self::SaveCycleLog].into_iter();
         let tables = (0..TABLE_FORMATS.len()).map(Self::SaveTable);
-        let kinds = Self::READERS.into_iter().chain(written).chain(reports).chain(tables);
+        let pairs = (0..PAIR_FORMATS.len()).map(Self::SavePairs);
+        let kinds = Self::READERS.into_iter().chain(written).chain(reports).chain(tables).chain(pairs);
         kinds.flat_map(Self::endings).any(|known| ending == known)
     }
 
@@ -123,6 +135,7 @@ impl Purpose {
             Self::Import => Page::Check,
             Self::OpenTable => Page::Tables,
             Self::OpenBudget | Self::OpenReadings => Page::Budget,
+            Self::OpenParts(_) => Page::Pairing,
             // Both pages monitor tools with it.
             Self::OpenTools if open == Page::Cycles => open,
             Self::OpenProgram | Self::OpenPart | Self::OpenTools => Page::Program,

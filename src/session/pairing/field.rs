@@ -8,4 +8,6 @@ kept_fields! {
 
     /// Wanted clearances in mm, `0.010..0.030`, or a fit, `25 H7/g6`.
     Wanted: "pairing-wanted", "";
+    /// Into how many groups the parts are sorted; empty for none.
+    Groups: "pairing-groups", "";
 }

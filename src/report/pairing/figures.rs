@@ -6,13 +6,22 @@ use std::io::{Result, Write};
 
 use serde::Serialize;
 
-use super::Answer;
-use super::parts::Parts;
-use crate::cli::Figure;
-use crate::length::Length;
+use super::{Answer, Format, Parts};
 use crate::pairing::{Grinding, Group, Groups, Pair, Wanted};
 use crate::report::columns::{self, Cell as _, Column, columns, names};
 use crate::report::csv::cell;
+use crate::report::figure::Figure;
+
+/// The answer row by row.
+pub(super) const CSV: Format = Format { name: "csv", endings: &["csv"], write: csv };
+
+/// The answer as one object.
+pub(super) const JSON: Format = Format { name: "json", endings: &["json"], write: json };
+
+/// The names of the columns of CSV.
+pub fn column_names() -> [&'static str; Row::COLUMNS.len()] {
+    names(&Row::COLUMNS)
+}
 
 /// The whole answer in JSON.
 #[derive(Serialize)]
@@ -33,7 +42,7 @@ struct Figures<'a> {
     holes_outside_groups: Option<usize>,
     shafts_outside_groups: Option<usize>,
     refused: Vec<RefusedFigures<'a>>,
-    warnings: Vec<&'a str>,
+    warnings: Vec<String>,
 }
 
 #[derive(Serialize)]
@@ -95,7 +104,7 @@ struct RefusedFigures<'a> {
 
 /// A row of CSV.
 #[derive(Default)]
-pub(super) struct Row<'a> {
+struct Row<'a> {
     result: &'static str,
     hole: Option<PartFigures<'a>>,
     shaft: Option<PartFigures<'a>>,
@@ -107,7 +116,7 @@ pub(super) struct Row<'a> {
 
 impl Row<'_> {
     /// The columns of CSV: the names of JSON, joined where one is within another.
-    pub(super) const COLUMNS: [Column<Self>; 32] = columns! {
+    const COLUMNS: [Column<Self>; 32] = columns! {
         result, hole.id, hole.line, hole.mm, hole.group, hole.simulated,
         shaft.id, shaft.line, shaft.mm, shaft.group, shaft.simulated, clearance_um,
         grinding.amount_um, grinding.pairs, grinding.tried_um, grinding.reach_um, grinding.bounded,
@@ -118,9 +127,9 @@ impl Row<'_> {
     };
 }
 
-pub(super) fn csv(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
+fn csv(answer: &Answer, out: &mut dyn Write) -> Result<()> {
     let mut writer = csv::Writer::from_writer(out);
-    writer.write_record(names(&Row::COLUMNS))?;
+    writer.write_record(column_names())?;
     let figures = Figures::of(answer);
     let of = |result| Row { result, ..Row::default() };
     let pair = |result, PairFigures { hole, shaft, clearance_um }| Row {
@@ -143,7 +152,7 @@ pub(super) fn csv(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
     writer.flush()
 }
 
-pub(super) fn json(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
+fn json(answer: &Answer, out: &mut dyn Write) -> Result<()> {
     serde_json::to_writer_pretty(&mut *out, &Figures::of(answer))?;
     writeln!(out)
 }
@@ -153,19 +162,21 @@ fn number(count: usize) -> Figure {
 }
 
 impl<'a> Figures<'a> {
-    fn of(answer: &Answer<'a>) -> Self {
-        let Answer { holes, shafts, wanted, pairing, grinding, groups, .. } = answer;
-        let parts = Both { holes, shafts, groups: groups.as_ref() };
-        let refused = |parts: &'a Parts| parts.errors.iter().map(|error| RefusedFigures::of(&parts.file, error));
-        let outside = groups.as_ref().map(Groups::outside);
+    fn of(answer: &'a Answer) -> Self {
+        let Answer { asked, pairing, grinding, .. } = answer;
+        let (holes, shafts, wanted) = (asked.holes.as_ref(), asked.shafts.as_ref(), asked.wanted);
+        let groups = answer.groups();
+        let parts = Both { holes, shafts, groups };
+        let refused = |parts: &'a Parts| parts.errors.iter().map(|error| RefusedFigures::of(parts.file(), error));
+        let outside = groups.map(Groups::outside);
         let saving = grinding.as_ref().and_then(|grinding| grinding.best.as_ref());
         Self {
-            fit: answer.fit.map(ToString::to_string),
+            fit: asked.fit.as_ref().map(|(callout, _)| callout.to_string()),
             minimum_clearance_um: Figure::um(wanted.minimum()),
             maximum_clearance_um: Figure::um(wanted.maximum()),
             holes: holes.sizes.len(),
             shafts: shafts.sizes.len(),
-            actual: actual(&pairing.pairs).map(|(smallest, largest)| Actual {
+            actual: answer.clearances().map(|(smallest, largest)| Actual {
                 pairs: pairing.pairs.len(),
                 minimum_clearance_um: Figure::um(smallest),
                 maximum_clearance_um: Figure::um(largest),
@@ -176,19 +187,13 @@ impl<'a> Figures<'a> {
             leftover_shafts: pairing.shafts.iter().filter_map(|&at| parts.shaft(at)).collect(),
             grinding: grinding.as_ref().map(GrindingFigures::of),
             saved: saving.iter().flat_map(|saving| &saving.pairs).filter_map(|pair| parts.pair(pair)).collect(),
-            groups: groups.as_ref().map(|groups| GroupFigures::all(groups, *wanted)),
+            groups: groups.map(|groups| GroupFigures::all(groups, wanted)),
             holes_outside_groups: outside.map(|(holes, _)| holes),
             shafts_outside_groups: outside.map(|(_, shafts)| shafts),
             refused: refused(holes).chain(refused(shafts)).collect(),
-            warnings: holes.warnings.iter().chain(&shafts.warnings).map(String::as_str).collect(),
+            warnings: answer.warnings(),
         }
     }
-}
-
-/// The smallest and the largest clearance of the pairs.
-pub(super) fn actual(pairs: &[Pair]) -> Option<(Length, Length)> {
-    let clearances = || pairs.iter().map(|pair| pair.clearance);
-    clearances().min().zip(clearances().max())
 }
 
 /// Holes and shafts, and their groups if they are sorted.
