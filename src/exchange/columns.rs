@@ -207,7 +207,7 @@ impl Sample {
             .into_iter()
             .flatten()
             .chain(time.iter().copied())
-            .chain(corrected.iter().flat_map(|columns| columns.all()))
+            .chain(corrected.iter().flat_map(CorrectedColumns::all))
             .collect();
         let ignored = (0..).zip(header).filter(|(at, name)| !used.contains(at) && !name.trim().is_empty());
         Ok(Columns {

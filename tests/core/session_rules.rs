@@ -1,9 +1,10 @@
 //! Decision rules, uncertainty and temperature on the check page.
 
+use fitcheck::budget::Validity;
 use fitcheck::exchange::import;
 use fitcheck::journal::Record;
 use fitcheck::journal::query::RecordId;
-use fitcheck::session::{CheckCommand, CheckField, Saved, Session, UncertaintyFrom};
+use fitcheck::session::{BudgetCommand, CheckCommand, CheckField, Saved, Session, UncertaintyFrom};
 use fitcheck::verdict::Status;
 use fitcheck::verdict::rules::{Prover, RuleName};
 use fitcheck::words::Language;
@@ -256,4 +257,69 @@ fn without_a_budget_in_use_nothing_is_judged_by_one() {
     assert!(session.check().shown().is_none());
     let said = session.check().error(CheckField::Uncertainty).unwrap().to_string();
     assert_eq!(said, "no budget is in use: open one on the budget page and use it for checks");
+}
+
+/// The budget of metrology.md, section 7, with its days: u = 0.957 µm.
+fn budget(from: &str, until: &str) -> String {
+    format!(
+        "name = \"Station 3\"\ndate = {from}\nby = \"J. Jansen\"\nvalid_until = {until}\n\
+         [[contribution]]\nname = \"Scatter of a touch\"\nkind = \"scatter\"\ntype = \"B\"\nlaw = \"normal\"\n\
+         standard_um = 0.5\ntouches = 4\nstep_deg = 90\n\
+         [[contribution]]\nname = \"Setting ring\"\ntype = \"B\"\nlaw = \"normal\"\nexpanded_um = 1.0\nk = 2\n\
+         [[contribution]]\nname = \"Temperature\"\nkind = \"part-temperature\"\ntype = \"B\"\nlaw = \"normal\"\n\
+         standard_k = 1\nalpha_per_k = 11.5e-6\n\
+         [[contribution]]\nname = \"Machine\"\ntype = \"B\"\nlaw = \"rectangular\"\nhalf_width_um = 1.0\n"
+    )
+}
+
+fn with_budget(from: &str, until: &str) -> Session {
+    let mut session = Session::new(Language::En);
+    session.apply(BudgetCommand::Edit(budget(from, until)).into(), now());
+    session.apply(BudgetCommand::Use.into(), now());
+    run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of1998)]);
+    run(&mut session, [CheckCommand::TellUncertainty(UncertaintyFrom::Budget)]);
+    session
+}
+
+#[test]
+fn the_budget_in_use_gives_the_uncertainty_of_each_value() {
+    let mut session = with_budget("2026-01-15", "2027-01-14");
+    measured(&mut session, "25 H7", "25.012");
+    let record = shown(&session);
+    // √(0.5² + 0.5² + (25.012 · 0.0115)² + 1/3), rounded up to the picometre.
+    assert_eq!(record.verdict.rule.uncertainty().unwrap().um(), "0.957115");
+    let kept = record.budget.as_ref().unwrap();
+    assert_eq!((kept.name.as_str(), kept.validity), ("Station 3", Validity::Valid));
+    // Contacts on a short arc spread the scatter of a touch: 3 at 60° have 3.464 times of it (metrology.md, section 7: 1.91 µm).
+    let arc = b"x,y\n12.506,0\n6.253,10.830513688652\n-6.253,10.830513688652\n";
+    let read = import("arc.csv", arc, session.sources(), now());
+    run(&mut session, [CheckCommand::Imported { name: "arc.csv".to_owned(), result: Ok(Box::new(read)) }]);
+    let u: f64 = shown(&session).verdict.rule.uncertainty().unwrap().um().parse().unwrap();
+    assert!((u - 1.913).abs() < 0.001, "{u}");
+    // Nothing is left of a verdict by a budget that is in use no more.
+    session.apply(BudgetCommand::Leave.into(), now());
+    assert!(session.check().shown().is_none());
+}
+
+#[test]
+fn an_expired_budget_still_counts_and_says_so() {
+    let mut session = with_budget("2025-01-15", "2026-01-14");
+    measured(&mut session, "25 H7", "25.012");
+    let kept = shown(&session).budget.clone().unwrap();
+    assert_eq!(kept.validity, Validity::Expired);
+    assert_eq!(kept.warnings[0].to_string(), "the budget has expired: it was valid until 2026-01-14");
+}
+
+#[test]
+fn a_check_by_an_earlier_budget_stands_beside_its_own_uncertainty() {
+    let mut session = with_budget("2026-01-15", "2027-01-14");
+    measured(&mut session, "25 H7", "25.012");
+    session.apply(BudgetCommand::Edit(budget("2026-02-15", "2027-02-14")).into(), now());
+    session.apply(BudgetCommand::Use.into(), now());
+    run(&mut session, [CheckCommand::Show(RecordId(0))]);
+    let kept = shown(&session).budget.clone().unwrap();
+    assert_eq!(kept.date, date(2026, 1, 15));
+    assert_eq!(session.used_budget().unwrap().budget.date, date(2026, 2, 15), "the next check has the new one");
+    run(&mut session, [typed(CheckField::Measured, "25.013"), CheckCommand::Measure]);
+    assert_eq!(shown(&session).budget.as_ref().unwrap().date, date(2026, 2, 15));
 }

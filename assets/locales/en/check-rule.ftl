@@ -61,3 +61,4 @@ band-describe-nothing = The rule accepts no value.
 guard-band = re-measure
 guard-band-beyond = accepted by the rule
 rows-by-limits = Judged by the limits alone: the decision rule and the temperature of this page are not used for a large file
+check-budget-of-check = { $name }, made { $date }

@@ -61,3 +61,4 @@ band-describe-nothing = De regel aanvaardt geen waarde.
 guard-band = opnieuw meten
 guard-band-beyond = aanvaard door de regel
 rows-by-limits = Alleen volgens de grenzen beoordeeld: de beslisregel en de temperatuur van deze pagina gelden niet voor een groot bestand
+check-budget-of-check = { $name }, gemaakt op { $date }

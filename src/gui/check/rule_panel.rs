@@ -104,12 +104,19 @@ fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     });
     if judging.from == UncertaintyFrom::Budget {
-        match view.session.used_budget() {
-            Some(open) => {
+        // A shown check has the budget that it was made with.
+        let of_check = view.session.check().shown().and_then(|shown| shown.record.budget.clone());
+        match (of_check, view.session.used_budget()) {
+            (Some(kept), _) => {
+                let date = kept.date.to_string();
+                let said = Message::new("check-budget-of-check").text("name", &kept.name).text("date", date);
+                ui.label(view.words.say(&said));
+            }
+            (None, Some(open)) => {
                 let said = Message::new("check-budget-used").text("name", &open.budget.name).text("file", &open.file);
                 ui.label(view.words.say(&said));
             }
-            None => _ = quiet(ui, view.text("check-budget-none")),
+            (None, None) => _ = quiet(ui, view.text("check-budget-none")),
         }
         view.field_button(ui, Action::Open(Page::Budget));
         error_ui(ui, view, CheckField::Uncertainty);
