@@ -130,7 +130,7 @@ fn a_corrected_value_is_read_back_and_never_corrected_again() {
     let warm = ["--temperature", "28", "--material", "23.1", "--scale-temperature", "24", "--scale-material", "10"];
     let check = ["check", "80 H7", "--measured", "80.02", "--format", "csv"];
     let (csv, _, _) = run(&[&check[..], &warm[..]].concat());
-    std::fs::write(&path, &csv).unwrap();
+    fitcheck::files::write(&path, csv.as_bytes()).unwrap();
     let name = path.to_str().unwrap();
     let read = fitcheck::exchange::import(
         name,
@@ -153,7 +153,7 @@ fn a_corrected_value_is_read_back_and_never_corrected_again() {
     assert_eq!(code, Some(1), "{told}");
     assert!(told.contains("the values are at 20 °C already"), "{told}");
     // A value that does not follow from its own columns is refused.
-    std::fs::write(&path, csv.replace("80.020", "80.021")).unwrap();
+    fitcheck::files::write(&path, csv.replace("80.020", "80.021").as_bytes()).unwrap();
     let (_, told, code) = run(&["import", name]);
     assert_eq!(code, Some(1), "{told}");
     assert!(told.contains("does not follow from the value as measured and its temperatures"), "{told}");

@@ -4,8 +4,8 @@ use std::path::PathBuf;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Theme, Vec2, vec2};
-use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use egui_kittest::{Harness, SnapshotOptions};
 use fitcheck::gui::{App, Errands, Setup, Store};
 use fitcheck::session::{Command, Purpose};
 use fitcheck::words::{Language, Words};
@@ -102,6 +102,12 @@ pub fn check(harness: &mut Harness<'_, App>, callout: &str, measured: &str) {
 /// What the live verdict says.
 pub fn verdict(harness: &Harness<'_, App>) -> String {
     harness.get_by_role(Role::Status).accesskit_node().label().unwrap_or_default()
+}
+
+/// Compares a picture of the window with the one of a name in a folder.
+#[expect(clippy::disallowed_methods, reason = "the folder alone; thresholds are those of every picture")]
+pub fn picture_in(window: &mut Harness<'_, App>, name: &str, folder: &str) {
+    window.snapshot_options(name, &SnapshotOptions::new().output_path(folder));
 }
 
 /// Presses a key.

@@ -5,14 +5,14 @@
 use std::path::Path;
 
 use eframe::egui::{Key, Theme, Vec2, vec2};
-use egui_kittest::{Harness, SnapshotOptions};
+use egui_kittest::Harness;
 use fitcheck::gui::App;
 use fitcheck::session::{
     BudgetCommand, CheckCommand, CheckField, Command, CycleFile, FilesCommand, MeasureBy, Page, Purpose,
 };
 use fitcheck::verdict::rules::RuleName;
 
-use crate::harness::{DESK, Window, check, press};
+use crate::harness::{DESK, Window, check, picture_in, press};
 use crate::pictures::can_paint;
 
 /// Takes a picture of a window, if pictures can be made here.
@@ -20,11 +20,10 @@ fn taken(name: &str, theme: Theme, size: Vec2, work: impl FnOnce(&mut Harness<'s
     if !can_paint(name) {
         return;
     }
-    let mut window = Window { theme, size, ..Window::default() }.open();
+    let mut window = Window { size, theme, ..Window::default() }.open();
     work(&mut window);
     window.run_ok();
-    let options = SnapshotOptions::new().output_path("docs/screenshots");
-    window.snapshot_options(name, &options);
+    picture_in(&mut window, name, "docs/screenshots");
 }
 
 fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
