@@ -6,7 +6,7 @@
 //! | here | what is asked of an action: its name, whether it is possible, its command |
 //! | `list` | every action |
 //! | `table` | a row for every action |
-//! | `pairing` | the rows of the pairing page |
+//! | `program`, `pairing`, `budget` | the rows of these pages |
 //! | `row` | what a row says |
 //! | `possible` | the conditions of the rows |
 //! | `place` | where an action applies |
@@ -15,11 +15,13 @@
 //!
 //! Choices among what a user has (a class, a table of the list, a block) are not actions: they send commands.
 
+mod budget;
 mod keys;
 mod list;
 mod pairing;
 mod place;
 mod possible;
+mod program;
 mod row;
 mod shortcut;
 mod table;

@@ -1,12 +1,8 @@
 //! The conditions under which actions are possible, and what switches are set to.
 
-use std::sync::Arc;
-
-use crate::journal::Record;
-use crate::session::budget::{BudgetCommand, UseOf};
 use crate::session::files::Dialog;
 use crate::session::program::Run;
-use crate::session::{Command, Lot, Session, tables};
+use crate::session::{Lot, Session, tables};
 use crate::tolerance::iso286::{Edition, JsHalves, Options};
 use crate::tolerance::{Deviations, ToleranceClass};
 
@@ -102,23 +98,4 @@ pub(super) fn cell(session: &Session) -> Option<Deviations> {
 pub(super) fn can_step(session: &Session) -> bool {
     let program = session.program();
     !program.is_running() && !program.run().is_some_and(Run::is_over)
-}
-
-/// Whether checks can use the budget on the page, and do not use it yet.
-pub(super) fn can_use_budget(session: &Session) -> bool {
-    let budget = session.budget();
-    budget.can_be_used() && budget.use_of(session.used_budget()) != UseOf::This
-}
-
-/// The check that is shown, where its contacts are known.
-pub(super) fn checked_contacts(session: &Session) -> Option<&Arc<Record>> {
-    let shown = session.check().shown().map(|shown| &shown.record);
-    shown.filter(|record| !record.measurement.contacts.is_empty())
-}
-
-pub(super) fn contacts_of_check(session: &Session) -> Command {
-    // Without one there is nothing to take, and the action is not possible.
-    checked_contacts(session)
-        .map_or(BudgetCommand::OwnContacts, |record| BudgetCommand::TakeContacts(Arc::clone(record)))
-        .into()
 }

@@ -1,20 +1,18 @@
 //! A row for every action. Menus, buttons, tooltips and keys are made from it.
 
-use super::pairing;
 use super::possible::{
-    asks_to_replace, can_step, can_use_budget, cell, checked_contacts, contacts_of_check, differs, free_dialog,
-    has_bad, has_cell, has_cursor, has_history, has_listed, has_rows, has_status, has_table, is_after_first,
-    is_after_worst, is_before_best, is_before_last, is_of_1988, rounds_js, selected, tells_of_file,
+    asks_to_replace, cell, differs, free_dialog, has_bad, has_cell, has_cursor, has_history, has_listed, has_rows,
+    has_status, has_table, is_after_first, is_after_worst, is_before_best, is_before_last, is_of_1988, rounds_js,
+    selected, tells_of_file,
 };
 use super::row::{Row, Sends, everywhere, in_dialog, of_workpiece, on, switch, within};
 use super::{Action, Held, Key, Part, Place, Shortcut};
+use super::{budget, pairing, program};
 use crate::journal::query::Column;
-use crate::session::budget::BudgetCommand;
 use crate::session::check::{CheckCommand, CheckField};
 use crate::session::cycles::CyclesCommand;
 use crate::session::files::{FilesCommand, Launch};
 use crate::session::fit::FitCommand;
-use crate::session::program::{ProgramCommand, Switch};
 use crate::session::tables::{self, TablesCommand, TablesField};
 use crate::session::tools::ToolsCommand;
 use crate::session::workpiece::WorkpieceCommand;
@@ -326,71 +324,30 @@ pub(super) fn row(action: Action) -> Row {
         Action::RemoveColumn => on(Page::Tables, "tables-remove-column", TablesCommand::RemoveColumn).when(has_cell),
         Action::MakeTable => on(Page::Tables, "tables-make", TablesCommand::Make),
 
-        Action::OpenPart => on(Page::Program, "program-page-open-part", open(Purpose::OpenPart)),
-        Action::OpenProgram => {
-            on(Page::Program, "program-page-open", open(Purpose::OpenProgram)).key(Shortcut::ctrl('O'))
-        }
-        Action::RunProgram => on(Page::Program, "program-page-run", ProgramCommand::Run)
-            .key(Shortcut::plain(Key::Function(5)))
-            .when(|session| !session.program().is_running()),
-        Action::PauseProgram => on(Page::Program, "program-page-pause", ProgramCommand::Pause)
-            .key(Shortcut::plain(Key::Escape))
-            .when(|session| session.program().is_running()),
-        Action::StepProgram => on(Page::Program, "program-page-step", ProgramCommand::Step)
-            .key(Shortcut::plain(Key::Function(10)))
-            .when(can_step),
-        Action::StepOver => on(Page::Program, "program-page-step-over", ProgramCommand::StepOver)
-            .key(Shortcut::shift(Key::Function(10)))
-            .when(can_step),
-        Action::RunToSelected => on(Page::Program, "program-page-to-selected", ProgramCommand::RunToSelected)
-            .key(Shortcut { held: Held::Ctrl, key: Key::Function(10) })
-            .when(|session| !session.program().is_running()),
-        Action::ToggleBreakpoint => {
-            on(Page::Program, "program-page-breakpoint", ProgramCommand::ToggleBreakpoint(None))
-                .key(Shortcut::plain(Key::Function(9)))
-        }
-        Action::ResetProgram => on(Page::Program, "program-page-reset", ProgramCommand::Reset)
-            .key(Shortcut::shift(Key::Function(5)))
-            .when(|session| session.program().run().is_some()),
-        Action::Switch(switch) => {
-            let text = match switch {
-                Switch::SkipUnknown => "program-page-skip-unknown",
-                Switch::AssumeTool => "program-page-assume-tool",
-                Switch::BlockSkip => "program-page-block-skip",
-                Switch::OptionalStop => "program-page-optional-stop",
-            };
-            on(Page::Program, text, ProgramCommand::Toggle(switch))
-        }
-        Action::MoveBlock(step) => {
-            within(Part::Listing, "program-page-move", ProgramCommand::Move(step)).key(keys(step))
-        }
-        Action::GiveValue => {
-            on(Page::Program, "program-page-give", ProgramCommand::SetValue).hint("program-page-give-hint")
-        }
+        Action::OpenPart => program::open_part(),
+        Action::OpenProgram => program::open(),
+        Action::RunProgram => program::run(),
+        Action::PauseProgram => program::pause(),
+        Action::StepProgram => program::step(),
+        Action::StepOver => program::step_over(),
+        Action::RunToSelected => program::run_to_selected(),
+        Action::ToggleBreakpoint => program::toggle_breakpoint(),
+        Action::ResetProgram => program::reset(),
+        Action::Switch(switch) => program::switch(switch),
+        Action::MoveBlock(step) => program::go(step).key(keys(step)),
+        Action::GiveValue => program::give_value(),
 
-        Action::NewBudget => on(Page::Budget, "budget-page-new", BudgetCommand::New).key(Shortcut::ctrl('N')),
-        Action::OpenBudget => on(Page::Budget, "budget-page-open", open(Purpose::OpenBudget)).key(Shortcut::ctrl('O')),
-        Action::SaveBudget => on(Page::Budget, "budget-page-save", open(Purpose::SaveBudget))
-            .key(Shortcut::ctrl('S'))
-            .when(|session| !session.budget().toml().is_empty()),
-        Action::UseBudget => on(Page::Budget, "budget-page-use", BudgetCommand::Use).when(can_use_budget),
-        Action::LeaveBudget => {
-            on(Page::Budget, "budget-page-leave", BudgetCommand::Leave).when(|session| session.used_budget().is_some())
-        }
-        Action::ContactsOfCheck => {
-            Row::new(Place::Page(Page::Budget), "budget-page-take-check", Sends::FromState(contacts_of_check))
-                .when(|session| checked_contacts(session).is_some())
-        }
-        Action::ContactsRecorded => on(Page::Budget, "budget-page-take-recorded", BudgetCommand::TakeRecorded)
-            .when(|session| session.recorded().is_some()),
-        Action::OwnContacts => on(Page::Budget, "budget-page-own-contacts", BudgetCommand::OwnContacts)
-            .when(|session| session.budget().contacts().is_some()),
-        Action::OpenReadings => on(Page::Budget, "budget-page-open-readings", open(Purpose::OpenReadings))
-            .when(|session| session.budget().asks().readings),
-        Action::TakeReadings => on(Page::Budget, "budget-page-take-readings", BudgetCommand::TakeRecords)
-            .when(|session| session.budget().asks().readings && has_history(session)),
-        Action::OwnReadings => on(Page::Budget, "budget-page-own-readings", BudgetCommand::OwnReadings)
-            .when(|session| session.budget().readings().is_some()),
+        Action::NewBudget => budget::begin(),
+        Action::OpenBudget => budget::open(),
+        Action::SaveBudget => budget::save(),
+        Action::UseBudget => budget::use_it(),
+        Action::LeaveBudget => budget::leave(),
+        Action::ContactsOfCheck => budget::contacts_of_check(),
+        Action::ContactsRecorded => budget::contacts_recorded(),
+        Action::OwnContacts => budget::own_contacts(),
+        Action::OpenReadings => budget::open_readings(),
+        Action::TakeReadings => budget::take_readings(),
+        Action::OwnReadings => budget::own_readings(),
 
         Action::OpenParts(feature) => pairing::open(feature),
         Action::HistoryParts(feature) => pairing::of_history(feature),
