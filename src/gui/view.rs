@@ -215,6 +215,13 @@ pub(super) fn doubt_text(words: &Words, doubt: Doubt) -> String {
     rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
 }
 
+/// A control's cycles judge by their limits alone: it is said where the check page has a rule or a temperature.
+pub(super) fn by_limits_ui(ui: &mut Ui, view: &View<'_>) {
+    if view.session.check().judges_by_more_than_limits() {
+        quiet(ui, view.text("cycles-by-limits"));
+    }
+}
+
 /// Text that says what is wrong.
 pub(super) fn problem(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
     let colour = theme::palette(ui.ctx()).error.0;

@@ -7,6 +7,8 @@ use eframe::egui::{Key, ViewportId};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
+use fitcheck::session::{CheckCommand, Command, CyclesCommand, Page, ProgramCommand};
+use fitcheck::verdict::rules::RuleName;
 
 use crate::harness::{check, click, press, type_into, verdict, window};
 
@@ -166,4 +168,28 @@ fn the_settled_window_with_guard_bands_asks_for_no_repaint() {
     window.run();
     let delay = window.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(delay, Duration::MAX);
+}
+
+#[test]
+fn cycles_and_programs_say_that_they_judge_by_their_limits_alone() {
+    let said = "The cycle judges by its limits alone, as on a control: decision rule, uncertainty and temperature belong to the \
+                check page";
+    for (page, run) in [(Page::Cycles, Command::from(CyclesCommand::Run)), (Page::Program, ProgramCommand::Run.into())]
+    {
+        let mut window = window();
+        let ctx = window.ctx.clone();
+        let mut send = |command: Command| window.state_mut().send(&ctx, command);
+        send(Command::OpenPage(page));
+        send(
+            CyclesCommand::TypeBlock("TCH PROBE 421 ~\nQ273=50~\nQ274=20~\nQ262=25~\nQ275=25.02~\nQ276=25".to_owned())
+                .into(),
+        );
+        send(CyclesCommand::TakeBlock.into());
+        send(run.clone());
+        window.run_steps(30);
+        assert!(window.query_by_label(said).is_none(), "{page:?}");
+        window.state_mut().send(&ctx, CheckCommand::UseRule(RuleName::Iso14253Of2017).into());
+        window.run_steps(3);
+        assert!(window.query_by_label(said).is_some(), "{page:?}");
+    }
 }

@@ -62,3 +62,4 @@ guard-band = re-measure
 guard-band-beyond = accepted by the rule
 rows-by-limits = Judged by the limits alone: the decision rule and the temperature of this page are not used for a large file
 check-budget-of-check = { $name }, made { $date }
+cycles-by-limits = The cycle judges by its limits alone, as on a control: decision rule, uncertainty and temperature belong to the check page

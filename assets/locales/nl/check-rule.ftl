@@ -62,3 +62,4 @@ guard-band = opnieuw meten
 guard-band-beyond = aanvaard door de regel
 rows-by-limits = Alleen volgens de grenzen beoordeeld: de beslisregel en de temperatuur van deze pagina gelden niet voor een groot bestand
 check-budget-of-check = { $name }, gemaakt op { $date }
+cycles-by-limits = De cyclus beoordeelt alleen volgens zijn grensmaten, zoals op een besturing: beslisregel, onzekerheid en temperatuur horen bij de controlepagina

@@ -7,7 +7,7 @@ use crate::gui::columns::is_tiny;
 use crate::gui::popup::popup_ui;
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::verdict_card::{Card, card_height, card_ui, half_um, lines_below_ui, remove, status_id};
-use crate::gui::view::{Digits, View, heading, quiet, quiet_height, quiet_within};
+use crate::gui::view::{Digits, View, by_limits_ui, heading, quiet, quiet_height, quiet_within};
 use crate::length::{Length, Unit};
 use crate::message::Message;
 use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Value};
@@ -35,6 +35,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.label(RichText::new(view.words.told(stop)).font(theme::bold(sizes().body)));
     }
     if let Some((run, result)) = run.and_then(|run| Some((run, run.found()?))) {
+        by_limits_ui(ui, view);
         others_ui(ui, view.words, result);
         results_ui(ui, view, result);
         notes_ui(ui, view, run, result);

@@ -8,7 +8,7 @@ use crate::gui::popup;
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::{colours, status_id};
-use crate::gui::view::{View, heading, live, quiet};
+use crate::gui::view::{View, by_limits_ui, heading, live, quiet};
 use crate::message::Message;
 use crate::nc::machine::{CycleRun, Window};
 use crate::probing::cycle::Value;
@@ -33,6 +33,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         window_ui(ui, view, window, number);
     }
     cycles_ui(ui, view, run);
+    by_limits_ui(ui, view);
     changes_ui(ui, view, run);
     outputs_ui(ui, view, run);
     if let Some(passed_over) = run.passed_over() {
