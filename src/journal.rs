@@ -74,7 +74,8 @@ impl Record {
     #[must_use]
     pub fn by(mut self, rule: Rule) -> Self {
         let verdict = judge_by(rule, &self.limits, self.measurement.diameter, self.verdict.position);
-        self.verdict = match decision::undecided(rule, &self.measurement).filter(|_why| self.budget.is_none()) {
+        self.verdict = match decision::undecided(rule, &self.measurement).filter(|_why| !self.budget_counts_contacts())
+        {
             Some(why) => verdict.left_undecided(why),
             None => verdict,
         };
@@ -91,7 +92,10 @@ impl Record {
     #[must_use]
     pub fn corrected(mut self, correction: Correction) -> Self {
         self.measurement.diameter = correction.at_reference;
-        self.doubt = doubt(&self.limits, correction.at_reference);
+        // What a value may have been is said of the value as it was measured: it would be corrected once more.
+        self.doubt = doubt(&self.limits, correction.measured)
+            .filter(|doubt| doubt.meant().is_some())
+            .or_else(|| doubt(&self.limits, correction.at_reference).filter(|doubt| doubt.meant().is_none()));
         self.correction = Some(correction);
         let rule = self.verdict.rule;
         self.by(rule)

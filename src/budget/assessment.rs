@@ -2,12 +2,14 @@
 
 use jiff::civil::Date;
 
+use super::doubts::doubts;
 use super::{
     Basis, Budget, CalibratedError, Conditions, Evaluation, EvaluationError, FEWEST_READINGS, Geometry, Repeated,
     Validity, uncertainty,
 };
 use crate::length::Length;
 use crate::message::{Say, printed};
+use crate::tolerance::Feature;
 use crate::verdict::rules::{Uncertainty, UncertaintyError};
 
 /// A budget that was evaluated for a size, contacts and a day.
@@ -19,6 +21,8 @@ pub struct Assessment {
     pub answer: Answer,
     /// Whether it counts on that day.
     pub validity: Validity,
+    /// Whether it is about what was measured.
+    doubts: Vec<BudgetWarning>,
 }
 
 /// What a budget comes to.
@@ -59,6 +63,40 @@ pub enum BudgetWarning {
         /// That day.
         date: String,
     },
+    /// A calibrated piece that is much smaller or larger.
+    OtherSize {
+        /// Its size.
+        calibrated: Length,
+        /// What was measured.
+        measured: Length,
+    },
+    /// A calibrated piece of the other side.
+    OtherSide {
+        /// Its side.
+        calibrated: Feature,
+    },
+    /// A contribution for another expansion than the one of the correction, in millionths per kelvin.
+    OtherExpansion {
+        /// Its name.
+        contribution: String,
+        /// The budget's.
+        #[say(with = printed)]
+        budget: String,
+        /// The correction's.
+        #[say(with = printed)]
+        given: String,
+    },
+    /// A contribution for another temperature than the one of the correction, in kelvin from 20 °C.
+    OtherTemperature {
+        /// Its name.
+        contribution: String,
+        /// The budget's.
+        #[say(with = printed)]
+        budget: String,
+        /// The correction's.
+        #[say(with = printed)]
+        given: String,
+    },
     /// Fewer readings than ISO 15530-3 asks for.
     FewReadings {
         /// How many there are.
@@ -98,6 +136,8 @@ pub struct Provenance {
     pub by: String,
     /// The last day on which it counts.
     pub valid_until: Date,
+    /// Whether it has a scatter of touches, which counts for the contacts that were taken.
+    pub counts_contacts: bool,
     /// Whether it counted on the day of the check.
     pub validity: Validity,
     /// What to check about it, on that day.
@@ -119,7 +159,7 @@ impl Assessment {
             Basis::Contributions(contributions) => Answer::Combined(Evaluation::of(contributions, conditions)?),
             Basis::Calibrated(piece) => Answer::Repeated(piece.evaluate(readings)?),
         };
-        Ok(Self { validity: budget.validity(day), budget, answer })
+        Ok(Self { validity: budget.validity(day), doubts: doubts(&budget, conditions), budget, answer })
     }
 
     /// What a rule gets.
@@ -197,6 +237,7 @@ impl Assessment {
                 BudgetWarning::BiasNotCorrected { bias }
             });
         }
+        warnings.extend(self.doubts.iter().cloned());
         warnings
     }
 
@@ -208,6 +249,7 @@ impl Assessment {
             date: *date,
             by: by.clone(),
             valid_until: *valid_until,
+            counts_contacts: self.geometry().is_some(),
             validity: self.validity,
             warnings: self.warnings(),
         }

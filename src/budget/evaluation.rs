@@ -3,6 +3,8 @@
 use super::{Contribution, Evaluated, Geometry, Kind, Law, factor};
 use crate::length::Length;
 use crate::message::Say;
+use crate::tolerance::Feature;
+use crate::tolerance::fit::thermal::Correction;
 
 /// What a budget is evaluated for.
 #[derive(Debug, Clone, Copy, Default, PartialEq)]
@@ -11,6 +13,10 @@ pub struct Conditions {
     pub size: Option<Length>,
     /// The contacts that were taken, instead of those that the budget has.
     pub geometry: Option<Geometry>,
+    /// Hole or shaft, where it is known: a calibrated piece is one of them.
+    pub feature: Option<Feature>,
+    /// How the measured value was brought to 20 °C, where it was.
+    pub correction: Option<Correction>,
 }
 
 /// A row of the table of contributions.

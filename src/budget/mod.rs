@@ -11,6 +11,7 @@
 //! | `geometry` | how contacts spread the scatter of a touch into the diameter |
 //! | `evaluation` | the table of contributions, combined and expanded uncertainty, what would help most |
 //! | `coverage` | the coverage factor for 95.45 % |
+//! | `doubts` | whether a budget is about what is judged with it |
 //! | `calibrated` | a calibrated piece, measured again and again |
 //! | `assessment` | a budget evaluated for a day, what to check about it, and what is kept of it beside a verdict |
 //!
@@ -20,6 +21,7 @@
 mod assessment;
 mod calibrated;
 mod coverage;
+mod doubts;
 mod evaluation;
 mod file;
 mod geometry;
@@ -218,8 +220,12 @@ pub fn uncertainty(u: f64, k: f64) -> Result<Uncertainty, UncertaintyError> {
 /// A computed value as a text has it: with at most six decimals.
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "as `say(with)` calls it")]
 fn brief(value: &f64) -> Arg {
+    brief_of(*value).arg()
+}
+
+fn brief_of(value: f64) -> String {
     let text = format!("{value:.6}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned().arg()
+    text.trim_end_matches('0').trim_end_matches('.').to_owned()
 }
 
 /// A count as a number to compute with.

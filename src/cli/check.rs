@@ -9,7 +9,7 @@ use super::budget;
 use super::judging::JudgeArgs;
 use super::material::Part;
 use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
-use crate::budget::{Assessment, Conditions, Geometry};
+use crate::budget::{Assessment, Conditions};
 use crate::control::mask::Mask;
 use crate::exchange::contacts::Contacts;
 use crate::files;
@@ -136,19 +136,19 @@ impl Args {
         if unstated && self.source.simulate {
             return Err(CliError::AddFeature { error: LimitsError::NoFeature { callout } });
         }
-        let mut measurement = self.measurement(&limits, io)?;
+        let measurement = self.measurement(&limits, io)?;
         let correction = self.by.warm.correction(measurement.diameter)?;
-        if let Some((correction, _)) = &correction {
-            measurement.diameter = correction.at_reference;
-        }
-        let measured = measurement.diameter;
-        let (rule, budget) = match rule {
-            Some(rule) => (rule, None),
-            None => self.rule_by_budget(&measurement, io)?,
-        };
         let callout = callout.of_part(limits.feature);
         let record = Record::judged(super::now(), String::new(), Some(callout), limits, measurement, None);
-        let record = Record { correction: correction.as_ref().map(|(correction, _)| *correction), ..record };
+        let record = match &correction {
+            Some((correction, _)) => record.corrected(*correction),
+            None => record,
+        };
+        let measured = record.measurement.diameter;
+        let (rule, budget) = match rule {
+            Some(rule) => (rule, None),
+            None => self.rule_by_budget(&record, unstated, io)?,
+        };
         let record = match &budget {
             Some(found) => record.by_budget(rule, Arc::new(found.provenance())),
             None => record.by(rule),
@@ -182,15 +182,14 @@ impl Args {
     /// The rule with the uncertainty that the budget gives for this measurement, and that budget.
     fn rule_by_budget(
         &self,
-        measurement: &Measurement,
+        record: &Record,
+        unstated: bool,
         io: &mut Io<'_>,
     ) -> Result<(Rule, Option<Assessment>), CliError> {
         let Some(path) = &self.by.budget else { return Ok((self.by.rule.rule()?, None)) };
-        let geometry = match measurement.contacts.as_slice() {
-            [] => None,
-            contacts => Some(Geometry::of_contacts(contacts).about(&What::Option { name: "budget" })?),
-        };
-        let conditions = Conditions { size: Some(measurement.diameter), geometry };
+        let conditions = record.conditions().about(&What::Option { name: "budget" })?;
+        // Nobody said hole or shaft.
+        let conditions = Conditions { feature: conditions.feature.filter(|_| !unstated), ..conditions };
         let (found, uncertainty) = budget::assess(path, &conditions, io)?;
         budget::introduce(&found, io);
         Ok((self.by.rule.rule_with(Some(uncertainty))?, Some(found)))

@@ -6,8 +6,8 @@ use super::rule::RuleArgs;
 use super::{CliError, Format, Io, Outcome, Refused as _, What};
 use crate::length::{Length, Unit};
 use crate::tolerance::{Bounds, Deviations, Feature};
-use crate::verdict::rules::percent;
 use crate::verdict::rules::{Acceptance, Prior, Risks, Zones, acceptance_for};
+use crate::verdict::rules::{RuleName, percent};
 use crate::verdict::{Rule, Status};
 
 const EXAMPLES: &str = "\
@@ -92,6 +92,9 @@ impl Args {
             Deviations::new(maximum, minimum).ok().and_then(|limits| Bounds::new(self.feature, Length::ZERO, limits));
         let bounds = bounds.filter(|_bounds| has.contains(&true) && minimum < maximum).ok_or(CliError::NoLimits)?;
         let rule = self.rule.rule()?;
+        if rule.name() == RuleName::AsmeSimple && has.contains(&false) {
+            return Err(CliError::RatioOfOneLimit);
+        }
         let prior = self.prior()?;
         if prior.is_some() && rule.uncertainty().is_none() {
             return Err(CliError::RiskWithoutUncertainty);
@@ -157,8 +160,9 @@ fn answer(asked: &Asked, zones: &Zones) -> Result<Map<String, Json>, CliError> {
     put("zone_min_mm", accepted.map_or(Json::Null, |[least, _]| where_limit(has_lower, least)));
     put("zone_max_mm", accepted.map_or(Json::Null, |[_, most]| where_limit(has_upper, most)));
     let [below, above] = zones.rejected;
-    put("rejected_below_mm", where_limit(has_lower, below));
-    put("rejected_above_mm", where_limit(has_upper, above));
+    // A rule that decides nothing rejects nothing.
+    put("rejected_below_mm", where_limit(has_lower && below != Length::MAX.negated(), below));
+    put("rejected_above_mm", where_limit(has_upper && above != Length::MAX, above));
     put("accepts_nothing", json!(accepted.is_none()));
     if let Some(measured) = asked.measured {
         put("measured_mm", mm(measured));
@@ -177,12 +181,16 @@ fn answer(asked: &Asked, zones: &Zones) -> Result<Map<String, Json>, CliError> {
         };
         let limits = ends(asked.has, [bounds.minimum(), bounds.maximum()]);
         let u = uncertainty.um().parse::<f64>().unwrap_or_default() / 1_000.0;
-        if let Some(accepted) = accepted {
-            let risks = Risks::of(prior, &Acceptance { limits, accepted: ends(asked.has, accepted), u });
-            put("nonconforming", json!(risks.nonconforming));
-            put("consumer_risk", json!(risks.consumer));
-            put("producer_risk", json!(risks.producer));
-        }
+        let accepted_ends = accepted.map_or(limits, |accepted| ends(asked.has, accepted));
+        let risks = Risks::of(prior, &Acceptance { limits, accepted: accepted_ends, u });
+        // Where nothing is accepted, all that conforms is not.
+        let (consumer, producer) = match accepted {
+            Some(_) => (risks.consumer, risks.producer),
+            None => (0.0, 1.0 - risks.nonconforming),
+        };
+        put("nonconforming", json!(risks.nonconforming));
+        put("consumer_risk", json!(consumer));
+        put("producer_risk", json!(producer));
         if let Some(wanted) = asked.consumer_risk {
             let found = acceptance_for(prior, limits, u, wanted).ok_or(CliError::NoZoneForRisk)?;
             let [least, most] = found.accepted.map(|end| if end.is_finite() { json!(end) } else { Json::Null });
@@ -213,16 +221,16 @@ fn text(asked: &Asked, answer: &Map<String, Json>, io: &mut Io<'_>) -> Result<()
     writeln!(io.people(), "rule          {}", asked.rule)?;
     writeln!(io.people(), "limits        {} to {} mm", shown("min_mm"), shown("max_mm"))?;
     if answer.get("accepts_nothing") == Some(&Json::Bool(true)) {
-        writeln!(io.people(), "accepted      nothing: the uncertainty is too large for this tolerance")?;
+        writeln!(io.people(), "accepted      nothing: the rule leaves nothing of this tolerance")?;
     } else {
         writeln!(io.people(), "accepted      {} to {} mm", shown("zone_min_mm"), shown("zone_max_mm"))?;
     }
-    writeln!(
-        io.people(),
-        "rejected      below {} mm, above {} mm",
-        shown("rejected_below_mm"),
-        shown("rejected_above_mm")
-    )?;
+    if is_known("rejected_below_mm") || is_known("rejected_above_mm") {
+        let (below, above) = (shown("rejected_below_mm"), shown("rejected_above_mm"));
+        writeln!(io.people(), "rejected      below {below} mm, above {above} mm")?;
+    } else {
+        writeln!(io.people(), "rejected      nothing")?;
+    }
     let probability = |name: &str| answer.get(name).and_then(Json::as_f64).map(percent).unwrap_or_default();
     if let Some(status) = asked.measured.map(|measured| asked.rule.status(&asked.bounds, measured)) {
         let proven = match answer.get("proven").and_then(Json::as_bool) {

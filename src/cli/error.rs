@@ -39,6 +39,8 @@ pub(super) enum CliError {
     NotAMultiple { given: String },
     /// Limits of which none was given, or of which the lower is not below the upper.
     NoLimits,
+    /// A tolerance of one limit has no ratio to the uncertainty.
+    RatioOfOneLimit,
     /// Risks of a process need the uncertainty.
     RiskWithoutUncertainty,
     /// The accepted values for a risk need the process.

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::material::{WarmArgs, Warmth};
 use super::rule::RuleArgs;
 use super::{CliError, CliRemark, CliWarning, Io, Refused as _};
-use crate::budget::{Assessment, Budget, BudgetWarning, Conditions, Geometry};
+use crate::budget::{Assessment, Budget, BudgetWarning};
 use crate::journal::Record;
 use crate::report::csv::More;
 use crate::tolerance::fit::materials::Certainty;
@@ -86,11 +86,7 @@ impl Judge {
             None => record,
         };
         let Some(ByBudget { name, budget, rule }) = &self.budget else { return Ok(record.by(self.rule)) };
-        let geometry = match record.measurement.contacts.as_slice() {
-            [] => None,
-            contacts => Some(Geometry::of_contacts(contacts).about(name)?),
-        };
-        let conditions = Conditions { size: Some(record.measurement.diameter), geometry };
+        let conditions = record.conditions().about(name)?;
         let found = Assessment::of(budget.clone(), &conditions, None, record.time.date()).about(name)?;
         let rule = rule.rule_with(Some(found.uncertainty().about(name)?))?;
         Ok(record.by_budget(rule, Arc::new(found.provenance())))

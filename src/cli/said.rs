@@ -69,7 +69,7 @@ pub(super) enum CliRemark {
     },
     /// The values that it accepts.
     Accepted { least: Length, most: Length },
-    /// It accepts no value: the uncertainty is too large for the tolerance.
+    /// It accepts no value: the rule leaves nothing of the tolerance.
     NothingAccepted,
     /// It proves the status.
     Proven,

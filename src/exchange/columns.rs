@@ -8,9 +8,9 @@ use super::cells::{
     self, WholeNumbers, decimals, is_blank, is_callout, is_class, is_class_with_grade, is_comment, is_data, is_number,
     is_whole, may_be_names, own_callout,
 };
-use super::corrected::CorrectedColumns;
 use super::delimited::{Item, Rows, SEPARATORS};
 use super::error::{ImportErrorKind, Role};
+use super::own::OwnColumns;
 use super::units;
 use super::words::{self, Rank};
 use crate::length::Unit;
@@ -59,8 +59,8 @@ pub(super) struct Columns {
     pub(super) behind: Option<WholeNumbers>,
     /// The fewest decimals of the first measured values, without that of a last line that has no line end.
     pub(super) fewest_decimals: Option<usize>,
-    /// Where a file of Fitcheck says how its values were brought to 20 °C.
-    pub(super) corrected: Option<CorrectedColumns>,
+    /// What a file of Fitcheck says of its values.
+    pub(super) own: OwnColumns,
 }
 
 impl Columns {
@@ -202,12 +202,12 @@ impl Sample {
         let column = |at: usize| -> Result<LengthColumn, ImportErrorKind> {
             Ok(LengthColumn { at, unit: unit_of(header.get(at).unwrap_or_default())? })
         };
-        let corrected = CorrectedColumns::of(header);
+        let own = OwnColumns::of(header);
         let used: Vec<usize> = [id, tolerance, nominal, simulated, Some(measured_at)]
             .into_iter()
             .flatten()
             .chain(time.iter().copied())
-            .chain(corrected.iter().flat_map(CorrectedColumns::all))
+            .chain(own.of_correction())
             .collect();
         let ignored = (0..).zip(header).filter(|(at, name)| !used.contains(at) && !name.trim().is_empty());
         Ok(Columns {
@@ -224,7 +224,7 @@ impl Sample {
             decimal_sign: None,
             behind: None,
             fewest_decimals: None,
-            corrected,
+            own,
         })
     }
 
@@ -287,7 +287,7 @@ impl Sample {
             decimal_sign: None,
             behind: None,
             fewest_decimals: None,
-            corrected: None,
+            own: OwnColumns::default(),
         })
     }
 

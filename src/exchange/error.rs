@@ -27,6 +27,13 @@ impl Say for ImportError {
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "exchange", error)]
 pub enum ImportErrorKind {
+    /// A file of Fitcheck says that the centre was out of position.
+    PositionOut,
+    /// A file of Fitcheck says that nothing was decided.
+    Undecided {
+        /// The reason that it gives.
+        given: String,
+    },
     /// The columns of a correction to 20 °C and the measured value contradict each other.
     Correction,
     /// There is nothing in the file.
@@ -204,6 +211,8 @@ pub enum ImportWarningKind {
     Log(LogWarningKind),
     /// Values that a file of Fitcheck says to be at 20 °C already.
     Corrected,
+    /// A file of Fitcheck whose verdicts may be by another rule.
+    OtherRule,
     /// Skipped columns.
     IgnoredColumns {
         /// Their names or numbers.

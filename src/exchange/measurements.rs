@@ -104,8 +104,11 @@ struct Reader<'a, 's, 'z> {
 impl<'a> Reader<'a, '_, '_> {
     fn warn_of_columns(&mut self, first_line: usize) {
         let line = self.columns.header.unwrap_or(first_line);
-        if self.columns.corrected.is_some() {
+        if self.columns.own.are_corrected() {
             self.warn(line, ImportWarningKind::Corrected);
+        }
+        if self.columns.own.have_rule() {
+            self.warn(line, ImportWarningKind::OtherRule);
         }
         if !self.columns.ignored.is_empty() {
             let columns = columns::listed(&self.columns.ignored);
@@ -184,7 +187,7 @@ impl<'a> Reader<'a, '_, '_> {
         let file = Arc::clone(&self.source.file);
         let origin = if is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } };
         let measurement = Measurement::of_diameter(measured, origin);
-        let correction = self.columns.corrected.map_or(Ok(None), |columns| columns.read(cells, measured))?;
+        let correction = self.columns.own.correction(cells, measured)?;
         let record = Record::judged(time, id, Some(callout), limits, measurement, None);
         self.sink.keep(line, Record { correction, ..record });
         Ok(())

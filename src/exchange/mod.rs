@@ -10,7 +10,7 @@
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
 //! | `sizes` | what was measured alone, of holes or of shafts |
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
-//! | `corrected` | how the values of a CSV of Fitcheck were brought to 20 °C |
+//! | `own` | what a CSV of Fitcheck says of its values beside them |
 //! | `cells` | what a cell or a row of a CSV seems to hold |
 //! | `tables` | tables of deviations for controls and other tools |
 //! | `sql` | limits and verdicts as plain SQL |
@@ -25,12 +25,12 @@ pub mod batch;
 mod cells;
 mod columns;
 pub mod contacts;
-mod corrected;
 mod delimited;
 pub mod error;
 pub mod imported;
 mod logs;
 mod measurements;
+mod own;
 #[cfg(feature = "parquet")]
 pub mod parquet;
 mod point_log;

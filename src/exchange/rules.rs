@@ -47,6 +47,7 @@ impl Rules<'_> {
         };
         let limits = self.sources.limits(&callout, None).map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
         let is_simulated = self.is_simulated(cells)?;
+        self.columns.own.decided_by_size(cells)?;
         Ok(Found { measured, asked: Some((callout, limits)), is_simulated })
     }
 

@@ -1,7 +1,7 @@
 //! What the decision rule of a record says of its value.
 
 use super::Record;
-use crate::budget::Geometry;
+use crate::budget::{Conditions, Geometry, GeometryError};
 use crate::probing::Measurement;
 use crate::verdict::rules::{Conformity, RuleName, Zones};
 use crate::verdict::{Rule, Undecided};
@@ -26,19 +26,43 @@ impl Record {
         }
         let (bounds, measured) = (self.limits.bounds(), self.measurement.diameter);
         let zones = rule.zones(&bounds);
+        // Where the centre decides, nothing is proven by the size.
+        let is_by_size = self.verdict.status() == self.verdict.size.status;
         let is_decided = self.verdict.undecided.is_none();
+        let counts = undecided_by_contacts(&self.measurement).is_none() || self.budget_counts_contacts();
         Some(Decision {
             zones,
-            proven: zones.is_proven(measured).map(|is_proven| is_proven && is_decided),
-            conformity: rule.conformity(&bounds, measured).filter(|_conformity| is_decided),
+            proven: zones.is_proven(measured).filter(|_proven| is_by_size).map(|is_proven| is_proven && is_decided),
+            conformity: rule.conformity(&bounds, measured).filter(|_conformity| is_decided && counts && is_by_size),
         })
+    }
+
+    /// What a budget is evaluated for.
+    ///
+    /// # Errors
+    /// [`GeometryError`] where its contacts make no circle.
+    pub fn conditions(&self) -> Result<Conditions, GeometryError> {
+        let geometry = match self.measurement.contacts.as_slice() {
+            [] => None,
+            contacts => Some(Geometry::of_contacts(contacts)?),
+        };
+        let (size, feature) = (Some(self.measurement.diameter), Some(self.limits.feature));
+        Ok(Conditions { size, geometry, feature, correction: self.correction })
+    }
+
+    /// Whether its uncertainty is that of the contacts that were taken.
+    pub(super) fn budget_counts_contacts(&self) -> bool {
+        self.budget.as_ref().is_some_and(|budget| budget.counts_contacts)
     }
 }
 
-/// Why a given uncertainty decides nothing for these contacts; `None` where it counts. The limits themselves decide by the control's
-/// own rule, whatever the uncertainty.
+/// Why a rule decides nothing for these contacts; `None` where it does. The limits themselves decide by the control's own rule.
 pub(super) fn undecided(rule: Rule, measurement: &Measurement) -> Option<Undecided> {
-    rule.uncertainty().filter(|_uncertainty| rule.name() != RuleName::Simple)?;
+    undecided_by_contacts(measurement).filter(|_why| rule.name() != RuleName::Simple)
+}
+
+/// The same whatever the rule.
+fn undecided_by_contacts(measurement: &Measurement) -> Option<Undecided> {
     measurement.circle?;
     let geometry = Geometry::of_contacts(&measurement.contacts).ok()?;
     let (contacts, times) = (geometry.touches, geometry.times_even());

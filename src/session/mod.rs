@@ -97,6 +97,7 @@ use crate::control::shipped_tables;
 use crate::message::Message;
 use crate::probing::cycle::Range;
 use crate::tolerance::{Absent, Sources};
+use crate::verdict::Rule;
 use crate::words::Language;
 
 /// The state of the application.
@@ -355,6 +356,12 @@ impl Session {
     /// The program page.
     pub const fn program(&self) -> &ProgramPage {
         &self.program
+    }
+
+    /// The rule that the next value of the check page is judged by, as far as it is known before the value is.
+    pub fn rule_ahead(&self) -> Option<Rule> {
+        let asked = self.check.asked();
+        asked.worth().rule_ahead(asked.limits()?, self.used_budget())
     }
 
     /// The budget whose uncertainty checks may use.

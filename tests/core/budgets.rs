@@ -53,7 +53,7 @@ fn contributions(tables: &str) -> Vec<Contribution> {
 }
 
 fn at(size: &str, geometry: Option<Geometry>) -> Conditions {
-    Conditions { size: Some(size.parse().unwrap()), geometry }
+    Conditions { size: Some(size.parse().unwrap()), geometry, ..Conditions::default() }
 }
 
 #[track_caller]

@@ -260,7 +260,7 @@ fn where_the_uncertainty_is_too_large_nothing_is_accepted_and_it_is_said() {
         .unwrap();
     assert_eq!(output.status.code(), Some(12));
     let said = String::from_utf8(output.stderr).unwrap();
-    assert!(said.contains("the uncertainty is too large for this tolerance: no value is accepted"), "{said}");
+    assert!(said.contains("no value is accepted: the rule leaves nothing of this tolerance"), "{said}");
 }
 
 #[test]
@@ -365,5 +365,55 @@ proptest! {
         let status = rule.status(&bounds, measured);
         prop_assert_eq!(status == Status::Good, 0.95 <= within.within);
         prop_assert_eq!(status == Status::ReMeasure, 0.05 < within.within && within.within < 0.95);
+    }
+}
+
+/// One limit and the same limit with another one far away have the same answers.
+#[test]
+fn one_limit_alone_has_the_guard_band_of_a_limit() {
+    for (limits, far) in [([("upper", "0.002")], ("lower", "-1")), ([("lower", "0.002")], ("upper", "1"))] {
+        let options = |both: bool, prover: &str, measured: &str| {
+            let mut options: Vec<_> = limits.iter().map(|(name, value)| (*name, (*value).to_owned())).collect();
+            options.extend(both.then(|| (far.0, far.1.to_owned())));
+            let others = [("rule", "iso14253-2017"), ("u", "0.25"), ("prover", prover), ("measured", measured)];
+            options.extend(others.map(|(name, value)| (name, value.to_owned())));
+            decide(&options)
+        };
+        for prover in ["supplier", "customer"] {
+            for measured in ["0.0015", "0.0018", "0.002", "0.0022", "0.0025", "0.0044", "-0.002"] {
+                let (one, both) = (options(false, prover, measured), options(true, prover, measured));
+                for name in ["status", "proven"] {
+                    assert_eq!(one[name], both[name], "{limits:?} {prover} {measured} {name}");
+                }
+            }
+        }
+    }
+    let output = Command::new(env!("CARGO_BIN_EXE_fitcheck"))
+        .args(["decide", "--lower", "25", "--rule", "asme-simple", "--u", "100", "--measured", "25.01"])
+        .output()
+        .unwrap();
+    assert_eq!(output.status.code(), Some(2), "{}", String::from_utf8_lossy(&output.stderr));
+}
+
+/// However wide the process: the share of a uniform density about a limit, u √(2/π) / 2 on either side of it, is the risk.
+#[test]
+fn the_risks_of_a_wide_process_are_those_about_the_limits() {
+    use fitcheck::verdict::rules::{Acceptance, Prior, Risks};
+    for (u, deviation) in [(1.0, 1e4), (0.01, 1e4), (1.0, 1e3)] {
+        let limits = [25_000.0, 25_021.0];
+        let risks = Risks::of(Prior::Normal { mean: 25_010.5, deviation }, &Acceptance { limits, accepted: limits, u });
+        let density = 1.0 / (deviation * std::f64::consts::TAU.sqrt());
+        let expected = 2.0 * density * u / std::f64::consts::TAU.sqrt();
+        assert!((risks.consumer / expected - 1.0).abs() < 1e-4, "{u} {deviation}: {risks:?} {expected}");
+    }
+}
+
+#[test]
+fn a_percentage_shows_on_which_side_of_five_and_ninety_five_it_lies() {
+    use fitcheck::verdict::rules::percent;
+    for (probability, text) in
+        [(0.5, "50.00"), (0.050_000_4, "5.00004"), (0.949_999, "94.9999"), (0.9999, "99.99"), (0.000_02, "0.0020")]
+    {
+        assert_eq!(percent(probability), text);
     }
 }

@@ -323,3 +323,45 @@ fn a_check_by_an_earlier_budget_stands_beside_its_own_uncertainty() {
     run(&mut session, [typed(CheckField::Measured, "25.013"), CheckCommand::Measure]);
     assert_eq!(shown(&session).budget.as_ref().unwrap().date, date(2026, 2, 15));
 }
+
+/// A value that may be a radius is doubled as it was typed: what it comes to at 20 °C would be corrected once more.
+#[test]
+fn what_a_warm_value_may_have_been_is_corrected_once() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::PartTemperature, "26"), typed(CheckField::Callout, "25 H7")]);
+    run(&mut session, [typed(CheckField::Measured, "12.5115"), CheckCommand::Measure]);
+    let question = session.check().question().unwrap();
+    assert_eq!(
+        (question.measured.to_string(), question.doubt.meant().unwrap().to_string()),
+        ("12.5115".into(), "25.023".into())
+    );
+    run(&mut session, [CheckCommand::TakeMeant]);
+    let record = shown(&session);
+    assert_eq!(
+        (record.measurement.diameter.to_string().as_str(), record.verdict.status()),
+        ("25.021274", Status::Scrap)
+    );
+}
+
+#[test]
+fn an_edit_of_one_temperature_takes_the_others_that_stand_there() {
+    let mut session = Session::new(Language::En);
+    run(&mut session, [typed(CheckField::PartTemperature, "28"), typed(CheckField::PartExpansion, "23.1")]);
+    measured(&mut session, "80 H7", "80.02");
+    run(&mut session, [typed(CheckField::PartTemperature, ""), typed(CheckField::PartExpansion, "11.5")]);
+    run(&mut session, [CheckCommand::Show(RecordId(0)), typed(CheckField::PartExpansion, "23.2")]);
+    assert_eq!(session.check().text(CheckField::PartTemperature), "28");
+    run(&mut session, [CheckCommand::Show(RecordId(0)), typed(CheckField::PartTemperature, "29")]);
+    assert_eq!(session.check().text(CheckField::PartExpansion), "23.1");
+}
+
+#[test]
+fn the_guard_bands_of_a_budget_are_known_before_anything_is_measured() {
+    let mut session = with_budget("2026-01-15", "2027-01-14");
+    assert_eq!(session.rule_ahead(), None);
+    run(&mut session, [typed(CheckField::Callout, "25 H7")]);
+    // For the middle of the zone, 25.0105 mm.
+    assert_eq!(session.rule_ahead().unwrap().uncertainty().unwrap().um(), "0.957110");
+    run(&mut session, [CheckCommand::TellUncertainty(UncertaintyFrom::Standard)]);
+    assert_eq!(session.rule_ahead(), None, "the rule has no uncertainty");
+}

@@ -103,7 +103,7 @@ fn an_uncertainty_that_leaves_no_zone_is_said() {
     check(&mut window, "25 H7", "25.0105");
     let said = verdict(&window);
     assert!(said.starts_with("RE-MEASURE"), "{said}");
-    assert!(said.contains("No value is accepted: the uncertainty is too large for this tolerance"), "{said}");
+    assert!(said.contains("No value is accepted: the rule leaves nothing of this tolerance"), "{said}");
     assert!(band(&window).contains("The rule accepts no value."), "{}", band(&window));
 }
 

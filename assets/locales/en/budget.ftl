@@ -30,3 +30,10 @@ budget-warning-not-yet = the budget is not valid yet: its date is { $date }
 budget-warning-few-readings = { $readings } readings of the calibrated piece: ISO 15530-3 asks for at least { $fewest }
 budget-warning-bias-corrected = bias { $bias } µm: the uncertainty is that of values from which the bias has been subtracted; Fitcheck does not subtract it
 budget-warning-bias-not-corrected = bias { $bias } µm: it is not corrected, so the uncertainty includes it
+budget-warning-other-size = the calibrated piece of the budget has { $calibrated } mm and { $measured } mm were measured: its uncertainty is that of parts like the piece
+budget-warning-other-side = the calibrated piece of the budget is a { $calibrated ->
+    [hole] hole
+   *[shaft] shaft
+    }, and the other side was measured
+budget-warning-other-expansion = { $contribution } of the budget has the expansion { $budget } · 10⁻⁶/K, and the value was corrected with { $given }
+budget-warning-other-temperature = { $contribution } of the budget is for a temperature { $budget } K from 20 °C, and the value was corrected for { $given } K

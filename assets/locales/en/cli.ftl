@@ -31,6 +31,7 @@ cli-what-set = --set { $name }={ $value }
 
 # Errors
 cli-not-above-zero = { $diameter } mm is not above 0
+cli-ratio-of-one-limit = rule asme-simple compares the uncertainty with the tolerance: expected --lower and --upper
 cli-already-corrected = --temperature: the values are at 20 °C already, as the column as_measured_mm says
 cli-not-a-multiple = { $given }: expected a number above 0 with at most three decimals
 cli-no-limits = give --lower, --upper or both, with the lower limit below the upper one
@@ -104,7 +105,7 @@ cli-remark-rule-by-budget = rule: { $rule }
 cli-remark-budget = uncertainty by the budget { $name }, made { $date }, valid until { $until }
 cli-remark-budget-contacts = scatter of { $touches } contacts{ $step }, geometry factor { $factor }
 cli-remark-accepted = accepted: { $least } to { $most } mm
-cli-remark-nothing-accepted = the uncertainty is too large for this tolerance: no value is accepted
+cli-remark-nothing-accepted = no value is accepted: the rule leaves nothing of this tolerance
 cli-remark-proven = proven by this rule
 cli-remark-not-proven = not proven by this rule
 cli-remark-conformity = conforms with { $percent } % probability

@@ -103,3 +103,6 @@ sizes-warning-simulated-rows = { $count ->
         [one] 1 row is simulated
        *[other] { $count } rows are simulated
     }: nothing was measured
+exchange-position-out = the centre was out of position, and a file has the size alone
+exchange-undecided = nothing was decided here: { $given }
+exchange-warning-other-rule = the verdicts of this file may be by another decision rule (column rule_name): its values are judged anew

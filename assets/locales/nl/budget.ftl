@@ -30,3 +30,10 @@ budget-warning-not-yet = het budget is nog niet geldig: zijn datum is { $date }
 budget-warning-few-readings = { $readings } aflezingen van het gekalibreerde stuk: ISO 15530-3 vraagt er minstens { $fewest }
 budget-warning-bias-corrected = afwijking { $bias } µm: de onzekerheid geldt voor waarden waarvan de afwijking is afgetrokken; Fitcheck trekt ze niet af
 budget-warning-bias-not-corrected = afwijking { $bias } µm: ze is niet gecorrigeerd, dus de onzekerheid bevat ze
+budget-warning-other-size = het gekalibreerde stuk van het budget is { $calibrated } mm en er is { $measured } mm gemeten: de onzekerheid is die van werkstukken zoals het stuk
+budget-warning-other-side = het gekalibreerde stuk van het budget is een { $calibrated ->
+    [hole] gat
+   *[shaft] as
+    }, en de andere zijde is gemeten
+budget-warning-other-expansion = { $contribution } van het budget heeft de uitzetting { $budget } · 10⁻⁶/K, en de waarde is gecorrigeerd met { $given }
+budget-warning-other-temperature = { $contribution } van het budget is voor een temperatuur { $budget } K van 20 °C, en de waarde is gecorrigeerd voor { $given } K

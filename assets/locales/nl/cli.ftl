@@ -31,6 +31,7 @@ cli-what-set = --set { $name }={ $value }
 
 # Fouten
 cli-not-above-zero = { $diameter } mm is niet groter dan 0
+cli-ratio-of-one-limit = regel asme-simple vergelijkt de onzekerheid met de tolerantie: verwacht worden --lower en --upper
 cli-already-corrected = --temperature: de waarden gelden al bij 20 °C, zoals de kolom as_measured_mm zegt
 cli-not-a-multiple = { $given }: een getal boven 0 met hoogstens drie decimalen verwacht
 cli-no-limits = geef --lower, --upper of beide, met de ondergrens onder de bovengrens
@@ -104,7 +105,7 @@ cli-remark-rule-by-budget = regel: { $rule }
 cli-remark-budget = onzekerheid volgens het budget { $name }, gemaakt op { $date }, geldig tot en met { $until }
 cli-remark-budget-contacts = spreiding van { $touches } tastpunten{ $step }, geometriefactor { $factor }
 cli-remark-accepted = aanvaard: { $least } tot { $most } mm
-cli-remark-nothing-accepted = de onzekerheid is te groot voor deze tolerantie: geen waarde wordt aanvaard
+cli-remark-nothing-accepted = geen waarde wordt aanvaard: de regel laat niets van deze tolerantie over
 cli-remark-proven = bewezen volgens deze regel
 cli-remark-not-proven = niet bewezen volgens deze regel
 cli-remark-conformity = voldoet met { $percent } % kans

@@ -103,3 +103,6 @@ sizes-warning-simulated-rows = { $count ->
         [one] 1 rij is gesimuleerd
        *[other] { $count } rijen zijn gesimuleerd
     }: er is niets gemeten
+exchange-position-out = het middelpunt lag buiten positie, en een bestand heeft alleen de maat
+exchange-undecided = hier was niets beslist: { $given }
+exchange-warning-other-rule = de uitslagen van dit bestand kunnen volgens een andere beslisregel zijn (kolom rule_name): de waarden worden opnieuw beoordeeld

@@ -11,7 +11,8 @@ pub fn run(bytes: &[u8]) {
         Err(error) => return told(bytes, &error),
     };
     assert!(budget.date <= budget.valid_until);
-    let conditions = Conditions { size: "25".parse().ok(), geometry: Geometry::steps(3, 60.0).ok() };
+    let conditions =
+        Conditions { size: "25".parse().ok(), geometry: Geometry::steps(3, 60.0).ok(), ..Conditions::default() };
     let (u, k) = match &budget.basis {
         Basis::Calibrated(piece) => {
             let Ok(repeated) = piece.evaluate(None) else { return };

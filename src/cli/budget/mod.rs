@@ -91,7 +91,7 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let (name, budget) = read(&self.file, io)?;
         let size = self.size.as_ref().map(|text| super::diameter(text, What::Option { name: "size" })).transpose()?;
-        let conditions = Conditions { size, geometry: self.geometry(io)? };
+        let conditions = Conditions { size, geometry: self.geometry(io)?, ..Conditions::default() };
         let read = match (&budget.basis, &self.readings) {
             (Basis::Calibrated(piece), Some(path)) => Some(read_parts(path, piece.feature, io)?),
             _ => None,

@@ -92,6 +92,8 @@ struct Fast {
     nominal: Option<(usize, Unit)>,
     tolerance: Option<usize>,
     simulated: Option<usize>,
+    /// Where a file of Fitcheck may say that the size alone does not decide.
+    deciding: [Option<usize>; 2],
     count: usize,
     /// A decimal sign that the measured values do not have.
     foreign_sign: Option<u8>,
@@ -113,6 +115,7 @@ impl<'a> Court<'a> {
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
             tolerance: columns.tolerance,
             simulated: columns.simulated,
+            deciding: columns.own.deciding(),
             count: columns.count,
             foreign_sign: columns.decimal_sign.map(|sign| if sign == '.' { b',' } else { b'.' }),
             has_commas,
@@ -309,10 +312,10 @@ impl Judge<'_> {
         if nominal <= Length::ZERO {
             return None;
         }
-        if let Some(at) = fast.simulated
-            && !row.cell(at)?.is_empty()
-        {
-            return None;
+        for at in [fast.simulated].into_iter().chain(fast.deciding).flatten() {
+            if !row.cell(at)?.is_empty() {
+                return None;
+            }
         }
         let number = self.classes.number(class)?;
         let (class, feature, deviations) = self.classes.deviations(number, nominal)?;

@@ -158,6 +158,7 @@ impl Layout {
         columns.measured.at == at
             || columns.tolerance == Some(at)
             || columns.simulated == Some(at)
+            || columns.own.deciding().contains(&Some(at))
             || columns.nominal.is_some_and(|nominal| nominal.at == at)
     }
 

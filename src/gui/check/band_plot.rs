@@ -37,7 +37,11 @@ pub(super) fn band_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
     };
     let measured = record.map(|record| record.measurement.diameter);
     // The rule that judged; before anything is measured the one that will.
-    let rule = record.map(|record| record.verdict.rule).or_else(|| view.session.check().asked().worth().rule());
+    let rule = record.map(|record| record.verdict.rule).or_else(|| view.session.rule_ahead());
+    if rule.is_none() {
+        // The limits are drawn, and a rule is chosen that will not judge by them alone.
+        quiet(ui, view.text("band-no-guards"));
+    }
     let band = Band::by(&rule.unwrap_or_default(), limits, measured);
     plot_ui(ui, view.words, &band, limits, record, height);
 }

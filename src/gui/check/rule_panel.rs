@@ -129,7 +129,7 @@ fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// Which values are accepted; nothing where the limits themselves decide.
 fn zones_ui(ui: &mut Ui, view: &View<'_>) {
     let asked = view.session.check().asked();
-    let (Some(rule), Some(limits)) = (asked.worth().rule(), asked.limits()) else { return };
+    let (Some(rule), Some(limits)) = (view.session.rule_ahead(), asked.limits()) else { return };
     if rule.is_plain() {
         return;
     }
@@ -155,6 +155,9 @@ fn process_ui(ui: &mut Ui, view: &mut View<'_>) {
         view,
         &[(CheckField::ProcessMean, "process-mean", "mm"), (CheckField::ProcessSpread, "process-spread", "µm")],
     );
+    if worth(view).wants_uncertainty_for_risks() {
+        quiet(ui, view.text("risk-without-uncertainty"));
+    }
     if let Some(risks) = worth(view).risks() {
         for (text, risk) in [
             ("risk-nonconforming", risks.nonconforming),

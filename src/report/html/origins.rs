@@ -91,7 +91,7 @@ fn proof(decision: &Decision, words: &Words) -> Option<String> {
 
 /// Name, who made it and when, how long it counts, and what to check about it.
 pub(super) fn budget(budget: &Provenance, words: &Words) -> String {
-    let Provenance { name, date, by, valid_until, validity, warnings } = budget;
+    let Provenance { name, date, by, valid_until, validity, warnings, .. } = budget;
     let mut said = vec![
         words.say(
             &Message::new("report-budget-made")

@@ -73,7 +73,7 @@ impl BudgetPage {
             Some(taken) => Some(taken.geometry),
             None => self.steps()?,
         };
-        Ok(Conditions { size, geometry })
+        Ok(Conditions { size, geometry, ..Conditions::default() })
     }
 
     /// The contacts of the fields; none where both are empty.

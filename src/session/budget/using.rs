@@ -83,6 +83,9 @@ impl BudgetPage {
     pub(super) fn used_is_saved(&mut self, shared: &Shared) {
         if self.use_of(shared.budget.as_deref()) == UseOf::This {
             self.keep_file();
+        } else if self.used_file.as_deref() == self.document.file() {
+            // The file holds another budget now: at the next start it would be taken for the one in use.
+            self.used_file = None;
         }
     }
 

@@ -162,6 +162,10 @@ impl CheckPage {
         if worth::is_of_rule(field) {
             self.keep_rule();
         }
+        if worth::is_of_temperature(field) {
+            // The temperatures on screen are the user's own from now on, and not only the one that is typed.
+            self.own.retain(|of, _| !worth::is_of_temperature(*of));
+        }
         self.texts.set(field, text);
         match field {
             CheckField::Callout => return self.callout_changed(true, sources),
@@ -252,7 +256,9 @@ impl CheckPage {
         if self.by == MeasureBy::Typing
             && let Some(doubt) = record.doubt
         {
-            let question = Question { measured: record.measurement.diameter, doubt };
+            // As it was typed.
+            let measured = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
+            let question = Question { measured, doubt };
             if asked_about != Some(question) {
                 self.question = Some(question);
                 return;

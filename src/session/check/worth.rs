@@ -5,7 +5,7 @@ use std::sync::Arc;
 use serde::{Deserialize, Serialize};
 
 use super::CheckField;
-use crate::budget::{Assessment, Conditions, Geometry};
+use crate::budget::{Assessment, Budget, Conditions};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::message::{Message, Say as _};
@@ -62,6 +62,11 @@ const OF_TEMPERATURE: [CheckField; 4] =
 /// Whether a field is about the rule.
 pub(super) fn is_of_rule(field: CheckField) -> bool {
     OF_RULE.contains(&field)
+}
+
+/// Whether a field is about the temperature.
+pub(super) fn is_of_temperature(field: CheckField) -> bool {
+    OF_TEMPERATURE.contains(&field)
 }
 
 /// What the fields mean.
@@ -160,6 +165,24 @@ impl Worth {
         is_one.then(|| made(self.judging.rule, self.given).ok()).flatten()
     }
 
+    /// The rule before anything is measured: a budget is asked for the middle of the zone and its own contacts. `None` where nothing
+    /// can be said yet.
+    pub(in crate::session) fn rule_ahead(&self, limits: &Limits, budget: Option<&OpenBudget>) -> Option<Rule> {
+        if self.no_rule.is_some() || self.judging.from != UncertaintyFrom::Budget {
+            return self.rule();
+        }
+        let Budget { date, .. } = budget?.budget;
+        let (size, feature) = (Some(limits.middle()), Some(limits.feature));
+        let conditions = Conditions { size, feature, ..Conditions::default() };
+        let assessment = Assessment::of(budget?.budget.clone(), &conditions, None, date).ok()?;
+        made(self.judging.rule, Given { uncertainty: Some(assessment.uncertainty().ok()?), ..self.given }).ok()
+    }
+
+    /// Whether the process is given, and the risks cannot be told for want of one uncertainty of all values.
+    pub const fn wants_uncertainty_for_risks(&self) -> bool {
+        self.process.is_some() && self.risks.is_none()
+    }
+
     /// How a length is brought to 20 °C; `None` where no temperature is given.
     pub fn correction(&self, measured: Length) -> Option<Correction> {
         let (part, scale) = self.warm?;
@@ -178,11 +201,7 @@ impl Worth {
         }
         let refused = |problem: Message| (CheckField::Uncertainty, problem);
         let open = budget.ok_or_else(|| refused(Message::new("budget-not-in-use")))?;
-        let geometry = match record.measurement.contacts.as_slice() {
-            [] => None,
-            contacts => Some(Geometry::of_contacts(contacts).map_err(|error| refused(error.message()))?),
-        };
-        let conditions = Conditions { size: Some(record.measurement.diameter), geometry };
+        let conditions = record.conditions().map_err(|error| refused(error.message()))?;
         let assessment = Assessment::of(open.budget.clone(), &conditions, None, record.time.date());
         let assessment = assessment.map_err(|error| refused(error.message()))?;
         let uncertainty = assessment.uncertainty().map_err(|error| refused(error.message()))?;
@@ -193,18 +212,12 @@ impl Worth {
 
     /// Whether a record was judged as the fields say.
     pub(super) fn agrees(&self, record: &Record, budget: Option<&OpenBudget>) -> bool {
-        let is_of = |open: &OpenBudget| {
-            let kept = record.budget.as_ref();
-            kept.is_some_and(|kept| {
-                (&kept.name, kept.date, &kept.by) == (&open.budget.name, open.budget.date, &open.budget.by)
-            })
-        };
         let rule = record.verdict.rule;
-        let given = Given { uncertainty: None, ..*rule.given() };
         match self.judging.from {
-            UncertaintyFrom::Budget => {
-                self.judging.rule == rule.name() && given == self.given && budget.is_some_and(is_of)
-            }
+            // A budget of the same name may have other figures by now.
+            UncertaintyFrom::Budget => self
+                .judge(record.clone(), budget)
+                .is_ok_and(|again| again.verdict.rule == rule && again.budget == record.budget),
             _ => record.budget.is_none() && self.rule() == Some(rule),
         }
     }

@@ -43,8 +43,19 @@ impl Conformity {
 /// A probability in percent: two decimals, more near 0 and 1, where two would say certain.
 pub fn percent(probability: f64) -> String {
     let rest = probability.min(1.0 - probability);
-    let decimals = [(1e-4, 2), (1e-6, 4), (1e-8, 6)].into_iter().find(|(least, _)| *least <= rest);
-    format!("{:.*}", decimals.map_or(2, |(_, decimals)| decimals), probability * 100.0)
+    let least = [(1e-4, 2), (1e-6, 4), (1e-8, 6)].into_iter().find(|(least, _)| *least <= rest);
+    let written = |decimals: usize| format!("{:.*}", decimals, probability * 100.0);
+    // 5 and 95 per cent decide in ISO 14253-1: on which side of them it lies must be seen.
+    let is_told = |text: &str| {
+        let read = text.parse::<f64>().unwrap_or_default();
+        [5.0, 95.0]
+            .iter()
+            .all(|border| (read < *border) == (probability * 100.0 < *border) && read.total_cmp(border).is_ne())
+    };
+    let decimals = least.map_or(2, |(_, decimals)| decimals);
+    let texts = (decimals..=8).map(written);
+    let mut told = texts.filter(|text| is_told(text));
+    told.next().unwrap_or_else(|| written(decimals))
 }
 
 /// A limit minus a value, nanometres; both are whole numbers of at most 1e15.

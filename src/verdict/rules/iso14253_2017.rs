@@ -31,7 +31,10 @@ fn bands(given: &Given, bounds: &Bounds) -> Bands {
     let conforming = first(0, half, |band| PROOF <= within(minimum + band));
     // Ten standard uncertainties beyond a limit the probability is below 1e-22.
     let far = uncertainty.times(10_000);
-    let nonconforming = first(0, far, |band| within(minimum - band) <= 1.0 - PROOF).unwrap_or(far);
+    // A missing limit is the largest length there is: nothing lies beyond it.
+    let has_minimum = bounds.minimum() != Length::MAX.negated();
+    let beyond = |band: i64| if has_minimum { minimum - band } else { maximum + band };
+    let nonconforming = first(0, far, |band| within(beyond(band)) <= 1.0 - PROOF).unwrap_or(far);
     let length = |nm: i64| Length::from_nanometres(nm).unwrap_or(Length::MAX);
     Bands { conforming: conforming.map(length), nonconforming: length(nonconforming) }
 }
