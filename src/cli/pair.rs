@@ -12,7 +12,8 @@ use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, heard_or_not, save_with};
+use super::args::one_of;
+use super::{CliError, CliWarning, Io, Outcome, Refused as _, TableArgs, heard_or_not, save_with};
 use crate::pairing::{MOST_AMOUNTS, MOST_GROUPS, Wanted};
 use crate::report::pairing::{Answer, Asked, FORMATS, Note, column_names};
 use crate::tolerance::fit::Fit;
@@ -50,8 +51,8 @@ pub(super) struct Args {
     classes: Option<u16>,
 
     /// Format of the answer
-    #[arg(long, value_enum, default_value_t = Format::Text)]
-    format: Format,
+    #[arg(long, default_value = "text", value_parser = one_of(formats(), |format| format.0))]
+    format: (&'static str, Option<Written>),
 
     /// The file to write; - or no file is standard output
     #[arg(short, long, value_name = "FILE")]
@@ -59,6 +60,13 @@ pub(super) struct Args {
 
     #[command(flatten)]
     tables: TableArgs,
+}
+
+/// What writes the answer; `None` for people.
+type Written = &'static crate::report::pairing::Format;
+
+fn formats() -> impl Iterator<Item = (&'static str, Option<Written>)> {
+    std::iter::once(("text", None)).chain(FORMATS.iter().map(|format| (format.name, Some(format))))
 }
 
 fn help() -> String {
@@ -152,19 +160,14 @@ impl Args {
     }
 
     fn print(&self, answer: &Answer, io: &mut Io<'_>) -> Result<(), CliError> {
-        let name = match self.format {
-            Format::Text => "",
-            Format::Csv => "csv",
-            Format::Json => "json",
-        };
-        let format = FORMATS.iter().find(|format| format.name == name);
+        let format = self.format.1;
         let write = |answer: &Answer, out: &mut dyn Write| match format {
             Some(format) => (format.write)(answer, out),
             None => text::write(answer, out),
         };
         match self.output.as_deref().filter(|path| *path != Path::new("-")) {
             Some(path) => save_with(path, &mut |out| write(answer, out), io),
-            None if self.format == Format::Text => {
+            None if format.is_none() => {
                 // In one piece: what a person reads is looked through piece by piece.
                 let mut text = Vec::new();
                 write(answer, &mut text)?;

@@ -5,6 +5,8 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
+use fitcheck::report::pairing::FORMATS;
+use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::{Language, Words};
 use fluent_bundle::FluentResource;
 
@@ -307,4 +309,17 @@ fn a_code_is_kept_and_an_unknown_one_is_english() {
     assert_eq!(toml::Value::from("tlh").try_into::<Language>().unwrap(), Language::En);
     assert_eq!(Language::from_code("nl_BE.UTF-8"), Some(Language::Nl));
     assert_eq!(Language::from_code("de"), None);
+}
+
+/// Names that are put together from a list of the program: each of its members has its text.
+#[test]
+fn every_rule_and_every_format_of_pairs_has_its_texts() {
+    let rules = RuleName::ALL.map(RuleName::word).into_iter();
+    let rules = rules.flat_map(|word| [format!("rule-{word}"), format!("rule-name-{word}")]);
+    let formats = FORMATS.iter().map(|format| format!("pairing-page-save-{}", format.name));
+    let names: Vec<String> = rules.chain(formats).collect();
+    // Other languages have the texts of English, or another test fails.
+    let english = all(Language::En);
+    let missing: Vec<_> = names.iter().filter(|name| !english.contains_key(*name)).collect();
+    assert!(missing.is_empty(), "assets/locales/en has no text {missing:?}");
 }

@@ -343,3 +343,107 @@ fn the_reason_is_said_in_text_json_csv_and_report() {
     has(&page, &[reason, "RE-MEASURE"]);
     assert!(!page.contains("lies in a guard band"), "{page}");
 }
+
+/// A file of Fitcheck that is read again is no better than it was: what was decided by more than the size is refused.
+#[test]
+fn a_file_of_fitcheck_read_again_is_no_better_than_it_was() {
+    let folder = folder();
+    let path = folder.path().join("again.csv");
+    let file = |rows: &str| {
+        let head = "id,callout,measured_mm,deviation_um,status,position,rule_name,remeasure_reason";
+        fitcheck::files::write(&path, format!("{head}\n{rows}\n").as_bytes()).unwrap();
+    };
+    let run = |command: &str, more: &[&str]| {
+        let mut arguments = vec![command, path.to_str().unwrap()];
+        arguments.extend(more);
+        let output = assert_cmd::Command::new(env!("CARGO_BIN_EXE_fitcheck")).args(&arguments).output().unwrap();
+        let text = |bytes: &[u8]| String::from_utf8_lossy(bytes).into_owned();
+        (text(&output.stdout), text(&output.stderr), output.status.code())
+    };
+    file("A1,25 H7,25.012,12,GOOD,not monitored,simple,");
+    let (_, told, code) = run("import", &[]);
+    assert_eq!(code, Some(0), "{told}");
+    assert!(told.contains("may be by another decision rule (column rule_name)"), "{told}");
+    for (row, reason) in [
+        ("A1,25 H7,25.012,12,SCRAP,OUT,simple,", "the centre was out of position, and a file has the size alone"),
+        ("A1,25 H7,25.012,12,RE-MEASURE,,fixed,3 contacts", "nothing was decided here: 3 contacts"),
+    ] {
+        file(row);
+        for (command, more) in [("import", &[] as &[&str]), ("batch", &["--prefix", "x_"])] {
+            let (out, told, code) = run(command, more);
+            assert_eq!(code, Some(1), "{command} {told}");
+            assert!(format!("{out}{told}").contains(reason), "{command} {out} {told}");
+        }
+    }
+    // A database may have changed the case of names.
+    file("A1,25 H7,25.012,12,SCRAP,OUT,simple,");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let (head, rows) = text.split_once('\n').unwrap();
+    fitcheck::files::write(&path, format!("{}\n{rows}", head.to_uppercase()).as_bytes()).unwrap();
+    assert_eq!(run("import", &[]).2, Some(1));
+}
+
+/// What a budget is about, and what it is used for.
+#[test]
+fn a_budget_for_another_piece_temperature_or_arc_is_told() {
+    let folder = folder();
+    let file = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        fitcheck::files::write(&path, text.as_bytes()).unwrap();
+        path.to_str().unwrap().to_owned()
+    };
+    let head = "name = \"S\"\ndate = 2026-01-15\nby = \"J\"\nvalid_until = 2999-01-14\n";
+    let ring = file(
+        "ring.toml",
+        &format!(
+            "{head}[calibrated]\nx_cal_mm = 30.0\nexpanded_um = 0.6\nk = 2\nu_b_um = 0.1\nu_w_um = 0.3\nfeature = \"hole\"\n\
+             readings_mm = [30.0021, 30.0024, 30.0022]\n"
+        ),
+    );
+    let warm = file(
+        "warm.toml",
+        &format!(
+            "{head}[[contribution]]\nname = \"Expansion\"\nkind = \"part-expansion\"\ntype = \"B\"\nlaw = \"rectangular\"\n\
+             half_width_per_k = 1e-6\ndelta_k = 1.0\n\
+             [[contribution]]\nname = \"Temperature\"\nkind = \"part-temperature\"\ntype = \"B\"\nlaw = \"normal\"\n\
+             standard_k = 0.1\nalpha_per_k = 11.5e-6\n"
+        ),
+    );
+    let arc = file("arc.csv", "x,y\n12.505,0\n12.41179,1.523976\n12.133548,3.025233\n");
+    let check = |arguments: &[&str]| {
+        let output = assert_cmd::Command::new(env!("CARGO_BIN_EXE_fitcheck"))
+            .arg("check")
+            .args(arguments)
+            .args(["--rule", "iso14253-2017"])
+            .output()
+            .unwrap();
+        (String::from_utf8_lossy(&output.stderr).into_owned(), output.status.code())
+    };
+    let (told, _) = check(&["300 h7", "--measured", "299.99", "--budget", &ring]);
+    assert!(told.contains("the calibrated piece of the budget has 30 mm and 299.99 mm were measured"), "{told}");
+    assert!(told.contains("the calibrated piece of the budget is a hole, and the other side was measured"), "{told}");
+    // 25 mm more belongs to a piece of 30 mm, a nanometre beyond does not.
+    for (measured, is_told) in [("55", false), ("55.000001", true), ("5", false), ("4.999999", true)] {
+        let callout = if measured.starts_with('5') && 1 < measured.len() { "55 H12" } else { "5 H12" };
+        let (told, _) = check(&[callout, "--measured", measured, "--budget", &ring]);
+        assert_eq!(told.contains("were measured"), is_told, "{measured} {told}");
+    }
+    let temperature =
+        ["100 H7", "--measured", "100.01", "--budget", &warm, "--temperature", "40", "--material", "23.1"];
+    let (told, _) = check(&temperature);
+    assert!(
+        told.contains(
+            "Expansion of the budget is for a temperature 1 K from 20 °C, and the value was corrected for 20 K"
+        ),
+        "{told}"
+    );
+    assert!(
+        told.contains(
+            "Temperature of the budget has the expansion 11.5 · 10⁻⁶/K, and the value was corrected with 23.1"
+        ),
+        "{told}"
+    );
+    // A budget without a scatter of touches says nothing of the contacts.
+    let (told, code) = check(&["25 H7", "--contacts", &arc, "--budget", &ring]);
+    assert_eq!(code, Some(12), "{told}");
+}

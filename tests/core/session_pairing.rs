@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use fitcheck::exchange::sizes;
 use fitcheck::message::Message;
+use fitcheck::report::pairing::FORMATS;
 use fitcheck::report::pairing::Parts;
 use fitcheck::session::{
     Action, CheckCommand, CheckField, Command, Content, Effect, Field, FilesCommand, MeasureBy, Page, Paired,
@@ -102,7 +103,7 @@ fn saved(session: &mut Session, format: usize) -> Vec<u8> {
     let effects = apply(session, Command::Confirm);
     let [effect] = effects.as_slice() else { panic!("{effects:?}") };
     let Effect::Save(path, content) = effect.errand() else { panic!("{effect:?}") };
-    assert_eq!(path, Path::new(["/shop/pairs.csv", "/shop/pairs.json"][format]));
+    assert_eq!(path, Path::new(&format!("/shop/pairs.{}", FORMATS[format].name)));
     content.bytes().unwrap()
 }
 
@@ -116,7 +117,7 @@ fn the_window_saves_what_the_command_line_writes() {
     ] {
         let mut session = paired_with(wanted, holes, SHAFTS);
         typed(&mut session, PairingField::Groups, groups);
-        for (format, name) in ["csv", "json"].into_iter().enumerate() {
+        for (format, name) in FORMATS.iter().map(|format| format.name).enumerate() {
             let expected = of_command_line(holes, SHAFTS, &[args, &["--format", name]].concat());
             let bytes = saved(&mut session, format);
             assert_eq!(String::from_utf8_lossy(&bytes), String::from_utf8_lossy(&expected), "{wanted} {name}");

@@ -40,6 +40,7 @@ use crate::exchange::tables::TABLE_FORMATS;
 use crate::length::Length;
 use crate::message::Message;
 use crate::report::RENDERINGS;
+use crate::report::pairing::FORMATS as PAIR_FORMATS;
 use crate::verdict::Status;
 use crate::words::Words;
 
@@ -59,6 +60,10 @@ impl Action {
             Self::Export(number) => {
                 RENDERINGS.get(number).map(|to| words.get(&format!("export-{}", to.name))).unwrap_or_default()
             }
+            Self::SavePairs(number) => PAIR_FORMATS
+                .get(number)
+                .map(|to| words.get(&format!("pairing-page-save-{}", to.name)))
+                .unwrap_or_default(),
             Self::SaveTable(number) => {
                 let format = TABLE_FORMATS.get(number).map(|format| words.get(format.description));
                 capitalised(&format.map(|format| format!("{format}…")).unwrap_or_default())

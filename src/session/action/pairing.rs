@@ -25,8 +25,7 @@ pub(super) fn of_history(feature: Feature) -> Row {
 }
 
 pub(super) fn save(number: usize) -> Row {
-    let text = if number == 0 { "pairing-page-save-csv" } else { "pairing-page-save-json" };
-    let row = on(Page::Pairing, text, Command::OpenDialog(Purpose::SavePairs(number)))
+    let row = on(Page::Pairing, "pairing-page-save-csv", Command::OpenDialog(Purpose::SavePairs(number)))
         .when(|session| session.pairing().paired().is_some());
     if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
 }
