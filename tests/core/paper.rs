@@ -369,8 +369,8 @@ fn a_file_of_fitcheck_read_again_is_no_better_than_it_was() {
         ("A1,25 H7,25.012,12,RE-MEASURE,,fixed,3 contacts", "nothing was decided here: 3 contacts"),
     ] {
         file(row);
-        for (command, more) in [("import", &[] as &[&str]), ("batch", &["--prefix", "x_"])] {
-            let (out, told, code) = run(command, more);
+        for (command, more) in [("import", vec![]), ("batch", vec!["--prefix", "x_"])] {
+            let (out, told, code) = run(command, &more);
             assert_eq!(code, Some(1), "{command} {told}");
             assert!(format!("{out}{told}").contains(reason), "{command} {out} {told}");
         }
