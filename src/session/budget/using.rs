@@ -68,7 +68,8 @@ impl BudgetPage {
             details.push(Message::new(id));
         }
         details.extend(warning(&budget, budget.validity(self.today)));
-        shared.note(Message::new("budget-page-used").text("name", &budget.name), details);
+        // The page says which budget is in use; a notice only tells what is not seen there.
+        shared.note_details(Message::new("budget-page-used").text("name", &budget.name), details);
         shared.budget = Some(Arc::new(OpenBudget { file: self.document.name(), budget }));
         shared.spread(News::Budget);
     }
