@@ -265,7 +265,7 @@ fn tell_correction(correction: &Correction, part: &Part, io: &mut Io<'_>) {
     io.remark(&CliRemark::Corrected {
         measured,
         temperature: warm.temperature,
-        material: part.name.clone().unwrap_or_default(),
+        material: part.name.clone().unwrap_or_else(|| "none".to_owned()),
         expansion: warm.expansion,
         change: correction.change().signed_um(),
         at_reference,

@@ -97,7 +97,7 @@ impl Judge {
         if let Some(Warmth { part, scale }) = &self.warmth {
             io.remark(&CliRemark::CorrectedAll {
                 temperature: part.warm.temperature,
-                material: part.name.clone().unwrap_or_default(),
+                material: part.name.clone().unwrap_or_else(|| "none".to_owned()),
                 expansion: part.warm.expansion,
             });
             if let Some(scale) = scale {

@@ -91,11 +91,11 @@ cli-remark-wrote-files = wrote { $path } ({ $count } files)
 cli-remark-simulated = simulated: nothing was measured
 cli-remark-perfect-workpiece = simulated: every cycle measured a perfect workpiece at nominal; --workpiece FILE.toml gives another
 cli-remark-corrected = measured { $measured } mm at { $temperature } °C: { $change } µm, so { $at-reference } mm at 20 °C ({ $material ->
-    [0] { $expansion } · 10⁻⁶/K
+    [none] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
 })
 cli-remark-corrected-all = every measured value is brought from { $temperature } °C to 20 °C ({ $material ->
-    [0] { $expansion } · 10⁻⁶/K
+    [none] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
 })
 cli-remark-scales = scales at { $temperature } °C, { $expansion } · 10⁻⁶/K

@@ -91,11 +91,11 @@ cli-remark-wrote-files = { $path } geschreven ({ $count } bestanden)
 cli-remark-simulated = gesimuleerd: er is niets gemeten
 cli-remark-perfect-workpiece = gesimuleerd: elke cyclus heeft een volmaakt werkstuk op nominale maat gemeten; --workpiece FILE.toml geeft een ander
 cli-remark-corrected = gemeten { $measured } mm bij { $temperature } °C: { $change } µm, dus { $at-reference } mm bij 20 °C ({ $material ->
-    [0] { $expansion } · 10⁻⁶/K
+    [none] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
 })
 cli-remark-corrected-all = elke gemeten waarde wordt van { $temperature } °C naar 20 °C gebracht ({ $material ->
-    [0] { $expansion } · 10⁻⁶/K
+    [none] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
 })
 cli-remark-scales = meetlinialen bij { $temperature } °C, { $expansion } · 10⁻⁶/K

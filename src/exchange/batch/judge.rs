@@ -91,9 +91,8 @@ struct Fast {
     measured: (usize, Unit),
     nominal: Option<(usize, Unit)>,
     tolerance: Option<usize>,
-    simulated: Option<usize>,
-    /// Where a file of Fitcheck may say that the size alone does not decide.
-    deciding: [Option<usize>; 2],
+    /// Columns in which a row may say that nobody measured, or that the size alone does not decide.
+    aside: Vec<usize>,
     count: usize,
     /// A decimal sign that the measured values do not have.
     foreign_sign: Option<u8>,
@@ -114,8 +113,7 @@ impl<'a> Court<'a> {
             measured: (columns.measured.at, columns.measured.unit),
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
             tolerance: columns.tolerance,
-            simulated: columns.simulated,
-            deciding: columns.own.deciding(),
+            aside: columns.simulated.into_iter().chain(columns.own.deciding().into_iter().flatten()).collect(),
             count: columns.count,
             foreign_sign: columns.decimal_sign.map(|sign| if sign == '.' { b',' } else { b'.' }),
             has_commas,
@@ -312,8 +310,8 @@ impl Judge<'_> {
         if nominal <= Length::ZERO {
             return None;
         }
-        for at in [fast.simulated].into_iter().chain(fast.deciding).flatten() {
-            if !row.cell(at)?.is_empty() {
+        for at in &fast.aside {
+            if !row.cell(*at)?.is_empty() {
                 return None;
             }
         }
