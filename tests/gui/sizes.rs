@@ -19,6 +19,7 @@ use fitcheck::session::{
 };
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
+use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::{Language, Words};
 
 use crate::harness::Window;
@@ -232,6 +233,12 @@ fn check_page(size: (f32, f32, f32), tongue: Tongue, least: f32) -> Vec<String> 
     paint(&mut window, &format!("{what} simulated"));
     check_frame(&window, points, &what);
     found.extend(faults(&window, tongue, &format!("{what}, simulated")));
+    // An error is never folded away: rule and temperature unfold.
+    send(&mut window, CheckCommand::UseRule(RuleName::IlacG8));
+    typed(&mut window, CheckField::ScaleTemperature, "22");
+    paint(&mut window, &format!("{what} rule"));
+    check_frame(&window, points, &what);
+    found.extend(faults(&window, tongue, &format!("{what}, rule")));
     found
 }
 
