@@ -365,3 +365,61 @@ fn the_guard_bands_of_a_budget_are_known_before_anything_is_measured() {
     run(&mut session, [CheckCommand::TellUncertainty(UncertaintyFrom::Standard)]);
     assert_eq!(session.rule_ahead(), None, "the rule has no uncertainty");
 }
+
+/// Whatever is chosen, the page says what `fitcheck check` says.
+#[test]
+fn the_page_judges_as_the_command_line_does() {
+    let provers = [(Prover::Supplier, "supplier"), (Prover::Customer, "customer")];
+    let mut count = 0;
+    for (number, rule) in RuleName::ALL.into_iter().cycle().take(96).enumerate() {
+        let pick = |list: &[&'static str], step: usize| list[number / step % list.len()];
+        let (u, k) = (pick(&["0.3", "1.2", "6"], 8), pick(&["2", "2.5"], 3));
+        let (callout, size) = [("25 H7", "25.0"), ("25 g6", "24.98")][number / 48];
+        let size = format!("{size}{}", pick(&["0050", "1950", "21", "1234", "0003"], 5));
+        let (temperature, scale) = (pick(&["", "26", "-4.5"], 7), pick(&["", "22"], 11));
+        let (prover, said) = provers[number / 16 % 2];
+        let mut session = Session::new(Language::En);
+        let mut arguments =
+            vec!["check", callout, "--measured", &size, "--format", "json", "--rule", rule.word(), "--u", u];
+        arguments.extend(["--k", k]);
+        run(
+            &mut session,
+            [CheckCommand::UseRule(rule), typed(CheckField::Uncertainty, u), typed(CheckField::Coverage, k)],
+        );
+        if rule.takes_factor() {
+            run(&mut session, [typed(CheckField::GuardFactor, "0.83")]);
+            arguments.extend(["--factor", "0.83"]);
+        }
+        if rule.takes_width() {
+            run(&mut session, [typed(CheckField::GuardWidth, "1.5")]);
+            arguments.extend(["--guard", "1.5"]);
+        }
+        if rule.takes_prover() {
+            run(&mut session, [CheckCommand::LetProve(prover)]);
+            arguments.extend(["--prover", said]);
+        }
+        if !temperature.is_empty() {
+            run(
+                &mut session,
+                [typed(CheckField::PartTemperature, temperature), typed(CheckField::PartExpansion, "23.1")],
+            );
+            arguments.extend(["--temperature", temperature, "--material", "23.1"]);
+            if !scale.is_empty() {
+                run(&mut session, [typed(CheckField::ScaleTemperature, scale), typed(CheckField::ScaleExpansion, "8")]);
+                arguments.extend(["--scale-temperature", scale, "--scale-material", "8"]);
+            }
+        }
+        measured(&mut session, callout, &size);
+        let output = assert_cmd::Command::new(env!("CARGO_BIN_EXE_fitcheck")).args(&arguments).output().unwrap();
+        let expected: serde_json::Value = serde_json::from_slice(&output.stdout)
+            .unwrap_or_else(|_| panic!("{arguments:?} {}", String::from_utf8_lossy(&output.stderr)));
+        let mut is = fitcheck::report::json::object(shown(&session)).unwrap();
+        // Both were checked now, whenever that was.
+        is.insert("time".to_owned(), expected["time"].clone());
+        // Through the same text: a last digit of a float may change when it is read.
+        let is: serde_json::Value = serde_json::from_str(&serde_json::to_string(&is).unwrap()).unwrap();
+        assert_eq!(is, expected, "{arguments:?}");
+        count += 1;
+    }
+    assert_eq!(count, 96);
+}
