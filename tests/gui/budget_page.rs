@@ -174,8 +174,6 @@ fn a_budget_is_saved_and_used_for_checks() {
     let written = std::fs::read_to_string(folder.path().join("budget.toml")).unwrap();
     assert!(written.ends_with("# ours\n"), "{written}");
     click(&mut page, Role::Button, "Use for checks");
-    page.get_by_label("Checks use the budget Station 1, probe 1");
-    click(&mut page, Role::Button, "Close");
     page.get_by_label("In use: Station 1, probe 1");
     append(&mut page, "# more\n");
     page.get_by_label("In use: Station 1, probe 1");
@@ -273,7 +271,6 @@ fn the_settled_page_asks_for_no_repaint() {
     let mut page = with(Window::default(), "station3.toml");
     // A cursor that blinks would ask for one.
     click(&mut page, Role::Button, "Use for checks");
-    click(&mut page, Role::Button, "Close");
     page.run();
     let delay = page.output().viewport_output[&ViewportId::ROOT].repaint_delay;
     assert_eq!(delay, Duration::MAX);
@@ -303,7 +300,6 @@ fn picture(name: &str, theme: Theme, size: Vec2, budget: &str) {
     }
     let mut page = with(Window { size, theme, ..Window::default() }, budget);
     send(&mut page, BudgetCommand::Use);
-    send(&mut page, Command::Close);
     page.snapshot(name);
 }
 

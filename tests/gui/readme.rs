@@ -163,6 +163,5 @@ fn a_budget() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/corpus/inputs/station3.toml");
         send(window, FilesCommand::Open(Purpose::OpenBudget, path));
         send(window, BudgetCommand::Use);
-        send(window, Command::Close);
     });
 }
