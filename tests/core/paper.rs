@@ -447,3 +447,41 @@ fn a_budget_for_another_piece_temperature_or_arc_is_told() {
     let (told, code) = check(&["25 H7", "--contacts", &arc, "--budget", &ring]);
     assert_eq!(code, Some(12), "{told}");
 }
+
+/// A centre out of position is scrap whatever the size says, and nothing about it is proven by the size.
+#[test]
+fn a_size_proves_nothing_of_a_centre_out_of_position() {
+    let log = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples/logs/en/TCHPR421.TXT");
+    let now = date(2026, 11, 21).at(0, 0, 0, 0);
+    let read = fitcheck::exchange::import("TCHPR421.TXT", &std::fs::read(log).unwrap(), &Sources::default(), now);
+    let mut record = read.records[0].clone();
+    let given = Given { uncertainty: Some(Uncertainty::standard("1.2").unwrap()), ..Given::default() };
+    let rule = Rule::new(RuleName::Iso14253Of2017, given).unwrap();
+    let position = record.verdict.position.as_mut().unwrap();
+    for (off, is_scrap) in [("0.001", false), ("1", true)] {
+        for axis in &mut position.axes {
+            axis.deviation = off.parse().unwrap();
+            axis.tolerance = Some("0.05".parse().unwrap());
+        }
+        let judged = Record {
+            verdict: fitcheck::verdict::Verdict { position: Some(*position), ..read.records[0].verdict },
+            ..read.records[0].clone()
+        };
+        let judged = judged.by(rule);
+        let decision = judged.decision().unwrap();
+        assert_eq!(judged.verdict.status() == Status::Scrap, is_scrap);
+        assert_eq!((decision.proven.is_none(), decision.conformity.is_none()), (is_scrap, is_scrap), "{judged:?}");
+    }
+}
+
+/// An uncertainty that does not count for these contacts says nothing of their conformity, by the limits alone either.
+#[test]
+fn a_short_arc_has_no_conformity_by_the_limits_either() {
+    let folder = folder();
+    let path = folder.path().join("arc.csv");
+    fitcheck::files::write(&path, b"x,y\n12.505,0\n12.41179,1.523976\n12.133548,3.025233\n").unwrap();
+    let arguments = ["check", "25 H7", "--contacts", path.to_str().unwrap(), "--u", "1.2", "--format", "json"];
+    let output = assert_cmd::Command::new(env!("CARGO_BIN_EXE_fitcheck")).args(arguments).output().unwrap();
+    let found: Value = serde_json::from_slice(&output.stdout).unwrap();
+    assert_eq!((&found["conformity"], &found["rule_name"]), (&Value::Null, &Value::from("simple")), "{found}");
+}

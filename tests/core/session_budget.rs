@@ -457,3 +457,18 @@ fn contacts_that_are_taken_count_until_others_are_typed() {
     assert!(session.budget().contacts().is_none());
     assert!((factor(&session) - 1.1547).abs() < 0.001);
 }
+
+/// The file of the budget in use gets another text that checks do not use: the next start would take it for the one in use.
+#[test]
+fn a_file_that_holds_another_budget_is_not_used_at_the_next_start() {
+    let mut session = with_used();
+    let path = inputs().join("station3.toml");
+    assert_eq!(session.saved().budget, Some(path.clone()));
+    edit(&mut session, "standard_um = 0.5", "standard_um = 5");
+    send(&mut session, Command::OpenDialog(Purpose::SaveBudget));
+    send(&mut session, Command::TypePath(path.display().to_string()));
+    send(&mut session, Command::Confirm);
+    send(&mut session, Command::Saved { path, result: Ok(()) });
+    assert_eq!(session.budget().use_of(session.used_budget()), UseOf::Another);
+    assert_eq!(session.saved().budget, None);
+}
