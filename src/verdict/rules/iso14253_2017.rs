@@ -17,9 +17,6 @@ pub(super) const DECLARATION: Declaration = Declaration {
 /// The probability that is asked for.
 const PROOF: f64 = 0.95;
 
-/// How many standard uncertainties it takes at one limit, in thousandths.
-const ONE_SIDED: i64 = 1_645;
-
 fn bands(given: &Given, bounds: &Bounds) -> Bands {
     let Some(uncertainty) = given.uncertainty else {
         return Bands { conforming: Some(Length::ZERO), nonconforming: Length::ZERO };
@@ -31,72 +28,30 @@ fn bands(given: &Given, bounds: &Bounds) -> Bands {
     };
     // The probability rises from far outside up to the middle, on either side in the same way.
     let half = (maximum - minimum) / 2;
-    // What it is where the tolerance is six or more u wide: the search begins there.
-    let guess = uncertainty.times(ONE_SIDED);
-    let conforming = first(guess, [0, half], |band| PROOF <= within(minimum + band));
+    let conforming = first(0, half, |band| PROOF <= within(minimum + band));
     // Ten standard uncertainties beyond a limit the probability is below 1e-22.
     let far = uncertainty.times(10_000);
     // A missing limit is the largest length there is: nothing lies beyond it.
     let has_minimum = bounds.minimum() != Length::MAX.negated();
     let beyond = |band: i64| if has_minimum { minimum - band } else { maximum + band };
-    let nonconforming = first(guess, [0, far], |band| within(beyond(band)) <= 1.0 - PROOF).unwrap_or(far);
+    let nonconforming = first(0, far, |band| within(beyond(band)) <= 1.0 - PROOF).unwrap_or(far);
     let length = |nm: i64| Length::from_nanometres(nm).unwrap_or(Length::MAX);
     Bands { conforming: conforming.map(length), nonconforming: length(nonconforming) }
 }
 
-/// The smallest whole number of a range for which something holds that holds for all larger ones; looked for from a guess on, in
-/// steps that double.
-fn first(guess: i64, [least, most]: [i64; 2], holds: impl Fn(i64) -> bool) -> Option<i64> {
+/// The smallest whole number of a range for which something holds that holds for all larger ones.
+fn first(least: i64, most: i64, holds: impl Fn(i64) -> bool) -> Option<i64> {
+    let (mut least, mut most) = (least, most);
     if !holds(most) {
         return None;
     }
-    let (mut low, mut high, mut step) = (least, most, 1);
-    let guess = guess.clamp(least, most);
-    if holds(guess) {
-        high = guess;
-        while low < high {
-            let below = (high - step).max(low);
-            if !holds(below) {
-                low = below + 1;
-                break;
-            }
-            (high, step) = (below, step * 2);
-        }
-    } else {
-        low = guess + 1;
-        while low < high {
-            let above = (low + step).min(high);
-            if holds(above) {
-                high = above;
-                break;
-            }
-            (low, step) = (above + 1, step * 2);
-        }
-    }
-    while low < high {
-        let middle = low + (high - low) / 2;
+    while least < most {
+        let middle = least + (most - least) / 2;
         if holds(middle) {
-            high = middle;
+            most = middle;
         } else {
-            low = middle + 1;
+            least = middle + 1;
         }
     }
-    Some(high)
-}
-
-#[cfg(test)]
-mod tests {
-    use super::first;
-
-    #[test]
-    fn the_first_is_found_whatever_the_guess() {
-        for most in [0, 1, 2, 7, 40] {
-            for answer in 0..=most {
-                for guess in -3..=most + 3 {
-                    assert_eq!(first(guess, [0, most], |place| answer <= place), Some(answer), "{guess} {most}");
-                }
-            }
-            assert_eq!(first(3, [0, most], |_| false), None);
-        }
-    }
+    Some(most)
 }
