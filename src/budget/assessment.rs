@@ -4,8 +4,8 @@ use jiff::civil::Date;
 
 use super::doubts::doubts;
 use super::{
-    Basis, Budget, CalibratedError, Conditions, Evaluation, EvaluationError, FEWEST_READINGS, Geometry, Repeated,
-    Validity, uncertainty,
+    Basis, Budget, CalibratedError, Conditions, Evaluation, EvaluationError, FEWEST_READINGS, Geometry, GeometryError,
+    Repeated, Validity, uncertainty,
 };
 use crate::length::Length;
 use crate::message::{Say, printed};
@@ -44,6 +44,9 @@ pub enum AssessmentError {
     /// The readings say nothing.
     #[say(transparent)]
     Calibrated(#[from] CalibratedError),
+    /// The contacts make no circle.
+    #[say(transparent)]
+    Geometry(#[from] GeometryError),
     /// A rule has no place for the result.
     #[say(transparent)]
     Uncertainty(#[from] UncertaintyError),

@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::material::{WarmArgs, Warmth};
 use super::rule::RuleArgs;
 use super::{CliError, CliRemark, CliWarning, Io, Refused as _};
-use crate::budget::{Assessment, Budget, BudgetWarning};
+use crate::budget::{Budget, BudgetWarning};
 use crate::journal::Record;
 use crate::report::csv::More;
 use crate::tolerance::fit::materials::Certainty;
@@ -86,9 +86,8 @@ impl Judge {
             None => record,
         };
         let Some(ByBudget { name, budget, rule }) = &self.budget else { return Ok(record.by(self.rule)) };
-        let conditions = record.conditions().about(name)?;
-        let found = Assessment::of(budget.clone(), &conditions, None, record.time.date()).about(name)?;
-        let rule = rule.rule_with(Some(found.uncertainty().about(name)?))?;
+        let (found, uncertainty) = record.assess(budget.clone()).about(name)?;
+        let rule = rule.rule_with(Some(uncertainty))?;
         Ok(record.by_budget(rule, Arc::new(found.provenance())))
     }
 

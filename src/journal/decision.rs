@@ -1,9 +1,9 @@
 //! What the decision rule of a record says of its value.
 
 use super::Record;
-use crate::budget::{Conditions, Geometry, GeometryError};
+use crate::budget::{Assessment, AssessmentError, Budget, Conditions, Geometry, GeometryError};
 use crate::probing::Measurement;
-use crate::verdict::rules::{Conformity, RuleName, Zones};
+use crate::verdict::rules::{Conformity, RuleName, Uncertainty, Zones};
 use crate::verdict::{Rule, Undecided};
 
 /// What a rule says of a measured value besides its status.
@@ -35,6 +35,16 @@ impl Record {
             proven: zones.is_proven(measured).filter(|_proven| is_by_size).map(|is_proven| is_proven && is_decided),
             conformity: rule.conformity(&bounds, measured).filter(|_conformity| is_decided && counts && is_by_size),
         })
+    }
+
+    /// A budget for its value, its contacts and its day, and the uncertainty that a rule gets.
+    ///
+    /// # Errors
+    /// [`AssessmentError`] where the budget gives none.
+    pub fn assess(&self, budget: Budget) -> Result<(Assessment, Uncertainty), AssessmentError> {
+        let found = Assessment::of(budget, &self.conditions()?, None, self.time.date())?;
+        let uncertainty = found.uncertainty()?;
+        Ok((found, uncertainty))
     }
 
     /// What a budget is evaluated for.

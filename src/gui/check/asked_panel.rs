@@ -129,6 +129,7 @@ fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
     pairs_ui(
         ui,
         view,
+        space(22.0),
         &[
             (CheckField::CentreX, "centre-x", "mm"),
             (CheckField::CentreY, "centre-y", "mm"),
@@ -157,12 +158,13 @@ fn simulation_ui(ui: &mut Ui, view: &mut View<'_>) {
     let header = CollapsingHeader::new(view.text("simulated-workpiece")).id_salt("simulated");
     header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
         quiet(ui, view.text("simulated-hint"));
-        pairs_ui(ui, view, &fields);
+        pairs_ui(ui, view, space(22.0), &fields);
     });
 }
 
-fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[(CheckField, &str, &str)]) {
+/// Two fields beside each other, of this width.
+pub(super) fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, width: f32, fields: &[(CheckField, &str, &str)]) {
     let fields: Vec<_> = fields.iter().map(|(field, name, unit)| ((*field).into(), view.text(name), *unit)).collect();
-    let pairs = Pairs { column: space(31.0), field: |_: &str| space(22.0), gap: space(2.0) };
+    let pairs = Pairs { column: space(31.0), field: |_: &str| width, gap: space(2.0) };
     field::pairs_ui(ui, view, &pairs, &fields);
 }

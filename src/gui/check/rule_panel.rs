@@ -2,7 +2,8 @@
 
 use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
 
-use crate::gui::field::{self, Look, Pairs, error_ui, field_ui};
+use crate::gui::check::asked_panel::pairs_ui;
+use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::material::material_ui;
 use crate::gui::theme::space;
 use crate::gui::view::{View, list_ui, quiet};
@@ -123,7 +124,12 @@ fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
         return;
     }
     let name = if judging.from == UncertaintyFrom::Expanded { "uncertainty-u-expanded" } else { "uncertainty-u" };
-    pairs_ui(ui, view, &[(CheckField::Uncertainty, name, "µm"), (CheckField::Coverage, "coverage-factor", "")]);
+    pairs_ui(
+        ui,
+        view,
+        space(20.0),
+        &[(CheckField::Uncertainty, name, "µm"), (CheckField::Coverage, "coverage-factor", "")],
+    );
 }
 
 /// Which values are accepted; nothing where the limits themselves decide.
@@ -153,6 +159,7 @@ fn process_ui(ui: &mut Ui, view: &mut View<'_>) {
     pairs_ui(
         ui,
         view,
+        space(20.0),
         &[(CheckField::ProcessMean, "process-mean", "mm"), (CheckField::ProcessSpread, "process-spread", "µm")],
     );
     if worth(view).wants_uncertainty_for_risks() {
@@ -189,7 +196,7 @@ fn temperature_ui(ui: &mut Ui, view: &mut View<'_>) {
         ),
     ] {
         let [of_temperature, of_expansion] = names;
-        pairs_ui(ui, view, &[(temperature, of_temperature, "°C"), (expansion, of_expansion, "10⁻⁶/K")]);
+        pairs_ui(ui, view, space(20.0), &[(temperature, of_temperature, "°C"), (expansion, of_expansion, "10⁻⁶/K")]);
         let name = quiet(ui, view.text(material));
         let now = view.session.text(expansion).parse().ok();
         if let Some(taken) = material_ui(ui, view, material, now, (name.id, width * 2.0)) {
@@ -207,10 +214,4 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>, (of, name, unit): (CheckField, &str,
         ui.end_row();
     });
     error_ui(ui, view, of);
-}
-
-fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[(CheckField, &str, &str)]) {
-    let fields: Vec<_> = fields.iter().map(|(field, name, unit)| ((*field).into(), view.text(name), *unit)).collect();
-    let pairs = Pairs { column: space(31.0), field: |_: &str| space(20.0), gap: space(2.0) };
-    field::pairs_ui(ui, view, &pairs, &fields);
 }

@@ -201,10 +201,8 @@ impl Worth {
         }
         let refused = |problem: Message| (CheckField::Uncertainty, problem);
         let open = budget.ok_or_else(|| refused(Message::new("budget-not-in-use")))?;
-        let conditions = record.conditions().map_err(|error| refused(error.message()))?;
-        let assessment = Assessment::of(open.budget.clone(), &conditions, None, record.time.date());
-        let assessment = assessment.map_err(|error| refused(error.message()))?;
-        let uncertainty = assessment.uncertainty().map_err(|error| refused(error.message()))?;
+        let assessed = record.assess(open.budget.clone());
+        let (assessment, uncertainty) = assessed.map_err(|error| refused(error.message()))?;
         let given = Given { uncertainty: Some(uncertainty), ..self.given };
         let budget = Arc::new(assessment.provenance());
         Ok(record.by_budget(made(rule, given)?, budget))
