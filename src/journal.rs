@@ -6,13 +6,21 @@
 //! | file | what |
 //! |---|---|
 //! | here | a record |
+//! | `entry` | a record with all that is kept beside it |
+//! | `body` | an entry as the bytes that are hashed and kept |
+//! | `chain` | each entry hashed over the one before |
+//! | `ask` | questions to a journal that lasts |
 //! | `decision` | what the decision rule of a record says of its value |
 //! | `query` | which records are listed, and in which order; where records are kept, as a trait |
 //! | `memory` | records in memory |
 //! | `natural` | texts in the order in which people count |
 //! | `window` | the status window of a record |
 
+pub mod ask;
+pub mod body;
+pub mod chain;
 mod decision;
+pub mod entry;
 pub mod memory;
 pub mod natural;
 pub mod query;

@@ -16,6 +16,7 @@
 //! | [`exchange`] | files of other tools |
 //! | [`journal`] | what was checked, when, by which rule |
 //! | [`report`] | inspection reports |
+//! | [`store`] | where records are kept: a file of one station, the server of a shop |
 //! | `gui` | the window, with the feature `gui` |
 //! | [`session`] | the state of the application |
 //! | [`cli`] | the command line |
@@ -38,6 +39,7 @@ pub mod probing;
 pub mod report;
 pub mod session;
 pub mod shipped;
+pub mod store;
 pub mod tolerance;
 pub mod verdict;
 pub mod words;

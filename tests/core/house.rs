@@ -41,7 +41,7 @@ fn none_names(files: &[(String, String)], words: &[&str]) {
 }
 
 /// The rooms from the ground up, each with the rooms that it may name: an arrow only points down.
-const ROOMS: [(&str, &[&str]); 19] = [
+const ROOMS: [(&str, &[&str]); 20] = [
     ("shipped", &[]),
     ("message", &["shipped"]),
     ("length", &["message"]),
@@ -72,6 +72,7 @@ const ROOMS: [(&str, &[&str]); 19] = [
         ],
     ),
     ("files", &["message", "tolerance", "control", "nc"]),
+    ("store", &["message", "length", "verdict", "journal", "files"]),
     (
         "session",
         &[
@@ -111,6 +112,7 @@ const ROOMS: [(&str, &[&str]); 19] = [
             "exchange",
             "report",
             "files",
+            "store",
             "batch",
         ],
     ),
@@ -132,6 +134,7 @@ const ROOMS: [(&str, &[&str]); 19] = [
             "exchange",
             "report",
             "files",
+            "store",
             "batch",
             "session",
         ],

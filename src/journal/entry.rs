@@ -1,0 +1,212 @@
+//! An entry of a journal: everything needed to say years later what was decided and why.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::Record;
+use super::chain::{ChainId, Hash, Head};
+use crate::length::Length;
+use crate::verdict::Status;
+
+/// A point in time with what the station's clock showed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Moment {
+    /// Milliseconds since 1970-01-01 in UTC.
+    pub utc_ms: i64,
+    /// How far local time was ahead of UTC, minutes.
+    pub offset_min: i32,
+    /// The name of the time zone, such as `Europe/Amsterdam`; empty where it is not known.
+    pub zone: String,
+}
+
+/// Who measured what, where and when: what a station tells of every entry.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct About {
+    /// The station that wrote the entry.
+    pub station: String,
+    /// When it was written.
+    pub time: Moment,
+    /// Who measured; empty where nobody said.
+    pub who: String,
+    /// The part; empty where nobody said.
+    pub part: String,
+    /// The part's serial number; empty where nobody said.
+    pub serial: String,
+    /// The feature of the part; empty where the part has one only.
+    pub feature: String,
+    /// Anything else, up to [`About::LONGEST_REMARK`] bytes.
+    pub remark: String,
+}
+
+impl About {
+    /// The longest remark, bytes of UTF-8.
+    pub const LONGEST_REMARK: usize = 65_536;
+    /// The longest of the other texts, bytes of UTF-8.
+    pub const LONGEST_NAME: usize = 1_024;
+}
+
+/// A file that a check was made with.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct UsedFile {
+    /// What it was used for.
+    pub role: FileRole,
+    /// Its name without its folder.
+    pub name: Arc<str>,
+    /// SHA-256 of its bytes.
+    pub sha256: Hash,
+}
+
+/// What a file was used for.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum FileRole {
+    /// Measured values or contacts.
+    Measurements,
+    /// An NC program.
+    Program,
+    /// The simulated workpiece.
+    Workpiece,
+    /// An uncertainty budget.
+    Budget,
+}
+
+impl FileRole {
+    /// Every role.
+    pub const ALL: [Self; 4] = [Self::Measurements, Self::Program, Self::Workpiece, Self::Budget];
+
+    /// Its word in an entry's body.
+    pub const fn word(self) -> &'static str {
+        match self {
+            Self::Measurements => "measurements",
+            Self::Program => "program",
+            Self::Workpiece => "workpiece",
+            Self::Budget => "budget",
+        }
+    }
+}
+
+/// An entry of a journal.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Entry {
+    /// Who, where and when.
+    pub about: About,
+    /// What it tells.
+    pub content: Content,
+}
+
+/// What an entry tells.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Content {
+    /// The first entry of a chain.
+    Begin(Begin),
+    /// A check, or a check in place of another one.
+    Check(Box<Check>),
+    /// A check is taken back, and nothing stands in its place.
+    Withdrawal(Correction),
+}
+
+/// The beginning of a chain.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Begin {
+    /// The chain's name.
+    pub chain: ChainId,
+    /// The program that began it, with its version.
+    pub program: String,
+    /// The chain that it goes on from, where that one was damaged and set aside, and its last entry that is known.
+    pub after: Option<(ChainId, Head)>,
+}
+
+/// A check.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Check {
+    /// What was decided, and why.
+    pub what: Checked,
+    /// The files that it was made with.
+    pub files: Vec<UsedFile>,
+    /// The entry that it stands in place of.
+    pub corrects: Option<Correction>,
+}
+
+/// What was decided.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Checked {
+    /// A size against its limits.
+    Size(Arc<Record>),
+    /// What a measuring cycle says.
+    Cycle(Box<CycleCheck>),
+}
+
+/// What a measuring cycle says, as a control does: by its own tolerances, without a decision rule.
+#[derive(Debug, Clone, PartialEq)]
+pub struct CycleCheck {
+    /// The cycle's number.
+    pub cycle: u16,
+    /// Its parameters as they are written: `Q262` and `25`.
+    pub parameters: Vec<(String, String)>,
+    /// Its contacts in probing order, millimetres.
+    pub contacts: Vec<crate::probing::Contact>,
+    /// Its results by their names for machines: lengths.
+    pub figures: BTreeMap<String, Length>,
+    /// The limits of the size that it measures, where it has one and they were given: minimum and maximum.
+    pub limits: Option<[Length; 2]>,
+    /// The size that it measures, where it has one.
+    pub measured: Option<Length>,
+    /// What the control's markers say; `None` where nothing was judged.
+    pub status: Option<Status>,
+    /// Whether the contacts are simulated.
+    pub is_simulated: bool,
+}
+
+/// Which entry is corrected, and why.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Correction {
+    /// The entry.
+    pub target: Head,
+    /// The reason that somebody gave; never empty.
+    pub reason: String,
+}
+
+/// An entry as it is kept.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Kept {
+    /// Its number and hash.
+    pub head: Head,
+    /// The bytes that were hashed: UTF-8.
+    pub body: Arc<[u8]>,
+}
+
+impl Entry {
+    /// The check that it tells of.
+    pub fn check(&self) -> Option<&Check> {
+        match &self.content {
+            Content::Check(check) => Some(check),
+            Content::Begin(_) | Content::Withdrawal(_) => None,
+        }
+    }
+
+    /// Which entry it corrects.
+    pub fn corrects(&self) -> Option<&Correction> {
+        match &self.content {
+            Content::Check(check) => check.corrects.as_ref(),
+            Content::Withdrawal(correction) => Some(correction),
+            Content::Begin(_) => None,
+        }
+    }
+}
+
+impl Check {
+    /// The verdict; `None` where a cycle judged nothing.
+    pub fn status(&self) -> Option<Status> {
+        match &self.what {
+            Checked::Size(record) => Some(record.verdict.status()),
+            Checked::Cycle(cycle) => cycle.status,
+        }
+    }
+
+    /// Whether nobody measured: never evidence.
+    pub fn is_simulated(&self) -> bool {
+        match &self.what {
+            Checked::Size(record) => record.measurement.origin.is_simulated(),
+            Checked::Cycle(cycle) => cycle.is_simulated,
+        }
+    }
+}
