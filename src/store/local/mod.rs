@@ -26,6 +26,7 @@ mod schema;
 mod verify;
 
 use std::path::{Path, PathBuf};
+use std::time::Duration;
 
 use etcetera::BaseStrategy as _;
 use rusqlite::{Connection, OptionalExtension as _, TransactionBehavior, params};
@@ -57,12 +58,14 @@ pub struct Opening {
     pub time: Moment,
     /// Where the last entries of journals are kept besides; `None` keeps and compares none.
     pub anchors: Option<PathBuf>,
+    /// How long another program is waited for.
+    pub patience: Duration,
 }
 
 impl Opening {
-    /// With the user's own file of last entries.
+    /// With the user's own file of last entries, and ten seconds of patience.
     pub fn new(station: impl Into<String>, time: Moment) -> Self {
-        Self { station: station.into(), time, anchors: Anchors::of_user() }
+        Self { station: station.into(), time, anchors: Anchors::of_user(), patience: Duration::from_secs(10) }
     }
 }
 
@@ -116,7 +119,7 @@ impl Journal {
     fn open_whole(path: &Path, opening: &Opening, known: Option<&Anchor>) -> Result<Self, StoreError> {
         let mut remarks = Vec::new();
         let state = opening::look(path)?;
-        let mut connection = opening::to_write(path)?;
+        let mut connection = opening::to_write(path, opening.patience)?;
         let failed = |error: rusqlite::Error| StoreError::of(path, &error);
         match state {
             opening::State::Empty => {

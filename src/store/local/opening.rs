@@ -10,7 +10,7 @@ use rusqlite::{Connection, OpenFlags};
 use super::schema::{APPLICATION, VERSION};
 use crate::store::error::StoreError;
 
-/// How long a writer waits for another one.
+/// How long a reader waits where a journal is just being made, or its log is played in after a fall.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// What every file of SQLite begins with.
 const MAGIC: &[u8; 16] = b"SQLite format 3\0";
@@ -79,7 +79,7 @@ fn is_bare(connection: &Connection) -> rusqlite::Result<bool> {
 }
 
 /// A connection that adds entries, and makes the file and its folder where there is none.
-pub(super) fn to_write(path: &Path) -> Result<Connection, StoreError> {
+pub(super) fn to_write(path: &Path, patience: Duration) -> Result<Connection, StoreError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     if let Some(folder) = folder {
         std::fs::create_dir_all(folder).map_err(|error| StoreError::system(path, &error))?;
@@ -88,7 +88,7 @@ pub(super) fn to_write(path: &Path) -> Result<Connection, StoreError> {
     let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let failed = |error: rusqlite::Error| StoreError::of(path, &error);
     let connection = Connection::open_with_flags(path, flags).map_err(failed)?;
-    connection.busy_timeout(PATIENCE).map_err(failed)?;
+    connection.busy_timeout(patience).map_err(failed)?;
     guard(&connection).map_err(failed)?;
     let mode: String =
         connection.pragma_update_and_check(None, "journal_mode", "WAL", |row| row.get(0)).map_err(failed)?;
