@@ -12,6 +12,15 @@ journal-break-cut-off = the journal ends with entry { $last }, and entry { $know
 
 ## Entries
 journal-body-json = not an entry of a journal: { $reason }
+journal-body-newer = made by a newer Fitcheck: version { $version } of the format, this Fitcheck reads versions up to { $known }
+journal-body-too-large = not an entry of a journal: { $bytes } bytes, at most { $most } are allowed
+journal-body-too-long = { $field } has { $bytes } bytes, at most { $most } are allowed
+journal-body-control = { $field } has the control character { $code } as its character { $place }: texts of a journal are one line without control characters
+journal-body-empty = { $field } is empty
+journal-body-too-many = { $field } has { $count } entries, at most { $most } are allowed
+journal-body-value = { $field } cannot be "{ $given }"
+journal-body-contradiction = { $field } says something else than the fields that it follows from
+journal-check-judged-otherwise = decided as { $kept }, which stands; this version of Fitcheck decides { $now }
 
 ## The journal of a station
 store-missing = there is no journal at { $path }
@@ -22,7 +31,7 @@ store-older = { $path } was made by an older Fitcheck: it is brought to this ver
 store-damaged = { $path } is damaged: its pages do not agree
 store-full = no space is left for { $path }: nothing was recorded
 store-read-only = { $path } may not be written to: nothing was recorded
-store-locked = another program has held { $path } for more than ten seconds: nothing was recorded
+store-locked = another program holds { $path }, longer than this one waits: nothing was recorded
 store-disk = the disk of { $path } fails: { $reason }
 store-cannot-open = { $path } cannot be opened
 store-network-folder = { $path } is in a folder of another machine, where two stations would write over each other: choose a folder of this machine, and a server for the shop
@@ -41,6 +50,6 @@ store-remark-replaced = { $path } is another journal than the one that was there
 store-remark-no-anchor = the last entry of this journal could not be kept in { $path }: { $reason }
 store-finding-altered = "{ $name }", which keeps entries from being changed, is missing or was changed
 store-finding-not-found = { $entries ->
-        [one] 1 entry is
-       *[other] { $entries } entries are
-    } not found by questions, or found without being there
+        [one] 1 entry is found by something else than what it says, or is not found
+       *[other] { $entries } entries are found by something else than what they say, or are not found
+    }

@@ -12,6 +12,15 @@ journal-break-cut-off = het logboek eindigt met regel { $last }, en regel { $kno
 
 ## Entries
 journal-body-json = geen regel van een logboek: { $reason }
+journal-body-newer = gemaakt door een nieuwere Fitcheck: versie { $version } van het formaat, deze Fitcheck leest versies tot en met { $known }
+journal-body-too-large = geen regel van een logboek: { $bytes } bytes, hoogstens { $most } zijn toegestaan
+journal-body-too-long = { $field } heeft { $bytes } bytes, hoogstens { $most } zijn toegestaan
+journal-body-control = { $field } heeft het stuurteken { $code } als teken { $place }: teksten van een logboek zijn één regel zonder stuurtekens
+journal-body-empty = { $field } is leeg
+journal-body-too-many = { $field } heeft { $count } onderdelen, hoogstens { $most } zijn toegestaan
+journal-body-value = { $field } kan niet "{ $given }" zijn
+journal-body-contradiction = { $field } zegt iets anders dan de velden waaruit het volgt
+journal-check-judged-otherwise = geoordeeld als { $kept }, en dat blijft zo; deze versie van Fitcheck oordeelt { $now }
 
 ## The journal of a station
 store-missing = er is geen logboek op { $path }
@@ -22,7 +31,7 @@ store-older = { $path } is gemaakt door een oudere Fitcheck: het wordt naar deze
 store-damaged = { $path } is beschadigd: de pagina's kloppen niet met elkaar
 store-full = er is geen ruimte meer voor { $path }: er is niets vastgelegd
 store-read-only = in { $path } mag niet worden geschreven: er is niets vastgelegd
-store-locked = een ander programma houdt { $path } al langer dan tien seconden vast: er is niets vastgelegd
+store-locked = een ander programma houdt { $path } vast, langer dan dit programma wacht: er is niets vastgelegd
 store-disk = de schijf van { $path } weigert: { $reason }
 store-cannot-open = { $path } kan niet worden geopend
 store-network-folder = { $path } ligt in een map van een andere machine, waar twee stations over elkaar heen zouden schrijven: kies een map van deze machine, en een server voor de werkplaats
@@ -41,6 +50,6 @@ store-remark-replaced = { $path } is een ander logboek dan dat er was; dat had {
 store-remark-no-anchor = de laatste regel van dit logboek kon niet worden bewaard in { $path }: { $reason }
 store-finding-altered = "{ $name }", dat regels tegen verandering beschermt, ontbreekt of is veranderd
 store-finding-not-found = { $entries ->
-        [one] 1 regel wordt
-       *[other] { $entries } regels worden
-    } door vragen niet gevonden, of gevonden zonder er te zijn
+        [one] 1 regel wordt niet gevonden, of door iets anders dan er staat
+       *[other] { $entries } regels worden niet gevonden, of door iets anders dan er staat
+    }
