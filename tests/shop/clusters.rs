@@ -98,10 +98,10 @@ fn a_server_that_is_stopped_or_killed_in_the_midst_of_a_batch_loses_and_doubles_
     for round in 0..8_u64 {
         for (book, sender, told) in &stations {
             told.all(book);
-            book.checks(4_000);
+            book.checks(6_000);
             sender.wake();
         }
-        std::thread::sleep(Duration::from_millis(40 + 37 * round));
+        std::thread::sleep(Duration::from_millis(20 + 15 * round));
         shop.leave();
         if round % 2 == 0 {
             assert!(cluster.pg_ctl(&["-m", "immediate", "-w", "stop"]));
