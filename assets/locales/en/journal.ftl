@@ -53,3 +53,19 @@ store-finding-not-found = { $entries ->
         [one] 1 entry is
        *[other] { $entries } entries are
     } not found by questions, or found without being there
+
+## Questions
+journal-ask-at = { $reason } (character { $at })
+journal-ask-unknown-key = { $key }: is not something to ask for; expected { $known }, or quotation marks around a word with a colon
+journal-ask-no-value = { $key }: has no value
+journal-ask-empty-word = a word in quotation marks is empty
+journal-ask-twice = { $key } is given twice
+journal-ask-not-closed = a quotation mark is not closed
+journal-ask-after-quote = expected a blank after the closing quotation mark, found { $found }
+journal-ask-date = "{ $given }" is not a day or a time: expected 2026-11-23 or 2026-11-23T14:30
+journal-ask-verdict = "{ $given }" is not a verdict: expected { $known }
+journal-ask-callout = { $error }; a callout goes in quotation marks: callout:"25 H7"
+journal-ask-class = { $error }
+journal-ask-order = the question ends before it begins: from is not before to
+journal-ask-both-origins = simulated and measured exclude each other
+journal-ask-too-long = the question has { $bytes } bytes, at most { $most } are allowed
