@@ -22,6 +22,22 @@ journal-body-value = { $field } cannot be "{ $given }"
 journal-body-contradiction = { $field } says something else than the fields that it follows from
 journal-check-judged-otherwise = decided as { $kept }, which stands; this version of Fitcheck decides { $now }
 
+## Questions
+journal-ask-at = { $reason } (character { $at })
+journal-ask-unknown-key = { $key }: is not something to ask for; expected { $known }, or quotation marks around a word with a colon
+journal-ask-no-value = { $key }: has no value
+journal-ask-empty-word = a word in quotation marks is empty
+journal-ask-twice = { $key } is given twice
+journal-ask-not-closed = a quotation mark is not closed
+journal-ask-after-quote = expected a blank after the closing quotation mark, found { $found }
+journal-ask-date = "{ $given }" is not a day or a time: expected 2026-11-23 or 2026-11-23T14:30
+journal-ask-verdict = "{ $given }" is not a verdict: expected { $known }
+journal-ask-callout = { $error }; a callout goes in quotation marks: callout:"25 H7"
+journal-ask-class = { $error }
+journal-ask-order = the question ends before it begins: from is not before to
+journal-ask-both-origins = simulated and measured exclude each other
+journal-ask-too-long = the question has { $bytes } bytes, at most { $most } are allowed
+
 ## The journal of a station
 store-missing = there is no journal at { $path }
 store-not-a-file = { $path } is not a file
@@ -31,7 +47,7 @@ store-older = { $path } was made by an older Fitcheck: it is brought to this ver
 store-damaged = { $path } is damaged: its pages do not agree
 store-full = no space is left for { $path }: nothing was recorded
 store-read-only = { $path } may not be written to: nothing was recorded
-store-locked = another program has held { $path } for more than ten seconds: nothing was recorded
+store-locked = another program holds { $path }, longer than this one waits: nothing was recorded
 store-disk = the disk of { $path } fails: { $reason }
 store-cannot-open = { $path } cannot be opened
 store-network-folder = { $path } is in a folder of another machine, where two stations would write over each other: choose a folder of this machine, and a server for the shop
@@ -50,22 +66,6 @@ store-remark-replaced = { $path } is another journal than the one that was there
 store-remark-no-anchor = the last entry of this journal could not be kept in { $path }: { $reason }
 store-finding-altered = "{ $name }", which keeps entries from being changed, is missing or was changed
 store-finding-not-found = { $entries ->
-        [one] 1 entry is
-       *[other] { $entries } entries are
-    } not found by questions, or found without being there
-
-## Questions
-journal-ask-at = { $reason } (character { $at })
-journal-ask-unknown-key = { $key }: is not something to ask for; expected { $known }, or quotation marks around a word with a colon
-journal-ask-no-value = { $key }: has no value
-journal-ask-empty-word = a word in quotation marks is empty
-journal-ask-twice = { $key } is given twice
-journal-ask-not-closed = a quotation mark is not closed
-journal-ask-after-quote = expected a blank after the closing quotation mark, found { $found }
-journal-ask-date = "{ $given }" is not a day or a time: expected 2026-11-23 or 2026-11-23T14:30
-journal-ask-verdict = "{ $given }" is not a verdict: expected { $known }
-journal-ask-callout = { $error }; a callout goes in quotation marks: callout:"25 H7"
-journal-ask-class = { $error }
-journal-ask-order = the question ends before it begins: from is not before to
-journal-ask-both-origins = simulated and measured exclude each other
-journal-ask-too-long = the question has { $bytes } bytes, at most { $most } are allowed
+        [one] 1 entry is found by something else than what it says, or is not found
+       *[other] { $entries } entries are found by something else than what they say, or are not found
+    }

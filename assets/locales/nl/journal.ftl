@@ -22,6 +22,22 @@ journal-body-value = { $field } kan niet "{ $given }" zijn
 journal-body-contradiction = { $field } zegt iets anders dan de velden waaruit het volgt
 journal-check-judged-otherwise = geoordeeld als { $kept }, en dat blijft zo; deze versie van Fitcheck oordeelt { $now }
 
+## Questions
+journal-ask-at = { $reason } (teken { $at })
+journal-ask-unknown-key = naar { $key }: kan niet worden gevraagd; verwacht { $known }, of aanhalingstekens rond een woord met een dubbele punt
+journal-ask-no-value = { $key }: heeft geen waarde
+journal-ask-empty-word = een woord tussen aanhalingstekens is leeg
+journal-ask-twice = { $key } staat er twee keer
+journal-ask-not-closed = een aanhalingsteken is niet gesloten
+journal-ask-after-quote = spatie verwacht na het laatste aanhalingsteken, { $found } gevonden
+journal-ask-date = "{ $given }" is geen dag of tijdstip: verwacht 2026-11-23 of 2026-11-23T14:30
+journal-ask-verdict = "{ $given }" is geen oordeel: verwacht { $known }
+journal-ask-callout = { $error }; een passing staat tussen aanhalingstekens: callout:"25 H7"
+journal-ask-class = { $error }
+journal-ask-order = de vraag eindigt voordat zij begint: from ligt niet voor to
+journal-ask-both-origins = simulated en measured sluiten elkaar uit
+journal-ask-too-long = de vraag heeft { $bytes } bytes, hoogstens { $most } zijn toegestaan
+
 ## The journal of a station
 store-missing = er is geen logboek op { $path }
 store-not-a-file = { $path } is geen bestand
@@ -31,7 +47,7 @@ store-older = { $path } is gemaakt door een oudere Fitcheck: het wordt naar deze
 store-damaged = { $path } is beschadigd: de pagina's kloppen niet met elkaar
 store-full = er is geen ruimte meer voor { $path }: er is niets vastgelegd
 store-read-only = in { $path } mag niet worden geschreven: er is niets vastgelegd
-store-locked = een ander programma houdt { $path } al langer dan tien seconden vast: er is niets vastgelegd
+store-locked = een ander programma houdt { $path } vast, langer dan dit programma wacht: er is niets vastgelegd
 store-disk = de schijf van { $path } weigert: { $reason }
 store-cannot-open = { $path } kan niet worden geopend
 store-network-folder = { $path } ligt in een map van een andere machine, waar twee stations over elkaar heen zouden schrijven: kies een map van deze machine, en een server voor de werkplaats
@@ -50,22 +66,6 @@ store-remark-replaced = { $path } is een ander logboek dan dat er was; dat had {
 store-remark-no-anchor = de laatste regel van dit logboek kon niet worden bewaard in { $path }: { $reason }
 store-finding-altered = "{ $name }", dat regels tegen verandering beschermt, ontbreekt of is veranderd
 store-finding-not-found = { $entries ->
-        [one] 1 regel wordt
-       *[other] { $entries } regels worden
-    } door vragen niet gevonden, of gevonden zonder er te zijn
-
-## Questions
-journal-ask-at = { $reason } (teken { $at })
-journal-ask-unknown-key = naar { $key }: kan niet worden gevraagd; verwacht { $known }, of aanhalingstekens rond een woord met een dubbele punt
-journal-ask-no-value = { $key }: heeft geen waarde
-journal-ask-empty-word = een woord tussen aanhalingstekens is leeg
-journal-ask-twice = { $key } staat er twee keer
-journal-ask-not-closed = een aanhalingsteken is niet gesloten
-journal-ask-after-quote = spatie verwacht na het laatste aanhalingsteken, { $found } gevonden
-journal-ask-date = "{ $given }" is geen dag of tijdstip: verwacht 2026-11-23 of 2026-11-23T14:30
-journal-ask-verdict = "{ $given }" is geen oordeel: verwacht { $known }
-journal-ask-callout = { $error }; een passing staat tussen aanhalingstekens: callout:"25 H7"
-journal-ask-class = { $error }
-journal-ask-order = de vraag eindigt voordat zij begint: from ligt niet voor to
-journal-ask-both-origins = simulated en measured sluiten elkaar uit
-journal-ask-too-long = de vraag heeft { $bytes } bytes, hoogstens { $most } zijn toegestaan
+        [one] 1 regel wordt niet gevonden, of door iets anders dan er staat
+       *[other] { $entries } regels worden niet gevonden, of door iets anders dan er staat
+    }

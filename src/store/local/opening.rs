@@ -10,7 +10,7 @@ use rusqlite::{Connection, OpenFlags};
 use super::schema::{APPLICATION, VERSION};
 use crate::store::error::StoreError;
 
-/// How long a writer waits for another one.
+/// How long a reader waits where a journal is just being made, or its log is played in after a fall.
 const PATIENCE: Duration = Duration::from_secs(10);
 /// What every file of SQLite begins with.
 const MAGIC: &[u8; 16] = b"SQLite format 3\0";
@@ -40,16 +40,7 @@ pub(super) fn look(path: &Path) -> Result<State, StoreError> {
         }
         Err(error) => return Err(StoreError::system(path, &error)),
     }
-    let mut start = [0; 16];
-    let read = std::fs::File::open(path).and_then(|mut file| file.read_exact(&mut start));
-    match read {
-        Ok(()) if start == *MAGIC => {}
-        Ok(()) => return Err(StoreError::NotAJournal { path: path.to_owned() }),
-        Err(error) if error.kind() == std::io::ErrorKind::UnexpectedEof => {
-            return Err(StoreError::NotAJournal { path: path.to_owned() });
-        }
-        Err(error) => return Err(StoreError::system(path, &error)),
-    }
+    head(path)?;
     let connection = to_read(path)?;
     let failed = |error: rusqlite::Error| StoreError::of(path, &error);
     match version(&connection).map_err(failed)? {
@@ -61,6 +52,30 @@ pub(super) fn look(path: &Path) -> Result<State, StoreError> {
         (0, _) if is_bare(&connection).map_err(failed)? => Ok(State::Empty),
         _ => Err(StoreError::NotAJournal { path: path.to_owned() }),
     }
+}
+
+/// Reads the first bytes of a file as they lie, so that what is not ours is not even opened.
+fn head(path: &Path) -> Result<(), StoreError> {
+    let not_ours = || StoreError::NotAJournal { path: path.to_owned() };
+    let mut start = [0; 100];
+    match std::fs::File::open(path).and_then(|mut file| file.read_exact(&mut start)) {
+        Ok(()) => {}
+        Err(error) if error.kind() == std::io::ErrorKind::UnexpectedEof => return Err(not_ours()),
+        Err(error) => return Err(StoreError::system(path, &error)),
+    }
+    // <https://sqlite.org/fileformat.html>, section 1.3: user version and application id.
+    let number = |at: usize| {
+        let bytes = start.get(at..).and_then(|rest| rest.first_chunk()).copied().unwrap_or_default();
+        i64::from(u32::from_be_bytes(bytes))
+    };
+    let (version, application) = (number(60), number(68));
+    if !start.starts_with(MAGIC) || (application != APPLICATION && application != 0) {
+        return Err(not_ours());
+    }
+    if application == APPLICATION && VERSION < version {
+        return Err(StoreError::Newer { path: path.to_owned(), version, known: VERSION });
+    }
+    Ok(())
 }
 
 fn name(path: &Path) -> String {
@@ -79,7 +94,7 @@ fn is_bare(connection: &Connection) -> rusqlite::Result<bool> {
 }
 
 /// A connection that adds entries, and makes the file and its folder where there is none.
-pub(super) fn to_write(path: &Path) -> Result<Connection, StoreError> {
+pub(super) fn to_write(path: &Path, patience: Duration) -> Result<Connection, StoreError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     if let Some(folder) = folder {
         std::fs::create_dir_all(folder).map_err(|error| StoreError::system(path, &error))?;
@@ -88,7 +103,7 @@ pub(super) fn to_write(path: &Path) -> Result<Connection, StoreError> {
     let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let failed = |error: rusqlite::Error| StoreError::of(path, &error);
     let connection = Connection::open_with_flags(path, flags).map_err(failed)?;
-    connection.busy_timeout(PATIENCE).map_err(failed)?;
+    connection.busy_timeout(patience).map_err(failed)?;
     guard(&connection).map_err(failed)?;
     let mode: String =
         connection.pragma_update_and_check(None, "journal_mode", "WAL", |row| row.get(0)).map_err(failed)?;
