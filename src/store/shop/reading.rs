@@ -9,7 +9,7 @@ use crate::journal::ask::Question;
 use crate::journal::body;
 use crate::journal::chain::{ChainId, Head};
 use crate::journal::entry::Kept;
-use crate::journal::found::{Found, Kind, folded, words_of};
+use crate::journal::found::words_of;
 use crate::store::local::Row;
 
 /// How many entries are fetched at once.
@@ -83,9 +83,10 @@ impl ShopReader {
                 page.next = Some(row.place);
                 match &row.row.entry {
                     Err(_) => page.unread = page.unread.saturating_add(1),
-                    Ok(entry) => {
-                        let found = Found::of(entry);
-                        if found.is_some_and(|found| fits(question, &found, row.row.corrected_by)) {
+                    Ok(_) => {
+                        let is_corrected = row.row.corrected_by.is_some();
+                        let found = body::found(&row.row.kept.body).ok().flatten();
+                        if found.is_some_and(|found| question.finds(&found, is_corrected)) {
                             page.rows.push(row);
                         }
                     }
@@ -140,37 +141,9 @@ fn shop_row(row: &tokio_postgres::Row) -> Result<ShopRow, ShopError> {
 }
 
 /// Words in small letters that stand in the body of every entry that a question asks for. Other letters than those of English are left
-/// to [`fits`], for servers differ in what their small ones are.
+/// to [`Question::finds`], for servers differ in what their small ones are.
 fn surely(question: &Question) -> Vec<String> {
     let Question { part, feature, who, station, serial, words, .. } = question;
     let names = [part, feature, who, station, serial].into_iter().flatten().chain(words);
     names.flat_map(|text| words_of(text)).filter(|word| word.is_ascii()).collect()
-}
-
-/// Whether a question asks for an entry, as a station's own journal answers it.
-fn fits(question: &Question, found: &Found, corrected_by: Option<u64>) -> bool {
-    let names = [
-        (&question.part, &found.part),
-        (&question.feature, &found.feature),
-        (&question.who, &found.who),
-        (&question.station, &found.station),
-    ];
-    let signs = [(&question.callout, &found.callout), (&question.class, &found.class)];
-    let is_serial = |asked: &String| match folded(asked).strip_suffix('*') {
-        Some(start) => !found.serial.is_empty() && found.serial.starts_with(start),
-        None => found.serial == folded(asked),
-    };
-    let words: Vec<String> = question.words.iter().flat_map(|text| words_of(text)).collect();
-    let has = |word: &String| found.words.split(' ').any(|one| one.starts_with(word.as_str()));
-    let is_only_signs = words.is_empty() && question.words.iter().any(|text| !text.trim().is_empty());
-    names.iter().all(|(asked, kept)| asked.as_ref().is_none_or(|asked| folded(asked) == **kept))
-        && signs.iter().all(|(asked, kept)| asked.as_ref().is_none_or(|asked| asked == *kept))
-        && question.serial.as_ref().is_none_or(is_serial)
-        && (question.verdicts.is_empty() || found.status.is_some_and(|status| question.verdicts.contains(&status)))
-        && question.from_ms.is_none_or(|from| from <= found.at_ms)
-        && question.before_ms.is_none_or(|before| found.at_ms < before)
-        && question.simulated.is_none_or(|simulated| simulated == found.is_simulated)
-        && (!question.standing || (found.kind == Kind::Check && corrected_by.is_none()))
-        && !is_only_signs
-        && words.iter().all(has)
 }
