@@ -21,10 +21,12 @@ fn help() -> String {
         "\
 {QUESTIONS}
 
-An export is the journal at one moment, however many programs record into it. Corrected and withdrawn checks are in it,
-as are those that correct them (correction_of); standing leaves them out. Columns of csv:
+An export is the journal at one moment, however many programs record into it. Corrected and withdrawn
+checks are in it, as are those that correct them (correction_of); standing leaves them out.
+
+Columns of csv:
   {}
-json has an entry a line: its body as it is kept, with number, hash and chain.
+json has one entry on each line: its body as it is kept, with number, hash and chain.
 
 Examples:
   fitcheck journal export -o checks.csv
