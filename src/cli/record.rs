@@ -13,11 +13,13 @@ use crate::message::Say as _;
 use crate::store::local::{self, Journal, Opening};
 use crate::store::{StoreError, StoreRemark, here, is_server};
 
+const JOURNAL: &str =
+    "The journal: a file, or the server of a shop (postgres://…); default: FITCHECK_JOURNAL, or your own";
+
 /// Where a journal is.
 #[derive(Debug, Clone, clap::Args)]
 pub(super) struct JournalArgs {
-    /// The journal: a file, or the server of a shop (postgres://…); default: FITCHECK_JOURNAL, or your own
-    #[arg(long, value_name = "FILE|ADDRESS")]
+    #[arg(long, help = JOURNAL, value_name = "FILE|ADDRESS")]
     journal: Option<String>,
 }
 
@@ -28,8 +30,7 @@ pub(super) struct RecordArgs {
     /// Keep every verdict in the journal
     #[arg(long)]
     record: bool,
-    /// The journal: a file, or the server of a shop (postgres://…); default: FITCHECK_JOURNAL, or your own
-    #[arg(long, value_name = "FILE|ADDRESS", requires = "record")]
+    #[arg(long, help = JOURNAL, value_name = "FILE|ADDRESS", requires = "record")]
     journal: Option<String>,
     /// Who measured
     #[arg(long, value_name = "NAME", requires = "record")]
