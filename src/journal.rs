@@ -10,6 +10,8 @@
 //! | `body` | an entry as the bytes that are hashed and kept |
 //! | `chain` | each entry hashed over the one before |
 //! | `ask` | questions to a journal that lasts |
+//! | `found` | what an entry is found by |
+//! | `inspection` | whether a chain is whole, and where it breaks |
 //! | `decision` | what the decision rule of a record says of its value |
 //! | `query` | which records are listed, and in which order; where records are kept, as a trait |
 //! | `memory` | records in memory |
@@ -21,6 +23,8 @@ pub mod body;
 pub mod chain;
 mod decision;
 pub mod entry;
+pub mod found;
+pub mod inspection;
 pub mod memory;
 pub mod natural;
 pub mod query;

@@ -22,7 +22,7 @@ use std::str::FromStr;
 
 use sha2::{Digest as _, Sha256};
 
-use crate::message::{Say, printed};
+use crate::message::Say;
 
 /// What the bytes of every entry begin with.
 const DOMAIN: &[u8] = b"fitcheck entry 1\0";
@@ -77,105 +77,6 @@ pub fn entry_hash(chain: ChainId, before: Head, body: &[u8]) -> Option<Hash> {
     hasher.update(u32::try_from(body.len()).ok()?.to_be_bytes());
     hasher.update(body);
     Some(Hash(hasher.finalize().into()))
-}
-
-/// Where a chain breaks: the first entry that is not what was written.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
-#[say(prefix = "journal-break")]
-pub enum Break {
-    /// Entries are missing: these numbers and perhaps more.
-    Removed {
-        /// The first one.
-        #[say(with = printed)]
-        number: u64,
-        /// The number of the next entry that is there.
-        #[say(with = printed)]
-        next: u64,
-    },
-    /// An entry stands where it does not belong: its number is not above the one before.
-    OutOfOrder {
-        /// Its number.
-        #[say(with = printed)]
-        number: u64,
-    },
-    /// The entry is not the one that was written with this number: its bytes, its hash, or the entry before it were changed, or it was
-    /// inserted or moved here.
-    Changed {
-        /// Its number.
-        #[say(with = printed)]
-        number: u64,
-    },
-    /// The entry's own bytes and place are whole and the one that a head elsewhere tells is another: written anew from there or before.
-    OtherThanKept {
-        /// Its number.
-        #[say(with = printed)]
-        number: u64,
-    },
-    /// The chain ends before an entry of which a head elsewhere tells: its newest entries were cut off, or an older copy was put back.
-    CutOff {
-        /// Its last number.
-        #[say(with = printed)]
-        last: u64,
-        /// The number that is known elsewhere.
-        #[say(with = printed)]
-        known: u64,
-    },
-}
-
-impl Break {
-    /// The number of the first entry that is not what was written.
-    pub const fn number(&self) -> u64 {
-        match self {
-            Self::Removed { number, .. }
-            | Self::OutOfOrder { number }
-            | Self::Changed { number }
-            | Self::OtherThanKept { number } => *number,
-            Self::CutOff { last, .. } => last.saturating_add(1),
-        }
-    }
-}
-
-/// A walk along a chain, entry by entry, from its first.
-#[derive(Debug, Clone)]
-pub struct Walk {
-    chain: ChainId,
-    head: Head,
-}
-
-impl Walk {
-    /// Before the first entry.
-    pub fn new(chain: ChainId) -> Self {
-        Self { chain, head: Head::default() }
-    }
-
-    /// After an entry that is known to be whole.
-    pub const fn from(chain: ChainId, head: Head) -> Self {
-        Self { chain, head }
-    }
-
-    /// The last entry that was walked over.
-    pub const fn head(&self) -> Head {
-        self.head
-    }
-
-    /// Goes on to the next entry.
-    ///
-    /// # Errors
-    /// [`Break`] where it is not the one that was written; the walk stays where it is.
-    pub fn step(&mut self, number: u64, body: &[u8], hash: Hash) -> Result<(), Break> {
-        let next = self.head.number.saturating_add(1);
-        if number < next {
-            return Err(Break::OutOfOrder { number });
-        }
-        if next < number {
-            return Err(Break::Removed { number: next, next: number });
-        }
-        if entry_hash(self.chain, self.head, body) != Some(hash) {
-            return Err(Break::Changed { number });
-        }
-        self.head = Head { number, hash };
-        Ok(())
-    }
 }
 
 fn hex(bytes: &[u8]) -> String {

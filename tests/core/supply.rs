@@ -86,13 +86,44 @@ fn a_crate_is_doubled_only_where_deny_toml_says_why() {
     assert_eq!(doubled, skipped, "the older versions in Cargo.lock and those of deny.toml");
 }
 
+/// A banned crate may be there only for the crates that its line names.
 #[test]
 fn no_banned_crate_is_there() {
     let (lock, deny) = (toml("Cargo.lock"), toml("deny.toml"));
-    let crates: BTreeSet<String> = tables(&lock["package"]).map(|one| one["name"].clone()).collect();
-    let banned: BTreeSet<String> = tables(&deny["bans"]["deny"]).map(|one| one["crate"].clone()).collect();
+    let crates: Vec<_> = tables(&lock["package"]).collect();
+    let banned: Vec<_> = tables(&deny["bans"]["deny"]).collect();
     assert!(10 < banned.len(), "deny.toml bans only {}", banned.len());
-    assert_eq!(crates.intersection(&banned).collect::<Vec<_>>(), Vec::<&String>::new());
+    let (mut wrong, mut wrappers) = (Vec::new(), 0);
+    for one in &banned {
+        let name = one["crate"].as_str();
+        let may: BTreeSet<&str> = one.get("wrappers").map_or("", String::as_str).split_whitespace().collect();
+        let asks = |other: &&BTreeMap<&str, String>| {
+            other.get("dependencies").is_some_and(|all| all.split_whitespace().any(|word| word == name))
+        };
+        let asking: BTreeSet<&str> = crates.iter().filter(asks).map(|other| other["name"].as_str()).collect();
+        wrong.extend(asking.difference(&may).map(|other| format!("{name} for {other}")));
+        let is_there = crates.iter().any(|other| other["name"] == name);
+        assert_eq!(is_there, !may.is_empty(), "{name} is in Cargo.lock only if deny.toml names what it is for");
+        assert_eq!(may.difference(&asking).collect::<Vec<_>>(), Vec::<&&str>::new(), "do not ask for {name}");
+        wrappers += may.len();
+    }
+    assert_eq!(wrong, Vec::<String>::new());
+    assert_eq!(wrappers, 3, "TLS for the server of a shop is the only exception");
+}
+
+/// What TLS is for is a feature of its own: without it nothing in the program can reach another machine.
+#[test]
+fn no_crate_for_networks_is_built_without_the_shops_server() {
+    let mut cargo = Command::new(env!("CARGO"));
+    cargo.args(["tree", "--offline", "--locked", "--no-default-features", "--edges", "normal", "--prefix", "none"]);
+    let output = cargo.current_dir(env!("CARGO_MANIFEST_DIR")).output().unwrap();
+    assert!(output.status.success(), "{}", String::from_utf8_lossy(&output.stderr));
+    let text = String::from_utf8(output.stdout).unwrap();
+    let crates: BTreeSet<&str> = text.lines().filter_map(|line| line.split(' ').next()).collect();
+    assert!(60 < crates.len(), "only {}", crates.len());
+    for one in ["keyring", "mio", "ring", "rustls", "socket2", "tokio", "tokio-postgres"] {
+        assert!(!crates.contains(one), "{one}");
+    }
 }
 
 /// Name and licence of every crate on this machine, and whether these are all of Cargo.lock. A machine that has built

@@ -1,10 +1,46 @@
 ## The chain of a journal
 journal-hex = "{ $text }" is not { $digits } hexadecimal digits
-journal-break-removed = entry { $number } is missing: entry { $next } comes next
-journal-break-out-of-order = entry { $number } stands where it does not belong
-journal-break-changed = entry { $number } is not the one that was written: it or its hash was changed, or it was put here
-journal-break-other-than-kept = entry { $number } is another one than is known elsewhere: the journal was written anew from there or before
+journal-break-changed = entry { $number } is not the one that was written
+journal-break-removed = { $count ->
+        [one] entry { $number } is
+       *[other] { $count } entries from { $number } on are
+    } missing
+journal-break-inserted = entry { $number } was inserted
+journal-break-reordered = entries { $number } and { $other } have changed places
+journal-break-rewritten = entry { $number } is another one than is known elsewhere: the journal was written anew from there or before
 journal-break-cut-off = the journal ends with entry { $last }, and entry { $known } is known elsewhere: its newest entries were cut off, or an older copy was put back
 
 ## Entries
 journal-body-json = not an entry of a journal: { $reason }
+
+## The journal of a station
+store-missing = there is no journal at { $path }
+store-not-a-file = { $path } is not a file
+store-not-a-journal = { $path } is not a journal of Fitcheck; it was left as it is
+store-newer = { $path } was made by a newer Fitcheck (version { $version }, this one knows { $known }); it was left as it is
+store-older = { $path } was made by an older Fitcheck: it is brought to this version when something is recorded in it
+store-damaged = { $path } is damaged: its pages do not agree
+store-full = no space is left for { $path }: nothing was recorded
+store-read-only = { $path } may not be written to: nothing was recorded
+store-locked = another program holds { $path }, longer than this one waits: nothing was recorded
+store-disk = the disk of { $path } fails: { $reason }
+store-cannot-open = { $path } cannot be opened
+store-network-folder = { $path } is in a folder of another machine, where two stations would write over each other: choose a folder of this machine, and a server for the shop
+store-altered = "{ $name }", which keeps entries from being changed, is missing in { $path } or was changed
+store-no-beginning = { $path } does not tell which chain it is
+store-no-entry = { $path } has no entry { $number }: the last one is { $last }
+store-backup = the copy of { $path } did not come out whole, and was taken away
+store-interrupted = stopped
+store-database = { $path }: { $reason }
+store-remark-begun = a new journal was begun: { $path }
+store-remark-set-aside = the journal { $path } was damaged: it lies in { $folder } now, unchanged, and a new one was begun in its place
+store-remark-migrated = { $path } was brought to this version; as it was it is { $copy }
+store-remark-behind = { $path } ends with entry { $last } and once had entry { $known }: its newest entries were cut off, or an older copy was put back
+store-remark-other = entry { $number } of { $path } is another one than it was: the journal was written anew from there or before
+store-remark-replaced = { $path } is another journal than the one that was there, which had { $known } entries
+store-remark-no-anchor = the last entry of this journal could not be kept in { $path }: { $reason }
+store-finding-altered = "{ $name }", which keeps entries from being changed, is missing or was changed
+store-finding-not-found = { $entries ->
+        [one] 1 entry is
+       *[other] { $entries } entries are
+    } not found by questions, or found without being there

@@ -1,10 +1,46 @@
 ## The chain of a journal
 journal-hex = "{ $text }" is geen reeks van { $digits } hexadecimale cijfers
-journal-break-removed = regel { $number } ontbreekt: daarna komt regel { $next }
-journal-break-out-of-order = regel { $number } staat waar hij niet hoort
-journal-break-changed = regel { $number } is niet de regel die is geschreven: hij of zijn hash is veranderd, of hij is hier neergezet
-journal-break-other-than-kept = regel { $number } is een andere dan elders bekend is: het logboek is vanaf daar of eerder opnieuw geschreven
+journal-break-changed = regel { $number } is niet de regel die is geschreven
+journal-break-removed = { $count ->
+        [one] regel { $number } ontbreekt
+       *[other] { $count } regels ontbreken vanaf { $number }
+    }
+journal-break-inserted = regel { $number } is ingevoegd
+journal-break-reordered = de regels { $number } en { $other } zijn verwisseld
+journal-break-rewritten = regel { $number } is een andere dan elders bekend is: het logboek is vanaf daar of eerder opnieuw geschreven
 journal-break-cut-off = het logboek eindigt met regel { $last }, en regel { $known } is elders bekend: de nieuwste regels zijn afgesneden, of een oudere kopie is teruggezet
 
 ## Entries
 journal-body-json = geen regel van een logboek: { $reason }
+
+## The journal of a station
+store-missing = er is geen logboek op { $path }
+store-not-a-file = { $path } is geen bestand
+store-not-a-journal = { $path } is geen logboek van Fitcheck; het is gelaten zoals het is
+store-newer = { $path } is gemaakt door een nieuwere Fitcheck (versie { $version }, deze kent { $known }); het is gelaten zoals het is
+store-older = { $path } is gemaakt door een oudere Fitcheck: het wordt naar deze versie gebracht zodra er iets in wordt vastgelegd
+store-damaged = { $path } is beschadigd: de pagina's kloppen niet met elkaar
+store-full = er is geen ruimte meer voor { $path }: er is niets vastgelegd
+store-read-only = in { $path } mag niet worden geschreven: er is niets vastgelegd
+store-locked = een ander programma houdt { $path } vast, langer dan dit programma wacht: er is niets vastgelegd
+store-disk = de schijf van { $path } weigert: { $reason }
+store-cannot-open = { $path } kan niet worden geopend
+store-network-folder = { $path } ligt in een map van een andere machine, waar twee stations over elkaar heen zouden schrijven: kies een map van deze machine, en een server voor de werkplaats
+store-altered = "{ $name }", dat regels tegen verandering beschermt, ontbreekt in { $path } of is veranderd
+store-no-beginning = { $path } zegt niet welke keten het is
+store-no-entry = { $path } heeft geen regel { $number }: de laatste is { $last }
+store-backup = de kopie van { $path } is niet heel geworden, en is weggehaald
+store-interrupted = gestopt
+store-database = { $path }: { $reason }
+store-remark-begun = er is een nieuw logboek begonnen: { $path }
+store-remark-set-aside = het logboek { $path } was beschadigd: het ligt nu onveranderd in { $folder }, en in zijn plaats is een nieuw begonnen
+store-remark-migrated = { $path } is naar deze versie gebracht; zoals het was is het { $copy }
+store-remark-behind = { $path } eindigt met regel { $last } en had eens regel { $known }: de nieuwste regels zijn afgesneden, of een oudere kopie is teruggezet
+store-remark-other = regel { $number } van { $path } is een andere dan hij was: het logboek is vanaf daar of eerder opnieuw geschreven
+store-remark-replaced = { $path } is een ander logboek dan dat er was; dat had { $known } regels
+store-remark-no-anchor = de laatste regel van dit logboek kon niet worden bewaard in { $path }: { $reason }
+store-finding-altered = "{ $name }", dat regels tegen verandering beschermt, ontbreekt of is veranderd
+store-finding-not-found = { $entries ->
+        [one] 1 regel wordt
+       *[other] { $entries } regels worden
+    } door vragen niet gevonden, of gevonden zonder er te zijn

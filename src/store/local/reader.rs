@@ -1,0 +1,208 @@
+//! Reading a journal, beside whoever adds to it.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use rusqlite::types::Value;
+use rusqlite::{Connection, InterruptHandle, OptionalExtension as _, params_from_iter};
+
+use super::finding::Conditions;
+use super::{head_of, opening};
+use crate::journal::ask::Question;
+use crate::journal::body::{self, BodyError};
+use crate::journal::chain::{ChainId, Hash, Head};
+use crate::journal::entry::{Entry, Kept};
+use crate::store::error::StoreError;
+
+/// A journal that is read. Every call sees the file at one moment, and holds nothing up between two calls.
+#[derive(Debug)]
+pub struct Reader {
+    path: PathBuf,
+    connection: Connection,
+    chain: ChainId,
+}
+
+/// Ends a call of a reader from another thread.
+pub struct Interrupt(InterruptHandle);
+
+impl Interrupt {
+    /// Ends what runs now: it answers with [`StoreError::Interrupted`].
+    pub fn stop(&self) {
+        self.0.interrupt();
+    }
+}
+
+impl std::fmt::Debug for Interrupt {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        f.write_str("Interrupt")
+    }
+}
+
+/// An entry of a list.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Row {
+    /// As it is kept.
+    pub kept: Kept,
+    /// What it says.
+    pub entry: Result<Entry, BodyError>,
+    /// The newest entry that corrects it or takes it back.
+    pub corrected_by: Option<u64>,
+}
+
+impl Reader {
+    /// Opens a journal to read it.
+    ///
+    /// # Errors
+    /// [`StoreError`] where there is none, or it is none that this program knows.
+    pub fn open(path: &Path) -> Result<Self, StoreError> {
+        match opening::look(path)? {
+            opening::State::Empty if !path.exists() => return Err(StoreError::Missing { path: path.to_owned() }),
+            opening::State::Empty => return Err(StoreError::NotAJournal { path: path.to_owned() }),
+            opening::State::Older => return Err(StoreError::Older { path: path.to_owned() }),
+            opening::State::Current => {}
+        }
+        let connection = opening::to_read(path)?;
+        let chain = chain_of(&connection, path)?;
+        Ok(Self { path: path.to_owned(), connection, chain })
+    }
+
+    /// The name of the chain.
+    pub const fn chain(&self) -> ChainId {
+        self.chain
+    }
+
+    /// The last entry.
+    ///
+    /// # Errors
+    /// [`StoreError`] where the file cannot be read.
+    pub fn head(&self) -> Result<Head, StoreError> {
+        head_of(&self.connection).map_err(|error| self.failed(&error))
+    }
+
+    /// An entry by its number; `None` where there is none.
+    ///
+    /// # Errors
+    /// As for [`Self::head`].
+    pub fn entry(&self, number: u64) -> Result<Option<Kept>, StoreError> {
+        Ok(self.entries(number, 1)?.into_iter().find(|kept| kept.head.number == number))
+    }
+
+    /// Entries from a number on, ascending.
+    ///
+    /// # Errors
+    /// As for [`Self::head`].
+    pub fn entries(&self, from: u64, most: usize) -> Result<Vec<Kept>, StoreError> {
+        let sql = "SELECT number, body, hash FROM entry WHERE ?1 <= number ORDER BY number LIMIT ?2";
+        let read = || -> rusqlite::Result<Vec<Kept>> {
+            let mut entries = self.connection.prepare_cached(sql)?;
+            entries.query_map([integer(from), size(most)], kept)?.collect()
+        };
+        read().map_err(|error| self.failed(&error))
+    }
+
+    /// The numbers of checks and withdrawals that a question asks for, newest first, below a number.
+    ///
+    /// # Errors
+    /// [`StoreError::Interrupted`] where somebody stopped it, and as for [`Self::head`].
+    pub fn numbers(&self, question: &Question, before: Option<u64>, most: usize) -> Result<Vec<u64>, StoreError> {
+        let Conditions { sql, mut values } = Conditions::of(question);
+        let sql = format!("SELECT number FROM find WHERE {sql} AND number < ? ORDER BY number DESC LIMIT ?");
+        values.push(Value::Integer(before.map_or(i64::MAX, integer)));
+        values.push(Value::Integer(size(most)));
+        let read = || -> rusqlite::Result<Vec<u64>> {
+            let mut numbers = self.connection.prepare_cached(&sql)?;
+            numbers.query_map(params_from_iter(values), |row| row.get(0).map(natural))?.collect()
+        };
+        read().map_err(|error| self.failed(&error))
+    }
+
+    /// How many checks and withdrawals a question asks for, counted up to a number.
+    ///
+    /// # Errors
+    /// As for [`Self::numbers`].
+    pub fn count(&self, question: &Question, most: u64) -> Result<u64, StoreError> {
+        let Conditions { sql, mut values } = Conditions::of(question);
+        let sql = format!("SELECT count(*) FROM (SELECT 1 FROM find WHERE {sql} LIMIT ?)");
+        values.push(Value::Integer(integer(most)));
+        let read = || -> rusqlite::Result<u64> {
+            let mut count = self.connection.prepare_cached(&sql)?;
+            count.query_row(params_from_iter(values), |row| row.get(0).map(natural))
+        };
+        read().map_err(|error| self.failed(&error))
+    }
+
+    /// Entries by their numbers, in the order that is given; a number that is not there is left out.
+    ///
+    /// # Errors
+    /// As for [`Self::head`].
+    pub fn rows(&self, numbers: &[u64]) -> Result<Vec<Row>, StoreError> {
+        let read = || -> rusqlite::Result<Vec<Row>> {
+            let transaction = self.connection.unchecked_transaction()?;
+            let mut entries = transaction.prepare_cached("SELECT number, body, hash FROM entry WHERE number = ?1")?;
+            let mut newest = transaction.prepare_cached("SELECT max(number) FROM find WHERE corrects = ?1")?;
+            let mut rows = Vec::with_capacity(numbers.len());
+            for number in numbers {
+                let number = integer(*number);
+                let Some(kept) = entries.query_row([number], kept).optional()? else { continue };
+                let corrected_by = newest.query_row([number], |row| row.get::<_, Option<i64>>(0))?.map(natural);
+                rows.push(Row { entry: body::read(&kept.body), kept, corrected_by });
+            }
+            Ok(rows)
+        };
+        read().map_err(|error| self.failed(&error))
+    }
+
+    /// Ends a running call from another thread.
+    pub fn interrupt(&self) -> Interrupt {
+        Interrupt(self.connection.get_interrupt_handle())
+    }
+
+    /// How SQLite looks a question up, for tests.
+    ///
+    /// # Errors
+    /// As for [`Self::numbers`].
+    pub fn plan(&self, question: &Question) -> Result<String, StoreError> {
+        let Conditions { sql, mut values } = Conditions::of(question);
+        let sql = format!(
+            "EXPLAIN QUERY PLAN SELECT number FROM find WHERE {sql} AND number < ? ORDER BY number DESC LIMIT ?"
+        );
+        values.extend([Value::Integer(i64::MAX), Value::Integer(100)]);
+        let read = || -> rusqlite::Result<Vec<String>> {
+            let mut plan = self.connection.prepare(&sql)?;
+            plan.query_map(params_from_iter(values), |row| row.get(3))?.collect()
+        };
+        read().map(|lines| lines.join("\n")).map_err(|error| self.failed(&error))
+    }
+
+    fn failed(&self, error: &rusqlite::Error) -> StoreError {
+        StoreError::of(&self.path, error)
+    }
+}
+
+/// The name of the chain that a file holds. Its first entry tells it, too, and is hashed with it.
+pub(super) fn chain_of(connection: &Connection, path: &Path) -> Result<ChainId, StoreError> {
+    let name: Option<[u8; 16]> = connection
+        .query_row("SELECT name FROM chain", [], |row| row.get(0))
+        .optional()
+        .map_err(|error| StoreError::of(path, &error))?;
+    name.map(ChainId).ok_or_else(|| StoreError::NoBeginning { path: path.to_owned() })
+}
+
+/// A row of number, body and hash.
+pub(super) fn kept(row: &rusqlite::Row<'_>) -> rusqlite::Result<Kept> {
+    let body: Arc<[u8]> = row.get_ref(1)?.as_blob()?.into();
+    Ok(Kept { head: Head { number: natural(row.get(0)?), hash: Hash(row.get(2)?) }, body })
+}
+
+/// A number of an entry as SQLite keeps it.
+pub(super) fn integer(number: u64) -> i64 {
+    i64::try_from(number).unwrap_or(i64::MAX)
+}
+
+pub(super) fn natural(number: i64) -> u64 {
+    u64::try_from(number).unwrap_or_default()
+}
+
+fn size(most: usize) -> i64 {
+    i64::try_from(most).unwrap_or(i64::MAX)
+}

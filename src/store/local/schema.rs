@@ -1,0 +1,114 @@
+//! The tables of a journal's file.
+//!
+//! `entry` is the truth and never changes its form: what was written stays as it was. Everything else is derived from it, serves
+//! questions, and is made anew by every newer version ([`rebuild`]).
+
+use rusqlite::{Connection, Transaction, params};
+
+use super::finding;
+use crate::journal::body;
+use crate::journal::found::Found;
+
+/// What the file says it is: `Fitc` as a number.
+pub(super) const APPLICATION: i64 = 0x4669_7463;
+/// The version of the derived tables.
+pub(super) const VERSION: i64 = 1;
+
+/// The truth, and what keeps it: no change, no removal, and no entry out of its place, which `INSERT OR REPLACE` would be too.
+const ENTRY: [(&str, &str); 5] = [
+    ("chain", "CREATE TABLE chain(name BLOB NOT NULL CHECK(length(name) = 16)) STRICT"),
+    (
+        "entry",
+        "CREATE TABLE entry(number INTEGER PRIMARY KEY, body BLOB NOT NULL, hash BLOB NOT NULL CHECK(length(hash) = 32)) STRICT",
+    ),
+    (
+        "entry_keeps",
+        "CREATE TRIGGER entry_keeps BEFORE UPDATE ON entry BEGIN SELECT RAISE(ABORT, 'a journal is only added to'); END",
+    ),
+    (
+        "entry_stays",
+        "CREATE TRIGGER entry_stays BEFORE DELETE ON entry BEGIN SELECT RAISE(ABORT, 'a journal is only added to'); END",
+    ),
+    (
+        "entry_follows",
+        "CREATE TRIGGER entry_follows BEFORE INSERT ON entry WHEN NEW.number IS NOT coalesce((SELECT max(number) FROM entry), 0) + 1 \
+         BEGIN SELECT RAISE(ABORT, 'not the next number'); END",
+    ),
+];
+
+/// What questions are answered by. Names are in small letters, as they are looked for.
+const FIND: &str = "
+CREATE TABLE find(
+  number INTEGER PRIMARY KEY,
+  at INTEGER NOT NULL,
+  kind INTEGER NOT NULL,
+  status INTEGER,
+  simulated INTEGER NOT NULL,
+  part TEXT NOT NULL,
+  serial TEXT NOT NULL,
+  feature TEXT NOT NULL,
+  callout TEXT NOT NULL,
+  class TEXT NOT NULL,
+  who TEXT NOT NULL,
+  station TEXT NOT NULL,
+  corrects INTEGER
+) STRICT;
+CREATE INDEX find_at ON find(at, number);
+CREATE INDEX find_part ON find(part, number);
+CREATE INDEX find_serial ON find(serial, number) WHERE serial <> '';
+CREATE INDEX find_feature ON find(feature, number) WHERE feature <> '';
+CREATE INDEX find_callout ON find(callout, number);
+CREATE INDEX find_class ON find(class, number);
+CREATE INDEX find_status ON find(status, number);
+CREATE INDEX find_who ON find(who, number);
+CREATE INDEX find_corrects ON find(corrects, number) WHERE corrects IS NOT NULL;
+CREATE VIRTUAL TABLE words USING fts5(text, content='', columnsize=0, tokenize='unicode61');
+";
+
+/// Makes everything in an empty file.
+pub(super) fn make(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
+    for (_name, sql) in ENTRY {
+        transaction.execute_batch(sql)?;
+    }
+    transaction.execute_batch(FIND)?;
+    transaction.pragma_update(None, "application_id", APPLICATION)?;
+    transaction.pragma_update(None, "user_version", VERSION)
+}
+
+/// Makes the derived tables anew from the entries: how every older version is brought to this one.
+pub(super) fn rebuild(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
+    let derived: Vec<(String, String)> = transaction
+        .prepare("SELECT type, name FROM sqlite_schema WHERE type = 'table' AND (name = 'find' OR name = 'words')")?
+        .query_map([], |row| Ok((row.get(0)?, row.get(1)?)))?
+        .collect::<Result<_, _>>()?;
+    for (_kind, name) in derived {
+        transaction.execute_batch(&format!("DROP TABLE \"{name}\""))?;
+    }
+    transaction.execute_batch(FIND)?;
+    let mut entries = transaction.prepare("SELECT number, body FROM entry ORDER BY number")?;
+    let mut rows = entries.query(params![])?;
+    while let Some(row) = rows.next()? {
+        let (number, bytes) = (row.get(0)?, row.get_ref(1)?.as_blob()?);
+        // An entry of a newer program, or one that was changed, is kept and not found; the chain tells of the latter.
+        if let Some(found) = body::read(bytes).ok().and_then(|entry| Found::of(&entry)) {
+            finding::add(transaction, number, &found)?;
+        }
+    }
+    transaction.pragma_update(None, "user_version", VERSION)
+}
+
+/// What keeps the entries is missing, or is not what it should be; `None` where everything is there.
+pub(super) fn altered(connection: &Connection) -> rusqlite::Result<Option<String>> {
+    let mut there = connection.prepare_cached("SELECT sql FROM sqlite_schema WHERE name = ?1")?;
+    for (name, expected) in ENTRY {
+        let mut rows = there.query([name])?;
+        let is_as_made = match rows.next()? {
+            Some(row) => row.get_ref(0)?.as_str_or_null()? == Some(expected),
+            None => false,
+        };
+        if !is_as_made {
+            return Ok(Some(name.to_owned()));
+        }
+    }
+    Ok(None)
+}

@@ -1,0 +1,699 @@
+//! The journal of a station: what was acknowledged is there, what is there was not changed, and what is wrong is named.
+
+use std::ops::ControlFlow;
+use std::path::{Path, PathBuf};
+use std::time::Duration;
+
+use fitcheck::journal::Record;
+use fitcheck::journal::ask::Question;
+use fitcheck::journal::chain::Head;
+use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry, Kept, Moment};
+use fitcheck::journal::found::folded;
+use fitcheck::journal::inspection::Break;
+use fitcheck::probing::{Measurement, Origin};
+use fitcheck::store::local::{Anchors, Finding, Journal, Opening, Reader, Verified, backup, verify};
+use fitcheck::store::{StoreError, StoreRemark};
+use fitcheck::tolerance::Sources;
+use fitcheck::verdict::Status;
+use proptest::prelude::*;
+use rusqlite::Connection;
+use tempfile::TempDir;
+
+/// 2026-11-23 18:00:00 UTC.
+const NOON: i64 = 1_795_456_800_000;
+
+pub(crate) fn moment(utc_ms: i64) -> Moment {
+    Moment { utc_ms, offset_min: 60, zone: "Europe/Amsterdam".to_owned() }
+}
+
+/// A check of a hole, typed; or simulated where the part's name ends in a tilde.
+pub(crate) fn check(callout: &str, measured: &str, [part, serial, who]: [&str; 3]) -> Entry {
+    let callout = callout.parse().unwrap();
+    let limits = Sources::default().limits(&callout, None).unwrap();
+    let origin = if part.ends_with('~') { Origin::Simulated { cycle: 421, seed: 7 } } else { Origin::Typed };
+    let measurement = Measurement::of_diameter(measured.parse().unwrap(), origin);
+    let time = jiff::civil::date(2026, 11, 23).at(19, 0, 0, 0);
+    let record = Record::judged(time, part.to_owned(), Some(callout), limits, measurement, None);
+    let about = About {
+        station: "Mill 3".to_owned(),
+        time: moment(NOON),
+        who: who.to_owned(),
+        part: part.to_owned(),
+        serial: serial.to_owned(),
+        feature: String::new(),
+        remark: String::new(),
+    };
+    let what = Checked::Size(record.into());
+    Entry { about, content: Content::Check(Box::new(Check { what, files: Vec::new(), corrects: None })) }
+}
+
+fn good(part: &str) -> Entry {
+    check("25 H7", "25.012", [part, "17", "Anna"])
+}
+
+/// A folder with the place of a journal and of its last entries.
+struct Place {
+    folder: TempDir,
+}
+
+impl Place {
+    fn new() -> Self {
+        Self { folder: tempfile::tempdir().unwrap() }
+    }
+
+    fn path(&self) -> PathBuf {
+        self.folder.path().join("data/journal.sqlite")
+    }
+
+    fn opening(&self) -> Opening {
+        Opening {
+            anchors: Some(self.folder.path().join("settings/heads.txt")),
+            patience: Duration::from_millis(200),
+            ..Opening::new("Mill 3", moment(NOON))
+        }
+    }
+
+    fn open(&self) -> Journal {
+        self.try_open().unwrap()
+    }
+
+    fn try_open(&self) -> Result<Journal, StoreError> {
+        Journal::open(&self.path(), &self.opening())
+    }
+
+    /// A journal with so many checks, closed.
+    fn with(count: usize) -> Self {
+        let place = Self::new();
+        let entries: Vec<Entry> = (1..=count).map(|number| good(&format!("Flange {number}"))).collect();
+        place.open().append(&entries).unwrap();
+        place
+    }
+
+    fn verify(&self) -> Verified {
+        self.verify_beside(&[])
+    }
+
+    fn verify_beside(&self, known: &[Head]) -> Verified {
+        verify(&self.path(), known, &mut |_done, _all| ControlFlow::Continue(())).unwrap()
+    }
+
+    fn entries(&self) -> Vec<Kept> {
+        Reader::open(&self.path()).unwrap().entries(1, usize::MAX).unwrap()
+    }
+
+    /// Somebody opens the file with another tool, takes the triggers away, and changes something.
+    fn tamper(&self, sql: &str) {
+        let connection = Connection::open(self.path()).unwrap();
+        let triggers: Vec<(String, String)> = connection
+            .prepare("SELECT name, sql FROM sqlite_schema WHERE type = 'trigger'")
+            .unwrap()
+            .query_map([], |row| Ok((row.get(0)?, row.get(1)?)))
+            .unwrap()
+            .collect::<Result<_, _>>()
+            .unwrap();
+        for (name, _) in &triggers {
+            connection.execute_batch(&format!("DROP TRIGGER {name}")).unwrap();
+        }
+        connection.execute_batch(sql).unwrap();
+        for (_, sql) in &triggers {
+            connection.execute_batch(sql).unwrap();
+        }
+    }
+
+    fn bytes(&self) -> Vec<u8> {
+        std::fs::read(self.path()).unwrap()
+    }
+
+    fn overwrite(&self, bytes: &[u8]) {
+        fitcheck::files::write(&self.path(), bytes).unwrap();
+    }
+}
+
+fn remarks(journal: &Journal) -> Vec<String> {
+    journal.remarks().iter().map(ToString::to_string).collect()
+}
+
+#[test]
+fn what_was_acknowledged_is_there_after_a_restart() {
+    let place = Place::new();
+    let mut journal = place.open();
+    assert_eq!(journal.remarks(), [StoreRemark::Begun { path: place.path() }]);
+    let kept = journal.append(&[good("A"), good("B")]).unwrap();
+    assert_eq!(kept.iter().map(|kept| kept.head.number).collect::<Vec<_>>(), [2, 3]);
+    // Whoever reads meanwhile sees them already.
+    assert_eq!(place.entries()[1..], kept);
+    drop(journal);
+    let mut journal = place.open();
+    assert_eq!(journal.remarks(), []);
+    assert_eq!(journal.head().unwrap(), kept[1].head);
+    journal.append(&[good("C")]).unwrap();
+    drop(journal);
+    let rows = Reader::open(&place.path()).unwrap().rows(&[4, 2, 99]).unwrap();
+    let parts: Vec<String> = rows.iter().map(|row| row.entry.as_ref().unwrap().about.part.clone()).collect();
+    assert_eq!(parts, ["C", "A"]);
+    let found = place.verify();
+    assert!(found.is_whole());
+    assert_eq!(found.inspected.entries, 4);
+}
+
+#[test]
+fn entries_are_added_all_or_none() {
+    let place = Place::with(1);
+    let mut journal = place.open();
+    let mut wrong = good("B");
+    wrong.about.remark = "a\u{0}b".to_owned();
+    assert!(matches!(journal.append(&[good("A"), wrong]), Err(StoreError::Body(_))));
+    assert_eq!(place.entries().len(), 2);
+    journal.append(&[good("A")]).unwrap();
+    assert_eq!(place.entries().len(), 3);
+}
+
+#[test]
+fn the_database_itself_refuses_to_change_entries() {
+    let place = Place::with(3);
+    let connection = Connection::open(place.path()).unwrap();
+    for sql in [
+        "UPDATE entry SET body = x'00' WHERE number = 2",
+        "UPDATE entry SET number = 9 WHERE number = 4",
+        "DELETE FROM entry WHERE number = 4",
+        "DELETE FROM entry",
+        "INSERT OR REPLACE INTO entry VALUES (2, x'00', zeroblob(32))",
+        "INSERT INTO entry VALUES (6, x'00', zeroblob(32))",
+        "INSERT INTO entry VALUES (1, x'00', zeroblob(32)) ON CONFLICT DO UPDATE SET body = x'00'",
+    ] {
+        assert!(connection.execute_batch(sql).is_err(), "{sql}");
+    }
+    drop(connection);
+    assert!(place.verify().is_whole());
+}
+
+#[test]
+fn one_changed_one_removed_one_inserted_and_one_reordered_entry_are_named() {
+    let close = "UPDATE entry SET number = number - 1 WHERE number > 4";
+    let open =
+        "UPDATE entry SET number = -number WHERE number > 4; UPDATE entry SET number = 1 - number WHERE number < 0";
+    let swap = "UPDATE entry SET number = -1 WHERE number = 4; UPDATE entry SET number = 4 WHERE number = 5; \
+                UPDATE entry SET number = 5 WHERE number = -1";
+    for (sql, expected) in [
+        (
+            "UPDATE entry SET body = CAST(replace(CAST(body AS TEXT), 'Anna', 'Anne') AS BLOB) WHERE number = 4",
+            Break::Changed { number: 4 },
+        ),
+        ("UPDATE entry SET hash = zeroblob(32) WHERE number = 4", Break::Changed { number: 4 }),
+        ("DELETE FROM entry WHERE number = 4", Break::Removed { number: 4, count: 1 }),
+        (&format!("DELETE FROM entry WHERE number = 4; {close}"), Break::Removed { number: 4, count: 1 }),
+        (
+            &format!("{open}; INSERT INTO entry SELECT 5, body, hash FROM entry WHERE number = 2"),
+            Break::Inserted { number: 5 },
+        ),
+        (swap, Break::Reordered { number: 4, other: 5 }),
+    ] {
+        let place = Place::with(9);
+        place.tamper(sql);
+        assert_eq!(place.verify().inspected.breaks, [expected], "{sql}");
+    }
+}
+
+#[test]
+fn a_dropped_trigger_and_a_forgotten_row_are_named() {
+    let place = Place::with(2);
+    Connection::open(place.path()).unwrap().execute_batch("DROP TRIGGER entry_stays").unwrap();
+    assert_eq!(place.verify().findings, [Finding::Altered { name: "entry_stays".to_owned() }]);
+    let place = Place::with(2);
+    place.tamper("DELETE FROM find WHERE number = 2");
+    assert_eq!(place.verify().findings, [Finding::NotFound { entries: 1 }]);
+    let place = Place::with(2);
+    place.tamper("UPDATE find SET status = 3 WHERE number = 2");
+    assert_eq!(place.verify().findings, [Finding::NotFound { entries: 1 }]);
+}
+
+#[test]
+fn newest_entries_that_were_cut_off_are_told_at_the_next_opening() {
+    let place = Place::with(5);
+    place.tamper("DELETE FROM entry WHERE number > 3; DELETE FROM find WHERE number > 3");
+    let journal = place.open();
+    assert_eq!(journal.remarks(), [StoreRemark::Behind { path: place.path(), last: 3, known: 6 }]);
+    let known = Anchors::read(&place.opening().anchors.unwrap()).unwrap().of_chain(journal.chain());
+    drop(journal);
+    // The alarm stays.
+    assert_eq!(place.open().remarks().len(), 1);
+    assert_eq!(place.verify_beside(&known).inspected.breaks, [Break::CutOff { last: 3, known: 6 }]);
+    assert!(place.verify().is_whole());
+}
+
+#[test]
+fn an_older_copy_that_was_put_back_and_written_on_is_told() {
+    let place = Place::with(2);
+    let older = place.bytes();
+    place.open().append(&[good("A"), good("B")]).unwrap();
+    place.overwrite(&older);
+    let mut journal = place.open();
+    assert_eq!(journal.remarks(), [StoreRemark::Behind { path: place.path(), last: 3, known: 5 }]);
+    journal.append(&[good("C"), good("D"), good("E")]).unwrap();
+    drop(journal);
+    assert_eq!(place.open().remarks(), [StoreRemark::Other { path: place.path(), number: 5 }]);
+}
+
+#[test]
+fn a_journal_that_is_gone_is_told_once_and_named_by_the_new_one() {
+    let place = Place::with(2);
+    let (chain, head) = (place.open().chain(), place.entries()[2].head);
+    std::fs::remove_file(place.path()).unwrap();
+    let journal = place.open();
+    let begun = StoreRemark::Begun { path: place.path() };
+    assert_eq!(journal.remarks(), [begun, StoreRemark::Replaced { path: place.path(), known: 3 }]);
+    drop(journal);
+    let first = Reader::open(&place.path()).unwrap().rows(&[1]).unwrap().remove(0);
+    let Content::Begin(begin) = first.entry.unwrap().content else { panic!() };
+    assert_eq!(begin.after, Some((chain, head)));
+    assert_eq!(place.open().remarks(), []);
+}
+
+#[test]
+fn two_writers_at_once_make_one_chain() {
+    let place = Place::with(0);
+    let opening = Opening { patience: Duration::from_secs(10), ..place.opening() };
+    std::thread::scope(|scope| {
+        for who in 0..4 {
+            let (path, opening) = (place.path(), opening.clone());
+            scope.spawn(move || {
+                let mut journal = Journal::open(&path, &opening).unwrap();
+                for number in 0..25 {
+                    journal.append(&[good(&format!("{who}-{number}"))]).unwrap();
+                }
+            });
+        }
+    });
+    let found = place.verify();
+    assert!(found.is_whole(), "{found:?}");
+    assert_eq!(found.inspected.entries, 101);
+}
+
+#[test]
+fn a_writer_that_waits_too_long_says_that_another_program_holds_the_file() {
+    let place = Place::with(1);
+    let mut journal = place.open();
+    let other = Connection::open(place.path()).unwrap();
+    other.execute_batch("BEGIN IMMEDIATE").unwrap();
+    assert_eq!(journal.append(&[good("A")]), Err(StoreError::Locked { path: place.path() }));
+    assert_eq!(Reader::open(&place.path()).unwrap().head().unwrap().number, 2);
+    other.execute_batch("COMMIT").unwrap();
+    journal.append(&[good("A")]).unwrap();
+}
+
+#[test]
+fn a_file_that_is_no_journal_is_left_as_it_is() {
+    let other = {
+        let folder = tempfile::tempdir().unwrap();
+        let path = folder.path().join("other.sqlite");
+        Connection::open(&path).unwrap().execute_batch("CREATE TABLE accounts(name TEXT)").unwrap();
+        std::fs::read(path).unwrap()
+    };
+    let newer = {
+        let place = Place::with(1);
+        Connection::open(place.path()).unwrap().pragma_update(None, "user_version", 99).unwrap();
+        place.bytes()
+    };
+    for (bytes, expected) in [
+        (b"Time;Part;Measured\n".as_slice(), "is not a journal of Fitcheck"),
+        (b"x".as_slice(), "is not a journal of Fitcheck"),
+        (&other, "is not a journal of Fitcheck"),
+        (&newer, "was made by a newer Fitcheck (version 99, this one knows 1)"),
+    ] {
+        let place = Place::new();
+        std::fs::create_dir_all(place.path().parent().unwrap()).unwrap();
+        place.overwrite(bytes);
+        for error in [
+            place.try_open().map(drop).unwrap_err(),
+            Reader::open(&place.path()).map(drop).unwrap_err(),
+            verify(&place.path(), &[], &mut |_, _| ControlFlow::Continue(())).map(drop).unwrap_err(),
+            backup(&place.path(), &place.folder.path().join("copy")).map(drop).unwrap_err(),
+        ] {
+            assert!(error.to_string().contains(expected), "{error}");
+        }
+        assert_eq!(place.bytes(), bytes);
+        let files = std::fs::read_dir(place.path().parent().unwrap()).unwrap().count();
+        assert_eq!(files, 1, "{expected}");
+    }
+}
+
+#[test]
+fn a_folder_in_the_place_of_a_journal_is_told() {
+    let place = Place::new();
+    std::fs::create_dir_all(place.path()).unwrap();
+    assert_eq!(place.try_open().map(drop).unwrap_err(), StoreError::NotAFile { path: place.path() });
+    assert_eq!(Reader::open(&place.path()).map(drop).unwrap_err(), StoreError::NotAFile { path: place.path() });
+}
+
+/// What is damaged is moved away as it is, and the new journal names it.
+#[test]
+fn a_damaged_journal_is_set_aside_and_never_overwritten() {
+    let damages: [(&str, fn(&mut Vec<u8>)); 3] = [
+        ("cut to half", |bytes| bytes.truncate(bytes.len() / 2 / 4096 * 4096 + 100)),
+        ("header zeroed", |bytes| bytes[..100].fill(0)),
+        ("first page random", |bytes| bytes[100..4096].fill(0xA7)),
+    ];
+    for (name, damage) in damages {
+        let place = Place::with(300);
+        let chain = place.open().chain();
+        let mut bytes = place.bytes();
+        damage(&mut bytes);
+        place.overwrite(&bytes);
+        let mut journal = place.open();
+        let [StoreRemark::SetAside { folder, .. }, rest @ ..] = journal.remarks() else {
+            panic!("{name}: {:?}", remarks(&journal))
+        };
+        assert!(matches!(rest[0], StoreRemark::Begun { .. }), "{name}: {rest:?}");
+        assert_eq!(std::fs::read(folder.join("journal.sqlite")).unwrap(), bytes, "{name}");
+        assert_ne!(journal.chain(), chain);
+        journal.append(&[good("A")]).unwrap();
+        drop(journal);
+        assert!(place.verify().is_whole());
+        let first = Reader::open(&place.path()).unwrap().rows(&[1]).unwrap().remove(0).entry.unwrap();
+        let Content::Begin(begin) = first.content else { panic!() };
+        assert_eq!(begin.after.map(|(chain, head)| (chain, head.number)), Some((chain, 301)), "{name}");
+    }
+}
+
+/// Whatever bytes are changed, a journal is read, refused or set aside; no entry is invented and nothing ends the program.
+#[test]
+fn random_bytes_in_a_journal_are_found() {
+    let place = Place::with(120);
+    let whole = place.bytes();
+    let written = place.entries();
+    let mut found = 0;
+    for seed in 0..60_usize {
+        let mut bytes = whole.clone();
+        let at = seed * 7919 * 13 % (bytes.len() - 16);
+        for (place, byte) in bytes[at..at + 16].iter_mut().enumerate() {
+            *byte ^= u8::try_from((seed * 31 + place * 17) % 255).unwrap() + 1;
+        }
+        place.overwrite(&bytes);
+        let answer = verify(&place.path(), &[], &mut |_, _| ControlFlow::Continue(()));
+        let told = match &answer {
+            Ok(verified) => !verified.is_whole(),
+            Err(_) => true,
+        };
+        let is_the_same = Reader::open(&place.path())
+            .and_then(|reader| reader.entries(1, usize::MAX))
+            .is_ok_and(|entries| entries == written);
+        // Bytes that no entry is in may be anything.
+        assert!(told || is_the_same, "byte {at}: {answer:?}");
+        found += usize::from(told);
+        assert_eq!(place.bytes(), bytes, "byte {at}: looking changes nothing");
+    }
+    assert!(20 < found, "{found} of 60");
+}
+
+#[test]
+fn an_older_journal_is_brought_to_this_version_after_a_copy() {
+    let place = Place::with(3);
+    let connection = Connection::open(place.path()).unwrap();
+    connection.execute_batch("PRAGMA user_version = 0; DROP INDEX find_who; DELETE FROM find").unwrap();
+    drop(connection);
+    assert_eq!(Reader::open(&place.path()).map(drop).unwrap_err(), StoreError::Older { path: place.path() });
+    let journal = place.open();
+    let [StoreRemark::Migrated { copy, .. }] = journal.remarks() else { panic!("{:?}", remarks(&journal)) };
+    let copied = Connection::open(copy).unwrap();
+    let count: i64 = copied.query_row("SELECT count(*) FROM entry", [], |row| row.get(0)).unwrap();
+    assert_eq!(count, 4);
+    drop(journal);
+    assert!(place.verify().is_whole());
+    let anna = Question { who: Some("anna".to_owned()), ..Question::default() };
+    assert_eq!(Reader::open(&place.path()).unwrap().numbers(&anna, None, 9).unwrap(), [4, 3, 2]);
+}
+
+#[test]
+fn a_backup_of_a_running_journal_is_whole_and_replaces_nothing() {
+    let place = Place::with(50);
+    let mut journal = place.open();
+    journal.append(&[good("A")]).unwrap();
+    let to = place.folder.path().join("copy.sqlite");
+    let head = backup(&place.path(), &to).unwrap();
+    assert_eq!(head, journal.head().unwrap());
+    journal.append(&[good("B")]).unwrap();
+    assert_eq!(Reader::open(&to).unwrap().entries(1, usize::MAX).unwrap(), place.entries()[..52]);
+    let before = std::fs::read(&to).unwrap();
+    assert!(matches!(backup(&place.path(), &to), Err(StoreError::File(_))));
+    assert_eq!(std::fs::read(&to).unwrap(), before);
+    let beside: Vec<_> =
+        std::fs::read_dir(place.folder.path()).unwrap().map(|entry| entry.unwrap().file_name()).collect();
+    assert_eq!(beside.len(), 3, "{beside:?}");
+}
+
+#[test]
+fn a_backup_of_a_changed_journal_is_refused() {
+    let place = Place::with(3);
+    place.tamper("UPDATE entry SET body = x'7b7d' WHERE number = 2");
+    let to = place.folder.path().join("copy.sqlite");
+    assert_eq!(backup(&place.path(), &to), Err(StoreError::Backup { path: place.path() }));
+    assert!(!to.exists());
+}
+
+#[test]
+fn verifying_tells_its_progress_and_can_be_stopped() {
+    let place = Place::with(10_001);
+    let mut told = Vec::new();
+    let stopped = verify(&place.path(), &[], &mut |done, all| {
+        told.push((done, all));
+        ControlFlow::Break(())
+    });
+    assert_eq!(stopped, Err(StoreError::Interrupted));
+    assert_eq!(told, [(10_000, 10_002)]);
+}
+
+/// Entries of every kind for questions.
+fn mixed() -> (Place, Vec<Entry>) {
+    let place = Place::new();
+    let mut entries = Vec::new();
+    for number in 0..60_i64 {
+        let part = ["Flange", "Bush Ø", "Käfig~", ""][usize::try_from(number % 4).unwrap()];
+        let serial = format!("S-{}", number % 7);
+        let (callout, measured) = [("25 H7", "25.012"), ("25 h7", "24.9"), ("8 H11", "7.9"), ("8 H11", "8.3")]
+            [usize::try_from(number % 3 + number / 31).unwrap()];
+        let mut entry =
+            check(callout, measured, [part, &serial, ["Anna", "Bert"][usize::try_from(number % 2).unwrap()]]);
+        entry.about.time.utc_ms += number * 3_600_000;
+        entry.about.remark = if number % 5 == 0 { "burr at the edge, deburred".to_owned() } else { String::new() };
+        entry.about.feature = if number % 6 == 0 { "B1".to_owned() } else { String::new() };
+        entries.push(entry);
+    }
+    place.open().append(&entries).unwrap();
+    let kept = place.entries();
+    let correction = |number: usize| Correction { target: kept[number - 1].head, reason: "wrong part".to_owned() };
+    let mut corrected = check("25 H7", "25.013", ["Bush Ø", "S-1", "Anna"]);
+    if let Content::Check(check) = &mut corrected.content {
+        check.corrects = Some(correction(3));
+    }
+    let withdrawn = Entry { content: Content::Withdrawal(correction(5)), ..good("Flange") };
+    place.open().append(&[corrected.clone(), withdrawn.clone()]).unwrap();
+    entries.extend([corrected, withdrawn]);
+    (place, entries)
+}
+
+/// A question answered by looking at every entry: numbers from the newest.
+fn by_hand(question: &Question, entries: &[Entry]) -> Vec<u64> {
+    let corrected: Vec<u64> =
+        entries.iter().filter_map(|entry| entry.corrects().map(|correction| correction.target.number)).collect();
+    let is = |asked: &Option<String>, text: &str| {
+        asked.as_ref().is_none_or(|asked| match asked.strip_suffix('*') {
+            Some(start) => folded(text).starts_with(&folded(start)),
+            None => folded(text) == folded(asked),
+        })
+    };
+    let finds = |number: u64, entry: &Entry| {
+        let (about, check) = (&entry.about, entry.check());
+        let callout = match check.map(|check| &check.what) {
+            Some(Checked::Size(record)) => record.callout.unwrap().to_string(),
+            _ => String::new(),
+        };
+        let words =
+            format!("{} {} {} {} {}", about.part, about.serial, about.feature, about.who, about.remark).to_lowercase();
+        let has = |word: &String| {
+            words
+                .split(|c: char| !c.is_alphanumeric())
+                .any(|one| !one.is_empty() && one.starts_with(&word.to_lowercase()))
+        };
+        is(&question.part, &about.part)
+            && is(&question.serial, &about.serial)
+            && is(&question.feature, &about.feature)
+            && is(&question.who, &about.who)
+            && is(&question.station, &about.station)
+            && question.callout.as_ref().is_none_or(|asked| *asked == callout)
+            && question.class.as_ref().is_none_or(|asked| callout.ends_with(&format!(" {asked}")))
+            && (question.verdicts.is_empty()
+                || check.is_some_and(|check| question.verdicts.contains(&check.status().unwrap())))
+            && question.from_ms.is_none_or(|from| from <= about.time.utc_ms)
+            && question.before_ms.is_none_or(|before| about.time.utc_ms < before)
+            && question.simulated.is_none_or(|asked| asked == check.is_some_and(Check::is_simulated))
+            && (!question.standing || (check.is_some() && !corrected.contains(&number)))
+            && question.words.iter().all(has)
+    };
+    let numbered = (2_u64..).zip(entries).filter(|(number, entry)| finds(*number, entry));
+    let mut numbers: Vec<u64> = numbered.map(|(number, _)| number).collect();
+    numbers.reverse();
+    numbers
+}
+
+fn maybe(texts: &'static [&'static str]) -> impl Strategy<Value = Option<String>> {
+    prop_oneof![4 => Just(None), 1 => prop::sample::select(texts).prop_map(|text| Some(text.to_owned()))]
+}
+
+fn question() -> impl Strategy<Value = Question> {
+    let names = (
+        maybe(&["flange", "Bush Ø", "käfig~", "", "none"]),
+        maybe(&["S-1", "s-*", "S-9", "", "*"]),
+        maybe(&["B1", "b1", ""]),
+        maybe(&["25 H7", "25 h7", "8 H11"]),
+        maybe(&["H7", "h7", "H11"]),
+        maybe(&["anna", "Bert"]),
+    );
+    let verdicts = prop::collection::vec(prop::sample::select(&Status::ALL[..]), 0..3);
+    let hours = prop::option::of(0..61_i64);
+    let words = prop::collection::vec(
+        prop::sample::select(&["burr", "Deburr", "fla", "ø", "kafig", "S", "none", "ann"][..]),
+        0..3,
+    );
+    (names, verdicts, hours.clone(), hours, prop::option::weighted(0.3, any::<bool>()), any::<bool>(), words).prop_map(
+        |((part, serial, feature, callout, class, who), verdicts, from, before, simulated, standing, words)| Question {
+            part,
+            serial,
+            feature,
+            callout,
+            class,
+            verdicts,
+            who,
+            station: None,
+            from_ms: from.map(|hours| NOON + hours * 3_600_000),
+            before_ms: before.map(|hours| NOON + hours * 3_600_000),
+            simulated,
+            standing,
+            // An umlaut is found without its dots, which the look at every entry does not know.
+            words: words.into_iter().filter(|word| *word != "kafig").map(str::to_owned).collect(),
+        },
+    )
+}
+
+#[test]
+fn questions_find_what_a_look_at_every_entry_finds() {
+    let (place, entries) = mixed();
+    let reader = Reader::open(&place.path()).unwrap();
+    let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig { cases: 600, ..ProptestConfig::default() });
+
+    runner
+        .run(&question(), |question| {
+            let expected = by_hand(&question, &entries);
+            let count = u64::try_from(expected.len()).unwrap();
+
+            prop_assert_eq!(reader.numbers(&question, None, usize::MAX).unwrap(), expected.clone(), "{:?}", question);
+            prop_assert_eq!(reader.count(&question, u64::MAX).unwrap(), count);
+            prop_assert_eq!(reader.count(&question, 2).unwrap(), count.min(2));
+            // Page by page it is the same.
+            let (mut paged, mut before) = (Vec::<u64>::new(), None);
+            loop {
+                let page = reader.numbers(&question, before, 7).unwrap();
+                before = page.last().copied();
+                paged.extend(&page);
+                if page.len() < 7 {
+                    break;
+                }
+            }
+            prop_assert_eq!(paged, expected);
+            Ok(())
+        })
+        .unwrap();
+}
+
+#[test]
+fn an_umlaut_is_found_without_its_dots_and_signs_alone_find_nothing() {
+    let (place, _) = mixed();
+    let reader = Reader::open(&place.path()).unwrap();
+    let count = |word: &str| {
+        let words = vec![word.to_owned()];
+        reader.count(&Question { words, ..Question::default() }, u64::MAX).unwrap()
+    };
+    assert_eq!(count("kafig"), count("KÄFIG"));
+    assert!(0 < count("kafig"));
+    for hostile in [
+        "\"",
+        "a\" OR \"b",
+        "NEAR(a b)",
+        "burr OR flange",
+        "*",
+        "-",
+        "part:x",
+        "';DROP TABLE entry;--",
+        "{a b}:c",
+        "\u{939}\u{93f}",
+    ] {
+        let _finds_or_not = count(hostile);
+    }
+    assert_eq!(count("burr OR flange"), 0, "OR is a word");
+    assert_eq!(count("*"), 0);
+    assert_eq!(count(" "), 62);
+    assert!(place.verify().is_whole());
+}
+
+#[test]
+fn every_filter_has_its_index() {
+    let (place, _) = mixed();
+    let reader = Reader::open(&place.path()).unwrap();
+    let text = |text: &str| Some(text.to_owned());
+    let none = Question::default;
+    for (index, question) in [
+        ("find_part", Question { part: text("a"), ..none() }),
+        ("find_serial", Question { serial: text("a"), ..none() }),
+        ("find_serial", Question { serial: text("a*"), ..none() }),
+        ("find_feature", Question { feature: text("a"), ..none() }),
+        ("find_callout", Question { callout: text("a"), ..none() }),
+        ("find_class", Question { class: text("a"), ..none() }),
+        ("find_who", Question { who: text("a"), ..none() }),
+        ("find_status", Question { verdicts: vec![Status::Scrap], ..none() }),
+        ("words", Question { words: vec!["a".to_owned()], ..none() }),
+    ] {
+        let plan = reader.plan(&question).unwrap();
+        assert!(plan.contains(index), "{question:?}: {plan}");
+    }
+}
+
+#[test]
+fn a_running_question_is_stopped_from_another_thread() {
+    let place = Place::with(3_000);
+    let reader = Reader::open(&place.path()).unwrap();
+    let interrupt = reader.interrupt();
+    let stopper = std::thread::Builder::new()
+        .spawn(move || {
+            for _ in 0..2_000 {
+                interrupt.stop();
+                std::thread::sleep(Duration::from_micros(50));
+            }
+        })
+        .unwrap();
+    let nothing = Question {
+        who: Some("anna".to_owned()),
+        part: Some("none".to_owned()),
+        words: vec!["fl".to_owned()],
+        ..Question::default()
+    };
+    let stopped = (0..2_000).any(|_| reader.numbers(&nothing, None, 9) == Err(StoreError::Interrupted));
+    stopper.join().unwrap();
+    assert!(stopped);
+    assert_eq!(reader.numbers(&nothing, None, 9), Ok(Vec::new()));
+}
+
+#[test]
+fn the_last_entries_of_all_journals_are_kept_side_by_side() {
+    let (one, other) = (Place::with(1), Place::with(2));
+    let anchors = one.opening().anchors.unwrap();
+    let opening = Opening { anchors: Some(anchors.clone()), ..other.opening() };
+    drop(Journal::open(&other.path(), &opening).unwrap());
+    let read = Anchors::read(&anchors).unwrap();
+    assert_eq!(read.at(&one.path()).unwrap().head.number, 2);
+    assert_eq!(read.at(&other.path()).unwrap().head.number, 3);
+    assert_eq!(read.at(Path::new("/none")), None);
+    fitcheck::files::write(&anchors, b"nonsense\n").unwrap();
+    let journal = Journal::open(&one.path(), &one.opening()).unwrap();
+    assert!(matches!(journal.remarks(), [StoreRemark::NoAnchor { .. }, ..]), "{:?}", remarks(&journal));
+    drop(journal);
+    assert_eq!(std::fs::read(&anchors).unwrap(), b"nonsense\n");
+}
