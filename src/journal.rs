@@ -85,13 +85,21 @@ impl Record {
     /// taken are much worse, nothing is decided.
     #[must_use]
     pub fn by(mut self, rule: Rule) -> Self {
+        self.verdict = self.judged_by(rule);
+        self
+    }
+
+    /// What its own rule says of it today. A record that was kept may have been judged by another version.
+    pub fn judged_again(&self) -> Verdict {
+        self.judged_by(self.verdict.rule)
+    }
+
+    fn judged_by(&self, rule: Rule) -> Verdict {
         let verdict = judge_by(rule, &self.limits, self.measurement.diameter, self.verdict.position);
-        self.verdict = match decision::undecided(rule, &self.measurement).filter(|_why| !self.budget_counts_contacts())
-        {
+        match decision::undecided(rule, &self.measurement).filter(|_why| !self.budget_counts_contacts()) {
             Some(why) => verdict.left_undecided(why),
             None => verdict,
-        };
-        self
+        }
     }
 
     /// The same with the budget that the rule's uncertainty is from: it counts for the contacts that were taken.

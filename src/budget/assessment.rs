@@ -119,6 +119,11 @@ pub enum BudgetWarning {
         #[say(with = printed)]
         bias: String,
     },
+    /// Whatever a kept record says, in English.
+    Recorded {
+        /// What it says.
+        text: String,
+    },
 }
 
 impl BudgetWarning {

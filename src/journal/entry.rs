@@ -6,6 +6,8 @@ use std::sync::Arc;
 use super::Record;
 use super::chain::{ChainId, Hash, Head};
 use crate::length::Length;
+use crate::message::Say;
+use crate::probing::Contact;
 use crate::verdict::Status;
 
 /// A point in time with what the station's clock showed.
@@ -142,18 +144,63 @@ pub struct CycleCheck {
     pub cycle: u16,
     /// Its parameters as they are written: `Q262` and `25`.
     pub parameters: Vec<(String, String)>,
+    /// Where its contacts come from.
+    pub origin: CycleOrigin,
     /// Its contacts in probing order, millimetres.
-    pub contacts: Vec<crate::probing::Contact>,
+    pub contacts: Vec<Contact>,
     /// Its results by their names for machines: lengths.
     pub figures: BTreeMap<String, Length>,
+    /// What it compared with limits, in its order.
+    pub compared: Vec<Compared>,
     /// The limits of the size that it measures, where it has one and they were given: minimum and maximum.
     pub limits: Option<[Length; 2]>,
     /// The size that it measures, where it has one.
     pub measured: Option<Length>,
     /// What the control's markers say; `None` where nothing was judged.
     pub status: Option<Status>,
-    /// Whether the contacts are simulated.
-    pub is_simulated: bool,
+    /// The program's block, where a program called it: the name of the file, and the line.
+    pub block: Option<(String, u64)>,
+}
+
+/// Where the contacts of a cycle come from.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum CycleOrigin {
+    /// A simulated workpiece without faults.
+    Perfect,
+    /// A simulated workpiece.
+    Workpiece {
+        /// The file's name without its folder.
+        file: Arc<str>,
+        /// The seed of the scatter.
+        seed: u64,
+    },
+    /// Contacts that were recorded.
+    Contacts {
+        /// The file's name without its folder.
+        file: Arc<str>,
+    },
+}
+
+impl CycleOrigin {
+    /// Whether nobody measured.
+    pub const fn is_simulated(&self) -> bool {
+        !matches!(self, Self::Contacts { .. })
+    }
+}
+
+/// A value that a cycle compared with its limits.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Compared {
+    /// Its name for machines: `diameter`, `centre_1`.
+    pub what: String,
+    /// The value.
+    pub measured: Length,
+    /// The smallest permitted value.
+    pub minimum: Length,
+    /// The largest permitted value.
+    pub maximum: Length,
+    /// What this value alone says.
+    pub status: Status,
 }
 
 /// Which entry is corrected, and why.
@@ -206,7 +253,27 @@ impl Check {
     pub fn is_simulated(&self) -> bool {
         match &self.what {
             Checked::Size(record) => record.measurement.origin.is_simulated(),
-            Checked::Cycle(cycle) => cycle.is_simulated,
+            Checked::Cycle(cycle) => cycle.origin.is_simulated(),
         }
     }
+
+    /// What is to be said of it: that it would be decided in another way today. What was decided then stands.
+    pub fn remark(&self) -> Option<CheckRemark> {
+        let Checked::Size(record) = &self.what else { return None };
+        let (kept, now) = (record.verdict.status(), record.judged_again().status());
+        (kept != now).then_some(CheckRemark::JudgedOtherwise { kept, now })
+    }
+}
+
+/// What is to be said of a check that was read.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "journal-check")]
+pub enum CheckRemark {
+    /// This version decides it in another way.
+    JudgedOtherwise {
+        /// What was decided, and stands.
+        kept: Status,
+        /// What this version says.
+        now: Status,
+    },
 }

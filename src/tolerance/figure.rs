@@ -56,7 +56,8 @@ impl FigureWarning {
             | Source::Table { .. }
             | Source::Iso2768 { .. }
             | Source::Callout
-            | Source::File(_) => None,
+            | Source::File(_)
+            | Source::Recorded { .. } => None,
         }
     }
 

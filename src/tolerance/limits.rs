@@ -109,6 +109,13 @@ pub enum Source {
         /// The source that answered.
         source: Box<Self>,
     },
+    /// Whatever a kept record says, in English: its tables are no longer at hand.
+    Recorded {
+        /// Where the deviations came from, with what ISO 286 says where a user's own table differed.
+        text: Arc<str>,
+        /// The size range, above and up to, where they have one.
+        range: Option<(Length, Length)>,
+    },
 }
 
 display!(Source);
@@ -121,6 +128,7 @@ impl Source {
                 Some((*over, *to))
             }
             Self::WithoutOwn { source, .. } => source.range(),
+            Self::Recorded { range, .. } => *range,
             Self::Callout | Self::File(_) => None,
         }
     }
@@ -157,6 +165,7 @@ impl Say for Source {
             Self::WithoutOwn { folder, source } => {
                 Message::new("source-without-own").message("source", source.message()).with("folder", folder)
             }
+            Self::Recorded { text, .. } => Message::new("source-recorded").with("text", text),
         }
     }
 }

@@ -108,7 +108,14 @@ fn every_requirement_says_where_it_works_and_names_a_test() {
 #[test]
 fn every_link_of_the_documents_leads_to_a_file() {
     let documents = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "SECURITY.md"];
-    let more = ["docs/DEPENDENCIES.md", "docs/RELEASE.md", "docs/REQUIREMENTS.md", "docs/SOURCES.md", "docs/TERMS.md"];
+    let more = [
+        "docs/DEPENDENCIES.md",
+        "docs/JOURNAL.md",
+        "docs/RELEASE.md",
+        "docs/REQUIREMENTS.md",
+        "docs/SOURCES.md",
+        "docs/TERMS.md",
+    ];
     for document in documents.into_iter().chain(more) {
         let path = root().join(document);
         let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{document}: {error}"));

@@ -37,3 +37,4 @@ budget-warning-other-side = the calibrated piece of the budget is a { $calibrate
     }, and the other side was measured
 budget-warning-other-expansion = { $contribution } of the budget has the expansion { $budget } · 10⁻⁶/K, and the value was corrected with { $given }
 budget-warning-other-temperature = { $contribution } of the budget is for a temperature { $budget } K from 20 °C, and the value was corrected for { $given } K
+budget-warning-recorded = { $text }

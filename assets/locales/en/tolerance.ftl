@@ -30,6 +30,7 @@ source-file = file { $name }
 source-iso2768 = ISO 2768-1 class { $class }, over { $over } up to { $to } mm
 source-callout = the callout itself
 source-without-own = { $source }; own tables in { $folder } could not be read
+source-recorded = { $text }
 limits-own-awaited = The own tables in { $folder } are still being read
 limits-no-feature = { $callout } does not say whether the hole or the shaft is meant
 limits-other-feature = { $feature ->

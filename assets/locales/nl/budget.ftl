@@ -37,3 +37,4 @@ budget-warning-other-side = het gekalibreerde stuk van het budget is een { $cali
     }, en de andere zijde is gemeten
 budget-warning-other-expansion = { $contribution } van het budget heeft de uitzetting { $budget } · 10⁻⁶/K, en de waarde is gecorrigeerd met { $given }
 budget-warning-other-temperature = { $contribution } van het budget is voor een temperatuur { $budget } K van 20 °C, en de waarde is gecorrigeerd voor { $given } K
+budget-warning-recorded = { $text }

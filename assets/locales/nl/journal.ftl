@@ -12,6 +12,15 @@ journal-break-cut-off = het logboek eindigt met regel { $last }, en regel { $kno
 
 ## Entries
 journal-body-json = geen regel van een logboek: { $reason }
+journal-body-newer = gemaakt door een nieuwere Fitcheck: versie { $version } van het formaat, deze Fitcheck leest versies tot en met { $known }
+journal-body-too-large = geen regel van een logboek: { $bytes } bytes, hoogstens { $most } zijn toegestaan
+journal-body-too-long = { $field } heeft { $bytes } bytes, hoogstens { $most } zijn toegestaan
+journal-body-control = { $field } heeft het stuurteken { $code } als teken { $place }: teksten van een logboek zijn één regel zonder stuurtekens
+journal-body-empty = { $field } is leeg
+journal-body-too-many = { $field } heeft { $count } onderdelen, hoogstens { $most } zijn toegestaan
+journal-body-value = { $field } kan niet "{ $given }" zijn
+journal-body-contradiction = { $field } zegt iets anders dan de velden waaruit het volgt
+journal-check-judged-otherwise = geoordeeld als { $kept }, en dat blijft zo; deze versie van Fitcheck oordeelt { $now }
 
 ## The journal of a station
 store-missing = er is geen logboek op { $path }

@@ -30,6 +30,7 @@ source-file = bestand { $name }
 source-iso2768 = ISO 2768-1 klasse { $class }, boven { $over } tot en met { $to } mm
 source-callout = de passing zelf
 source-without-own = { $source }; eigen tabellen in { $folder } konden niet worden gelezen
+source-recorded = { $text }
 limits-own-awaited = De eigen tabellen in { $folder } worden nog gelezen
 limits-no-feature = { $callout } zegt niet of de boring of de as bedoeld is
 limits-other-feature = { $feature ->

@@ -16,6 +16,7 @@ mod deviations;
 mod exact;
 mod format;
 mod iso;
+mod journal_body;
 mod lathe;
 mod length;
 mod limits;
@@ -69,6 +70,7 @@ targets! {
     deviations "table"
     format "none"
     iso "iso"
+    journal_body "journal"
     lathe "din_plus"
     length "sizes"
     limits "sizes"

@@ -9,7 +9,7 @@ use crate::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use crate::control::cycle_status::cycle_window;
 use crate::control::mask::Mask;
 use crate::control::text::decode;
-use crate::journal::entry::FileRole;
+use crate::journal::entry::{CycleOrigin, FileRole};
 use crate::length::Unit;
 use crate::message::{Message, Say as _};
 use crate::probing::circle::Evaluation;
@@ -158,8 +158,18 @@ impl CyclesPage {
 
     /// Sends what the cycle says to the journal, where it judged something.
     fn keep(&self, run: &CycleRun, shared: &mut Shared) -> Option<u64> {
-        let check = cycle_check(run.cycle, run.found()?, run.is_simulated)?;
         let recorded = shared.workpiece.recorded.as_deref().filter(|_| self.from == ContactsFrom::Recorded);
+        let origin = match (self.from, recorded) {
+            (ContactsFrom::Recorded, recorded) => {
+                CycleOrigin::Contacts { file: recorded.map_or("", |recorded| recorded.name.as_str()).into() }
+            }
+            (ContactsFrom::Simulated, _) => {
+                let seed = shared.workpiece.form.simulation().map_or(0, |simulation| simulation.seed);
+                CycleOrigin::Workpiece { file: "".into(), seed }
+            }
+            (ContactsFrom::Perfect, _) => CycleOrigin::Perfect,
+        };
+        let check = cycle_check(run.cycle, run.found()?, origin, None)?;
         let file = recorded.and_then(|recorded| used(FileRole::Measurements, &recorded.name, recorded.sha256));
         let files: Vec<_> = file.into_iter().collect();
         shared.recording.keep_cycles(vec![check], &files)

@@ -48,6 +48,8 @@ pub struct RecordRow {
     pub entry: Result<Entry, Message>,
     /// The entry that corrects it or takes it back.
     pub corrected_by: Option<u64>,
+    /// Whether the station's clock stood earlier than for the entry before it.
+    pub went_back: bool,
 }
 
 /// What a walk along the chain has found.

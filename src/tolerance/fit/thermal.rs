@@ -57,6 +57,11 @@ impl Expansion {
     /// The largest, 500 · 10⁻⁶/K.
     pub const MAX: Self = Self(500_000);
 
+    /// A coefficient of so many thousandths of 10⁻⁶/K; `None` out of range.
+    pub fn from_thousandths(thousandths: i32) -> Option<Self> {
+        Some(Self(thousandths)).filter(|found| (Self::MIN..=Self::MAX).contains(found))
+    }
+
     /// The coefficient in thousandths of 10⁻⁶/K.
     pub const fn thousandths(self) -> i32 {
         self.0
@@ -70,6 +75,11 @@ impl Temperature {
     pub const MIN: Self = Self(-273_150);
     /// The highest, 1000 °C.
     pub const MAX: Self = Self(1_000_000);
+
+    /// A temperature of so many thousandths of a degree Celsius; `None` out of range.
+    pub fn from_thousandths(thousandths: i32) -> Option<Self> {
+        Some(Self(thousandths)).filter(|found| (Self::MIN..=Self::MAX).contains(found))
+    }
 
     /// The temperature in thousandths of a degree Celsius.
     pub const fn thousandths(self) -> i32 {

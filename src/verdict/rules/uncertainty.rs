@@ -64,6 +64,18 @@ impl Uncertainty {
         Self { k, ..self }
     }
 
+    /// A standard uncertainty in picometres with its coverage factor in thousandths, as records keep it; `None` where it is not
+    /// above zero or beyond what a length can hold, or the factor is not from 1 to 10.
+    pub fn of_picometres(pm: i64, k: u32) -> Option<Self> {
+        let is_one = (1..=Length::MAX.nanometres()).contains(&pm) && (1_000..=MOST_K).contains(&k);
+        is_one.then_some(Self { pm, k })
+    }
+
+    /// The standard uncertainty in picometres and the coverage factor in thousandths: both exactly.
+    pub const fn picometres(self) -> (i64, u32) {
+        (self.pm, self.k)
+    }
+
     /// A coverage factor as text, in thousandths.
     ///
     /// # Errors

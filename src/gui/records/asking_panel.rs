@@ -1,0 +1,95 @@
+//! Above: the question, the words of it that have a button, and how many records answer it.
+
+use eframe::egui::{Key, Label, RichText, Ui, vec2};
+
+use super::list;
+use crate::gui::check::grouped;
+use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::theme::{self, control, palette, sizes, space};
+use crate::gui::view::{View, problem, quiet};
+use crate::message::Message;
+use crate::report::RENDERINGS;
+use crate::session::records::{LeftOut, Shorthand};
+use crate::session::{Action, Field, RecordsField};
+
+/// The question, and what comes of it.
+pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.spacing_mut().item_spacing.y = space(1.0);
+    ui.horizontal_wrapped(|ui| {
+        let name = ui.label(view.text("records-page-question"));
+        let width = (ui.available_width() - space(4.0)).min(space(110.0));
+        let look = Look { font: theme::font(sizes().body), ..Look::large(width) };
+        let asked = field_ui(ui, view, RecordsField::Question, name.id, look);
+        let left = asked.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
+        // What lies over the page takes Escape first.
+        if left && !view.session.can(Action::Close) {
+            view.send(Field::from(RecordsField::Question).typed(String::new()));
+            ui.memory_mut(|memory| memory.request_focus(list::id()));
+        }
+        asked.on_hover_text(view.text("records-page-help"));
+        for action in Shorthand::ALL.map(Action::AskRecords) {
+            let button = view.named(action).selected(action.is_on(view.session) == Some(true));
+            view.button_as(ui, action, button.min_size(vec2(0.0, control(ui))));
+        }
+        count_ui(ui, view);
+    });
+    error_ui(ui, view, RecordsField::Question);
+    let help = RichText::new(view.text("records-page-help")).size(sizes().small).color(palette(ui.ctx()).quiet.0);
+    // The line is there in any case; what has no room shows under the pointer.
+    ui.add(Label::new(help).truncate());
+    chosen_ui(ui, view);
+}
+
+/// How many records there are, as far as that is known.
+fn count_ui(ui: &mut Ui, view: &View<'_>) {
+    let listing = view.session.records().listing();
+    let count = listing.count();
+    let number = grouped(u64::try_from(count).unwrap_or(u64::MAX));
+    let id = match (listing.is_stale(), listing.is_whole()) {
+        (true, _) => "records-page-looking",
+        (false, true) => "records-page-count",
+        (false, false) => "records-page-more",
+    };
+    let said = Message::new(id).count("many", count).text("count", number);
+    quiet(ui, view.words.say(&said));
+    if let Some(why) = listing.unread() {
+        problem(ui, view.words.say(&Message::new("records-page-unread").message("why", why.clone())));
+    }
+}
+
+/// The chosen records, and what a report of them leaves out.
+fn chosen_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let page = view.session.records();
+    let (count, simulated) = (page.chosen_count(), page.chosen_simulated());
+    if count == 0 {
+        return;
+    }
+    let LeftOut { simulated: without, replaced, cycles, unread } = page.left_out();
+    ui.horizontal_wrapped(|ui| {
+        quiet(ui, view.words.say(&Message::new("records-page-chosen").count("count", count)));
+        let can_report = view.session.can(Action::ReportRecords(0));
+        ui.add_enabled_ui(can_report, |ui| {
+            ui.menu_button(view.text("records-page-report"), |ui| {
+                for number in 0..RENDERINGS.len() {
+                    view.menu_item(ui, Action::ReportRecords(number));
+                }
+            });
+        });
+        for action in [Action::CopyRecords, Action::ChooseNoRecords] {
+            view.field_button(ui, action);
+        }
+        if 0 < simulated {
+            view.checkbox(ui, Action::WithSimulated);
+        }
+        for (id, count) in [
+            ("records-page-out-simulated", without),
+            ("records-page-out-replaced", replaced),
+            ("records-page-out-cycles", cycles),
+            ("records-page-out-unread", unread),
+        ] {
+            if 0 < count {
+                quiet(ui, view.words.say(&Message::new(id).count("count", count)));
+            }
+        }
+    });
+}

@@ -1,0 +1,596 @@
+//! Entries of a journal as bytes: what is written reads back as the same, what is no entry is refused with its field, and the
+//! golden bodies in `tests/data/journal` never change.
+
+use std::path::Path;
+use std::sync::Arc;
+
+use fitcheck::budget::{BudgetWarning, Provenance, Validity};
+use fitcheck::journal::Record;
+use fitcheck::journal::body::{self, BodyError, read, write};
+use fitcheck::journal::chain::{ChainId, Hash, Head, entry_hash};
+use fitcheck::journal::entry::{
+    About, Begin, Check, CheckRemark, Checked, Compared, Content, Correction, CycleCheck, CycleOrigin, Entry, FileRole,
+    Moment, UsedFile,
+};
+use fitcheck::length::Length;
+use fitcheck::probing::{Circle, Contact, Measurement, Origin, measure_contacts};
+use fitcheck::tolerance::fit::thermal::{self, Warm};
+use fitcheck::tolerance::{Base, Callout, Feature, Limits, Source, Sources};
+use fitcheck::verdict::rules::{Given, Prover, RuleName, Uncertainty};
+use fitcheck::verdict::{AxisPosition, Doubt, PositionVerdict, Rule, Status};
+use jiff::civil::date;
+use proptest::prelude::*;
+use proptest::sample::select;
+
+fn mm(text: &str) -> Length {
+    text.parse().unwrap()
+}
+
+fn nm(nm: i64) -> Length {
+    Length::from_nanometres(nm).unwrap()
+}
+
+pub fn about() -> About {
+    About {
+        station: "Mill 3".to_owned(),
+        time: Moment { utc_ms: 1_795_435_200_123, offset_min: 60, zone: "Europe/Amsterdam".to_owned() },
+        who: "Anna".to_owned(),
+        part: "Flange".to_owned(),
+        serial: "17-0042".to_owned(),
+        feature: "B1".to_owned(),
+        remark: "after the second cut, Ø \"fine\"".to_owned(),
+    }
+}
+
+/// A typed bore of 25 H7.
+pub fn bore(measured: &str) -> Record {
+    let callout: Callout = "25 H7".parse().unwrap();
+    let limits = Sources::default().limits(&callout, None).unwrap();
+    let measurement = Measurement::of_diameter(mm(measured), Origin::Typed);
+    Record::judged(date(2026, 11, 23).at(13, 0, 0, 0), "B1".to_owned(), Some(callout), limits, measurement, None)
+}
+
+fn of_record(record: Record) -> Entry {
+    let check = Check { what: Checked::Size(Arc::new(record)), files: Vec::new(), corrects: None };
+    Entry { about: about(), content: Content::Check(Box::new(check)) }
+}
+
+fn written(entry: &Entry) -> String {
+    String::from_utf8(write(entry).unwrap()).unwrap()
+}
+
+#[track_caller]
+fn refused(body: &str) -> BodyError {
+    read(body.as_bytes()).unwrap_err()
+}
+
+// ---- whatever a record holds ----
+
+const NAMES: [&str; 6] = ["", "B1", "Ø 25 \"left\" \\ right", "\u{202e}evil", "名前", "'; DROP TABLE entry; --"];
+
+fn any_name() -> impl Strategy<Value = String> {
+    prop_oneof![select(NAMES.as_slice()).prop_map(str::to_owned), "\\PC{0,12}"]
+}
+
+fn any_length(most: i64) -> impl Strategy<Value = Length> {
+    (-most..=most).prop_map(nm)
+}
+
+fn any_about() -> impl Strategy<Value = About> {
+    let time = (-377_705_023_201_000..253_402_207_200_999_i64, -1559..1559_i32, any_name());
+    let time = time.prop_map(|(utc_ms, offset_min, zone)| Moment { utc_ms, offset_min, zone });
+    let texts = (any_name(), any_name(), any_name(), any_name(), any_name(), any_name());
+    (time, texts).prop_map(|(time, (station, who, part, serial, feature, remark))| About {
+        station,
+        time,
+        who,
+        part,
+        serial,
+        feature,
+        remark,
+    })
+}
+
+/// Callouts with limits from the standard, the control's tables, the callout itself and a file.
+fn any_limits() -> impl Strategy<Value = (Option<Callout>, Limits)> {
+    let callouts =
+        ["25 H7", "25 h6", "8 JS5", "20 EF7", "600 h4", "10m", "12 ±0.02", "12.01/11.985", "0.5 +0.01 -0.015"];
+    let of_sources = (select(callouts.to_vec()), select([Feature::Hole, Feature::Shaft].as_slice()), any::<bool>());
+    let of_sources = of_sources.prop_map(|(text, feature, control)| {
+        let callout: Callout = text.parse().unwrap();
+        let control = control && ["25 H7", "25 h6"].contains(&text);
+        let base = if control { Base::ControlTables } else { Base::Iso286 };
+        let sources = Sources::default().with_base(base, fitcheck::control::shipped_tables);
+        (Some(callout), sources.limits(&callout, callout.feature().or(Some(feature))).unwrap())
+    });
+    let of_file = Just(()).prop_map(|()| {
+        let limits = bore("25").limits;
+        let source = Source::File("log.txt".into());
+        (None, Limits::new(limits.feature, limits.nominal, limits.deviations, source).unwrap())
+    });
+    prop_oneof![6 => of_sources, 1 => of_file]
+}
+
+fn any_contacts() -> impl Strategy<Value = Vec<Contact>> {
+    let noise = || prop_oneof![-0.01..0.01_f64, Just(0.0), Just(-0.0), Just(1e-17), Just(1.0 / 3.0 * 1e-3)];
+    proptest::collection::vec((noise(), noise(), -50.0..50.0_f64), 3..8).prop_map(|noise| {
+        let count = f64::from(u32::try_from(noise.len()).unwrap());
+        let places = (0_u32..).zip(noise).map(|(number, (dx, dy, z))| {
+            let angle = f64::from(number) / count * std::f64::consts::TAU;
+            Contact { x: 12.5 * angle.cos() + dx, y: 12.5 * angle.sin() + dy, z }
+        });
+        places.collect()
+    })
+}
+
+fn any_measurement() -> impl Strategy<Value = Measurement> {
+    let origin = prop_oneof![
+        Just(Origin::Typed),
+        (any::<u16>(), any::<u64>()).prop_map(|(cycle, seed)| Origin::Simulated { cycle, seed }),
+        Just(Origin::Contacts { file: "contacts.csv".into() }),
+        Just(Origin::Imported { file: "log.txt".into() }),
+        Just(Origin::ImportedSimulation { file: "lot 2.csv".into() }),
+    ];
+    let plain = (1..1_000_000_000_i64).prop_map(|size| Measurement::of_diameter(nm(size), Origin::Typed));
+    let near = (-40_000..40_000_i64).prop_map(|off| Measurement::of_diameter(nm(25_000_000 + off), Origin::Typed));
+    let round = any_contacts().prop_map(|contacts| measure_contacts(&contacts, Origin::Typed).unwrap());
+    let centred = (any_length(1_000_000), any_length(1_000_000)).prop_map(|(x, y)| Measurement {
+        centre: Some([x, y]),
+        ..Measurement::of_diameter(mm("25.01"), Origin::Typed)
+    });
+    let any = prop_oneof![1 => plain, 3 => near, 2 => round, 1 => centred];
+    (any, origin).prop_map(|(measurement, origin)| Measurement { origin, ..measurement })
+}
+
+fn any_rule() -> impl Strategy<Value = Rule> {
+    let uncertainty =
+        (1..5_000_000_i64, 1_000..10_000_u32).prop_map(|(pm, k)| Uncertainty::of_picometres(pm, k).unwrap());
+    let given = (
+        proptest::option::weighted(0.8, uncertainty),
+        proptest::option::of(0..5_000_u32),
+        proptest::option::of(any_length(20_000)),
+        select([Prover::Supplier, Prover::Customer].as_slice()),
+    );
+    (select(RuleName::ALL.as_slice()), given).prop_map(|(name, (uncertainty, factor, width, prover))| {
+        let factor = factor.filter(|_| name.takes_factor());
+        let width = width.filter(|_| name.takes_width());
+        let prover = if name.takes_prover() { prover } else { Prover::Supplier };
+        Rule::new(name, Given { uncertainty, factor, width, prover }).unwrap_or(Rule::SIMPLE)
+    })
+}
+
+fn any_budget() -> impl Strategy<Value = Provenance> {
+    let day = || (2020..2030_i16, 1..12_i8, 1..28_i8).prop_map(|(year, month, day)| date(year, month, day));
+    let validity = select([Validity::Valid, Validity::Expired, Validity::NotYet].as_slice());
+    (any_name(), any_name(), day(), day(), validity, any::<bool>(), any::<bool>()).prop_map(
+        |(name, by, date, valid_until, validity, counts_contacts, is_off)| {
+            let mut warnings = match validity {
+                Validity::Valid => Vec::new(),
+                Validity::Expired => vec![BudgetWarning::Expired { until: valid_until.to_string() }],
+                Validity::NotYet => vec![BudgetWarning::NotYet { date: date.to_string() }],
+            };
+            if is_off {
+                warnings.push(BudgetWarning::FewReadings { readings: 5, fewest: 20 });
+            }
+            Provenance { name, date, by, valid_until, counts_contacts, validity, warnings }
+        },
+    )
+}
+
+fn any_correction() -> impl Strategy<Value = (Warm, Option<Warm>)> {
+    let warm = || {
+        (-20_000..500_000_i32, -273_150..1_000_000_i32).prop_map(|(expansion, temperature)| Warm {
+            expansion: thermal::Expansion::from_thousandths(expansion).unwrap(),
+            temperature: thermal::Temperature::from_thousandths(temperature).unwrap(),
+        })
+    };
+    (warm(), proptest::option::of(warm()))
+}
+
+fn any_position() -> impl Strategy<Value = PositionVerdict> {
+    let axis = || {
+        (any_length(200_000), proptest::option::of((0..200_000_i64).prop_map(nm)))
+            .prop_map(|(deviation, tolerance)| AxisPosition { deviation, tolerance })
+    };
+    (axis(), axis()).prop_map(|(one, other)| PositionVerdict { axes: [one, other] })
+}
+
+fn any_record() -> impl Strategy<Value = Record> {
+    let time = (0..2_000_000_i64).prop_map(|minutes| {
+        date(2026, 1, 1).at(0, 0, 7, 0).checked_add(jiff::SignedDuration::from_mins(minutes)).unwrap()
+    });
+    let beside = (
+        proptest::option::of(any_position()),
+        proptest::option::of(any_correction()),
+        proptest::option::of(any_budget()),
+    );
+    ((time, any_name()), any_limits(), any_measurement(), any_rule(), beside).prop_map(
+        |((time, id), (callout, limits), measurement, rule, (position, correction, budget))| {
+            let measured = measurement.diameter;
+            let record = Record::judged(time, id, callout, limits, measurement, position);
+            let record = match correction {
+                Some((part, scale)) => record.corrected(thermal::Correction::new(measured, part, scale)),
+                None => record,
+            };
+            match budget {
+                Some(budget) => record.by_budget(rule, Arc::new(budget)),
+                None => record.by(rule),
+            }
+        },
+    )
+}
+
+fn any_cycle() -> impl Strategy<Value = CycleCheck> {
+    let origin = prop_oneof![
+        Just(CycleOrigin::Perfect),
+        (any_name(), any::<u64>()).prop_map(|(file, seed)| CycleOrigin::Workpiece { file: file.into(), seed }),
+        any_name().prop_map(|file| CycleOrigin::Contacts { file: file.into() }),
+    ];
+    let figure = || (any_name(), any_length(1_000_000_000));
+    let compared = (any_name(), any_length(99), any_length(99), any_length(99), select(Status::ALL.as_slice()));
+    let compared = compared.prop_map(|(what, measured, minimum, maximum, status)| Compared {
+        what,
+        measured,
+        minimum,
+        maximum,
+        status,
+    });
+    let lists = (
+        proptest::collection::vec((any_name(), any_name()), 0..4),
+        proptest::collection::btree_map(any_name(), figure().prop_map(|(_, length)| length), 0..4),
+        proptest::collection::vec(compared, 0..3),
+    );
+    let answer = (
+        proptest::option::of((0..100_i64, 0..100_i64).prop_map(|(one, more)| [nm(one), nm(one + more)])),
+        proptest::option::of(any_length(1_000)),
+        proptest::option::of(select(Status::ALL.as_slice())),
+        proptest::option::of((any_name(), 0..100_000_u64)),
+    );
+    ((any::<u16>(), origin, any_contacts()), lists, answer).prop_map(
+        |((cycle, origin, contacts), (parameters, figures, compared), (limits, measured, status, block))| CycleCheck {
+            cycle,
+            parameters,
+            origin,
+            contacts,
+            figures,
+            compared,
+            limits,
+            measured,
+            status,
+            block,
+        },
+    )
+}
+
+fn any_head() -> impl Strategy<Value = Head> {
+    (1..1_u64 << 53, any::<[u8; 32]>()).prop_map(|(number, hash)| Head { number, hash: Hash(hash) })
+}
+
+fn any_content() -> impl Strategy<Value = Content> {
+    let correction = || (any_head(), "[a-zé ]{0,9}x").prop_map(|(target, reason)| Correction { target, reason });
+    let begin = (any::<[u8; 16]>(), any_name(), proptest::option::of((any::<[u8; 16]>(), any_head())));
+    let begin = begin.prop_map(|(chain, program, after)| Begin {
+        chain: ChainId(chain),
+        program,
+        after: after.map(|(chain, head)| (ChainId(chain), head)),
+    });
+    let what = prop_oneof![
+        3 => any_record().prop_map(|record| Checked::Size(Arc::new(record))),
+        1 => any_cycle().prop_map(|cycle| Checked::Cycle(Box::new(cycle))),
+    ];
+    let file = (select(FileRole::ALL.as_slice()), any_name(), any::<[u8; 32]>());
+    let file = file.prop_map(|(role, name, sha256)| UsedFile { role, name: name.into(), sha256: Hash(sha256) });
+    let check = (what, proptest::collection::vec(file, 0..3), proptest::option::of(correction()));
+    let check = check.prop_map(|(what, files, corrects)| Check { what, files, corrects });
+    prop_oneof![
+        1 => begin.prop_map(Content::Begin),
+        1 => correction().prop_map(Content::Withdrawal),
+        8 => check.prop_map(|check| Content::Check(Box::new(check))),
+    ]
+}
+
+/// The same entry with the warnings of its budget as texts, as far as nothing else is kept of them.
+fn as_kept(mut entry: Entry) -> Entry {
+    if let Content::Check(check) = &mut entry.content
+        && let Checked::Size(record) = &mut check.what
+    {
+        let record = Arc::make_mut(record);
+        if let Some(budget) = &mut record.budget {
+            for warning in &mut Arc::make_mut(budget).warnings {
+                if !warning.is_about_validity() {
+                    *warning = BudgetWarning::Recorded { text: warning.to_string() };
+                }
+            }
+        }
+        // Where the file of the limits is not the file of the value, the text remains.
+        if let Source::File(_) = &record.limits.source
+            && !matches!(&record.measurement.origin, Origin::Imported { file } if &**file == "log.txt")
+        {
+            let text = record.limits.source.with_difference().into();
+            record.limits.source = Source::Recorded { text, range: None };
+        }
+    }
+    entry
+}
+
+/// Every number of a body is whole and exact wherever JSON is read.
+fn has_whole_numbers(value: &serde_json::Value) -> bool {
+    match value {
+        serde_json::Value::Number(number) => number.as_i64().is_some_and(|number| number.unsigned_abs() <= 1 << 53),
+        serde_json::Value::Array(list) => list.iter().all(has_whole_numbers),
+        serde_json::Value::Object(object) => object.values().all(has_whole_numbers),
+        _ => true,
+    }
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig { cases: 1_000, ..ProptestConfig::default() })]
+
+    #[test]
+    fn what_is_written_reads_back_as_the_same(about in any_about(), content in any_content()) {
+        let entry = Entry { about, content };
+        let bytes = write(&entry).unwrap();
+        let found = read(&bytes).unwrap();
+        prop_assert_eq!(&found, &as_kept(entry));
+        prop_assert_eq!(write(&found).unwrap(), &bytes[..]);
+        let json: serde_json::Value = serde_json::from_slice(&bytes).unwrap();
+        prop_assert!(has_whole_numbers(&json), "{}", json);
+        prop_assert_eq!(&bytes[..15], b"{\"v\":1,\"kind\":\"");
+        // What this version wrote, it decides the same.
+        prop_assert_eq!(found.check().and_then(Check::remark), None);
+    }
+
+    #[test]
+    fn changed_bytes_are_another_entry_or_refused(
+        content in any_content(),
+        changes in proptest::collection::vec((any::<proptest::sample::Index>(), any::<u8>()), 1..4),
+    ) {
+        let mut bytes = write(&Entry { about: about(), content }).unwrap();
+        for (at, byte) in changes {
+            let at = at.index(bytes.len());
+            bytes[at] = byte;
+        }
+        if let Ok(found) = read(&bytes) {
+            let again = write(&found).unwrap();
+            prop_assert_eq!(read(&again).unwrap(), found);
+        }
+    }
+}
+
+// ---- texts ----
+
+#[test]
+fn a_text_with_a_control_character_is_refused_with_its_field() {
+    for (text, code, place) in
+        [("a\nb", "U+000A", 2), ("\0", "U+0000", 1), ("ab\u{7f}", "U+007F", 3), ("\u{85}", "U+0085", 1)]
+    {
+        let entry = Entry { about: About { who: text.to_owned(), ..about() }, ..of_record(bore("25.01")) };
+        let wanted = BodyError::Control { field: "about.who", code: code.to_owned(), place };
+        assert_eq!(write(&entry), Err(wanted));
+    }
+    // The same where somebody else wrote it.
+    let body = written(&of_record(bore("25.01"))).replace("Anna", "An\\nna");
+    assert_eq!(refused(&body), BodyError::Control { field: "about.who", code: "U+000A".to_owned(), place: 3 });
+    assert_eq!(
+        refused(&body).to_string(),
+        "about.who has the control character U+000A as its character 3: texts of a journal are one line without control characters"
+    );
+}
+
+#[test]
+fn a_text_may_be_as_long_as_it_may_be_and_a_byte_longer_is_refused() {
+    let with = |name: usize, remark: usize| {
+        let about = About { serial: "é".repeat(name / 2), remark: "r".repeat(remark), ..about() };
+        write(&Entry { about, ..of_record(bore("25.01")) })
+    };
+    assert!(with(1_024, 65_536).is_ok());
+    assert_eq!(with(1_026, 0), Err(BodyError::TooLong { field: "about.serial", bytes: 1_026, most: 1_024 }));
+    assert_eq!(with(0, 65_537), Err(BodyError::TooLong { field: "about.remark", bytes: 65_537, most: 65_536 }));
+}
+
+#[test]
+fn ten_megabytes_of_text_are_refused_in_both_directions() {
+    let entry = Entry { about: About { part: "x".repeat(10 << 20), ..about() }, ..of_record(bore("25.01")) };
+    assert!(matches!(write(&entry), Err(BodyError::TooLong { field: "about.part", .. })));
+    let body = written(&of_record(bore("25.01"))).replace("Flange", &"x".repeat(10 << 20));
+    assert!(matches!(refused(&body), BodyError::TooLong { field: "about.part", .. }));
+    assert!(matches!(read(&vec![b' '; body::LONGEST + 1]), Err(BodyError::TooLarge { .. })));
+}
+
+#[test]
+fn a_reason_is_never_empty() {
+    let withdrawal = |reason: &str| {
+        let target = Head { number: 2, hash: Hash([1; 32]) };
+        let content = Content::Withdrawal(Correction { target, reason: reason.to_owned() });
+        write(&Entry { about: about(), content })
+    };
+    assert!(withdrawal("wrong part").is_ok());
+    assert_eq!(withdrawal(" \u{a0} "), Err(BodyError::Empty { field: "withdrawal.reason" }));
+}
+
+#[test]
+fn a_contact_that_is_no_number_is_not_kept() {
+    let mut record = bore("25.01");
+    record.measurement.contacts = vec![Contact { x: f64::NAN, y: 0.0, z: 0.0 }];
+    let wanted = BodyError::Value { field: "check.size.measurement.contacts_mm", given: "NaN".to_owned() };
+    assert_eq!(write(&of_record(record)), Err(wanted));
+}
+
+// ---- bytes that are no entry ----
+
+/// A body of a good bore with one text replaced by another one.
+fn changed(from: &str, to: &str) -> BodyError {
+    let body = written(&of_record(bore("25.01")));
+    assert!(body.contains(from), "{body}");
+    refused(&body.replacen(from, to, 1))
+}
+
+#[track_caller]
+fn check_value(from: &str, to: &str, field: &str) {
+    let found = changed(from, to);
+    assert!(matches!(&found, BodyError::Value { field: at, .. } if *at == field), "{found:?}");
+}
+
+#[test]
+fn numbers_out_of_range_are_refused_with_their_field() {
+    check_value("\"utc_ms\":1795435200123", "\"utc_ms\":253402207201000", "about.time.utc_ms");
+    check_value("\"offset_min\":60", "\"offset_min\":-1560", "about.time.offset_min");
+    check_value("\"nominal_nm\":25000000", "\"nominal_nm\":1000000000000001", "check.size.limits.nominal_nm");
+    check_value("\"diameter_nm\":25010000", "\"diameter_nm\":9007199254740993", "check.size.measurement.diameter_nm");
+    check_value("\"u_pm\":null,\"k_thousandths\":null", "\"u_pm\":0,\"k_thousandths\":2000", "check.size.rule.u_pm");
+    check_value("\"u_pm\":null,\"k_thousandths\":null", "\"u_pm\":5,\"k_thousandths\":999", "check.size.rule.u_pm");
+    check_value("\"name\":\"simple\"", "\"name\":\"simplest\"", "check.size.rule.name");
+    check_value("\"name\":\"simple\"", "\"name\":\"ilac-g8\"", "check.size.rule");
+    check_value("\"callout\":\"25 H7\"", "\"callout\":\"25 H7 \"", "check.size.callout");
+    check_value("\"local_time\":\"2026-11-23T13:00:00\"", "\"local_time\":\"2026-11-23\"", "check.size.local_time");
+    for number in ["25010000.0", "2.501e7", "\"25010000\"", "-0", "1e400", "99999999999999999999", "true", "null"] {
+        assert!(matches!(
+            changed("\"diameter_nm\":25010000", &format!("\"diameter_nm\":{number}")),
+            BodyError::Json { .. }
+        ));
+    }
+}
+
+#[test]
+fn what_contradicts_itself_is_refused() {
+    let contradiction = |from, to, field| assert_eq!(changed(from, to), BodyError::Contradiction { field });
+    contradiction("\"min_nm\":25000000", "\"min_nm\":25000001", "check.size.limits.min_nm");
+    contradiction("\"max_nm\":25021000", "\"max_nm\":25020999", "check.size.limits.max_nm");
+    contradiction("\"upper_nm\":21000", "\"upper_nm\":-1", "check.size.limits.upper_nm");
+    contradiction("\"status\":\"GOOD\"", "\"status\":\"SCRAP\"", "check.status");
+    contradiction("\"simulated\":false", "\"simulated\":true", "check.simulated");
+    contradiction("\"kind\":\"check\"", "\"kind\":\"begin\"", "kind");
+    contradiction("\"to_limit_nm\":null", "\"to_limit_nm\":5", "check.size.verdict.to_middle_nm");
+}
+
+#[test]
+fn an_unknown_field_is_an_error_in_this_version_and_a_later_version_says_that_it_is_one() {
+    assert!(matches!(changed("\"who\"", "\"whom\""), BodyError::Json { .. }));
+    assert!(matches!(changed("\"files\":[]", "\"files\":[],\"colour\":1"), BodyError::Json { .. }));
+    assert!(matches!(changed("{\"kind\":\"typed\"}", "{\"kind\":\"typed\",\"by\":1}"), BodyError::Json { .. }));
+    assert_eq!(changed("{\"v\":1,", "{\"v\":2,\"colour\":{},"), BodyError::Newer { version: 2 });
+    assert_eq!(
+        refused("{\"v\":7}").to_string(),
+        "made by a newer Fitcheck: version 7 of the format, this Fitcheck reads versions up to 1"
+    );
+    assert_eq!(refused("{\"v\":0}"), BodyError::Value { field: "v", given: "0".to_owned() });
+    for text in ["", "{}", "null", "[1]", "{\"v\":-1}", "{\"v\":1.0}", "{\"v\":1}", "{\"v\":1} x", "\u{feff}{\"v\":1}"]
+    {
+        assert!(matches!(refused(text), BodyError::Json { .. }), "{text}");
+    }
+    assert!(matches!(refused(&"[".repeat(1 << 20)), BodyError::Json { .. }));
+    assert!(matches!(read(b"{\"v\":1,\"kind\":\"\xff\"}"), Err(BodyError::Json { .. })));
+}
+
+// ---- what was decided stands ----
+
+#[test]
+fn another_status_than_today_is_kept_and_told() {
+    let body = written(&of_record(bore("25.01")));
+    let scrap =
+        body.replace("\"status\":\"GOOD\"", "\"status\":\"SCRAP\"").replace("\"size\":\"GOOD\"", "\"size\":\"SCRAP\"");
+    let entry = read(scrap.as_bytes()).unwrap();
+    let check = entry.check().unwrap();
+    assert_eq!(check.status(), Some(Status::Scrap));
+    let remark = check.remark().unwrap();
+    assert_eq!(remark, CheckRemark::JudgedOtherwise { kept: Status::Scrap, now: Status::Good });
+    assert_eq!(remark.to_string(), "decided as SCRAP, which stands; this version of Fitcheck decides GOOD");
+    assert_eq!(written(&entry), scrap);
+}
+
+#[test]
+fn a_source_that_is_gone_says_what_it_said() {
+    let body = written(&of_record(bore("25.01")));
+    let own = "table shop.tab, over 18 up to 30 mm, instead of 0 / +21 µm in ISO 286";
+    let body = body.replace("ISO 286, over 18 up to 30 mm", own);
+    let entry = read(body.as_bytes()).unwrap();
+    let Checked::Size(record) = &entry.check().unwrap().what else { panic!() };
+    assert_eq!(record.limits.source.to_string(), own);
+    assert_eq!(record.limits.source.range(), Some((mm("18"), mm("30"))));
+    assert_eq!(written(&entry), body);
+    // The standard's own text is the standard, so the window says it in its language.
+    let live = read(written(&of_record(bore("25.01"))).as_bytes()).unwrap();
+    let Checked::Size(record) = &live.check().unwrap().what else { panic!() };
+    assert!(matches!(record.limits.source, Source::Standard { .. }));
+}
+
+#[test]
+fn a_doubt_is_kept() {
+    for (measured, doubt) in
+        [("635", "times-inch"), ("0.985", "inches"), ("50", "double"), ("12.5", "half"), ("250.1", "decimal-sign")]
+    {
+        let record = bore(measured);
+        assert!(record.doubt.is_some());
+        let body = written(&of_record(record));
+        assert!(body.contains(&format!("\"doubt\":{{\"kind\":\"{doubt}\"")), "{body}");
+    }
+    let far = Record { doubt: Some(Doubt::Far { distance: mm("3") }), ..bore("25.01") };
+    let entry = of_record(far);
+    assert_eq!(read(&write(&entry).unwrap()).unwrap(), entry);
+}
+
+#[test]
+fn seeds_of_the_fuzzer_are_entries() {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus/journal_body");
+    for file in std::fs::read_dir(folder).unwrap() {
+        let path = file.unwrap().path();
+        let read = read(&std::fs::read(&path).unwrap());
+        assert_eq!(read.is_ok(), !path.ends_with("newer.json"), "{}: {read:?}", path.display());
+    }
+}
+
+// ---- golden bodies ----
+
+fn folder() -> std::path::PathBuf {
+    Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/journal")
+}
+
+/// A chain of three: its beginning, a check, and a check in its place.
+fn three(chain: ChainId) -> Vec<Vec<u8>> {
+    let begin = Begin { chain, program: "fitcheck 0.1.0".to_owned(), after: None };
+    let first = write(&Entry { about: about(), content: Content::Begin(begin) }).unwrap();
+    let u = Uncertainty::standard("1.2").unwrap();
+    let given = Given { uncertainty: Some(u), ..Given::default() };
+    let contacts: Vec<Contact> =
+        [[12.505, 0.0, -5.0], [0.1, 12.507, -5.0], [-12.503, 0.0, -5.0], [0.1, -12.5, -5.0]].map(Contact::at).to_vec();
+    // Whatever the last bit of a square root is elsewhere.
+    let circle = Circle { x: 0.001, y: 0.0035, diameter: 25.007_892_417_358_82 };
+    let measurement = Measurement::of_circle(circle, contacts, Origin::Contacts { file: "bore.csv".into() }).unwrap();
+    let bore = bore("25");
+    let record = Record::judged(bore.time, bore.id, bore.callout, bore.limits, measurement, None).by(Rule::new(
+        RuleName::Iso14253Of2017,
+        given,
+    )
+    .unwrap());
+    let file = UsedFile { role: FileRole::Measurements, name: "bore.csv".into(), sha256: Hash::of_file(b"x,y\n") };
+    let check = Check { what: Checked::Size(Arc::new(record)), files: vec![file], corrects: None };
+    let second = write(&Entry { about: about(), content: Content::Check(Box::new(check.clone())) }).unwrap();
+    let before = Head { number: 1, hash: entry_hash(chain, Head::default(), &first).unwrap() };
+    let target = Head { number: 2, hash: entry_hash(chain, before, &second).unwrap() };
+    let corrects = Some(Correction { target, reason: "the serial number was that of the next part".to_owned() });
+    let about = About { serial: "17-0043".to_owned(), ..about() };
+    let content = Content::Check(Box::new(Check { corrects, ..check }));
+    vec![first, second, write(&Entry { about, content }).unwrap()]
+}
+
+/// The hashes in the folder are those of `hashes.py` there, which shares no line with Fitcheck.
+#[test]
+fn golden_bodies_and_their_hashes_never_change() {
+    let chain: ChainId = "000102030405060708090a0b0c0d0e0f".parse().unwrap();
+    let bodies = three(chain);
+    if std::env::var_os("JOURNAL_GOLDEN").is_some_and(|value| value == "write") {
+        for (number, body) in (1..).zip(&bodies) {
+            fitcheck::files::write(&folder().join(format!("{number}.json")), body).unwrap();
+        }
+    }
+    let hashes = std::fs::read_to_string(folder().join("hashes.txt")).unwrap();
+    let mut head = Head::default();
+    for ((number, body), hash) in (1..).zip(&bodies).zip(hashes.lines()) {
+        let golden = std::fs::read(folder().join(format!("{number}.json"))).unwrap();
+        assert_eq!(String::from_utf8_lossy(body), String::from_utf8_lossy(&golden), "{number}.json");
+        assert_eq!(write(&read(&golden).unwrap()).unwrap(), golden, "{number}.json");
+        head = Head { number, hash: entry_hash(chain, head, &golden).unwrap() };
+        assert_eq!(format!("{number} {}", head.hash), hash);
+    }
+    assert_eq!(head.number, 3);
+}
