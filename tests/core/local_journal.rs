@@ -578,7 +578,11 @@ fn question() -> impl Strategy<Value = Question> {
 fn questions_find_what_a_look_at_every_entry_finds() {
     let (place, entries) = mixed();
     let reader = Reader::open(&place.path()).unwrap();
-    let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig { cases: 600, ..ProptestConfig::default() });
+    let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig {
+        cases: 600,
+        failure_persistence: None,
+        ..ProptestConfig::default()
+    });
 
     runner
         .run(&question(), |question| {

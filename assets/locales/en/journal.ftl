@@ -50,6 +50,6 @@ store-remark-replaced = { $path } is another journal than the one that was there
 store-remark-no-anchor = the last entry of this journal could not be kept in { $path }: { $reason }
 store-finding-altered = "{ $name }", which keeps entries from being changed, is missing or was changed
 store-finding-not-found = { $entries ->
-        [one] 1 entry is
-       *[other] { $entries } entries are
-    } not found by questions, or found without being there
+        [one] 1 entry is found by something else than what it says, or is not found
+       *[other] { $entries } entries are found by something else than what they say, or are not found
+    }

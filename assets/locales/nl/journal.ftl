@@ -50,6 +50,6 @@ store-remark-replaced = { $path } is een ander logboek dan dat er was; dat had {
 store-remark-no-anchor = de laatste regel van dit logboek kon niet worden bewaard in { $path }: { $reason }
 store-finding-altered = "{ $name }", dat regels tegen verandering beschermt, ontbreekt of is veranderd
 store-finding-not-found = { $entries ->
-        [one] 1 regel wordt
-       *[other] { $entries } regels worden
-    } door vragen niet gevonden, of gevonden zonder er te zijn
+        [one] 1 regel wordt niet gevonden, of door iets anders dan er staat
+       *[other] { $entries } regels worden niet gevonden, of door iets anders dan er staat
+    }

@@ -6,18 +6,21 @@
 //! | `wire` | the fields, in their order |
 //! | `write` | an entry as these fields |
 //! | `read` | an entry from these fields, each of them bounded and checked |
+//! | `brief` | what an entry is found by, without reading all of it |
 //! | `size` | a record from its fields: its limits, its rule, its verdict as it was given |
 //! | `texts` | what texts and numbers may be |
 //!
 //! Lengths are whole nanometres, uncertainties whole picometres, factors whole thousandths; coordinates of contacts, which are
 //! binary fractions, are texts that read back as the very same. So every program reads the same numbers, and none rounds.
 
+mod brief;
 mod read;
 mod size;
 mod texts;
 mod wire;
 mod write;
 
+pub use brief::found;
 use serde::Deserialize;
 
 use super::entry::Entry;

@@ -1,7 +1,7 @@
 //! Where an entry is found: its row of `find` and its words, and the questions that both answer.
 
 use rusqlite::types::Value;
-use rusqlite::{Connection, params};
+use rusqlite::{Connection, Row, params};
 
 use crate::journal::ask::Question;
 use crate::journal::found::{Found, Kind, folded, words_of};
@@ -34,6 +34,36 @@ pub(super) fn add(connection: &Connection, number: i64, found: &Found) -> rusqli
             .execute(params![number, found.words])?;
     }
     Ok(())
+}
+
+/// All rows, by number, as [`row`] reads them.
+pub(super) const ROWS: &str = "SELECT number, at, kind, status, simulated, part, serial, feature, callout, class, who, station, corrects \
+                               FROM find ORDER BY number";
+
+/// A row with its number. Words are not kept in it, only found.
+pub(super) fn row(row: &Row<'_>) -> rusqlite::Result<(i64, Found)> {
+    let place: Option<usize> = row.get::<_, Option<i64>>(3)?.map(|place| usize::try_from(place).unwrap_or(usize::MAX));
+    let found = Found {
+        kind: if row.get::<_, i64>(2)? == kind(Kind::Check) { Kind::Check } else { Kind::Withdrawal },
+        at_ms: row.get(1)?,
+        status: place.and_then(|place| Status::ALL.get(place)).copied(),
+        is_simulated: row.get(4)?,
+        part: row.get(5)?,
+        serial: row.get(6)?,
+        feature: row.get(7)?,
+        callout: row.get(8)?,
+        class: row.get(9)?,
+        who: row.get(10)?,
+        station: row.get(11)?,
+        corrects: row.get::<_, Option<i64>>(12)?.and_then(|number| u64::try_from(number).ok()),
+        words: String::new(),
+    };
+    Ok((row.get(0)?, found))
+}
+
+/// The same as a row of the table has it.
+pub(super) fn without_words(found: Found) -> Found {
+    Found { words: String::new(), ..found }
 }
 
 const fn kind(kind: Kind) -> i64 {

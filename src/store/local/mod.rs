@@ -39,7 +39,6 @@ use super::error::{StoreError, StoreRemark};
 use crate::journal::body;
 use crate::journal::chain::{ChainId, Hash, Head, entry_hash};
 use crate::journal::entry::{About, Begin, Content, Entry, Kept, Moment};
-use crate::journal::found::Found;
 
 /// The name of the file in the user's data folder.
 pub const FILE: &str = "journal.sqlite";
@@ -166,16 +165,14 @@ impl Journal {
     pub fn append(&mut self, entries: &[Entry]) -> Result<Vec<Kept>, StoreError> {
         let Self { path, connection, chain, .. } = self;
         // Written as bytes before the file is locked.
-        let bodies: Vec<(&Entry, Vec<u8>)> = entries
-            .iter()
-            .map(|entry| Ok((entry, body::write(entry).map_err(StoreError::Body)?)))
-            .collect::<Result<_, StoreError>>()?;
+        let bodies: Vec<Vec<u8>> =
+            entries.iter().map(body::write).collect::<Result<_, _>>().map_err(StoreError::Body)?;
         let failed = |error: rusqlite::Error| StoreError::of(path, &error);
         let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate).map_err(failed)?;
         let mut head = head_of(&transaction).map_err(failed)?;
         let mut kept = Vec::with_capacity(bodies.len());
-        for (entry, body) in bodies {
-            head = add(&transaction, path, (*chain, head), (entry, &body))?;
+        for body in bodies {
+            head = add(&transaction, path, (*chain, head), &body)?;
             kept.push(Kept { head, body: body.into() });
         }
         transaction.commit().map_err(failed)?;
@@ -252,7 +249,7 @@ fn add(
     connection: &Connection,
     path: &Path,
     (chain, before): (ChainId, Head),
-    (entry, body): (&Entry, &[u8]),
+    body: &[u8],
 ) -> Result<Head, StoreError> {
     let failed = |error: rusqlite::Error| StoreError::of(path, &error);
     let too_long = || StoreError::Database { path: path.to_owned(), reason: "an entry of four gigabytes".to_owned() };
@@ -263,7 +260,7 @@ fn add(
         .prepare_cached("INSERT INTO entry(number, body, hash) VALUES (?1, ?2, ?3)")
         .and_then(|mut insert| insert.execute(params![row, body, hash.0]))
         .map_err(failed)?;
-    if let Some(found) = Found::of(entry) {
+    if let Some(found) = body::found(body).map_err(StoreError::Body)? {
         finding::add(connection, row, &found).map_err(failed)?;
     }
     Ok(Head { number, hash })
@@ -296,5 +293,5 @@ fn begin(connection: &Connection, path: &Path, opening: &Opening, known: Option<
     connection
         .execute("INSERT INTO chain(name) VALUES (?1)", params![name])
         .map_err(|error| StoreError::of(path, &error))?;
-    add(connection, path, (chain, Head::default()), (&entry, &body)).map(drop)
+    add(connection, path, (chain, Head::default()), &body).map(drop)
 }

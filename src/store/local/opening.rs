@@ -40,16 +40,7 @@ pub(super) fn look(path: &Path) -> Result<State, StoreError> {
         }
         Err(error) => return Err(StoreError::system(path, &error)),
     }
-    let mut start = [0; 16];
-    let read = std::fs::File::open(path).and_then(|mut file| file.read_exact(&mut start));
-    match read {
-        Ok(()) if start == *MAGIC => {}
-        Ok(()) => return Err(StoreError::NotAJournal { path: path.to_owned() }),
-        Err(error) if error.kind() == std::io::ErrorKind::UnexpectedEof => {
-            return Err(StoreError::NotAJournal { path: path.to_owned() });
-        }
-        Err(error) => return Err(StoreError::system(path, &error)),
-    }
+    head(path)?;
     let connection = to_read(path)?;
     let failed = |error: rusqlite::Error| StoreError::of(path, &error);
     match version(&connection).map_err(failed)? {
@@ -61,6 +52,30 @@ pub(super) fn look(path: &Path) -> Result<State, StoreError> {
         (0, _) if is_bare(&connection).map_err(failed)? => Ok(State::Empty),
         _ => Err(StoreError::NotAJournal { path: path.to_owned() }),
     }
+}
+
+/// Reads the first bytes of a file as they lie, so that what is not ours is not even opened.
+fn head(path: &Path) -> Result<(), StoreError> {
+    let not_ours = || StoreError::NotAJournal { path: path.to_owned() };
+    let mut start = [0; 100];
+    match std::fs::File::open(path).and_then(|mut file| file.read_exact(&mut start)) {
+        Ok(()) => {}
+        Err(error) if error.kind() == std::io::ErrorKind::UnexpectedEof => return Err(not_ours()),
+        Err(error) => return Err(StoreError::system(path, &error)),
+    }
+    // <https://sqlite.org/fileformat.html>, section 1.3: user version and application id.
+    let number = |at: usize| {
+        let bytes = start.get(at..).and_then(|rest| rest.first_chunk()).copied().unwrap_or_default();
+        i64::from(u32::from_be_bytes(bytes))
+    };
+    let (version, application) = (number(60), number(68));
+    if !start.starts_with(MAGIC) || (application != APPLICATION && application != 0) {
+        return Err(not_ours());
+    }
+    if application == APPLICATION && VERSION < version {
+        return Err(StoreError::Newer { path: path.to_owned(), version, known: VERSION });
+    }
+    Ok(())
 }
 
 fn name(path: &Path) -> String {

@@ -7,7 +7,6 @@ use rusqlite::{Connection, Transaction, params};
 
 use super::finding;
 use crate::journal::body;
-use crate::journal::found::Found;
 
 /// What the file says it is: `Fitc` as a number.
 pub(super) const APPLICATION: i64 = 0x4669_7463;
@@ -90,7 +89,7 @@ pub(super) fn rebuild(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
     while let Some(row) = rows.next()? {
         let (number, bytes) = (row.get(0)?, row.get_ref(1)?.as_blob()?);
         // An entry of a newer program, or one that was changed, is kept and not found; the chain tells of the latter.
-        if let Some(found) = body::read(bytes).ok().and_then(|entry| Found::of(&entry)) {
+        if let Ok(Some(found)) = body::found(bytes) {
             finding::add(transaction, number, &found)?;
         }
     }

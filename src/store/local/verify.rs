@@ -1,22 +1,33 @@
-//! Whether every entry of a journal is the one that was written.
+//! Whether every entry of a journal is the one that was written, and is found as it says.
+//!
+//! One thread reads and hashes, another one compares what entries are found by: both take about as long.
 
 use std::ops::ControlFlow;
 use std::path::Path;
+use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
+use std::thread;
 
-use rusqlite::Connection;
+use rusqlite::{Connection, OptionalExtension as _};
 
-use super::{opening, reader, schema};
-use crate::journal::chain::{Hash, Head};
+use super::{finding, opening, reader, schema};
+use crate::journal::body;
+use crate::journal::chain::{ChainId, Hash, Head, entry_hash};
+use crate::journal::entry::Kept;
 use crate::journal::inspection::{Inspected, Inspection};
 use crate::message::Say;
 use crate::store::error::StoreError;
 
 /// After how many entries the progress is told.
 const STEP: u64 = 10_000;
+/// So many entries are handed over at once, and so often ahead.
+const BLOCK: usize = 500;
+const AHEAD: usize = 4;
 
 /// What was found in a journal.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Verified {
+    /// The name of its chain.
+    pub chain: ChainId,
     /// The chain.
     pub inspected: Inspected,
     /// What is wrong with the file around it.
@@ -39,7 +50,7 @@ pub enum Finding {
         /// The trigger or table.
         name: String,
     },
-    /// Questions do not find every entry, or find one that is not there.
+    /// Questions find entries by something else than what they say, or do not find them.
     NotFound {
         /// How many entries.
         entries: u64,
@@ -60,38 +71,110 @@ pub fn verify(
         let path = path.to_owned();
         return Err(if path.exists() { StoreError::NotAJournal { path } } else { StoreError::Missing { path } });
     }
-    let connection = opening::to_read(path)?;
+    let (connection, finds) = (opening::to_read(path)?, opening::to_read(path)?);
     let failed = |error: rusqlite::Error| StoreError::of(path, &error);
-    let chain = reader::chain_of(&connection, path)?;
+    let mut findings = Vec::new();
+    findings.extend(schema::altered(&connection).map_err(failed)?.map(|name| Finding::Altered { name }));
+    let chain = chain_of(&connection, path, &mut findings)?;
     let mut inspection = Inspection::new(chain, known);
-    // One moment of a journal that is in use.
-    let transaction = connection.unchecked_transaction().map_err(failed)?;
-    let (all, not_found) = counts(&transaction).map_err(failed)?;
-    let walk = || -> rusqlite::Result<Option<Inspected>> {
-        let mut entries = transaction.prepare("SELECT number, body, hash FROM entry ORDER BY number")?;
-        let mut rows = entries.query([])?;
-        let mut done = 0_u64;
-        while let Some(row) = rows.next()? {
-            let hash = Hash(row.get(2)?);
-            inspection.see(reader::natural(row.get(0)?), row.get_ref(1)?.as_blob()?, hash);
-            done = done.saturating_add(1);
-            if done.is_multiple_of(STEP) && progress(done, all).is_break() {
-                return Ok(None);
-            }
-        }
-        Ok(Some(inspection.finish()))
-    };
-    let inspected = walk().map_err(failed)?.ok_or(StoreError::Interrupted)?;
-    let altered = schema::altered(&transaction).map_err(failed)?.map(|name| Finding::Altered { name });
-    let not_found = (0 < not_found).then_some(Finding::NotFound { entries: not_found });
-    Ok(Verified { inspected, findings: altered.into_iter().chain(not_found).collect() })
+    let (sender, receiver) = sync_channel(AHEAD);
+    let (walked, not_found) = thread::scope(|scope| {
+        let comparing = thread::Builder::new()
+            .name("verify".to_owned())
+            .spawn_scoped(scope, move || compared(&finds, &receiver))
+            .map_err(|error| StoreError::system(path, &error))?;
+        let walked = walk(&connection, &mut inspection, &sender, progress).map_err(failed);
+        drop(sender);
+        let not_found = comparing.join().map_err(|_panicked| StoreError::Interrupted)?.map_err(failed);
+        Ok::<_, StoreError>((walked?, not_found?))
+    })?;
+    if walked.is_break() {
+        return Err(StoreError::Interrupted);
+    }
+    findings.extend((0 < not_found).then_some(Finding::NotFound { entries: not_found }));
+    Ok(Verified { chain, inspected: inspection.finish(), findings })
 }
 
-/// How many entries there are, and how many of them but the first are not in `find` or the other way round.
-fn counts(connection: &Connection) -> rusqlite::Result<(u64, u64)> {
-    let count = |sql: &str| connection.query_row(sql, [], |row| row.get(0).map(reader::natural));
-    let all = count("SELECT count(*) FROM entry")?;
-    let missing = count("SELECT count(*) FROM entry WHERE number > 1 AND number NOT IN (SELECT number FROM find)")?;
-    let more = count("SELECT count(*) FROM find WHERE number NOT IN (SELECT number FROM entry)")?;
-    Ok((all, missing.saturating_add(more)))
+/// Reads all entries, and hands them over to be compared.
+fn walk(
+    connection: &Connection,
+    inspection: &mut Inspection,
+    sender: &SyncSender<Vec<Kept>>,
+    progress: &mut dyn FnMut(u64, u64) -> ControlFlow<()>,
+) -> rusqlite::Result<ControlFlow<()>> {
+    let all = connection.query_row("SELECT count(*) FROM entry", [], |row| row.get(0).map(reader::natural))?;
+    let mut entries = connection.prepare("SELECT number, body, hash FROM entry ORDER BY number")?;
+    let mut rows = entries.query([])?;
+    let (mut done, mut block) = (0_u64, Vec::with_capacity(BLOCK));
+    while let Some(row) = rows.next()? {
+        let kept = reader::kept(row)?;
+        inspection.see(kept.head.number, &kept.body, kept.head.hash);
+        block.push(kept);
+        if block.len() == BLOCK {
+            // Where nobody listens, that thread tells why.
+            let _heard = sender.send(std::mem::replace(&mut block, Vec::with_capacity(BLOCK)));
+        }
+        done = done.saturating_add(1);
+        if done.is_multiple_of(STEP) && progress(done, all).is_break() {
+            return Ok(ControlFlow::Break(()));
+        }
+    }
+    let _heard = sender.send(block);
+    Ok(ControlFlow::Continue(()))
+}
+
+/// How many entries are found by something else than what they say, or are found and not there.
+fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite::Result<u64> {
+    let mut finds = connection.prepare(finding::ROWS)?;
+    let mut rows = finds.query([])?;
+    let mut row = rows.next()?.map(finding::row).transpose()?;
+    let mut wrong = 0_u64;
+    let mut last = 0;
+    while let Ok(block) = entries.recv() {
+        for kept in block {
+            let number = reader::integer(kept.head.number);
+            last = number;
+            // Rows without an entry.
+            while row.as_ref().is_some_and(|(other, _)| *other < number) {
+                wrong = wrong.saturating_add(1);
+                row = rows.next()?.map(finding::row).transpose()?;
+            }
+            let found = row.take_if(|(other, _)| *other == number).map(|(_, found)| found);
+            if found.is_some() {
+                row = rows.next()?.map(finding::row).transpose()?;
+            }
+            // An entry that cannot be read is found by nothing.
+            if found != body::found(&kept.body).ok().flatten().map(finding::without_words) {
+                wrong = wrong.saturating_add(1);
+            }
+        }
+    }
+    // Whoever records meanwhile adds rows behind the last.
+    let more: i64 = connection.query_row(
+        "SELECT count(*) FROM find WHERE number > ?1 AND number NOT IN (SELECT number FROM entry)",
+        [last],
+        |row| row.get(0),
+    )?;
+    Ok(wrong.saturating_add(reader::natural(more)))
+}
+
+/// The name of the chain by which its first entry is hashed: the file tells it, and so does that entry.
+fn chain_of(connection: &Connection, path: &Path, findings: &mut Vec<Finding>) -> Result<ChainId, StoreError> {
+    let failed = |error: rusqlite::Error| StoreError::of(path, &error);
+    let told = reader::chain_of(connection, path)?;
+    let first = connection
+        .query_row("SELECT number, body, hash FROM entry WHERE number = 1", [], reader::kept)
+        .optional()
+        .map_err(failed)?;
+    let Some(Kept { head: Head { hash, .. }, body }) = first else { return Ok(told) };
+    let begins = |chain: ChainId, hash: Hash| entry_hash(chain, Head::default(), &body) == Some(hash);
+    let own = match body::read(&body).map(|entry| entry.content) {
+        Ok(crate::journal::entry::Content::Begin(begin)) => begin.chain,
+        _ => told,
+    };
+    if own != told && begins(own, hash) {
+        findings.push(Finding::Altered { name: "chain".to_owned() });
+        return Ok(own);
+    }
+    Ok(told)
 }
