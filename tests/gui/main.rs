@@ -17,6 +17,7 @@ mod parts;
 mod pictures;
 mod program_page;
 mod readme;
+mod records_page;
 mod rows;
 mod rules;
 mod sizes;
