@@ -38,6 +38,7 @@ mod house;
 mod import;
 mod iso286;
 mod iso286_rules;
+mod journal_ask;
 mod journal_body;
 mod journal_kills;
 mod journal_query;

@@ -22,6 +22,22 @@ journal-body-value = { $field } cannot be "{ $given }"
 journal-body-contradiction = { $field } says something else than the fields that it follows from
 journal-check-judged-otherwise = decided as { $kept }, which stands; this version of Fitcheck decides { $now }
 
+## Questions
+journal-ask-at = { $reason } (character { $at })
+journal-ask-unknown-key = { $key }: is not something to ask for; expected { $known }, or quotation marks around a word with a colon
+journal-ask-no-value = { $key }: has no value
+journal-ask-empty-word = a word in quotation marks is empty
+journal-ask-twice = { $key } is given twice
+journal-ask-not-closed = a quotation mark is not closed
+journal-ask-after-quote = expected a blank after the closing quotation mark, found { $found }
+journal-ask-date = "{ $given }" is not a day or a time: expected 2026-11-23 or 2026-11-23T14:30
+journal-ask-verdict = "{ $given }" is not a verdict: expected { $known }
+journal-ask-callout = { $error }; a callout goes in quotation marks: callout:"25 H7"
+journal-ask-class = { $error }
+journal-ask-order = the question ends before it begins: from is not before to
+journal-ask-both-origins = simulated and measured exclude each other
+journal-ask-too-long = the question has { $bytes } bytes, at most { $most } are allowed
+
 ## The journal of a station
 store-missing = there is no journal at { $path }
 store-not-a-file = { $path } is not a file

@@ -22,6 +22,22 @@ journal-body-value = { $field } kan niet "{ $given }" zijn
 journal-body-contradiction = { $field } zegt iets anders dan de velden waaruit het volgt
 journal-check-judged-otherwise = geoordeeld als { $kept }, en dat blijft zo; deze versie van Fitcheck oordeelt { $now }
 
+## Questions
+journal-ask-at = { $reason } (teken { $at })
+journal-ask-unknown-key = naar { $key }: kan niet worden gevraagd; verwacht { $known }, of aanhalingstekens rond een woord met een dubbele punt
+journal-ask-no-value = { $key }: heeft geen waarde
+journal-ask-empty-word = een woord tussen aanhalingstekens is leeg
+journal-ask-twice = { $key } staat er twee keer
+journal-ask-not-closed = een aanhalingsteken is niet gesloten
+journal-ask-after-quote = spatie verwacht na het laatste aanhalingsteken, { $found } gevonden
+journal-ask-date = "{ $given }" is geen dag of tijdstip: verwacht 2026-11-23 of 2026-11-23T14:30
+journal-ask-verdict = "{ $given }" is geen oordeel: verwacht { $known }
+journal-ask-callout = { $error }; een passing staat tussen aanhalingstekens: callout:"25 H7"
+journal-ask-class = { $error }
+journal-ask-order = de vraag eindigt voordat zij begint: from ligt niet voor to
+journal-ask-both-origins = simulated en measured sluiten elkaar uit
+journal-ask-too-long = de vraag heeft { $bytes } bytes, hoogstens { $most } zijn toegestaan
+
 ## The journal of a station
 store-missing = er is geen logboek op { $path }
 store-not-a-file = { $path } is geen bestand

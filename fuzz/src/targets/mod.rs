@@ -30,6 +30,7 @@ mod plan;
 mod point_log;
 mod probe_table;
 mod program;
+mod question;
 mod shared;
 mod state;
 mod table;
@@ -84,6 +85,7 @@ targets! {
     point_log "page"
     probe_table "table"
     program "klartext"
+    question "question"
     state "toml"
     table "table"
     tool_table "table"
