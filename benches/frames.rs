@@ -35,8 +35,16 @@ fn now() -> DateTime {
 /// A window at the first start.
 fn empty(size: Vec2) -> Harness<'static, App> {
     let (store, errands) = (Store::nowhere(), Errands::AtOnce);
-    let setup =
-        Setup { store, language: Language::En, words: Words::new, errands, clock: now, home: None, files: Vec::new(), records: Records::nowhere() };
+    let setup = Setup {
+        store,
+        language: Language::En,
+        words: Words::new,
+        errands,
+        clock: now,
+        home: None,
+        files: Vec::new(),
+        records: Records::nowhere(),
+    };
     Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup))
 }
 

@@ -11,6 +11,7 @@ use fitcheck::gui::{App, Errands, Setup, Store};
 use fitcheck::journal::entry::Moment;
 use fitcheck::session::{Command, Purpose};
 use fitcheck::words::{Language, Words};
+use jiff::tz::{TimeZone, offset};
 
 /// The size that most tests look at.
 pub const DESK: Vec2 = vec2(1280.0, 800.0);
@@ -18,6 +19,12 @@ pub const DESK: Vec2 = vec2(1280.0, 800.0);
 /// The same time with its zone.
 pub fn moment() -> Moment {
     Moment { utc_ms: 1_795_254_127_000, offset_min: 60, zone: "Europe/Amsterdam".to_owned() }
+}
+
+/// Nothing is recorded.
+pub fn nowhere() -> Records {
+    let zone = TimeZone::fixed(offset(1));
+    Records { moment, zone, station: "Mill 3".to_owned(), ..Records::nowhere() }
 }
 
 /// A window at a fixed time, in English, that keeps nothing.
@@ -54,7 +61,7 @@ impl Default for Window {
             home: None,
             files: Vec::new(),
             zoom: 1.0,
-            records: Records { moment, ..Records::nowhere() },
+            records: nowhere(),
         }
     }
 }

@@ -7,6 +7,7 @@ mod budget_page;
 mod check_page;
 mod cycle_page;
 mod dialogs;
+mod fake_journal;
 mod fit_page;
 mod harness;
 mod history;

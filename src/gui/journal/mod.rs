@@ -24,6 +24,7 @@ use std::time::Duration;
 use eframe::egui::Context;
 use finder::{Asked, Finder};
 use jiff::civil::DateTime;
+use jiff::tz::TimeZone;
 pub use local::Local;
 pub use station::{computer, moment};
 use writer::{Job, Writer};
@@ -110,6 +111,8 @@ pub struct Records {
     pub station: String,
     /// The time with its zone.
     pub moment: fn() -> Moment,
+    /// Where its days begin.
+    pub zone: TimeZone,
     /// Whether its threads are used where everything else is done at once: for tests of slow journals.
     pub always_threads: bool,
 }
@@ -119,7 +122,7 @@ impl Records {
     pub fn of_user() -> Self {
         let journals = Arc::new(Local::of_user());
         let usual = Local::usual();
-        Self { journals, usual, station: computer(), moment, always_threads: false }
+        Self { journals, usual, station: computer(), moment, zone: TimeZone::system(), always_threads: false }
     }
 
     /// No records, unless the state file names a journal.
@@ -213,7 +216,8 @@ impl Desk {
 
     /// The command that tells the session where records are kept.
     pub fn begin(&self) -> Command {
-        RecordsCommand::Begin { usual: self.records.usual.clone(), station: self.records.station.clone() }.into()
+        let Records { usual, station, zone, .. } = self.records.clone();
+        RecordsCommand::Begin { usual, station, zone }.into()
     }
 
     /// Runs an effect; others are given back.

@@ -183,6 +183,9 @@ impl Recording {
         let Some(batch) = self.batches.get_mut(&run) else { return false };
         match result {
             Ok(heads) => {
+                if let (Some(journal), Some(head)) = (&mut self.journal, heads.last()) {
+                    journal.head = *head;
+                }
                 self.newest = heads.last().map_or(self.newest, |head| self.newest.max(head.number));
                 batch.fate = Fate::Kept(heads.first().map_or(0, |head| head.number));
                 batch.entries = Vec::new();

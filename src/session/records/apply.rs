@@ -20,7 +20,8 @@ impl PageState for RecordsPage {
     fn apply(&mut self, command: RecordsCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
         match command {
             RecordsCommand::Type(field, text) => self.type_text(field, text, shared),
-            RecordsCommand::Begin { usual, station } => {
+            RecordsCommand::Begin { usual, station, zone } => {
+                self.zone = zone;
                 shared.recording.begin(usual, station);
                 if shared.recording.is_on() {
                     shared.history.leave_room(RESTORED);

@@ -1,9 +1,12 @@
 //! From the text of the question to what is asked of the journal. Buttons write into the same text: what is asked is always in sight.
 
-use jiff::civil::DateTime;
+use std::ops::Range;
+
+use jiff::Timestamp;
 
 use super::{RecordsField, RecordsPage};
-use crate::journal::ask::Question;
+use crate::journal::ask::{Here, Question};
+use crate::message::Say as _;
 use crate::session::command::Effect;
 use crate::session::shared::Shared;
 
@@ -29,22 +32,40 @@ impl Shorthand {
         match self {
             Self::Today => "today",
             Self::ThisWeek => "week",
-            Self::NotGood => "verdict:bad",
+            Self::NotGood => "verdict:rework,re-measure,scrap",
             Self::Measured => "measured",
         }
     }
 }
 
+/// The words of a question with their places; what is in quotation marks is of one word.
+fn words(text: &str) -> Vec<(Range<usize>, &str)> {
+    let (mut words, mut start, mut is_quoted) = (Vec::new(), None, false);
+    for (at, sign) in text.char_indices().chain([(text.len(), ' ')]) {
+        is_quoted ^= sign == '"';
+        let is_between = sign.is_whitespace() && !is_quoted || at == text.len();
+        match (start, is_between) {
+            (None, false) => start = Some(at),
+            (Some(from), true) => {
+                words.extend(text.get(from..at).map(|word| (from..at, word)));
+                start = None;
+            }
+            _ => {}
+        }
+    }
+    words
+}
+
 impl RecordsPage {
     /// Whether the question has a word.
     pub fn has(&self, shorthand: Shorthand) -> bool {
-        self.text(RecordsField::Question).split_whitespace().any(|word| word == shorthand.word())
+        words(self.text(RecordsField::Question)).iter().any(|(_, word)| *word == shorthand.word())
     }
 
     /// Puts a word into the question, or takes it out.
     pub(super) fn toggle(&mut self, shorthand: Shorthand) {
         let text = self.text(RecordsField::Question);
-        let others = text.split_whitespace().filter(|word| *word != shorthand.word());
+        let others = words(text).into_iter().map(|(_, word)| word).filter(|word| *word != shorthand.word());
         let added = (!self.has(shorthand)).then_some(shorthand.word());
         let text = others.chain(added).collect::<Vec<_>>().join(" ");
         self.texts.insert(RecordsField::Question, text);
@@ -57,7 +78,8 @@ impl RecordsPage {
         if !shared.recording.is_on() {
             return;
         }
-        match read(self.text(RecordsField::Question), self.now) {
+        let now = self.now.to_zoned(self.zone.clone()).map_or(Timestamp::UNIX_EPOCH, |now| now.timestamp());
+        match Question::read(self.text(RecordsField::Question), &Here { now, zone: self.zone.clone() }) {
             Ok(question) => {
                 self.runs += 1;
                 self.asks = self.runs;
@@ -65,17 +87,10 @@ impl RecordsPage {
                 self.listing.ask();
                 self.errands.push(Effect::AskRecords { run: self.asks, question: Box::new(question), rests });
             }
-            Err((problem, culprit)) => {
-                self.errors.insert(RecordsField::Question, problem);
-                self.culprit = culprit;
+            Err(error) => {
+                self.errors.insert(RecordsField::Question, error.message());
+                self.culprit = Some(error.span);
             }
         }
     }
-}
-
-type Refused = (crate::message::Message, Option<std::ops::Range<usize>>);
-
-/// What a text asks.
-fn read(text: &str, _now: DateTime) -> Result<Question, Refused> {
-    Ok(Question { words: text.split_whitespace().map(str::to_owned).collect(), ..Question::default() })
 }

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
+use jiff::tz::TimeZone;
 
 use super::{Found, RecordRow, RecordsField, Shorthand, Verified};
 use crate::journal::chain::{Hash, Head};
@@ -23,6 +24,8 @@ pub enum RecordsCommand {
         usual: Option<PathBuf>,
         /// The name of the station.
         station: String,
+        /// Where its days begin.
+        zone: TimeZone,
     },
     /// The journal was opened, with its newest checks, the oldest of them first; or it cannot be opened.
     Opened(Result<(Box<OpenJournal>, Vec<RecordRow>), Message>),
