@@ -45,6 +45,7 @@ records-page-take-name = Use this name
 ## The question
 records-page-question = Find
 records-page-help = Words, or part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-more-actions = More
 records-page-today = Today
 records-page-this-week = This week
 records-page-not-good = Not good

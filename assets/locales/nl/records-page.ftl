@@ -45,6 +45,7 @@ records-page-take-name = Deze naam gebruiken
 ## De vraag
 records-page-question = Zoeken
 records-page-help = Woorden, of part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-more-actions = Meer
 records-page-today = Vandaag
 records-page-this-week = Deze week
 records-page-not-good = Niet goed

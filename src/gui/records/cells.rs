@@ -1,5 +1,7 @@
 //! The texts of a row of the list.
 
+use crate::gui::view::Digits;
+use crate::journal::entry::Checked;
 use crate::message::Message;
 use crate::session::RecordRow;
 use crate::session::records::RowTexts;
@@ -49,8 +51,13 @@ impl Cells {
             Ok(entry) => entry,
             Err(why) => return Self { number, part: words.say(why), ..Self::default() },
         };
-        let RowTexts { time, callout, measured, deviation, status } = RowTexts::of(row, words);
+        let RowTexts { time, callout, mut measured, mut deviation, status } = RowTexts::of(row, words);
         let check = entry.check();
+        if let Some(Checked::Size(record)) = check.map(|check| &check.what) {
+            let digits = Digits::of(record);
+            measured = digits.mm(words, record.measurement.diameter, 3);
+            deviation = digits.signed_um(words, record.verdict.size.deviation);
+        }
         let about = &entry.about;
         let time =
             if row.went_back { words.say(&Message::new("records-page-went-back").text("time", time)) } else { time };

@@ -4,6 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{ProgressBar, Ui, WidgetInfo};
 
 use crate::gui::check::grouped;
+use crate::gui::columns::is_tiny;
 use crate::gui::shapes::share;
 use crate::gui::theme::space;
 use crate::gui::view::{View, problem, quiet, quiet_cut};
@@ -17,7 +18,7 @@ pub(super) fn foot_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.spacing_mut().item_spacing.y = space(1.0);
         // Each stands in the place of the other.
         for action in [Action::VerifyRecords, Action::CancelVerify] {
-            if view.session.can(action) {
+            if view.session.can(action) && !is_tiny(ui) {
                 view.button(ui, action);
             }
         }

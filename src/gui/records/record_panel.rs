@@ -1,6 +1,6 @@
 //! The record that is open: its verdict, its whole reasoning, and what can be done with it.
 
-use eframe::egui::{Label, RichText, Ui, vec2};
+use eframe::egui::{Align, Label, Layout, RichText, Ui, vec2};
 
 use super::cells::Cells;
 use super::correction_panel::correction_ui;
@@ -92,14 +92,19 @@ fn links_ui(ui: &mut Ui, view: &mut View<'_>, row: &RecordRow) {
 fn line_ui(ui: &mut Ui, line: &Line) {
     match line {
         Line::Named(name, text) => {
-            ui.spacing_mut().item_spacing.y = space(0.5);
-            ui.horizontal_wrapped(|ui| {
-                let width = space(28.0).min(ui.available_width() * 0.35);
-                ui.allocate_ui(vec2(width, 0.0), |ui| {
+            let all = ui.available_width();
+            let width = space(30.0).min(all * 0.35);
+            ui.horizontal_top(|ui| {
+                ui.spacing_mut().interact_size.y = 0.0;
+                ui.spacing_mut().item_spacing = vec2(space(2.0), 0.0);
+                let of_name = vec2(width, 0.0);
+                ui.allocate_ui_with_layout(of_name, Layout::top_down(Align::Min), |ui| {
                     ui.set_min_width(width);
                     quiet(ui, name);
                 });
-                ui.add(Label::new(text).wrap());
+                ui.allocate_ui_with_layout(vec2(all - width - space(2.0), 0.0), Layout::top_down(Align::Min), |ui| {
+                    ui.add(Label::new(text).wrap());
+                });
             });
         }
         Line::Heading(text) => {
