@@ -96,16 +96,19 @@ fn appending(criterion: &mut Criterion) {
     });
 }
 
+/// A journal of a million checks.
+pub fn make(path: &Path) {
+    let mut journal = open(path);
+    for lot in 0..MILLION / 10_000 {
+        let entries: Vec<Entry> = (lot * 10_000..(lot + 1) * 10_000).map(entry).collect();
+        journal.append(&entries).expect("entries");
+    }
+}
+
 fn asking(criterion: &mut Criterion) {
     let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).expect("folder");
     let path = folder.path().join("journal.sqlite");
-    {
-        let mut journal = open(&path);
-        for lot in 0..MILLION / 10_000 {
-            let entries: Vec<Entry> = (lot * 10_000..(lot + 1) * 10_000).map(entry).collect();
-            journal.append(&entries).expect("entries");
-        }
-    }
+    make(&path);
     println!("a million checks: {} bytes each", std::fs::metadata(&path).expect("file").len() / MILLION);
     let reader = Reader::open(&path).expect("journal");
     let text = |text: &str| Some(text.to_owned());

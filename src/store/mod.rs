@@ -10,5 +10,15 @@
 
 mod error;
 pub mod local;
+#[cfg(feature = "shop")]
+pub mod shop;
 
 pub use error::{StoreError, StoreRemark};
+
+/// Whether a text names the server of a shop and not a file. It may hold a password: it is not to be shown.
+pub fn is_server(text: &str) -> bool {
+    let text = text.trim_start();
+    ["postgres:", "postgresql:"]
+        .iter()
+        .any(|scheme| text.get(..scheme.len()).is_some_and(|start| start.eq_ignore_ascii_case(scheme)))
+}

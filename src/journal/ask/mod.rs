@@ -22,8 +22,10 @@
 //! | `reading` | from its text |
 //! | `error` | why a text is no question, and where |
 //! | `printing` | its text again |
+//! | `finding` | whether it asks for an entry |
 
 mod error;
+mod finding;
 mod printing;
 mod reading;
 

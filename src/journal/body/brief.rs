@@ -5,9 +5,7 @@ use std::borrow::Cow;
 use serde::Deserialize;
 
 use super::{BodyError, wire};
-use crate::journal::found::{Found, Kind, folded, words_of};
-use crate::length::Length;
-use crate::tolerance::Callout;
+use crate::journal::found::{Asked, Found, Kind};
 use crate::verdict::Status;
 
 #[derive(Deserialize)]
@@ -72,7 +70,7 @@ struct Corrects {
 ///
 /// # Errors
 /// [`BodyError::Json`] where the bytes are no entry. What is found may still be one that [`read`](super::read) refuses.
-pub fn found(bytes: &[u8]) -> Result<Option<Found>, BodyError> {
+pub fn found(bytes: &[u8]) -> Result<Option<Found<'_>>, BodyError> {
     let brief: Brief<'_> =
         serde_json::from_slice(bytes).map_err(|error| BodyError::Json { reason: error.to_string() })?;
     let kind = match brief.kind {
@@ -80,34 +78,13 @@ pub fn found(bytes: &[u8]) -> Result<Option<Found>, BodyError> {
         wire::Kind::Check => Kind::Check,
         wire::Kind::Withdrawal => Kind::Withdrawal,
     };
-    let (about, check) = (&brief.about, brief.check.as_ref());
-    let texts = [&about.part, &about.serial, &about.feature, &about.who, &about.remark];
-    let words: Vec<String> = texts.iter().flat_map(|text| words_of(text)).collect();
-    let (callout, class) = check.and_then(|check| check.size.as_ref()).map(asked).unwrap_or_default();
-    let corrects = check.and_then(|check| check.corrects.as_ref()).or(brief.withdrawal.as_ref());
-    Ok(Some(Found {
-        kind,
-        at_ms: about.time.utc_ms,
-        status: check.and_then(|check| check.status),
-        is_simulated: check.is_some_and(|check| check.simulated),
-        part: folded(&about.part),
-        serial: folded(&about.serial),
-        feature: folded(&about.feature),
-        callout,
-        class,
-        who: folded(&about.who),
-        station: folded(&about.station),
-        corrects: corrects.map(|correction| correction.number),
-        words: words.join(" "),
-    }))
-}
-
-/// The callout as it is listed, and its class.
-fn asked(size: &Size<'_>) -> (String, String) {
-    let Some(callout) = &size.callout else {
-        let nominal = Length::from_nanometres(size.limits.nominal_nm);
-        return (nominal.map(|nominal| format!("Ø {nominal}")).unwrap_or_default(), String::new());
+    let About { station, time, who, part, serial, feature, remark } = brief.about;
+    let (status, is_simulated, size, corrects) = match brief.check {
+        Some(check) => (check.status, check.simulated, check.size, check.corrects),
+        None => (None, false, None, None),
     };
-    let class = callout.parse::<Callout>().ok().and_then(|callout| callout.class());
-    (callout.to_string(), class.map(|class| class.to_string()).unwrap_or_default())
+    let asked = size.map(|size| Asked { callout: size.callout, nominal_nm: size.limits.nominal_nm });
+    let corrects = corrects.or(brief.withdrawal).map(|correction| correction.number);
+    let at_ms = time.utc_ms;
+    Ok(Some(Found { kind, at_ms, status, is_simulated, part, serial, feature, who, station, remark, asked, corrects }))
 }

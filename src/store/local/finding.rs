@@ -1,69 +1,61 @@
-//! Where an entry is found: its row of `find` and its words, and the questions that both answer.
+//! Where an entry is found: its row of `find`, and questions as conditions on it.
 
 use rusqlite::types::Value;
 use rusqlite::{Connection, Row, params};
 
+use super::reader::integer;
 use crate::journal::ask::Question;
-use crate::journal::found::{Found, Kind, folded, words_of};
+use crate::journal::found::{Found, Kind, folded};
 use crate::verdict::Status;
 
-/// Adds what an entry is found by.
-pub(super) fn add(connection: &Connection, number: i64, found: &Found) -> rusqlite::Result<()> {
+/// Adds what an entry is found by, but for its words.
+pub(super) fn add(connection: &Connection, number: i64, found: &Found<'_>) -> rusqlite::Result<()> {
     let mut insert = connection.prepare_cached(
         "INSERT INTO find(number, at, kind, status, simulated, part, serial, feature, callout, class, who, station, corrects) \
          VALUES (?1, ?2, ?3, ?4, ?5, ?6, ?7, ?8, ?9, ?10, ?11, ?12, ?13)",
     )?;
-    insert.execute(params![
+    let columns = params![
         number,
         found.at_ms,
         kind(found.kind),
         found.status.map(status),
         found.is_simulated,
-        found.part,
-        found.serial,
-        found.feature,
-        found.callout,
-        found.class,
-        found.who,
-        found.station,
-        found.corrects.and_then(|number| i64::try_from(number).ok()),
-    ])?;
-    if !found.words.is_empty() {
-        connection
-            .prepare_cached("INSERT INTO words(rowid, text) VALUES (?1, ?2)")?
-            .execute(params![number, found.words])?;
-    }
-    Ok(())
+        folded(&found.part),
+        folded(&found.serial),
+        folded(&found.feature),
+        found.callout(),
+        found.class(),
+        folded(&found.who),
+        folded(&found.station),
+        found.corrects.map(integer),
+    ];
+    insert.execute(columns).map(drop)
 }
 
 /// All rows, by number, as [`row`] reads them.
 pub(super) const ROWS: &str = "SELECT number, at, kind, status, simulated, part, serial, feature, callout, class, who, station, corrects \
                                FROM find ORDER BY number";
 
-/// A row with its number. Words are not kept in it, only found.
-pub(super) fn row(row: &Row<'_>) -> rusqlite::Result<(i64, Found)> {
-    let place: Option<usize> = row.get::<_, Option<i64>>(3)?.map(|place| usize::try_from(place).unwrap_or(usize::MAX));
-    let found = Found {
-        kind: if row.get::<_, i64>(2)? == kind(Kind::Check) { Kind::Check } else { Kind::Withdrawal },
-        at_ms: row.get(1)?,
-        status: place.and_then(|place| Status::ALL.get(place)).copied(),
-        is_simulated: row.get(4)?,
-        part: row.get(5)?,
-        serial: row.get(6)?,
-        feature: row.get(7)?,
-        callout: row.get(8)?,
-        class: row.get(9)?,
-        who: row.get(10)?,
-        station: row.get(11)?,
-        corrects: row.get::<_, Option<i64>>(12)?.and_then(|number| u64::try_from(number).ok()),
-        words: String::new(),
+/// Whether a row finds an entry by what that says. `class` is the entry's.
+pub(super) fn is_of(row: &Row<'_>, found: &Found<'_>, class: &str) -> rusqlite::Result<bool> {
+    let text = |column: usize, expected: &str| -> rusqlite::Result<bool> {
+        Ok(row.get_ref(column)?.as_str().is_ok_and(|there| there == expected))
     };
-    Ok((row.get(0)?, found))
-}
-
-/// The same as a row of the table has it.
-pub(super) fn without_words(found: Found) -> Found {
-    Found { words: String::new(), ..found }
+    let number = |column: usize, expected: Option<i64>| -> rusqlite::Result<bool> {
+        Ok(row.get_ref(column)?.as_i64_or_null().is_ok_and(|there| there == expected))
+    };
+    Ok(number(1, Some(found.at_ms))?
+        && number(2, Some(kind(found.kind)))?
+        && number(3, found.status.map(status))?
+        && number(4, Some(i64::from(found.is_simulated)))?
+        && text(5, &folded(&found.part))?
+        && text(6, &folded(&found.serial))?
+        && text(7, &folded(&found.feature))?
+        && text(8, &found.callout())?
+        && text(9, class)?
+        && text(10, &folded(&found.who))?
+        && text(11, &folded(&found.station))?
+        && number(12, found.corrects.map(integer))?)
 }
 
 const fn kind(kind: Kind) -> i64 {
@@ -77,7 +69,7 @@ fn status(status: Status) -> i64 {
     i64::try_from(status.at()).unwrap_or_default()
 }
 
-/// A question as conditions on `find`, with the values for its places.
+/// A question, but for its words, as conditions on `find`, with the values for its places.
 pub(super) struct Conditions {
     /// Joined by `AND`; `1` where nothing is asked.
     pub(super) sql: String,
@@ -87,23 +79,24 @@ pub(super) struct Conditions {
 impl Conditions {
     pub(super) fn of(question: &Question) -> Self {
         let mut conditions = Self { sql: "1".to_owned(), values: Vec::new() };
-        let folding: fn(&str) -> String = folded;
-        let as_it_is: fn(&str) -> String = str::to_owned;
-        let whole = [
-            ("part", &question.part, folding),
-            ("feature", &question.feature, folding),
-            ("callout", &question.callout, as_it_is),
-            ("class", &question.class, as_it_is),
-            ("who", &question.who, folding),
-            ("station", &question.station, folding),
+        let names = [
+            ("part", &question.part),
+            ("feature", &question.feature),
+            ("who", &question.who),
+            ("station", &question.station),
         ];
-        for (column, asked, kept_as) in whole {
+        for (column, asked) in names {
             if let Some(text) = asked {
-                conditions.add(&format!("{column} = ?"), [Value::Text(kept_as(text))]);
+                conditions.add(&format!("{column} = ?"), [Value::Text(folded(text).into_owned())]);
                 // The index leaves out what has none.
-                if column == "feature" && !text.is_empty() {
+                if column == "feature" && !text.trim().is_empty() {
                     conditions.sql.push_str(" AND feature <> ''");
                 }
+            }
+        }
+        for (column, asked) in [("callout", &question.callout), ("class", &question.class)] {
+            if let Some(text) = asked {
+                conditions.add(&format!("{column} = ?"), [Value::Text(text.clone())]);
             }
         }
         if let Some(serial) = &question.serial {
@@ -128,7 +121,6 @@ impl Conditions {
                 " AND kind = 1 AND NOT EXISTS (SELECT 1 FROM find AS other WHERE other.corrects = find.number)",
             );
         }
-        conditions.words(&question.words);
         conditions
     }
 
@@ -148,18 +140,6 @@ impl Conditions {
                 let range = [Value::Text(start.to_owned()), Value::Text(end)];
                 self.add("serial <> '' AND serial >= ? AND serial < ?", range);
             }
-        }
-    }
-
-    /// Whole words, of which the last letters of each may be missing. They go in quotation marks, so none of them is an operator.
-    fn words(&mut self, texts: &[String]) {
-        let words: Vec<String> = texts.iter().flat_map(|text| words_of(text)).collect();
-        if !words.is_empty() {
-            let wanted: Vec<String> = words.iter().map(|word| format!("\"{word}\"*")).collect();
-            self.add("number IN (SELECT rowid FROM words WHERE words MATCH ?)", [Value::Text(wanted.join(" AND "))]);
-        } else if texts.iter().any(|text| !text.trim().is_empty()) {
-            // Signs alone are in no word.
-            self.sql.push_str(" AND 0");
         }
     }
 }

@@ -9,7 +9,8 @@
 //! | here | adding entries |
 //! | `opening` | what is looked at before a file is used; what a connection is set to |
 //! | `schema` | the tables, and what keeps entries as they are |
-//! | `finding` | what an entry is found by, and questions as SQL |
+//! | `finding` | what an entry is found by, and questions as conditions on it |
+//! | `words` | the words of entries |
 //! | `reader` | reading, beside the writer |
 //! | `verify` | whether every entry is the one that was written |
 //! | `backup` | a copy at one moment |
@@ -24,6 +25,7 @@ mod opening;
 mod reader;
 mod schema;
 mod verify;
+mod words;
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
@@ -179,6 +181,8 @@ impl Journal {
         // A file of its own for each entry would cost more than the entry.
         let is_due = self.anchored + ANCHOR_EVERY <= head.number;
         self.head = head;
+        // What was added stays added where this fails; the next entry tries it again.
+        let _later = words::index(&self.connection, reader::integer(head.number));
         if is_due {
             self.keep_head();
         }

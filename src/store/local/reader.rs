@@ -7,7 +7,7 @@ use rusqlite::types::Value;
 use rusqlite::{Connection, InterruptHandle, OptionalExtension as _, params_from_iter};
 
 use super::finding::Conditions;
-use super::{head_of, opening};
+use super::{head_of, opening, words};
 use crate::journal::ask::Question;
 use crate::journal::body::{self, BodyError};
 use crate::journal::chain::{ChainId, Hash, Head};
@@ -105,11 +105,17 @@ impl Reader {
     /// # Errors
     /// [`StoreError::Interrupted`] where somebody stopped it, and as for [`Self::head`].
     pub fn numbers(&self, question: &Question, before: Option<u64>, most: usize) -> Result<Vec<u64>, StoreError> {
-        let Conditions { sql, mut values } = Conditions::of(question);
-        let sql = format!("SELECT number FROM find WHERE {sql} AND number < ? ORDER BY number DESC LIMIT ?");
-        values.push(Value::Integer(before.map_or(i64::MAX, integer)));
-        values.push(Value::Integer(size(most)));
+        let Some(words) = question.wanted_words() else { return Ok(Vec::new()) };
+        let conditions = Conditions::of(question);
+        let (before, most) = (before.map_or(i64::MAX, integer), size(most));
         let read = || -> rusqlite::Result<Vec<u64>> {
+            if !words.is_empty() {
+                let transaction = self.connection.unchecked_transaction()?;
+                return words::numbers(&transaction, &conditions, &words, (before, most));
+            }
+            let Conditions { sql, mut values } = conditions;
+            let sql = format!("SELECT number FROM find WHERE {sql} AND number < ? ORDER BY number DESC LIMIT ?");
+            values.extend([Value::Integer(before), Value::Integer(most)]);
             let mut numbers = self.connection.prepare_cached(&sql)?;
             numbers.query_map(params_from_iter(values), |row| row.get(0).map(natural))?.collect()
         };
@@ -121,6 +127,10 @@ impl Reader {
     /// # Errors
     /// As for [`Self::numbers`].
     pub fn count(&self, question: &Question, most: u64) -> Result<u64, StoreError> {
+        if question.words.iter().any(|text| !text.trim().is_empty()) {
+            let numbers = self.numbers(question, None, usize::try_from(most).unwrap_or(usize::MAX))?;
+            return Ok(u64::try_from(numbers.len()).unwrap_or(u64::MAX));
+        }
         let Conditions { sql, mut values } = Conditions::of(question);
         let sql = format!("SELECT count(*) FROM (SELECT 1 FROM find WHERE {sql} LIMIT ?)");
         values.push(Value::Integer(integer(most)));

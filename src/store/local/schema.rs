@@ -5,7 +5,7 @@
 
 use rusqlite::{Connection, Transaction, params};
 
-use super::finding;
+use super::{finding, words};
 use crate::journal::body;
 
 /// What the file says it is: `Fitc` as a number.
@@ -35,7 +35,7 @@ const ENTRY: [(&str, &str); 5] = [
     ),
 ];
 
-/// What questions are answered by. Names are in small letters, as they are looked for.
+/// What questions are answered by. Names are in small letters, as they are looked for; words have no accents either, and blanks between them.
 const FIND: &str = "
 CREATE TABLE find(
   number INTEGER PRIMARY KEY,
@@ -61,7 +61,9 @@ CREATE INDEX find_class ON find(class, number);
 CREATE INDEX find_status ON find(status, number);
 CREATE INDEX find_who ON find(who, number);
 CREATE INDEX find_corrects ON find(corrects, number) WHERE corrects IS NOT NULL;
-CREATE VIRTUAL TABLE words USING fts5(text, content='', columnsize=0, tokenize='unicode61');
+CREATE VIRTUAL TABLE words USING fts5(text, content='', columnsize=0, detail='none', tokenize='ascii');
+CREATE TABLE worded(number INTEGER NOT NULL) STRICT;
+INSERT INTO worded VALUES (0);
 ";
 
 /// Makes everything in an empty file.
@@ -76,11 +78,11 @@ pub(super) fn make(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
 
 /// Makes the derived tables anew from the entries: how every older version is brought to this one.
 pub(super) fn rebuild(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
-    let derived: Vec<(String, String)> = transaction
-        .prepare("SELECT type, name FROM sqlite_schema WHERE type = 'table' AND (name = 'find' OR name = 'words')")?
-        .query_map([], |row| Ok((row.get(0)?, row.get(1)?)))?
+    let derived: Vec<String> = transaction
+        .prepare("SELECT name FROM sqlite_schema WHERE type = 'table' AND name IN ('find', 'words', 'worded')")?
+        .query_map([], |row| row.get(0))?
         .collect::<Result<_, _>>()?;
-    for (_kind, name) in derived {
+    for name in derived {
         transaction.execute_batch(&format!("DROP TABLE \"{name}\""))?;
     }
     transaction.execute_batch(FIND)?;
@@ -93,6 +95,9 @@ pub(super) fn rebuild(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
             finding::add(transaction, number, &found)?;
         }
     }
+    words::all_from(transaction, 0, i64::MAX)?;
+    let last = "UPDATE worded SET number = coalesce((SELECT max(number) FROM entry), 0)";
+    transaction.execute(last, [])?;
     transaction.pragma_update(None, "user_version", VERSION)
 }
 

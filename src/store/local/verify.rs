@@ -2,6 +2,7 @@
 //!
 //! One thread reads and hashes, another one compares what entries are found by: both take about as long.
 
+use std::collections::HashMap;
 use std::ops::ControlFlow;
 use std::path::Path;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
@@ -13,6 +14,7 @@ use super::{finding, opening, reader, schema};
 use crate::journal::body;
 use crate::journal::chain::{ChainId, Hash, Head, entry_hash};
 use crate::journal::entry::Kept;
+use crate::journal::found::Found;
 use crate::journal::inspection::{Inspected, Inspection};
 use crate::message::Say;
 use crate::store::error::StoreError;
@@ -127,24 +129,29 @@ fn walk(
 fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite::Result<u64> {
     let mut finds = connection.prepare(finding::ROWS)?;
     let mut rows = finds.query([])?;
-    let mut row = rows.next()?.map(finding::row).transpose()?;
-    let mut wrong = 0_u64;
-    let mut last = 0;
+    let mut row = rows.next()?;
+    let (mut wrong, mut last) = (0_u64, 0);
+    let mut classes = Classes::default();
     while let Ok(block) = entries.recv() {
         for kept in block {
-            let number = reader::integer(kept.head.number);
-            last = number;
+            last = reader::integer(kept.head.number);
             // Rows without an entry.
-            while row.as_ref().is_some_and(|(other, _)| *other < number) {
+            while row.is_some_and(|row| row.get_ref(0).is_ok_and(|number| number.as_i64().is_ok_and(|row| row < last)))
+            {
                 wrong = wrong.saturating_add(1);
-                row = rows.next()?.map(finding::row).transpose()?;
-            }
-            let found = row.take_if(|(other, _)| *other == number).map(|(_, found)| found);
-            if found.is_some() {
-                row = rows.next()?.map(finding::row).transpose()?;
+                row = rows.next()?;
             }
             // An entry that cannot be read is found by nothing.
-            if found != body::found(&kept.body).ok().flatten().map(finding::without_words) {
+            let found = body::found(&kept.body).ok().flatten();
+            let is_there = row.is_some_and(|row| row.get_ref(0).is_ok_and(|number| number.as_i64() == Ok(last)));
+            let agrees = match (row, &found) {
+                (Some(row), Some(found)) if is_there => finding::is_of(row, found, classes.of(found))?,
+                (_, found) => !is_there && found.is_none(),
+            };
+            if is_there {
+                row = rows.next()?;
+            }
+            if !agrees {
                 wrong = wrong.saturating_add(1);
             }
         }
@@ -156,6 +163,26 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
         |row| row.get(0),
     )?;
     Ok(wrong.saturating_add(reader::natural(more)))
+}
+
+/// The classes of callouts that were met: a shop has few.
+#[derive(Default)]
+struct Classes(HashMap<String, String>);
+
+impl Classes {
+    /// So many are remembered.
+    const MOST: usize = 1_000;
+
+    fn of(&mut self, found: &Found<'_>) -> &str {
+        let callout = found.callout();
+        if !self.0.contains_key(callout.as_ref()) {
+            if Self::MOST <= self.0.len() {
+                self.0.clear();
+            }
+            self.0.insert(callout.clone().into_owned(), found.class());
+        }
+        self.0.get(callout.as_ref()).map_or("", String::as_str)
+    }
 }
 
 /// The name of the chain by which its first entry is hashed: the file tells it, and so does that entry.

@@ -1,0 +1,50 @@
+## The server of a shop: its address
+shop-address-scheme = het adres van een server begint met postgres://
+shop-address-no-host = het adres noemt geen server: schrijf postgres://GEBRUIKER@SERVER/DATABASE
+shop-address-no-user = het adres noemt geen gebruiker: schrijf postgres://GEBRUIKER@SERVER/DATABASE
+shop-address-at = het adres heeft een @ te veel: schrijf in een wachtwoord of naam %40 voor @, %2F voor / en %3F voor ?
+shop-address-unreadable = het adres van de server is niet te lezen: { $reason }
+shop-address-mode = sslmode "{ $given }" is onbekend: schrijf disable, require, verify-ca of verify-full
+shop-address-plain = sslmode=disable is alleen voor een server op deze computer, en { $host } is een andere
+
+## Its password
+shop-password-open = het wachtwoordbestand is overgeslagen, want andere gebruikers mogen het lezen (chmod 600 helpt): { $path }
+shop-password-unread = het wachtwoordbestand is overgeslagen: { $what }
+shop-password-no-keyring = de sleutelbos van het systeem gaf geen wachtwoord: { $reason }
+
+## Why it could not be asked
+shop-unreachable = { $address } is niet bereikbaar: { $reason }
+shop-lost = de verbinding met de server is verbroken: { $reason }
+shop-full = de server heeft geen ruimte meer
+shop-busy = de server vraagt om te wachten: { $reason }
+shop-no-password = de server vraagt het wachtwoord van "{ $user }", en er is er geen gevonden: zet PGPASSWORD, of schrijf het in het wachtwoordbestand of de sleutelbos van het systeem
+shop-refused = de server laat deze gebruiker niet toe: { $reason }
+shop-no-tls = de server biedt geen TLS, en zonder TLS wordt niets naar een andere computer gestuurd
+shop-certificate = het certificaat van de server wordt niet aanvaard: { $reason }
+shop-authorities = de certificaten van de autoriteiten zijn niet bruikbaar: { $reason }: { $path }
+shop-no-authorities = deze computer vertrouwt geen enkele autoriteit: noem het bestand van de eigen autoriteit met sslrootcert=BESTAND in het adres
+shop-not-made = de database "{ $database }" heeft nog geen journaal: voer eerst fitcheck journal init-shop uit met haar adres
+shop-no-right = de server staat deze gebruiker dat niet toe: { $reason }
+shop-foreign = de database heeft een schema "fitcheck" dat niet door Fitcheck is gemaakt; het is gelaten zoals het is
+shop-newer = het journaal op de server is door een nieuwere Fitcheck gemaakt (versie { $version }, deze kent { $known }); het is gelaten zoals het is
+shop-old-server = PostgreSQL { $version } is te oud: versie { $oldest } of later is nodig
+shop-encoding = de teksten van deze database zijn { $encoding }: maak er een met ENCODING 'UTF8'
+shop-other-login = dit journaal is op de server van "{ $login }", en "{ $ours }" mag er niets aan toevoegen
+shop-fork = regel { $number } op de server ({ $theirs }) is een andere dan hier ({ $ours }): er zijn twee kopieën van dit journaal, of het is gewijzigd
+shop-ahead = de server heeft { $theirs } regels van dit journaal, en hier zijn er maar { $ours }: er is een oudere kopie teruggezet, of er zijn twee kopieën van
+shop-not-text = regel { $number } kan niet worden verstuurd: de bytes zijn geen tekst
+shop-too-long = regel { $number } kan niet worden verstuurd: die heeft { $bytes } bytes
+shop-server = de server meldt: { $reason } ({ $code })
+shop-journal = { $what }
+shop-machine = deze computer kan dat niet: { $reason }
+shop-stopped = gestopt
+
+## Its schema
+shop-made-new = het journaal is in de database gemaakt (versie { $version })
+shop-made-upgraded = het journaal in de database is van versie { $from } naar versie { $version } gebracht
+shop-made-already = het journaal was er al (versie { $version })
+
+## What is wrong on it
+shop-finding-altered = "{ $name }", dat regels tegen wijzigen beschermt, ontbreekt op de server of is uitgeschakeld
+shop-finding-row-security = de tabel "{ $name }" houdt stations niet meer bij hun eigen journaal: de rijbeveiliging is uitgeschakeld
+shop-finding-chain-name = een journaal op de server heeft een naam die er geen is: { $name }

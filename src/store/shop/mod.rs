@@ -1,0 +1,42 @@
+//! The PostgreSQL server of a shop: every station's journal in one place, each of them a chain of its own.
+//!
+//! A station writes to its own file first and sends what it has. The server keeps the bodies byte for byte, refuses changes and looks at
+//! each link; but what proves a chain is walking along it here, and the copy that its station has.
+//!
+//! | file | what |
+//! |---|---|
+//! | `address` | where the server is, without the password |
+//! | `password`, `pgpass` | the password, from the places where PostgreSQL's own programs look for it |
+//! | `tls` | certificates are always checked |
+//! | `server` | a connection that waits for nothing for ever |
+//! | `schema`, `roles.sql`, `tables.sql`, `view.sql` | what the database has, and how it comes to a newer version |
+//! | `source`, `send`, `sender` | a journal, sent once or in the background |
+//! | `verify`, `clock` | whether the chains on the server are whole; how clocks differ |
+//! | `reading` | questions about the checks of all stations |
+//! | `error` | why the server could not be asked |
+
+mod address;
+mod clock;
+mod error;
+mod password;
+pub mod pgpass;
+mod reading;
+mod schema;
+mod send;
+mod sender;
+mod server;
+mod source;
+mod tls;
+mod verify;
+
+pub use address::{AddressError, ShopAddress};
+pub use clock::{Clock, clocks};
+pub use error::ShopError;
+pub use password::{Access, Password, PasswordRemark, Places, keep_in_keyring};
+pub use reading::{Page, Place, ShopReader, ShopRow};
+pub use schema::{Made, SCHEMA, Schema, init, init_as};
+pub use send::{LONGEST_BODY, Sent, send_once};
+pub use sender::{Doing, Sender, Sending, Status};
+pub use server::{Patience, Stop};
+pub use source::Source;
+pub use verify::{ShopChain, ShopFinding, ShopVerified, verify};
