@@ -7,7 +7,7 @@ use std::sync::atomic::Ordering::SeqCst;
 use std::time::{Duration, Instant};
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, OutputCommand, Theme, Vec2, ViewportId, vec2};
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, Theme, Vec2, ViewportId, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::journal::{Journals, Local, Records};
@@ -170,7 +170,7 @@ fn keys_walk_the_list_and_enter_opens_a_record_with_its_reasoning() {
     assert_eq!(window.state().session().records().opened(), None);
     window.get_by_role(Role::Grid).focus();
     window.run();
-    window.key_press_modifiers(Modifiers::COMMAND, Key::C);
+    window.input_mut().events.push(Event::Copy);
     window.step();
     let copied = window.output().platform_output.commands.iter().find_map(|command| match command {
         OutputCommand::CopyText(text) => Some(text.clone()),
@@ -396,7 +396,11 @@ fn the_state_file_turns_recording_off_or_names_another_journal() {
 
 /// A page over a million records that are read slowly, on threads of their own.
 fn million(slow: Duration) -> (Harness<'static, App>, Fake) {
-    let fake = Fake::of(1_000_000, slow);
+    page(1_000_000, slow)
+}
+
+fn page(count: u64, slow: Duration) -> (Harness<'static, App>, Fake) {
+    let fake = Fake::of(count, slow);
     let records = Records { always_threads: true, ..records(fake.clone(), Path::new("/nowhere")) };
     let mut window = Window { records, ..Window::default() }.open();
     press_ctrl(&mut window, Key::Num8);
@@ -419,18 +423,24 @@ fn is_read(window: &Harness<'_, App>) -> bool {
     !rows.is_empty() && rows.iter().all(|row| !row.contains('…'))
 }
 
-/// How long frames take while a key is held, the longest of them left out: the machine is shared.
-fn frames(window: &mut Harness<'_, App>, keys: usize, key: Key) -> Duration {
-    let mut took: Vec<Duration> = (0..keys)
-        .map(|_| {
-            window.key_press(key);
-            let begin = Instant::now();
-            window.step();
-            begin.elapsed()
-        })
-        .collect();
+/// For how long this thread has been on a processor, where the system tells it: the machine is shared, and a clock on the wall
+/// counts what others do.
+fn worked() -> Option<Duration> {
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    Some(Duration::from_nanos(told.split_whitespace().next()?.parse().ok()?))
+}
+
+/// The work of a frame while a key is held, in the middle of many.
+fn work(window: &mut Harness<'_, App>, frames: usize, key: Key) -> Option<Duration> {
+    let mut took = Vec::new();
+    for _ in 0..frames {
+        window.key_press(key);
+        let begin = worked()?;
+        window.step();
+        took.push(worked()?.saturating_sub(begin));
+    }
     took.sort_unstable();
-    took[took.len() / 2]
+    took.get(frames / 2).copied()
 }
 
 #[test]
@@ -442,8 +452,8 @@ fn a_million_records_are_walked_to_the_last_one_and_no_frame_waits() {
     assert!(rows(&window)[0].contains("Record 1000000, 2026-11-21 10:42:07, P1000000"), "{:?}", rows(&window));
     window.get_by_role(Role::Grid).focus();
     window.step();
-    let took = frames(&mut window, 60, Key::PageDown);
-    println!("a million records: {took:?} a frame while paging");
+    let took = work(&mut window, 60, Key::PageDown);
+    println!("a frame while a million records are paged: {took:?}");
     press(&mut window, Key::End);
     until(&mut window, is_read);
     let last = rows(&window).pop().unwrap();
@@ -452,9 +462,7 @@ fn a_million_records_are_walked_to_the_last_one_and_no_frame_waits() {
     // Rows around those in sight, and never more than the pages that are kept.
     assert!(window.state().session().records().listing().read() <= 21 * 200);
     assert!(fake.read.load(SeqCst) < 60 * 400, "{:?}", fake.read);
-    if !cfg!(debug_assertions) {
-        assert!(took < Duration::from_millis(8), "{took:?}");
-    }
+    assert!(took.is_none_or(|took| took < Duration::from_millis(8)), "{took:?}");
 }
 
 #[test]

@@ -292,7 +292,7 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
         Page::Check | Page::Tables => {}
     }
     paint(&mut window, &what);
-    if page != Page::Tables && page != Page::Program {
+    if !matches!(page, Page::Tables | Page::Program | Page::Records) {
         check_frame(&window, points, &what);
     }
     faults(&window, tongue, &what)

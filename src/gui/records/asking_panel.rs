@@ -36,8 +36,7 @@ pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
         return;
     }
     let help = RichText::new(view.text("records-page-help")).size(sizes().small).color(palette(ui.ctx()).quiet.0);
-    // The line is there in any case; what has no room shows under the pointer.
-    ui.add(Label::new(help).truncate());
+    ui.add(Label::new(help).wrap());
     chosen_ui(ui, view);
 }
 
