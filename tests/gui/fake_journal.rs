@@ -47,7 +47,7 @@ impl Fake {
     }
 
     fn head(&self) -> Head {
-        Head { number: self.newest(), hash: Hash([7; 32]) }
+        Head { number: self.newest(), hash: Hash(std::array::from_fn(|at| u8::try_from(37 * (at + 5) % 251).unwrap())) }
     }
 
     /// Waits as a slow disk does; somebody may stop that.
@@ -149,12 +149,20 @@ impl Reads for Fake {
         self.read.fetch_add(numbers.len(), SeqCst);
         let newest = self.newest();
         let written = self.written.lock().unwrap();
+        let corrects = |entry: &Entry| entry.corrects().map(|correction| correction.target.number);
+        let corrected_by = |number: u64| {
+            let by = written.iter().position(|entry| corrects(entry) == Some(number))?;
+            Some(self.count + 1 + u64::try_from(by).unwrap())
+        };
         let row = |number: &u64| {
             let own = number.checked_sub(self.count + 1).and_then(|at| written.get(usize::try_from(at).ok()?));
             RecordRow {
-                head: Head { number: *number, hash: Hash([7; 32]) },
+                head: Head {
+                    number: *number,
+                    hash: Hash(std::array::from_fn(|at| u8::try_from(37 * (at + 5) % 251).unwrap())),
+                },
                 entry: Ok(own.cloned().unwrap_or_else(|| entry(*number))),
-                corrected_by: None,
+                corrected_by: corrected_by(*number),
                 went_back: false,
             }
         };

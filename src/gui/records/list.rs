@@ -45,7 +45,7 @@ type Columns = [Option<Rangef>; HEADS.len() + 1];
 /// order; the row says it all under the pointer. What is left over is the last column's.
 fn columns(left: f32, width: f32) -> Columns {
     const GIVE_WAY: [usize; 6] = [5, 4, 10, 8, 2, 3];
-    let mut wanted = [10.0, 16.0, 44.0, 26.0, 20.0, 20.0, 19.0, 25.0, 25.0, 46.0, 26.0].map(space);
+    let mut wanted = [10.0, 16.0, 34.0, 26.0, 20.0, 20.0, 19.0, 23.0, 25.0, 46.0, 26.0].map(space);
     for column in GIVE_WAY {
         if wanted.iter().sum::<f32>() <= width {
             break;
