@@ -12,6 +12,7 @@
 //! | `ask` | questions to a journal that lasts |
 //! | `found` | what an entry is found by |
 //! | `inspection` | whether a chain is whole, and where it breaks |
+//! | `cycle` | what a measuring cycle found, as it is kept |
 //! | `decision` | what the decision rule of a record says of its value |
 //! | `query` | which records are listed, and in which order; where records are kept, as a trait |
 //! | `memory` | records in memory |
@@ -21,6 +22,7 @@
 pub mod ask;
 pub mod body;
 pub mod chain;
+mod cycle;
 mod decision;
 pub mod entry;
 pub mod found;

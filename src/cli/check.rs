@@ -8,6 +8,7 @@ use super::args::dialogue;
 use super::budget;
 use super::judging::JudgeArgs;
 use super::material::Part;
+use super::record::RecordArgs;
 use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
 use crate::budget::{Assessment, Conditions};
 use crate::control::mask::Mask;
@@ -66,6 +67,8 @@ pub(super) struct Args {
     #[command(flatten)]
     by: JudgeArgs,
     #[command(flatten)]
+    record: RecordArgs,
+    #[command(flatten)]
     tables: TableArgs,
 }
 
@@ -122,6 +125,7 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         // Without a budget a wrong rule is refused before anything is read.
         let rule = if self.by.budget.is_none() { Some(self.by.rule.rule()?) } else { None };
+        let recorder = self.record.recorder(io)?;
         let sources = self.tables.load(io)?;
         let asked = self.callout.trim();
         let asked = if asked.is_empty() { What::Callout.arg() } else { asked.arg() };
@@ -133,7 +137,8 @@ impl Args {
             Err(error @ LimitsError::NoFeature { .. }) => return Err(CliError::AddFeature { error }),
             limits => limits.about(&asked)?,
         };
-        if unstated && self.source.simulate {
+        // A record says hole or shaft, and so does a simulated workpiece.
+        if unstated && (self.source.simulate || recorder.is_some()) {
             return Err(CliError::AddFeature { error: LimitsError::NoFeature { callout } });
         }
         let measurement = self.measurement(&limits, io)?;
@@ -176,7 +181,11 @@ impl Args {
             Format::Json => print_json(&record, unstated, budget.as_ref(), io)?,
             Format::Csv => print_csv(&record, unstated, io)?,
         }
-        Ok(Outcome::Judged(record.verdict.status()))
+        if let Some(mut recorder) = recorder {
+            recorder.size(Arc::new(record), io.files())?;
+            recorder.keep(io)?;
+        }
+        Ok(Outcome::Judged(status))
     }
 
     /// The rule with the uncertainty that the budget gives for this measurement, and that budget.

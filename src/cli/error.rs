@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::answers::LONGEST_LINE;
 use crate::files::FileError;
 use crate::length::Length;
-use crate::message::{Arg, IntoArg, Message, Say};
+use crate::message::{Arg, IntoArg, Message, Say, printed};
 use crate::tolerance::LimitsError;
 
 /// Why a subcommand could not do its work.
@@ -134,6 +134,47 @@ pub(super) enum CliError {
     OptionBesidePlan { option: &'static str },
     /// An option that a single callout needs.
     OptionMissing { option: &'static str },
+    /// The verdict stands and is not in the journal.
+    NotRecorded { error: Message },
+    /// An entry that is not there.
+    NoEntry {
+        #[say(with = printed)]
+        number: u64,
+        #[say(with = printed)]
+        last: u64,
+        path: PathBuf,
+    },
+    /// An entry that is not a check.
+    NoCheck {
+        #[say(with = printed)]
+        number: u64,
+    },
+    /// A check that another entry has corrected already.
+    AlreadyCorrectedBy {
+        #[say(with = printed)]
+        number: u64,
+        #[say(with = printed)]
+        by: u64,
+    },
+    /// Another measured value for a check whose value was measured.
+    NotTyped {
+        #[say(with = printed)]
+        number: u64,
+    },
+    /// A correction that changes nothing.
+    NothingCorrected,
+    /// An entry that is known elsewhere, without the chain that it is of.
+    HeadWithoutChain,
+    /// An entry that is known of another chain.
+    HeadOfOther { chain: String, other: String },
+    /// A program that was built without the server of a shop.
+    #[cfg(not(feature = "shop"))]
+    NoShop,
+    /// The address of a server, where a file is needed.
+    JournalIsServer,
+    /// The system has no folder for a user's data.
+    NoJournalFolder,
+
     /// A file that already exists.
     UseForce { error: FileError },
 }
@@ -180,6 +221,11 @@ pub(super) enum What<'a> {
     Cycle { code: &'a str },
     /// The measuring log.
     Log,
+    /// An entry of a journal.
+    Entry {
+        #[say(with = printed)]
+        number: u64,
+    },
     /// An option.
     Option { name: &'a str },
     /// A parameter that is set before a run.

@@ -1,5 +1,6 @@
 //! `fitcheck import`: measurements from files, with a verdict for each.
 
+mod keeping;
 mod print;
 mod row;
 
@@ -8,11 +9,13 @@ use std::path::{Path, PathBuf};
 use jiff::civil::DateTime;
 
 use super::judging::JudgeArgs;
+use super::record::RecordArgs;
 use super::{CliError, Format, Io, Outcome, TableArgs, said};
 use crate::exchange::{FORMATS, Item, import_each};
 use crate::files;
 use crate::report::columns::names;
 use crate::verdict::Status;
+use keeping::Keeping;
 use print::Printer;
 use row::{Row, Rows};
 
@@ -37,6 +40,9 @@ pub(super) struct Args {
 
     #[command(flatten)]
     by: JudgeArgs,
+
+    #[command(flatten)]
+    record: RecordArgs,
 }
 
 fn help() -> String {
@@ -83,17 +89,22 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
         let now = self.time.unwrap_or_else(super::now);
+        let recorder = self.record.recorder(io)?;
         let judge = self.by.judge(io)?;
         judge.tell(io);
         judge.tell_rule(io);
         let mut printer = Printer::new(self.format, judge.more(), io)?;
         let mut tally = Tally::default();
+        let mut keeping = recorder.map(|recorder| Keeping::new(recorder, io));
         super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {
             match files::read(path) {
                 Ok(bytes) => {
                     let name = path.file_name().unwrap_or_default().to_string_lossy();
-                    let mut rows = Rows::of(path, &judge);
+                    let mut rows = Rows::of(path, &judge, keeping.is_some());
+                    if let Some(keeping) = &mut keeping {
+                        keeping.reads(&name, &bytes);
+                    }
                     let mut printed = Ok(());
                     import_each(&name, &bytes, &sources, now, &mut |item| {
                         warn(path, &item, io);
@@ -102,6 +113,9 @@ impl Args {
                             && let Some(row) = rows.row(item)
                         {
                             tally.count(&row);
+                            if let Some(keeping) = &mut keeping {
+                                keeping.see(&row);
+                            }
                             printed = printer.row(&row, io);
                         }
                     });
@@ -116,6 +130,9 @@ impl Args {
             }
         }
         printer.end(io)?;
+        if let Some(keeping) = keeping {
+            keeping.end(io)?;
+        }
         Ok(match tally.worst {
             _ if tally.bad => Outcome::BadData,
             Some(worst) => Outcome::Judged(worst),

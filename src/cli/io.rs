@@ -10,6 +10,8 @@ use super::{CliError, Refused as _, What};
 use crate::control::deviations;
 use crate::exchange::contacts;
 use crate::files::{self, FileError};
+use crate::journal::chain::Hash;
+use crate::journal::entry::{FileRole, UsedFile};
 use crate::length::Length;
 use crate::message::{IntoArg, Say};
 use crate::tolerance::DeviationTable;
@@ -22,12 +24,14 @@ pub struct Io<'a> {
     pub(super) input: &'a mut (dyn BufRead + Send),
     out: Tame<'a>,
     err: &'a mut dyn Write,
+    /// The files that were read, where they are to be remembered.
+    files: Option<Vec<UsedFile>>,
 }
 
 impl<'a> Io<'a> {
     /// Standard input, standard output (buffered) and standard error.
     pub fn new(input: &'a mut (dyn BufRead + Send), out: &'a mut (dyn Write + Send), err: &'a mut dyn Write) -> Self {
-        Self { input, out: Tame { out }, err }
+        Self { input, out: Tame { out }, err, files: None }
     }
 
     /// Runs with the process's own streams.
@@ -37,6 +41,23 @@ impl<'a> Io<'a> {
         let mut err = std::io::stderr();
         let mut input = BufReader::new(std::io::stdin());
         run(&mut Io::new(&mut input, &mut out, &mut err))
+    }
+
+    /// From here on the files that are read are remembered: what was decided with them is to be recorded.
+    pub(super) fn remember(&mut self) {
+        self.files.get_or_insert_default();
+    }
+
+    /// A file that was read for a check.
+    pub(super) fn used(&mut self, role: FileRole, name: &str, bytes: &[u8]) {
+        if let Some(files) = &mut self.files {
+            files.push(UsedFile { role, name: name.into(), sha256: Hash::of_file(bytes) });
+        }
+    }
+
+    /// The files that were read so far.
+    pub(super) fn files(&self) -> Vec<UsedFile> {
+        self.files.clone().unwrap_or_default()
     }
 
     /// Standard output for an answer that a person reads.
@@ -171,6 +192,7 @@ pub(super) fn read_input(path: &Path, io: &mut Io<'_>) -> Result<(String, Vec<u8
 /// A file of contacts, and the name to call it by.
 pub(super) fn read_contacts(path: &Path, io: &mut Io<'_>) -> Result<(String, contacts::Contacts), CliError> {
     let (name, bytes) = read_input(path, io)?;
+    io.used(FileRole::Measurements, &name, &bytes);
     let read = contacts::read(&bytes).about(&name)?;
     for column in &read.ignored {
         io.warn_about(&name, &CliWarning::ColumnNotUsed { column });

@@ -10,6 +10,7 @@
 //! | `args` | arguments of several subcommands: format, tables, dialogue language |
 //! | `io` | the standard streams, reading and saving files |
 //! | `material` | materials of parts; the temperature of a measured part |
+//! | `record` | what is judged, kept in a journal |
 //! | `rule` | the decision rule and the uncertainty |
 //! | `tools` | the tool table of a control, read and written |
 //! | `answers` | callouts answered one by one as text, CSV or JSON |
@@ -47,11 +48,13 @@ mod error;
 mod fit;
 mod import;
 mod io;
+mod journal;
 mod judging;
 mod limits;
 mod material;
 mod nc;
 mod pair;
+mod record;
 mod report;
 mod rule;
 mod run;
@@ -97,6 +100,7 @@ subcommands! {
     Circle(circle::Args),
     Cycle(cycle::Args),
     Decide(decide::Args),
+    Journal(journal::Args),
     Nc(nc::Args),
     Pair(pair::Args),
     Report(report::Args),

@@ -1,5 +1,7 @@
 //! What a subcommand says on standard error besides errors: remarks and warnings.
 
+use std::path::PathBuf;
+
 use crate::length::Length;
 use crate::message::{IntoArg, Message, Say, printed};
 use crate::tolerance::ToleranceClass;
@@ -96,8 +98,62 @@ pub(super) enum CliRemark {
     BatchFloats { name: String, columns: String },
     /// A run has changed the tool table in memory only.
     ToolsNotWritten,
+    /// A list that ends before the last check.
+    MoreEntries { limit: usize },
+    /// A journal is copied.
+    BackedUp {
+        path: PathBuf,
+        #[say(with = printed)]
+        number: u64,
+        hash: String,
+    },
+    /// What the server of a shop lacked was sent.
+    #[cfg(feature = "shop")]
+    Sent {
+        #[say(with = printed)]
+        entries: u64,
+        #[say(with = printed)]
+        number: u64,
+        server: String,
+    },
+    /// Entries on a server that this version cannot read.
+    #[cfg(feature = "shop")]
+    Unread {
+        #[say(with = printed)]
+        entries: u64,
+    },
+    /// Nothing is known elsewhere of a journal.
+    NoHeadKnown,
     /// A default was used for the clearance height.
     ClearanceHeight { height: Length },
+}
+
+/// What was recorded.
+#[derive(Debug, Say)]
+#[say(prefix = "cli-recorded")]
+pub(super) enum Recorded {
+    /// One check.
+    Entry {
+        #[say(with = printed)]
+        number: u64,
+        file: String,
+        hash: String,
+    },
+    /// Several; the hash is that of the last one.
+    Entries {
+        #[say(with = printed)]
+        first: u64,
+        #[say(with = printed)]
+        last: u64,
+        file: String,
+        hash: String,
+    },
+    /// Nothing was judged.
+    Nothing,
+    /// It is safe here, and the server does not have it yet.
+    NotSent { error: Message },
+    /// Rows of a file that are not checks, or that cannot be kept.
+    Without { rows: usize, places: String },
 }
 
 /// What to check about an answer.

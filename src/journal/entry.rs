@@ -3,6 +3,10 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use jiff::Timestamp;
+use jiff::civil::DateTime;
+use jiff::tz::Offset;
+
 use super::Record;
 use super::chain::{ChainId, Hash, Head};
 use crate::length::Length;
@@ -19,6 +23,21 @@ pub struct Moment {
     pub offset_min: i32,
     /// The name of the time zone, such as `Europe/Amsterdam`; empty where it is not known.
     pub zone: String,
+}
+
+impl Moment {
+    /// What the station's clock showed.
+    pub fn local(&self) -> Option<DateTime> {
+        let offset = Offset::from_seconds(self.offset_min.saturating_mul(60)).ok()?;
+        Some(offset.to_datetime(Timestamp::from_millisecond(self.utc_ms).ok()?))
+    }
+
+    /// The same with how far it was from UTC, for machines: `2026-11-23T13:00:00.123+01:00`.
+    pub fn text(&self) -> String {
+        let (sign, offset) = (if self.offset_min < 0 { '-' } else { '+' }, self.offset_min.unsigned_abs());
+        let Some(local) = self.local() else { return self.utc_ms.to_string() };
+        format!("{}{sign}{:02}:{:02}", local.strftime("%Y-%m-%dT%H:%M:%S%.3f"), offset / 60, offset % 60)
+    }
 }
 
 /// Who measured what, where and when: what a station tells of every entry.
@@ -163,7 +182,8 @@ pub struct CycleCheck {
 }
 
 /// Where the contacts of a cycle come from.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "journal-origin")]
 pub enum CycleOrigin {
     /// A simulated workpiece without faults.
     Perfect,

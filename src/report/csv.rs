@@ -119,7 +119,7 @@ fn check(row: &Row, more: More, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Writes a line. Into memory first: so an error of the stream stays what it is.
-fn line<T: AsRef<[u8]>>(cells: impl IntoIterator<Item = T>, out: &mut dyn Write) -> io::Result<()> {
+pub(crate) fn line<T: AsRef<[u8]>>(cells: impl IntoIterator<Item = T>, out: &mut dyn Write) -> io::Result<()> {
     let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(Vec::new());
     writer.write_record(cells).map_err(io::Error::other)?;
     out.write_all(&writer.into_inner().map_err(csv::IntoInnerError::into_error)?)

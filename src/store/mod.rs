@@ -5,10 +5,12 @@
 //! | file | what |
 //! |---|---|
 //! | `local` | the journal of a station: one SQLite file |
+//! | `here` | this computer: its name and its time |
 //! | `error` | why a journal could not be used |
 //! | `shop` | the PostgreSQL server of a shop, with the feature of that name |
 
 mod error;
+pub mod here;
 pub mod local;
 #[cfg(feature = "shop")]
 pub mod shop;

@@ -40,6 +40,8 @@ mod iso286;
 mod iso286_rules;
 mod journal_ask;
 mod journal_body;
+mod journal_cli;
+mod journal_disks;
 mod journal_kills;
 mod journal_query;
 mod lengths;

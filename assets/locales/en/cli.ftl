@@ -26,6 +26,7 @@ cli-what-perfect-workpiece = workpiece at nominal
 cli-what-size = size
 cli-what-cycle = cycle { $code }
 cli-what-log = log
+cli-what-entry = entry { $number }
 cli-what-option = --{ $name }
 cli-what-set = --set { $name }={ $value }
 
@@ -117,6 +118,9 @@ cli-remark-batch-utf16 = { $name } is UTF-16 and is written as UTF-8
 cli-remark-batch-floats = { $name } has floating-point numbers in { $columns }: each is judged as the shortest decimal that stands for it
 cli-remark-tools-not-written = the tool table is not written: --tools-out FILE.t writes it with these changes
 cli-remark-clearance-height = the clearance height is { $height } mm: --clearance-height changes it
+cli-remark-more-entries = only { $limit } are listed: --limit N lists more
+cli-remark-backed-up = copied up to entry { $number } to { $path } (hash { $hash })
+cli-remark-no-head-known = no entry of this journal is known elsewhere: that its newest entries were cut off would not be found
 
 # Warnings
 cli-warning-column-not-used = column { $column } is skipped
@@ -180,3 +184,26 @@ cli-verify-own = { $table }; not compared, not ISO 286 classes: { $own }
 ## Start
 start-missing = no such file: { $path }; name an existing file to open it in the window, or a subcommand
 start-folder = this is a folder, not a file: { $path }; only files open in the window
+
+## What was recorded
+cli-recorded-entry = recorded as entry { $number } of { $file } (hash { $hash })
+cli-recorded-entries = recorded as entries { $first } to { $last } of { $file } (hash of the last one { $hash })
+cli-recorded-nothing = nothing was judged, so nothing was recorded
+cli-recorded-without = { $rows ->
+    [one] 1 row is not recorded
+   *[other] { $rows } rows are not recorded
+}: { $places }
+cli-not-recorded = nothing was recorded: { $error }
+cli-journal-is-server = this needs the journal of a station, a file: a server takes what stations have recorded
+cli-no-shop = this program was built without the server of a shop: name a file as the journal
+cli-recorded-not-sent = not sent to the server yet: { $error }; what is recorded here stays, and fitcheck journal send sends it
+cli-no-journal-folder = this system has no folder for your data: name a journal with --journal FILE
+cli-no-entry = there is no entry { $number } in { $path }: the last one is { $last }
+cli-no-check = entry { $number } is not a check
+cli-already-corrected-by = entry { $number } is corrected or withdrawn by entry { $by } already: correct that one
+cli-not-typed = the value of entry { $number } was measured, not typed: measure again, or withdraw the check
+cli-nothing-corrected = a correction changes something: give --measured, --who, --part, --serial, --feature-name, --remark or --withdraw
+cli-remark-sent = { $entries } entries were sent to { $server }, which has this journal up to entry { $number }
+cli-remark-unread = { $entries } entries are passed over: this version cannot read them
+cli-head-without-chain = a server has several chains: --head CHAIN:NUMBER:HASH
+cli-head-of-other = this journal is the chain { $chain }, and --head names { $other }

@@ -20,6 +20,9 @@ journal-body-empty = { $field } is empty
 journal-body-too-many = { $field } has { $count } entries, at most { $most } are allowed
 journal-body-value = { $field } cannot be "{ $given }"
 journal-body-contradiction = { $field } says something else than the fields that it follows from
+journal-origin-perfect = simulated, a workpiece without faults
+journal-origin-workpiece = simulated, { $file }, seed { $seed }
+journal-origin-contacts = contacts from { $file }
 journal-check-judged-otherwise = decided as { $kept }, which stands; this version of Fitcheck decides { $now }
 
 ## Questions

@@ -26,6 +26,7 @@ cli-what-perfect-workpiece = werkstuk op nominale maat
 cli-what-size = maat
 cli-what-cycle = cyclus { $code }
 cli-what-log = meetprotocol
+cli-what-entry = regel { $number }
 cli-what-option = --{ $name }
 cli-what-set = --set { $name }={ $value }
 
@@ -117,6 +118,9 @@ cli-remark-batch-utf16 = { $name } is UTF-16 en wordt als UTF-8 geschreven
 cli-remark-batch-floats = { $name } heeft binaire breuken in { $columns }: elk wordt beoordeeld als het kortste decimale getal dat ervoor staat
 cli-remark-tools-not-written = de gereedschapstabel is niet geschreven: --tools-out BESTAND.t schrijft hem met deze wijzigingen
 cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die met --clearance-height
+cli-remark-more-entries = hier staan er maar { $limit }: --limit N toont er meer
+cli-remark-backed-up = gekopieerd tot en met regel { $number } naar { $path } (hash { $hash })
+cli-remark-no-head-known = van dit logboek is elders geen regel bekend: dat de nieuwste regels zijn afgesneden, zou niet worden gevonden
 
 # Waarschuwingen
 cli-warning-column-not-used = kolom { $column } is overgeslagen
@@ -180,3 +184,26 @@ cli-verify-own = { $table }; niet vergeleken, geen klassen van ISO 286: { $own }
 ## Start
 start-missing = bestand bestaat niet: { $path }; noem een bestaand bestand om het in het venster te openen, of een subopdracht
 start-folder = dit is een map, geen bestand: { $path }; alleen bestanden gaan open in het venster
+
+## What was recorded
+cli-recorded-entry = vastgelegd als regel { $number } van { $file } (hash { $hash })
+cli-recorded-entries = vastgelegd als regels { $first } tot en met { $last } van { $file } (hash van de laatste { $hash })
+cli-recorded-nothing = er is niets beoordeeld, dus er is niets vastgelegd
+cli-recorded-without = { $rows ->
+    [one] 1 rij is niet vastgelegd
+   *[other] { $rows } rijen zijn niet vastgelegd
+}: { $places }
+cli-not-recorded = er is niets vastgelegd: { $error }
+cli-journal-is-server = hiervoor is het logboek van een station nodig, een bestand: een server krijgt wat stations hebben vastgelegd
+cli-no-shop = dit programma is gebouwd zonder de server van een werkplaats: noem een bestand als logboek
+cli-recorded-not-sent = nog niet naar de server gestuurd: { $error }; wat hier is vastgelegd blijft, en fitcheck journal send stuurt het
+cli-no-journal-folder = dit systeem heeft geen map voor eigen gegevens: noem een logboek met --journal FILE
+cli-no-entry = in { $path } is geen regel { $number }: de laatste is { $last }
+cli-no-check = regel { $number } is geen controle
+cli-already-corrected-by = regel { $number } is al gecorrigeerd of ingetrokken door regel { $by }: corrigeer die
+cli-not-typed = de waarde van regel { $number } is gemeten en niet getypt: meet opnieuw, of trek de controle in
+cli-nothing-corrected = een correctie verandert iets: geef --measured, --who, --part, --serial, --feature-name, --remark of --withdraw
+cli-remark-sent = { $entries } regels gestuurd naar { $server }, die dit logboek nu heeft tot en met regel { $number }
+cli-remark-unread = { $entries } regels zijn overgeslagen: deze versie kan ze niet lezen
+cli-head-without-chain = een server heeft verschillende ketens: --head CHAIN:NUMBER:HASH
+cli-head-of-other = dit logboek is de keten { $chain }, en --head noemt { $other }

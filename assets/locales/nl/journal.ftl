@@ -20,6 +20,9 @@ journal-body-empty = { $field } is leeg
 journal-body-too-many = { $field } heeft { $count } onderdelen, hoogstens { $most } zijn toegestaan
 journal-body-value = { $field } kan niet "{ $given }" zijn
 journal-body-contradiction = { $field } zegt iets anders dan de velden waaruit het volgt
+journal-origin-perfect = gesimuleerd, een werkstuk zonder fouten
+journal-origin-workpiece = gesimuleerd, { $file }, startgetal { $seed }
+journal-origin-contacts = meetpunten uit { $file }
 journal-check-judged-otherwise = geoordeeld als { $kept }, en dat blijft zo; deze versie van Fitcheck oordeelt { $now }
 
 ## Questions

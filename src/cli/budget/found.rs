@@ -9,11 +9,13 @@ use crate::cli::io::read_input;
 use crate::cli::said::CliRemark;
 use crate::cli::{CliError, Io, Refused as _};
 use crate::control::text::decode;
+use crate::journal::entry::FileRole;
 use crate::verdict::rules::Uncertainty;
 
 /// A budget's file, and the name to call it by.
 pub(in crate::cli) fn read(path: &Path, io: &mut Io<'_>) -> Result<(String, Budget), CliError> {
     let (name, bytes) = read_input(path, io)?;
+    io.used(FileRole::Budget, &name, &bytes);
     let budget = Budget::read(&decode(&bytes)).about(&name)?;
     Ok((name, budget))
 }

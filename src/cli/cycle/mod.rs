@@ -18,6 +18,7 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
 use super::args::dialogue;
+use super::record::RecordArgs;
 use super::tools::ToolArgs;
 use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts, read_input};
 use crate::control::probe_block;
@@ -25,6 +26,7 @@ use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
 use crate::control::tool_table::{Changed, ToolChange};
 use crate::exchange::contacts;
+use crate::journal::entry::{CycleCheck, CycleOrigin, FileRole};
 use crate::length::Length;
 use crate::message::Located;
 use crate::nc::machine::Remark;
@@ -91,6 +93,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE.tp")]
     probe_table: Option<PathBuf>,
     #[command(flatten)]
+    record: RecordArgs,
+    #[command(flatten)]
     tools: ToolArgs,
     /// Number of the probe in the table; default: the first one
     #[arg(long, value_name = "N")]
@@ -128,6 +132,17 @@ pub(super) enum Source {
     Contacts { file: String, contacts: Vec<Contact>, has_heights: bool },
 }
 
+impl Source {
+    /// The same as a journal keeps it.
+    pub(super) fn origin(&self) -> CycleOrigin {
+        match self {
+            Self::Perfect => CycleOrigin::Perfect,
+            Self::Workpiece { file, part } => CycleOrigin::Workpiece { file: file.as_str().into(), seed: part.seed },
+            Self::Contacts { file, .. } => CycleOrigin::Contacts { file: file.as_str().into() },
+        }
+    }
+}
+
 /// Everything that is printed.
 struct Run<'a> {
     cycle: &'static Cycle,
@@ -159,6 +174,7 @@ impl Args {
             list::print(self.cycle, language, self.format, io)?;
             return Ok(Outcome::Done);
         }
+        let recorder = self.record.recorder(io)?;
         let inputs = self.read_inputs(io)?;
         if self.as_block {
             // A block that the control would refuse is not written.
@@ -198,6 +214,12 @@ impl Args {
             Format::Csv if self.path => answer::print_path_csv(&path, io)?,
             Format::Csv => answer::print_csv(&run, io)?,
             Format::Json => answer::print_json(&run, io)?,
+        }
+        if let Some(mut recorder) = recorder {
+            if result.verdict().is_some() {
+                recorder.cycle(CycleCheck::of(self.cycle, &result, source.origin()), io.files())?;
+            }
+            recorder.keep(io)?;
         }
         if let (Some(stop), Format::Csv) = (&result.stop, self.format) {
             io.tell(stop);
@@ -354,6 +376,7 @@ pub(super) fn probe_table(path: Option<&Path>, io: &mut Io<'_>) -> Result<ProbeT
 /// A file of a simulated workpiece, and its name.
 pub(super) fn read_workpiece(path: &Path, io: &mut Io<'_>) -> Result<(String, Part), CliError> {
     let (file, bytes) = read_input(path, io)?;
+    io.used(FileRole::Workpiece, &file, &bytes);
     let part = Part::read(&decode(&bytes)).about(&file)?;
     Ok((file, part))
 }

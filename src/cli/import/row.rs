@@ -69,8 +69,8 @@ pub(super) struct Row {
     pub(super) source: Option<String>,
     pub(super) warnings: Vec<String>,
     pub(super) error: Option<String>,
-    /// The check, where it has more to say than a control.
-    pub(super) judged: Option<Box<Record>>,
+    /// The check, where it is wanted or has more to say than a control.
+    pub(super) judged: Option<Arc<Record>>,
 }
 
 /// A cell of the CSV or a value in JSON.
@@ -86,6 +86,8 @@ pub(super) enum Value<'a> {
 /// Makes the rows of a file from what is read from it.
 pub(super) struct Rows<'a> {
     judge: &'a Judge,
+    /// Whether the check of a row is wanted even where it has no more to say than a control.
+    wants_checks: bool,
     /// The path as the user gave it.
     path: String,
     /// The name without its folder.
@@ -95,9 +97,9 @@ pub(super) struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    pub(super) fn of(path: &Path, judge: &'a Judge) -> Self {
+    pub(super) fn of(path: &Path, judge: &'a Judge, wants_checks: bool) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy().as_ref().into();
-        Self { judge, path: path.display().to_string(), name, warnings: (0, Vec::new()) }
+        Self { judge, wants_checks, path: path.display().to_string(), name, warnings: (0, Vec::new()) }
     }
 
     /// The row of what was read; none for a warning, which goes to the row that follows, and for contacts, which have
@@ -140,11 +142,12 @@ impl Rows<'_> {
     /// The row of a record, as the judge of this import says.
     fn record(&self, record: Box<Record>) -> Row {
         if self.judge.is_plain() {
-            return Row::of(&record);
+            let row = Row::of(&record);
+            return Row { judged: self.wants_checks.then(|| Arc::from(record)), ..row };
         }
         let (id, measured) = (record.id.clone(), record.measurement.diameter);
         match self.judge.judged(*record) {
-            Ok(record) => Row { judged: Some(Box::new(record.clone())), ..Row::of(&record) },
+            Ok(record) => Row { judged: Some(Arc::new(record.clone())), ..Row::of(&record) },
             Err(error) => Row { id, measured: Some(measured), error: Some(error.to_string()), ..Row::default() },
         }
     }

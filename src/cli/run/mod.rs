@@ -16,11 +16,13 @@ use clap::ValueEnum;
 
 use super::args::dialogue;
 use super::cycle::{Source, pairs, probe_table, read_workpiece};
+use super::record::{RecordArgs, Recorder};
 use super::tools::ToolArgs;
 use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input};
 use crate::control::variables::{Parameter, Value};
 use crate::exchange::contacts;
 use crate::files::{self, FileError, Folders};
+use crate::journal::entry::{CycleCheck, FileRole};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::{Program, ProgramWarning};
 use crate::words::Dialogue;
@@ -82,6 +84,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE.tp")]
     probe_table: Option<PathBuf>,
     #[command(flatten)]
+    record: RecordArgs,
+    #[command(flatten)]
     tools: ToolArgs,
     /// Skip unknown blocks instead of stopping
     #[arg(long)]
@@ -137,6 +141,7 @@ trait Listener {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let language = self.language;
+        let recorder = self.record.recorder(io)?;
         let source = self.source(io)?;
         let (mut machine, warnings) = self.machine(&source, io)?;
         let mut names = BTreeSet::new();
@@ -169,16 +174,21 @@ impl Args {
                 ended
             }
         };
+        // What was measured before a fault was measured.
+        let recorded = recorder.map_or(Ok(()), |recorder| keep(recorder, &machine, &source, io));
         if let Some(fault) = ended.fault {
             text::tell_fault(&fault, language.language(), io);
+            recorded?;
             return Ok(Outcome::BadData);
         }
+        recorded?;
         Ok(machine.status().map_or(Outcome::Done, Outcome::Judged))
     }
 
     /// The machine, and what the reader of the program has to say.
     fn machine(&self, source: &Source, io: &mut Io<'_>) -> Result<(Machine, Vec<ProgramWarning>), CliError> {
         let (name, bytes, beside) = self.read_program(io)?;
+        io.used(FileRole::Program, &name, &bytes);
         let (program, warnings) = Program::read(&bytes).about(&name)?;
         for warning in &warnings {
             io.warn_about(&name, warning);
@@ -295,6 +305,17 @@ fn run(machine: &mut Machine, listener: &mut dyn Listener, io: &mut Io<'_>) -> R
             }
         }
     }
+}
+
+/// Records every cycle of a run that judged.
+fn keep(mut recorder: Recorder, machine: &Machine, source: &Source, io: &mut Io<'_>) -> Result<(), CliError> {
+    for run in machine.cycles().iter().filter(|run| run.result.verdict().is_some()) {
+        let (file, line) = place(machine, &run.place.program, run.place.block);
+        let line = u64::try_from(line).unwrap_or_default();
+        let check = CycleCheck::of(run.cycle, &run.result, source.origin());
+        recorder.cycle(CycleCheck { block: Some((file, line)), ..check }, io.files())?;
+    }
+    recorder.keep(io)
 }
 
 /// File name and line of a block, `8255_nl.h:4`.

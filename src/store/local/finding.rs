@@ -8,7 +8,7 @@ use crate::journal::ask::Question;
 use crate::journal::found::{Found, Kind, folded};
 use crate::verdict::Status;
 
-/// Adds what an entry is found by, but for its words.
+/// Adds the row of an entry.
 pub(super) fn add(connection: &Connection, number: i64, found: &Found<'_>) -> rusqlite::Result<()> {
     let mut insert = connection.prepare_cached(
         "INSERT INTO find(number, at, kind, status, simulated, part, serial, feature, callout, class, who, station, corrects) \
@@ -113,8 +113,9 @@ impl Conditions {
         if let Some(before) = question.before_ms {
             conditions.add("at < ?", [Value::Integer(before)]);
         }
-        if let Some(simulated) = question.simulated {
-            conditions.add("simulated = ?", [Value::Integer(i64::from(simulated))]);
+        if let Some(is_simulated) = question.simulated {
+            // As it is written in the index.
+            conditions.add(if is_simulated { "simulated = 1" } else { "simulated = 0" }, []);
         }
         if question.standing {
             conditions.sql.push_str(

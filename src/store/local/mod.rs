@@ -10,7 +10,8 @@
 //! | `opening` | what is looked at before a file is used; what a connection is set to |
 //! | `schema` | the tables, and what keeps entries as they are |
 //! | `finding` | what an entry is found by, and questions as conditions on it |
-//! | `words` | the words of entries |
+//! | `index` | what entries are found by, some hundreds of entries later |
+//! | `words` | questions for words |
 //! | `reader` | reading, beside the writer |
 //! | `verify` | whether every entry is the one that was written |
 //! | `backup` | a copy at one moment |
@@ -21,6 +22,7 @@ mod anchor;
 mod aside;
 mod backup;
 mod finding;
+mod index;
 mod opening;
 mod reader;
 mod schema;
@@ -149,6 +151,12 @@ impl Journal {
         }
         let chain = reader::chain_of(&connection, path)?;
         let head = head_of(&connection).map_err(failed)?;
+        if reader::integer(head.number) < index::indexed(&connection).map_err(failed)? {
+            // Entries were cut off: what is added now has numbers that were indexed already.
+            let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate).map_err(failed)?;
+            schema::rebuild(&transaction).map_err(failed)?;
+            transaction.commit().map_err(failed)?;
+        }
         if let Some(known) = known {
             remarks.extend(anchor::compare(&connection, path, (chain, head), known).map_err(failed)?);
         }
@@ -182,11 +190,20 @@ impl Journal {
         let is_due = self.anchored + ANCHOR_EVERY <= head.number;
         self.head = head;
         // What was added stays added where this fails; the next entry tries it again.
-        let _later = words::index(&self.connection, reader::integer(head.number));
+        let _later = index::bring_up(&self.connection, reader::integer(head.number));
         if is_due {
             self.keep_head();
         }
         Ok(kept)
+    }
+
+    /// Indexes what waits to be indexed: in a quiet moment, so that questions are answered faster.
+    ///
+    /// # Errors
+    /// [`StoreError`] where the file cannot be written to; nothing is lost.
+    pub fn tidy(&mut self) -> Result<(), StoreError> {
+        let all = || index::bring_all_up(&self.connection, reader::integer(head_of(&self.connection)?.number));
+        all().map_err(|error: rusqlite::Error| StoreError::of(&self.path, &error))
     }
 
     /// The name of the chain.
@@ -264,9 +281,6 @@ fn add(
         .prepare_cached("INSERT INTO entry(number, body, hash) VALUES (?1, ?2, ?3)")
         .and_then(|mut insert| insert.execute(params![row, body, hash.0]))
         .map_err(failed)?;
-    if let Some(found) = body::found(body).map_err(StoreError::Body)? {
-        finding::add(connection, row, &found).map_err(failed)?;
-    }
     Ok(Head { number, hash })
 }
 

@@ -1,5 +1,6 @@
 //! Reading a journal, beside whoever adds to it.
 
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -7,6 +8,7 @@ use rusqlite::types::Value;
 use rusqlite::{Connection, InterruptHandle, OptionalExtension as _, params_from_iter};
 
 use super::finding::Conditions;
+use super::index::{self, Waiting};
 use super::{head_of, opening, words};
 use crate::journal::ask::Question;
 use crate::journal::body::{self, BodyError};
@@ -105,19 +107,32 @@ impl Reader {
     /// # Errors
     /// [`StoreError::Interrupted`] where somebody stopped it, and as for [`Self::head`].
     pub fn numbers(&self, question: &Question, before: Option<u64>, most: usize) -> Result<Vec<u64>, StoreError> {
-        let Some(words) = question.wanted_words() else { return Ok(Vec::new()) };
-        let conditions = Conditions::of(question);
-        let (before, most) = (before.map_or(i64::MAX, integer), size(most));
         let read = || -> rusqlite::Result<Vec<u64>> {
-            if !words.is_empty() {
-                let transaction = self.connection.unchecked_transaction()?;
-                return words::numbers(&transaction, &conditions, &words, (before, most));
+            let Some(words) = question.wanted_words() else { return Ok(Vec::new()) };
+            let transaction = self.connection.unchecked_transaction()?;
+            let (indexed, before) = (index::indexed(&transaction)?, before.map_or(i64::MAX, integer));
+            let mut numbers = Vec::new();
+            let mut corrections = BTreeMap::new();
+            if indexed < before || question.standing {
+                let waiting = Waiting::of(&transaction)?;
+                numbers.extend(waiting.numbers(question, before).take(most));
+                corrections = waiting.corrections();
             }
-            let Conditions { sql, mut values } = conditions;
-            let sql = format!("SELECT number FROM find WHERE {sql} AND number < ? ORDER BY number DESC LIMIT ?");
-            values.extend([Value::Integer(before), Value::Integer(most)]);
-            let mut numbers = self.connection.prepare_cached(&sql)?;
-            numbers.query_map(params_from_iter(values), |row| row.get(0).map(natural))?.collect()
+            if numbers.len() < most {
+                let conditions = Conditions::of(question);
+                // Those that an entry corrects that waits do not stand.
+                let left = most.saturating_sub(numbers.len()).saturating_add(corrections.len());
+                let bounds = (before.min(indexed.saturating_add(1)), size(left));
+                let rest = if words.is_empty() {
+                    indexed_numbers(&transaction, conditions, bounds)?
+                } else {
+                    words::numbers(&transaction, &conditions, &words, bounds)?
+                };
+                let stands = |number: &u64| !question.standing || !corrections.contains_key(number);
+                numbers.extend(rest.into_iter().filter(stands));
+                numbers.truncate(most);
+            }
+            Ok(numbers)
         };
         read().map_err(|error| self.failed(&error))
     }
@@ -127,7 +142,7 @@ impl Reader {
     /// # Errors
     /// As for [`Self::numbers`].
     pub fn count(&self, question: &Question, most: u64) -> Result<u64, StoreError> {
-        if question.words.iter().any(|text| !text.trim().is_empty()) {
+        if question.standing || question.words.iter().any(|text| !text.trim().is_empty()) {
             let numbers = self.numbers(question, None, usize::try_from(most).unwrap_or(usize::MAX))?;
             return Ok(u64::try_from(numbers.len()).unwrap_or(u64::MAX));
         }
@@ -135,8 +150,11 @@ impl Reader {
         let sql = format!("SELECT count(*) FROM (SELECT 1 FROM find WHERE {sql} LIMIT ?)");
         values.push(Value::Integer(integer(most)));
         let read = || -> rusqlite::Result<u64> {
-            let mut count = self.connection.prepare_cached(&sql)?;
-            count.query_row(params_from_iter(values), |row| row.get(0).map(natural))
+            let transaction = self.connection.unchecked_transaction()?;
+            let waiting = Waiting::of(&transaction)?.numbers(question, i64::MAX).count();
+            let mut count = transaction.prepare_cached(&sql)?;
+            let indexed = count.query_row(params_from_iter(values), |row| row.get(0).map(natural))?;
+            Ok(indexed.saturating_add(u64::try_from(waiting).unwrap_or(u64::MAX)).min(most))
         };
         read().map_err(|error| self.failed(&error))
     }
@@ -150,11 +168,14 @@ impl Reader {
             let transaction = self.connection.unchecked_transaction()?;
             let mut entries = transaction.prepare_cached("SELECT number, body, hash FROM entry WHERE number = ?1")?;
             let mut newest = transaction.prepare_cached("SELECT max(number) FROM find WHERE corrects = ?1")?;
+            let corrections = Waiting::of(&transaction)?.corrections();
             let mut rows = Vec::with_capacity(numbers.len());
             for number in numbers {
-                let number = integer(*number);
-                let Some(kept) = entries.query_row([number], kept).optional()? else { continue };
-                let corrected_by = newest.query_row([number], |row| row.get::<_, Option<i64>>(0))?.map(natural);
+                let Some(kept) = entries.query_row([integer(*number)], kept).optional()? else { continue };
+                let corrected_by = match corrections.get(number) {
+                    Some(by) => Some(*by),
+                    None => newest.query_row([integer(*number)], |row| row.get::<_, Option<i64>>(0))?.map(natural),
+                };
                 rows.push(Row { entry: body::read(&kept.body), kept, corrected_by });
             }
             Ok(rows)
@@ -187,6 +208,19 @@ impl Reader {
     fn failed(&self, error: &rusqlite::Error) -> StoreError {
         StoreError::of(&self.path, error)
     }
+}
+
+/// The numbers of indexed entries that a question without words asks for.
+fn indexed_numbers(
+    connection: &Connection,
+    conditions: Conditions,
+    (before, most): (i64, i64),
+) -> rusqlite::Result<Vec<u64>> {
+    let Conditions { sql, mut values } = conditions;
+    let sql = format!("SELECT number FROM find WHERE {sql} AND number < ? ORDER BY number DESC LIMIT ?");
+    values.extend([Value::Integer(before), Value::Integer(most)]);
+    let mut numbers = connection.prepare_cached(&sql)?;
+    numbers.query_map(params_from_iter(values), |row| row.get(0).map(natural))?.collect()
 }
 
 /// The name of the chain that a file holds. Its first entry tells it, too, and is hashed with it.

@@ -3,10 +3,9 @@
 //! `entry` is the truth and never changes its form: what was written stays as it was. Everything else is derived from it, serves
 //! questions, and is made anew by every newer version ([`rebuild`]).
 
-use rusqlite::{Connection, Transaction, params};
+use rusqlite::{Connection, Transaction};
 
-use super::{finding, words};
-use crate::journal::body;
+use super::index;
 
 /// What the file says it is: `Fitc` as a number.
 pub(super) const APPLICATION: i64 = 0x4669_7463;
@@ -62,8 +61,9 @@ CREATE INDEX find_status ON find(status, number);
 CREATE INDEX find_who ON find(who, number);
 CREATE INDEX find_corrects ON find(corrects, number) WHERE corrects IS NOT NULL;
 CREATE VIRTUAL TABLE words USING fts5(text, content='', columnsize=0, detail='none', tokenize='ascii');
-CREATE TABLE worded(number INTEGER NOT NULL) STRICT;
-INSERT INTO worded VALUES (0);
+CREATE TABLE indexed(number INTEGER NOT NULL) STRICT;
+INSERT INTO indexed VALUES (0);
+CREATE INDEX find_simulated ON find(number) WHERE simulated = 1;
 ";
 
 /// Makes everything in an empty file.
@@ -79,25 +79,15 @@ pub(super) fn make(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
 /// Makes the derived tables anew from the entries: how every older version is brought to this one.
 pub(super) fn rebuild(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
     let derived: Vec<String> = transaction
-        .prepare("SELECT name FROM sqlite_schema WHERE type = 'table' AND name IN ('find', 'words', 'worded')")?
+        .prepare("SELECT name FROM sqlite_schema WHERE type = 'table' AND name IN ('find', 'words', 'indexed')")?
         .query_map([], |row| row.get(0))?
         .collect::<Result<_, _>>()?;
     for name in derived {
         transaction.execute_batch(&format!("DROP TABLE \"{name}\""))?;
     }
     transaction.execute_batch(FIND)?;
-    let mut entries = transaction.prepare("SELECT number, body FROM entry ORDER BY number")?;
-    let mut rows = entries.query(params![])?;
-    while let Some(row) = rows.next()? {
-        let (number, bytes) = (row.get(0)?, row.get_ref(1)?.as_blob()?);
-        // An entry of a newer program, or one that was changed, is kept and not found; the chain tells of the latter.
-        if let Ok(Some(found)) = body::found(bytes) {
-            finding::add(transaction, number, &found)?;
-        }
-    }
-    words::all_from(transaction, 0, i64::MAX)?;
-    let last = "UPDATE worded SET number = coalesce((SELECT max(number) FROM entry), 0)";
-    transaction.execute(last, [])?;
+    let last = transaction.query_row("SELECT coalesce(max(number), 0) FROM entry", [], |row| row.get(0))?;
+    index::all_from(transaction, 0, last)?;
     transaction.pragma_update(None, "user_version", VERSION)
 }
 

@@ -10,7 +10,7 @@ use std::thread;
 
 use rusqlite::{Connection, OptionalExtension as _};
 
-use super::{finding, opening, reader, schema};
+use super::{finding, index, opening, reader, schema};
 use crate::journal::body;
 use crate::journal::chain::{ChainId, Hash, Head, entry_hash};
 use crate::journal::entry::Kept;
@@ -127,9 +127,11 @@ fn walk(
 
 /// How many entries are found by something else than what they say, or are found and not there.
 fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite::Result<u64> {
-    let mut finds = connection.prepare(finding::ROWS)?;
+    let transaction = connection.unchecked_transaction()?;
+    let mut finds = transaction.prepare(finding::ROWS)?;
     let mut rows = finds.query([])?;
     let mut row = rows.next()?;
+    let indexed = index::indexed(&transaction)?;
     let (mut wrong, mut last) = (0_u64, 0);
     let mut classes = Classes::default();
     while let Ok(block) = entries.recv() {
@@ -141,8 +143,8 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
                 wrong = wrong.saturating_add(1);
                 row = rows.next()?;
             }
-            // An entry that cannot be read is found by nothing.
-            let found = body::found(&kept.body).ok().flatten();
+            // An entry that cannot be read is found by nothing, and one that waits is looked at itself.
+            let found = body::found(&kept.body).ok().flatten().filter(|_found| last <= indexed);
             let is_there = row.is_some_and(|row| row.get_ref(0).is_ok_and(|number| number.as_i64() == Ok(last)));
             let agrees = match (row, &found) {
                 (Some(row), Some(found)) if is_there => finding::is_of(row, found, classes.of(found))?,
@@ -157,7 +159,7 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
         }
     }
     // Whoever records meanwhile adds rows behind the last.
-    let more: i64 = connection.query_row(
+    let more: i64 = transaction.query_row(
         "SELECT count(*) FROM find WHERE number > ?1 AND number NOT IN (SELECT number FROM entry)",
         [last],
         |row| row.get(0),

@@ -1,59 +1,20 @@
-//! The words of entries, and questions for them.
+//! Questions for words.
 //!
-//! To index the words of each entry when it is added would take as long as adding it. So they wait until some hundreds have come, and
-//! whoever asks looks at the newest entries themselves. That is also the faster way for words that nearly every entry has; the index is
-//! there for those that few have.
+//! A word that nearly every entry has is found faster by looking at the newest entries than by asking the index for all that have it; the
+//! index is there for words that few have.
 
 use rusqlite::types::Value;
-use rusqlite::{Connection, Transaction, TransactionBehavior, params, params_from_iter};
+use rusqlite::{Connection, params_from_iter};
 
 use super::finding::Conditions;
 use super::reader::natural;
 use crate::journal::body;
 
-/// So many entries wait for their words to be indexed.
-const WAIT: i64 = 512;
-/// So many entries are looked at themselves before the index is asked: more than ever wait.
+/// So many entries are looked at before the index is asked.
 const LOOK: i64 = 2_000;
 
-/// Indexes the words of the entries that wait, if they are many.
-pub(super) fn index(connection: &Connection, last: i64) -> rusqlite::Result<()> {
-    if last < indexed(connection)?.saturating_add(WAIT) {
-        return Ok(());
-    }
-    let transaction = Transaction::new_unchecked(connection, TransactionBehavior::Immediate)?;
-    // Another program may have been first.
-    let indexed = indexed(&transaction)?;
-    if indexed < last {
-        all_from(&transaction, indexed, last)?;
-    }
-    transaction.commit()
-}
-
-/// The last entry whose words are indexed.
-fn indexed(connection: &Connection) -> rusqlite::Result<i64> {
-    connection.prepare_cached("SELECT number FROM worded")?.query_row([], |row| row.get(0))
-}
-
-/// Indexes the words of all entries behind one, up to another one.
-pub(super) fn all_from(connection: &Connection, indexed: i64, last: i64) -> rusqlite::Result<()> {
-    let mut insert = connection.prepare("INSERT INTO words(rowid, text) VALUES (?1, ?2)")?;
-    let mut entries =
-        connection.prepare("SELECT number, body FROM entry WHERE ?1 < number AND number <= ?2 ORDER BY number")?;
-    let mut rows = entries.query([indexed, last])?;
-    while let Some(row) = rows.next()? {
-        let words = match body::found(row.get_ref(1)?.as_blob()?) {
-            Ok(Some(found)) => found.words(),
-            Ok(None) | Err(_) => Vec::new(),
-        };
-        if !words.is_empty() {
-            insert.execute(params![row.get::<_, i64>(0)?, words.join(" ")])?;
-        }
-    }
-    connection.execute("UPDATE worded SET number = ?1", [last]).map(drop)
-}
-
-/// The numbers of entries that have words, newest first: those of the newest that conditions allow, and then those of the index.
+/// The numbers of entries that have words, newest first: those of the newest that conditions allow, and then those of the index. Only what is indexed is
+/// asked.
 pub(super) fn numbers(
     connection: &Connection,
     conditions: &Conditions,

@@ -15,7 +15,7 @@ use crate::files;
 use crate::message::Say;
 
 /// How long the keyring may ask somebody to open it.
-const KEYRING_WAITS: Duration = Duration::from_secs(60);
+const KEYRING_WAITS: Duration = Duration::from_mins(1);
 
 /// What the password is kept under in the keyring, beside the address.
 const SERVICE: &str = "fitcheck";

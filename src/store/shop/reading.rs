@@ -81,15 +81,13 @@ impl ShopReader {
             let is_last = count(fetched.len()) < PAGE.unsigned_abs();
             for row in fetched {
                 page.next = Some(row.place);
-                match &row.row.entry {
-                    Err(_) => page.unread = page.unread.saturating_add(1),
-                    Ok(_) => {
-                        let is_corrected = row.row.corrected_by.is_some();
-                        let found = body::found(&row.row.kept.body).ok().flatten();
-                        if found.is_some_and(|found| question.finds(&found, is_corrected)) {
-                            page.rows.push(row);
-                        }
-                    }
+                let found = body::found(&row.kept.body);
+                let is_unread = found.is_err();
+                let is_wanted =
+                    found.ok().flatten().is_some_and(|found| question.finds(&found, row.corrected_by.is_some()));
+                page.unread = page.unread.saturating_add(u64::from(is_unread));
+                if is_wanted {
+                    page.rows.push(row.read());
                 }
                 if most <= page.rows.len() {
                     return Ok(page);
@@ -103,7 +101,7 @@ impl ShopReader {
     }
 
     /// Entries behind a place in the list that may fit: what the server says of texts and times is only used to leave out many.
-    fn fetch(&self, question: &Question, after: Option<Place>) -> Result<Vec<ShopRow>, ShopError> {
+    fn fetch(&self, question: &Question, after: Option<Place>) -> Result<Vec<Fetched>, ShopError> {
         let sql = "SELECT chain, number, hash, body, station, (extract(epoch FROM received) * 1000000)::bigint, \
              (SELECT max(other.number) FROM fitcheck.entry AS other \
               WHERE other.chain = entry.chain AND fitcheck.corrects(other.body) = entry.number) \
@@ -120,24 +118,35 @@ impl ShopReader {
         let words = surely(question);
         let client = &self.server.client;
         let rows = self.server.ask(client.query(sql, &[&time, &chain, &number, &words, &PAGE]))?;
-        rows.iter().map(shop_row).collect()
+        rows.iter().map(Fetched::of).collect()
     }
 }
 
-fn shop_row(row: &tokio_postgres::Row) -> Result<ShopRow, ShopError> {
-    let (chain, number) = (chain_of(value(row, 0)?)?, natural(value(row, 1)?));
-    let body: &str = value(row, 3)?;
-    let head = Head { number, hash: hash_of(value(row, 2)?)? };
-    let corrected_by: Option<i64> = value(row, 6)?;
-    Ok(ShopRow {
-        place: Place { received_us: value(row, 5)?, chain, number },
-        station: value(row, 4)?,
-        row: Row {
-            entry: body::read(body.as_bytes()),
-            kept: Kept { head, body: body.as_bytes().into() },
+/// An entry that is not read yet.
+struct Fetched {
+    place: Place,
+    station: String,
+    kept: Kept,
+    corrected_by: Option<u64>,
+}
+
+impl Fetched {
+    fn of(row: &tokio_postgres::Row) -> Result<Self, ShopError> {
+        let (chain, number) = (chain_of(value(row, 0)?)?, natural(value(row, 1)?));
+        let head = Head { number, hash: hash_of(value(row, 2)?)? };
+        let corrected_by: Option<i64> = value(row, 6)?;
+        Ok(Self {
+            place: Place { received_us: value(row, 5)?, chain, number },
+            station: value(row, 4)?,
+            kept: Kept { head, body: value::<&str>(row, 3)?.as_bytes().into() },
             corrected_by: corrected_by.map(natural),
-        },
-    })
+        })
+    }
+
+    fn read(self) -> ShopRow {
+        let Self { place, station, kept, corrected_by } = self;
+        ShopRow { place, station, row: Row { entry: body::read(&kept.body), kept, corrected_by } }
+    }
 }
 
 /// Words in small letters that stand in the body of every entry that a question asks for. Other letters than those of English are left

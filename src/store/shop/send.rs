@@ -148,7 +148,7 @@ impl Sending {
         }
         let bodies: Vec<&str> = entries.iter().map(|kept| str::from_utf8(&kept.body).unwrap_or_default()).collect();
         let insert = "INSERT INTO fitcheck.entry (chain, number, station, hash, body) SELECT $1, added.* FROM \
-                      (SELECT number, $2::text, hash, body FROM pg_catalog.unnest($3::bigint[], $4::bytea[], $5::text[]) \
+                      (SELECT number, $2::text, hash, body FROM unnest($3::bigint[], $4::bytea[], $5::text[]) \
                       AS given(number, hash, body) ORDER BY number) AS added ON CONFLICT DO NOTHING";
         let added = server.ask(client.execute(insert, &[&chain, station, &numbers, &hashes, &bodies]))?;
         let known = there.iter().filter(|row| value::<i64>(row, 0).is_ok_and(|number| number != first)).count();

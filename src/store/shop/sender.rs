@@ -32,6 +32,8 @@ pub struct Sending {
     pub given: Option<Password>,
     /// Where a password is looked for.
     pub places: Places,
+    /// The last entry that the server is known to have, from the last time; it is only told until the server was asked.
+    pub known: Option<Head>,
     /// How long is waited.
     pub patience: Patience,
 }
@@ -63,9 +65,9 @@ pub enum Doing {
 pub struct Status {
     /// What it does.
     pub doing: Doing,
-    /// How many entries the server lacks; `None` where it was not asked yet.
+    /// How many entries the server lacks; `None` where it was never asked.
     pub unsent: Option<u64>,
-    /// The last entry that the server has; `None` where it was not asked yet.
+    /// The last entry that the server has; `None` where it was never asked.
     pub server: Option<Head>,
     /// Why the last attempt failed; `None` after one that did not.
     pub problem: Option<ShopError>,
@@ -94,9 +96,10 @@ impl Sender {
     pub fn start(sending: Sending, tell: impl FnMut(&Status) + Send + 'static) -> Result<Self, ShopError> {
         let (orders, received) = mpsc::channel();
         let stop = Stop::default();
+        let server = sending.known;
         let mut work = Work {
             pause: sending.patience.first_pause,
-            status: Status { doing: Doing::Resting, unsent: None, server: None, problem: None, remarks: Vec::new() },
+            status: Status { doing: Doing::Resting, unsent: None, server, problem: None, remarks: Vec::new() },
             sending,
             access: None,
             stop: stop.clone(),
@@ -153,7 +156,7 @@ impl Work {
     fn attempt(&mut self) -> Option<Instant> {
         self.change(|status| status.doing = Doing::Sending);
         let found = self.access.take();
-        let Sending { source, station, address, given, places, patience } = &self.sending;
+        let Sending { source, station, address, given, places, patience, .. } = &self.sending;
         let access = found.unwrap_or_else(|| Access::find(address.clone(), given.clone(), places));
         let (status, tell, stop) = (&mut self.status, &mut self.tell, &self.stop);
         let mut last = Instant::now();

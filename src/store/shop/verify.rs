@@ -3,7 +3,8 @@
 
 use std::ops::ControlFlow;
 
-use super::error::{ShopError, chain_of, hash_of};
+use super::clock::{self, Clock};
+use super::error::{ShopError, hash_of};
 use super::password::Access;
 use super::schema::{self, value};
 use super::send::{count, natural};
@@ -26,6 +27,8 @@ pub struct ShopChain {
     pub login: Option<String>,
     /// What was found.
     pub inspected: Inspected,
+    /// How far the station's clock is from the server's, by its newest entries; `None` where none of them has a time.
+    pub clock: Option<Clock>,
 }
 
 /// What was found on a server.
@@ -87,20 +90,24 @@ pub fn verify(
     let (mut chains, mut done) = (Vec::new(), 0);
     let all = entries(&server)?;
     for name in names(&server)? {
-        let Ok(chain) = chain_of(&name) else {
-            let name = name.iter().map(|byte| format!("{byte:02x}")).collect();
+        let Ok(chain) = name.parse::<ChainId>() else {
             findings.push(ShopFinding::ChainName { name });
             continue;
         };
         let heads: Vec<Head> = known.iter().filter(|(other, _)| *other == chain).map(|(_, head)| *head).collect();
         let mut inspection = Inspection::new(chain, &heads);
-        walk(&server, chain, &mut |number, body, hash| {
+        walk(&server, chain, |number, body, hash| {
             inspection.see(number, body, hash);
             done += 1;
             if done % count(PAGE) == 0 { progress(done, all.max(done)) } else { ControlFlow::Continue(()) }
         })?;
         let (login, station) = owner(&server, chain)?;
-        chains.push(ShopChain { chain, station, login, inspected: inspection.finish() });
+        chains.push(ShopChain { chain, station, login, inspected: inspection.finish(), clock: None });
+    }
+    for clock in clock::all(&server)? {
+        if let Some(chain) = chains.iter_mut().find(|chain: &&mut ShopChain| chain.chain == clock.chain) {
+            chain.clock = Some(clock);
+        }
     }
     let is_there = |chain: &ChainId| chains.iter().any(|one| one.chain == *chain);
     let missing = known.iter().filter(|(chain, head)| 0 < head.number && !is_there(chain)).copied().collect();
@@ -112,7 +119,7 @@ pub fn verify(
 fn walk(
     server: &Server,
     chain: ChainId,
-    see: &mut dyn FnMut(u64, &[u8], Hash) -> ControlFlow<()>,
+    mut see: impl FnMut(u64, &[u8], Hash) -> ControlFlow<()>,
 ) -> Result<(), ShopError> {
     // The name has hexadecimal digits alone.
     server.run(&format!(
@@ -135,11 +142,11 @@ fn walk(
 }
 
 /// The names of all chains, from the entries themselves: the table of chains may lack one.
-fn names(server: &Server) -> Result<Vec<Vec<u8>>, ShopError> {
+fn names(server: &Server) -> Result<Vec<String>, ShopError> {
     let sql = "WITH RECURSIVE name AS (\
                (SELECT chain FROM fitcheck.entry ORDER BY chain LIMIT 1) UNION ALL \
                SELECT (SELECT chain FROM fitcheck.entry WHERE name.chain < chain ORDER BY chain LIMIT 1) \
-               FROM name WHERE name.chain IS NOT NULL) SELECT chain FROM name WHERE chain IS NOT NULL";
+               FROM name WHERE name.chain IS NOT NULL) SELECT pg_catalog.encode(chain, 'hex') FROM name WHERE chain IS NOT NULL";
     let rows = server.ask(server.client.query(sql, &[]))?;
     rows.iter().map(|row| value(row, 0)).collect()
 }

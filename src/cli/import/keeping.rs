@@ -1,0 +1,66 @@
+//! What of an import is recorded, and which rows are not.
+
+use std::sync::Arc;
+
+use super::row::Row;
+use crate::cli::record::Recorder;
+use crate::cli::said::Recorded;
+use crate::cli::{CliError, Io};
+use crate::journal::chain::Hash;
+use crate::journal::entry::{FileRole, UsedFile};
+
+/// So many rows are named; more are counted.
+const MOST: usize = 20;
+
+/// Collects the checks of all files, which are recorded together.
+pub(super) struct Keeping {
+    recorder: Recorder,
+    /// What every check was made with, such as a budget.
+    shared: Vec<UsedFile>,
+    /// The same with the file that is read now.
+    files: Vec<UsedFile>,
+    /// Rows that are no checks, or that cannot be kept, and the first ones by file and line.
+    without: usize,
+    places: Vec<String>,
+}
+
+impl Keeping {
+    pub(super) fn new(recorder: Recorder, io: &Io<'_>) -> Self {
+        Self { recorder, shared: io.files(), files: Vec::new(), without: 0, places: Vec::new() }
+    }
+
+    /// From here on rows are those of this file.
+    pub(super) fn reads(&mut self, name: &str, bytes: &[u8]) {
+        self.files.clone_from(&self.shared);
+        self.files.push(UsedFile { role: FileRole::Measurements, name: name.into(), sha256: Hash::of_file(bytes) });
+    }
+
+    /// A row: a check is kept.
+    pub(super) fn see(&mut self, row: &Row) {
+        let place = || row.line.map_or_else(|| row.file.clone(), |line| format!("{}:{line}", row.file));
+        let why = match &row.judged {
+            Some(record) => match self.recorder.size(Arc::clone(record), self.files.clone()) {
+                Ok(()) => return,
+                Err(CliError::NotRecorded { error }) => format!(" ({error})"),
+                Err(error) => format!(" ({error})"),
+            },
+            None => String::new(),
+        };
+        self.without += 1;
+        if self.places.len() < MOST {
+            self.places.push(format!("{}{why}", place()));
+        }
+    }
+
+    /// Records all of them or none.
+    pub(super) fn end(self, io: &mut Io<'_>) -> Result<(), CliError> {
+        let Self { recorder, without, mut places, .. } = self;
+        if MOST < without {
+            places.push("…".to_owned());
+        }
+        if 0 < without {
+            io.warn(&Recorded::Without { rows: without, places: places.join(", ") });
+        }
+        recorder.keep(io)
+    }
+}

@@ -1,0 +1,28 @@
+//! `fitcheck journal backup`: a copy of a journal at one moment.
+
+use std::path::PathBuf;
+
+use super::{CliError, CliRemark, Io, JournalArgs, Outcome, Refused as _};
+use crate::journal::chain::Head;
+use crate::store::local;
+
+/// Copy a journal to a new file, also while it is in use
+///
+/// A copy of the file alone would lack what is still in the files beside it. The copy is read back and verified. Keep the
+/// number and hash that are printed elsewhere: fitcheck journal verify --head compares with them.
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    /// The new file
+    #[arg(value_name = "FILE")]
+    to: PathBuf,
+    #[command(flatten)]
+    journal: JournalArgs,
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let Head { number, hash } = local::backup(&self.journal.file()?, &self.to).said()?;
+        io.tell(CliRemark::BackedUp { path: self.to.clone(), number, hash: hash.to_string() });
+        Ok(Outcome::Done)
+    }
+}

@@ -1,0 +1,165 @@
+//! `fitcheck journal list`: the newest checks, or those that a question asks for.
+
+use super::row::{self, header};
+use super::{
+    CliError, CliRemark, Format, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, heard_or_not, server,
+};
+use crate::cli::record::Place;
+use crate::journal::entry::{Content, Entry};
+use crate::report::csv;
+use crate::store::local::{Reader, Row};
+
+fn help() -> String {
+    format!(
+        "\
+{QUESTIONS}
+
+Columns of --format csv, and names in JSON:
+  {}
+
+Examples:
+  fitcheck journal list
+  fitcheck journal list part:Flange verdict:scrap,rework week
+  fitcheck journal list \"station:Mill 3\" today --format csv",
+        header().join(",")
+    )
+}
+
+/// List checks, the newest first
+#[derive(Debug, clap::Args)]
+#[command(after_help = help())]
+pub(super) struct Args {
+    #[command(flatten)]
+    question: QuestionArgs,
+    /// At most so many
+    #[arg(long, value_name = "N", default_value_t = 50)]
+    limit: usize,
+    /// The oldest first
+    #[arg(long)]
+    oldest: bool,
+    /// Format of the list
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    #[command(flatten)]
+    journal: JournalArgs,
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let question = self.question.read()?;
+        // One more than is listed tells that there are more.
+        let most = self.limit.saturating_add(1);
+        let mut rows = match self.journal.place()? {
+            Place::File(file) => {
+                let reader = Reader::open(&file).said()?;
+                let all = if self.oldest { usize::MAX } else { most };
+                let mut numbers = reader.numbers(&question, None, all).said()?;
+                if self.oldest {
+                    numbers.reverse();
+                }
+                numbers.truncate(most);
+                reader.rows(&numbers).said()?
+            }
+            Place::Server(_) if self.oldest => return Err(CliError::JournalIsServer),
+            Place::Server(address) => server::list(&address, &question, most, io)?,
+        };
+        let are_more = self.limit < rows.len();
+        rows.truncate(self.limit);
+        match self.format {
+            Format::Text => table(&rows, io)?,
+            Format::Csv => {
+                let lines = rows.iter().map(row::line);
+                for line in std::iter::once(header()).chain(lines) {
+                    csv::line(line, io.data()).or_else(|error| heard_or_not(Err(error)))?;
+                }
+            }
+            Format::Json => io.json(&rows.iter().map(row::object).collect::<Vec<_>>())?,
+        }
+        if are_more {
+            io.remark(&CliRemark::MoreEntries { limit: self.limit });
+        }
+        Ok(unread(&rows, io))
+    }
+}
+
+/// Tells of entries that could not be read.
+pub(super) fn unread(rows: &[Row], io: &mut Io<'_>) -> Outcome {
+    let mut outcome = Outcome::Done;
+    for row in rows {
+        if let Err(error) = &row.entry {
+            io.fail(format_args!("entry {}: {error}", row.kept.head.number));
+            outcome = Outcome::BadData;
+        }
+    }
+    outcome
+}
+
+/// The cells of a row for people.
+fn cells(row: &Row) -> [String; 9] {
+    let Some(Entry { about, content }) = row::entry(row) else {
+        let mut cells: [String; 9] = Default::default();
+        let [number, .., what] = &mut cells;
+        *number = row.kept.head.number.to_string();
+        "cannot be read".clone_into(what);
+        return cells;
+    };
+    let time = about.time.local().map(|time| time.strftime("%Y-%m-%d %H:%M").to_string()).unwrap_or_default();
+    let status = row::check(row).and_then(|check| Some(check.status()?.word().to_owned())).unwrap_or_default();
+    let callout = match (row::record(row), content) {
+        (Some(record), _) => crate::journal::query::callout(record),
+        (None, Content::Check(check)) => match &check.what {
+            crate::journal::entry::Checked::Cycle(cycle) => format!("cycle {}", cycle.cycle),
+            crate::journal::entry::Checked::Size(_) => String::new(),
+        },
+        (None, Content::Begin(_) | Content::Withdrawal(_)) => String::new(),
+    };
+    let measured = row::measured(row).map(|length| length.exact(crate::length::Unit::Millimetre, 3));
+    [
+        row.kept.head.number.to_string(),
+        time,
+        about.who.clone(),
+        [&about.part, &about.serial].map(String::as_str).join(" ").trim().to_owned(),
+        about.feature.clone(),
+        callout,
+        measured.unwrap_or_default(),
+        status,
+        marks(row, content),
+    ]
+}
+
+/// What else is to be said of a row.
+fn marks(row: &Row, content: &Content) -> String {
+    let mut marks = Vec::new();
+    if row::check(row).is_some_and(crate::journal::entry::Check::is_simulated) {
+        marks.push("simulated".to_owned());
+    }
+    match content {
+        Content::Withdrawal(correction) => marks.push(format!("withdraws entry {}", correction.target.number)),
+        Content::Check(check) => {
+            marks.extend(check.corrects.as_ref().map(|one| format!("corrects entry {}", one.target.number)));
+        }
+        Content::Begin(_) => {}
+    }
+    marks.extend(row.corrected_by.map(|number| format!("see entry {number}")));
+    marks.join(", ")
+}
+
+const HEADER: [&str; 9] = ["number", "time", "who", "part", "feature", "callout", "measured", "verdict", ""];
+
+/// The longest cell that sets the width of its column.
+const WIDEST: usize = 30;
+
+fn table(rows: &[Row], io: &mut Io<'_>) -> Result<(), CliError> {
+    let rows: Vec<[String; 9]> = std::iter::once(HEADER.map(str::to_owned)).chain(rows.iter().map(cells)).collect();
+    let mut widths = [0; 9];
+    for cells in &rows {
+        for (width, cell) in widths.iter_mut().zip(cells) {
+            *width = cell.chars().count().clamp(*width, WIDEST.max(*width));
+        }
+    }
+    for cells in &rows {
+        let cells: Vec<String> = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
+        writeln!(io.people(), "{}", cells.join("  ").trim_end())?;
+    }
+    Ok(())
+}

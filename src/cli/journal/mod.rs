@@ -1,0 +1,98 @@
+//! `fitcheck journal`: asks, checks, corrects and copies a journal.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the subcommands, and what they share: the question, the file |
+//! | `row` | the columns of a list |
+//! | `list`, `show`, `export` | checks as a list, one of them with its reasons, all of them for other programs |
+//! | `text` | an entry with its reasons, for people |
+//! | `verify` | whether a journal is whole |
+//! | `correct` | a check in place of another one, or taken back |
+//! | `backup` | a copy |
+//! | `shop` | the server of a shop: its tables, and what is sent there |
+//! | `server`, `no_server` | a server that is asked, and a program that was built without |
+
+mod backup;
+mod correct;
+mod export;
+mod list;
+mod row;
+#[cfg(feature = "shop")]
+pub(super) mod server;
+#[cfg(not(feature = "shop"))]
+#[path = "no_server.rs"]
+pub(super) mod server;
+mod shop;
+mod show;
+mod text;
+mod verify;
+
+use jiff::Timestamp;
+use jiff::tz::TimeZone;
+
+use super::record::JournalArgs;
+use super::{CliError, CliRemark, Format, Io, Outcome, Refused, heard_or_not, save_with};
+use crate::journal::ask::{Here, Question};
+
+/// The journal: list, show, export, verify, correct, back up, send
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    #[command(subcommand)]
+    command: Command,
+}
+
+subcommands! {
+    List(list::Args),
+    Show(show::Args),
+    Export(export::Args),
+    Verify(verify::Args),
+    Correct(correct::Args),
+    Backup(backup::Args),
+    InitShop(shop::InitArgs),
+    Send(shop::SendArgs),
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        self.command.run(io)
+    }
+}
+
+/// What a question may say.
+const QUESTIONS: &str = "\
+A question narrows the list word by word:
+  part:Flange feature:B1 who:Anna station:Mill3    these names, whole
+  serial:17 serial:17*                             this serial number; all that begin with 17
+  \"callout:25 H7\" class:H7                         this callout; this class
+  verdict:scrap,rework                             any of good, rework, re-measure, scrap
+  from:2026-11-01 to:2026-11-23 today week         recorded on these days, the last one included
+  simulated measured                               only simulated ones, only measured ones
+  standing                                         neither corrected nor withdrawn
+  burr                                             a word that begins so, in any name or the remark";
+
+/// Which checks are asked for.
+#[derive(Debug, Clone, clap::Args)]
+struct QuestionArgs {
+    /// Which checks: part:Flange serial:17* verdict:scrap today word …; default: all
+    #[arg(value_name = "QUESTION")]
+    question: Vec<String>,
+}
+
+impl QuestionArgs {
+    fn read(&self) -> Result<Question, CliError> {
+        let words: Vec<String> = self.question.iter().map(|word| as_given(word)).collect();
+        let text = words.join(" ");
+        let here = Here { now: Timestamp::now(), zone: TimeZone::system() };
+        Question::read(&text, &here).about(&text)
+    }
+}
+
+/// An argument as a word of a question: the shell has taken its quotation marks away.
+fn as_given(word: &str) -> String {
+    match word.split_once(':') {
+        Some((key, value)) if value.contains(char::is_whitespace) && !value.contains([':', '"']) => {
+            format!("{key}:\"{value}\"")
+        }
+        _ => word.to_owned(),
+    }
+}

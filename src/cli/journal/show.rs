@@ -1,0 +1,75 @@
+//! `fitcheck journal show`: one entry with its whole reasoning.
+
+use super::{CliError, Io, JournalArgs, Outcome, Refused as _, heard_or_not, text};
+use crate::cli::args::one_of;
+use crate::journal::chain::{ChainId, Head};
+use crate::store::local::{Reader, Row};
+
+/// Show one entry with everything that is kept of it
+#[derive(Debug, clap::Args)]
+pub(super) struct Args {
+    /// Its number
+    #[arg(value_name = "NUMBER")]
+    number: u64,
+    /// text for people; json: chain, hashes and the body as it is kept
+    #[arg(long, value_name = "FORMAT", default_value = "text", value_parser = one_of(FORMATS, |format| format))]
+    format: &'static str,
+    #[command(flatten)]
+    journal: JournalArgs,
+}
+
+const FORMATS: [&str; 2] = ["text", "json"];
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let file = self.journal.file()?;
+        let reader = Reader::open(&file).said()?;
+        let last = reader.head().said()?.number;
+        let row = row(&reader, self.number, last, &file)?;
+        let before = match self.number.checked_sub(1) {
+            Some(number) if 0 < number => reader.entry(number).said()?.map(|kept| kept.head).unwrap_or_default(),
+            _ => Head::default(),
+        };
+        if self.format == "json" {
+            heard_or_not(io.data().write_all(&line(&row, reader.chain(), Some(before))))?;
+        } else {
+            text::print(&row, reader.chain(), last, io)?;
+        }
+        match &row.entry {
+            Ok(_) => Ok(Outcome::Done),
+            Err(error) => {
+                io.fail(error);
+                Ok(Outcome::BadData)
+            }
+        }
+    }
+}
+
+/// An entry by its number.
+pub(super) fn row(reader: &Reader, number: u64, last: u64, file: &std::path::Path) -> Result<Row, CliError> {
+    let row = reader.rows(&[number]).said()?.into_iter().next();
+    row.ok_or_else(|| CliError::NoEntry { number, last, path: file.to_owned() })
+}
+
+/// An entry as one line of JSON: its body is as it is kept, byte for byte, so that its hash can be computed from it.
+pub(super) fn line(row: &Row, chain: ChainId, before: Option<Head>) -> Vec<u8> {
+    let Head { number, hash } = row.kept.head;
+    let before = before.map(|before| format!("\"before\":\"{}\",", before.hash)).unwrap_or_default();
+    let corrected_by = row.corrected_by.map_or("null".to_owned(), |number| number.to_string());
+    let head = format!(
+        "{{\"chain\":\"{chain}\",\"number\":{number},{before}\"hash\":\"{hash}\",\"corrected_by\":{corrected_by},"
+    );
+    let mut line = head.into_bytes();
+    let is_json = serde_json::from_slice::<serde::de::IgnoredAny>(&row.kept.body).is_ok();
+    if is_json && !row.kept.body.contains(&b'\n') {
+        line.extend_from_slice(b"\"body\":");
+        line.extend_from_slice(&row.kept.body);
+    } else {
+        // Whatever it is, a reader of JSON gets JSON.
+        let text = serde_json::Value::from(String::from_utf8_lossy(&row.kept.body)).to_string();
+        line.extend_from_slice(b"\"body\":null,\"damaged\":");
+        line.extend_from_slice(text.as_bytes());
+    }
+    line.extend_from_slice(b"}\n");
+    line
+}

@@ -1,0 +1,168 @@
+//! `fitcheck journal verify`: whether every entry is the one that was written.
+
+use std::ops::ControlFlow;
+use std::path::Path;
+
+use indicatif::{ProgressBar, ProgressStyle};
+use serde_json::json;
+
+use super::{CliError, CliRemark, Io, JournalArgs, Outcome, Refused as _, server};
+use crate::cli::args::one_of;
+use crate::cli::record::Place;
+use crate::journal::chain::{ChainId, Head, HexError};
+use crate::journal::inspection::Break;
+use crate::store::StoreRemark;
+use crate::store::local::{self, Anchors, Reader, Verified};
+
+const HELP: &str = "\
+The chain shows an entry that was changed, removed, inserted or moved. That the newest entries were
+cut off, that an older copy was put back, or that all was written anew is found with an entry that is
+known elsewhere: the last one that this computer has seen, which Fitcheck keeps beside its settings,
+and those that --head gives.
+
+Examples:
+  fitcheck journal verify
+  fitcheck journal verify --head 1204:9f86d081…
+
+The exit code is 1 where anything is not as it was written.";
+
+/// Look at every entry of a journal
+#[derive(Debug, clap::Args)]
+#[command(after_help = HELP)]
+pub(super) struct Args {
+    /// An entry that is known elsewhere, such as from a report or a backup: its number and its hash, on a server behind its chain
+    #[arg(long = "head", value_name = "[CHAIN:]NUMBER:HASH", value_parser = head)]
+    heads: Vec<Known>,
+    /// Format of the answer
+    #[arg(long, value_name = "FORMAT", default_value = "text", value_parser = one_of(FORMATS, |format| format))]
+    format: &'static str,
+    #[command(flatten)]
+    journal: JournalArgs,
+}
+
+const FORMATS: [&str; 2] = ["text", "json"];
+
+/// An entry that is known elsewhere, and perhaps its chain.
+type Known = (Option<ChainId>, Head);
+
+fn head(text: &str) -> Result<Known, String> {
+    let hex = |error: HexError| error.to_string();
+    let (chain, text) = match text.split_once(':') {
+        Some((chain, rest)) if rest.contains(':') => (Some(chain.parse().map_err(hex)?), rest),
+        _ => (None, text),
+    };
+    let (number, hash) = text.split_once(':').ok_or("expected a number, a colon and a hash, such as 12:9f86…")?;
+    let number: u64 = number.parse().map_err(|_not_one| format!("{number} is not the number of an entry"))?;
+    if number == 0 {
+        return Err("entries count from 1".to_owned());
+    }
+    Ok((chain, Head { number, hash: hash.parse().map_err(hex)? }))
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let file = match self.journal.place()? {
+            Place::File(file) => file,
+            Place::Server(address) => {
+                let known = self.heads.iter().map(|(chain, head)| Some(((*chain)?, *head)));
+                let known: Vec<_> = known.collect::<Option<_>>().ok_or(CliError::HeadWithoutChain)?;
+                let is_whole = server::verify(&address, &known, self.format == "json", io)?;
+                return Ok(if is_whole { Outcome::Done } else { Outcome::BadData });
+            }
+        };
+        let chain = Reader::open(&file).said()?.chain();
+        if let Some(other) = self.heads.iter().find_map(|(given, _)| given.filter(|given| *given != chain)) {
+            return Err(CliError::HeadOfOther { chain: chain.to_string(), other: other.to_string() });
+        }
+        let (mut known, replaced) = known_elsewhere(&file, chain, io);
+        known.extend(self.heads.iter().map(|(_, head)| head));
+        let bar = bar();
+        let found = local::verify(&file, &known, &mut |done, all| {
+            bar.set_length(all);
+            bar.set_position(done);
+            ControlFlow::Continue(())
+        });
+        bar.finish_and_clear();
+        let found = found.said()?;
+        let is_whole = found.is_whole() && replaced.is_none();
+        if self.format == "json" {
+            print_json(&found, chain, replaced.as_ref(), io)?;
+        } else {
+            print(&found, &known, replaced.as_ref(), io)?;
+        }
+        Ok(if is_whole { Outcome::Done } else { Outcome::BadData })
+    }
+}
+
+/// The last entries of the chain that this computer has seen; and whether another journal was in this file.
+fn known_elsewhere(file: &Path, chain: ChainId, io: &mut Io<'_>) -> (Vec<Head>, Option<StoreRemark>) {
+    let Some(path) = Anchors::of_user() else { return (Vec::new(), None) };
+    match Anchors::read(&path) {
+        Ok(anchors) => {
+            let other = anchors.at(file).filter(|anchor| anchor.chain != chain);
+            let replaced = other.map(|other| StoreRemark::Replaced { path: file.to_owned(), known: other.head.number });
+            (anchors.of_chain(chain), replaced)
+        }
+        Err(reason) => {
+            io.warn(&StoreRemark::NoAnchor { path, reason });
+            (Vec::new(), None)
+        }
+    }
+}
+
+/// A line that changes; nothing where standard error is no terminal.
+pub(super) fn bar() -> ProgressBar {
+    let bar = ProgressBar::new(0);
+    if let Ok(style) = ProgressStyle::with_template("{bar:20} {percent} %, {human_pos} entries, {eta} left") {
+        bar.set_style(style);
+    }
+    bar
+}
+
+fn print(found: &Verified, known: &[Head], replaced: Option<&StoreRemark>, io: &mut Io<'_>) -> Result<(), CliError> {
+    let inspected = &found.inspected;
+    for problem in &inspected.breaks {
+        writeln!(io.people(), "{problem}")?;
+    }
+    let named = u64::try_from(inspected.breaks.len()).unwrap_or(u64::MAX);
+    if named < inspected.count {
+        writeln!(io.people(), "… {} more", inspected.count.saturating_sub(named))?;
+    }
+    for finding in &found.findings {
+        writeln!(io.people(), "{finding}")?;
+    }
+    if let Some(replaced) = replaced {
+        writeln!(io.people(), "{replaced}")?;
+    }
+    let (entries, Head { number, hash }) = (inspected.entries, inspected.head);
+    if found.is_whole() && replaced.is_none() {
+        writeln!(io.people(), "{entries} entries are as they were written; the last one is {number}:{hash}")?;
+    } else if let Some(first) = inspected.breaks.first().map(Break::number) {
+        writeln!(io.people(), "{entries} entries; the first that is not as it was written is {first}")?;
+    }
+    if known.is_empty() {
+        io.remark(&CliRemark::NoHeadKnown);
+    }
+    Ok(())
+}
+
+fn print_json(
+    found: &Verified,
+    chain: ChainId,
+    replaced: Option<&StoreRemark>,
+    io: &mut Io<'_>,
+) -> Result<(), CliError> {
+    let inspected = &found.inspected;
+    let breaks = inspected.breaks.iter().map(|one| json!({"number": one.number(), "what": one.to_string()}));
+    let findings = found.findings.iter().map(ToString::to_string).chain(replaced.map(ToString::to_string));
+    io.json(&json!({
+        "whole": found.is_whole() && replaced.is_none(),
+        "chain": chain.to_string(),
+        "entries": inspected.entries,
+        "head": {"number": inspected.head.number, "hash": inspected.head.hash.to_string()},
+        "first_bad": inspected.breaks.first().map(Break::number),
+        "break_count": inspected.count,
+        "breaks": breaks.collect::<Vec<_>>(),
+        "findings": findings.collect::<Vec<_>>(),
+    }))
+}
