@@ -97,6 +97,7 @@ mod session_history;
 mod session_pairing;
 mod session_parts;
 mod session_program;
+mod session_records;
 mod session_rules;
 mod session_saved;
 mod session_tables;
