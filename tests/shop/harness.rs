@@ -280,7 +280,7 @@ impl Book {
     /// A sender in the background, and what it told last.
     pub fn sender(&self, address: &str, patience: Patience) -> (Sender, Told) {
         let (address, given) = ShopAddress::read(address).unwrap();
-        self.sender_as(Sending {
+        Self::sender_as(Sending {
             source: Box::new(self.clone()),
             station: self.station.clone(),
             address,
@@ -291,7 +291,7 @@ impl Book {
         })
     }
 
-    pub fn sender_as(&self, sending: Sending) -> (Sender, Told) {
+    pub fn sender_as(sending: Sending) -> (Sender, Told) {
         let told = Told::default();
         let telling = told.clone();
         let sender = Sender::start(sending, move |status| telling.0.lock().unwrap().push(status.clone())).unwrap();

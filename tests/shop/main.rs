@@ -1,6 +1,8 @@
 //! The server of a shop: addresses and passwords by themselves, everything else against PostgreSQL where `FITCHECK_TEST_PG` names one.
 //! `tests/shop/server` starts one for as long as a command runs; without it these tests say "skipped: no server".
 
+#![cfg(test)]
+
 mod addresses;
 mod asking;
 mod chains;

@@ -110,8 +110,7 @@ pub fn port(address: &str) -> u16 {
 
 fn pump(state: &State, mut from: TcpStream, mut to: TcpStream) {
     let mut buffer = [0; 4096];
-    loop {
-        let Ok(read) = from.read(&mut buffer) else { break };
+    while let Ok(read) = from.read(&mut buffer) {
         while state.silent.load(Ordering::SeqCst) && !state.closed.load(Ordering::SeqCst) {
             thread::sleep(Duration::from_millis(2));
         }

@@ -28,7 +28,11 @@ pub struct Clock {
 /// # Errors
 /// [`ShopError`] where the server cannot be asked.
 pub fn clocks(access: &Access, patience: Patience) -> Result<Vec<Clock>, ShopError> {
-    let server = Server::connect(access, patience, &Stop::default())?;
+    all(&Server::connect(access, patience, &Stop::default())?)
+}
+
+/// The same on a connection.
+pub(super) fn all(server: &Server) -> Result<Vec<Clock>, ShopError> {
     let sql = "SELECT chain.chain, (array_agg(station ORDER BY number DESC))[1], \
                (array_agg(late ORDER BY number DESC))[1], min(late) \
                FROM fitcheck.chain AS chain CROSS JOIN LATERAL (\

@@ -3,6 +3,7 @@
 
 use std::ops::ControlFlow;
 
+use super::clock::{self, Clock};
 use super::error::{ShopError, hash_of};
 use super::password::Access;
 use super::schema::{self, value};
@@ -26,6 +27,8 @@ pub struct ShopChain {
     pub login: Option<String>,
     /// What was found.
     pub inspected: Inspected,
+    /// How far the station's clock is from the server's, by its newest entries; `None` where none of them has a time.
+    pub clock: Option<Clock>,
 }
 
 /// What was found on a server.
@@ -99,7 +102,12 @@ pub fn verify(
             if done % count(PAGE) == 0 { progress(done, all.max(done)) } else { ControlFlow::Continue(()) }
         })?;
         let (login, station) = owner(&server, chain)?;
-        chains.push(ShopChain { chain, station, login, inspected: inspection.finish() });
+        chains.push(ShopChain { chain, station, login, inspected: inspection.finish(), clock: None });
+    }
+    for clock in clock::all(&server)? {
+        if let Some(chain) = chains.iter_mut().find(|chain: &&mut ShopChain| chain.chain == clock.chain) {
+            chain.clock = Some(clock);
+        }
     }
     let is_there = |chain: &ChainId| chains.iter().any(|one| one.chain == *chain);
     let missing = known.iter().filter(|(chain, head)| 0 < head.number && !is_there(chain)).copied().collect();
