@@ -31,7 +31,7 @@ fn count(number: u64) -> usize {
 /// Makes the tables.
 pub(in crate::cli) fn init(address: &str, io: &mut Io<'_>) -> Result<(), CliError> {
     let made = shop::init(&access(address, io)?, Patience::default()).said()?;
-    io.tell(&made);
+    io.tell(made);
     Ok(())
 }
 
