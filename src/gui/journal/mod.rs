@@ -7,7 +7,6 @@
 //! | `finder` | which records answer a question, and rows |
 //! | `local` | the journal of this station |
 //! | `shop`, `no_shop` | the server of the shop, or none |
-//! | `station` | the name of the computer, and the time with its zone |
 
 mod finder;
 mod local;
@@ -16,7 +15,6 @@ mod local;
 mod shop;
 #[cfg(feature = "shop")]
 mod shop;
-mod station;
 mod writer;
 
 use std::fmt::Debug;
@@ -27,13 +25,13 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+pub use crate::store::here::{computer, moment};
 use eframe::egui::Context;
 use finder::{Asked, Finder};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 pub use local::Local;
 use shop::Shop;
-pub use station::{computer, moment};
 use writer::{Job, Writer};
 
 use super::effects::Errands;
