@@ -103,8 +103,7 @@ impl ShopReader {
     /// Entries behind a place in the list that may fit: what the server says of texts and times is only used to leave out many.
     fn fetch(&self, question: &Question, after: Option<Place>) -> Result<Vec<Fetched>, ShopError> {
         let sql = "SELECT chain, number, hash, body, station, (extract(epoch FROM received) * 1000000)::bigint, \
-             (SELECT max(other.number) FROM fitcheck.entry AS other \
-              WHERE other.chain = entry.chain AND fitcheck.corrects(other.body) = entry.number) \
+             fitcheck.corrected_by(chain, number) \
              FROM fitcheck.entry AS entry \
              WHERE 1 < number AND ($1::bigint IS NULL OR received <= timestamptz 'epoch' + $1 * interval '1 microsecond') \
              AND ($1::bigint IS NULL OR received < timestamptz 'epoch' + $1 * interval '1 microsecond' \
