@@ -5,6 +5,7 @@
 use criterion::{Criterion, criterion_group, criterion_main};
 use eframe::egui::{CentralPanel, Ui};
 use egui_kittest::Harness;
+use fitcheck::gui::journal::Records;
 use fitcheck::gui::{App, Errands, Setup, Store};
 use fitcheck::session::{CheckCommand, Command, Field, FitField, Page};
 use fitcheck::words::{Language, Words};
@@ -18,6 +19,7 @@ fn setup() -> Setup {
         clock: || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0),
         home: None,
         files: Vec::new(),
+        records: Records::nowhere(),
     }
 }
 

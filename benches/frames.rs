@@ -10,6 +10,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Event, Modifiers, MouseWheelSource, MouseWheelUnit, Pos2, TouchPhase, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use fitcheck::gui::journal::Records;
 use fitcheck::gui::{App, Errands, Setup, Store};
 use fitcheck::journal::query::Column;
 use fitcheck::message::Say as _;
@@ -34,8 +35,16 @@ fn now() -> DateTime {
 /// A window at the first start.
 fn empty(size: Vec2) -> Harness<'static, App> {
     let (store, errands) = (Store::nowhere(), Errands::AtOnce);
-    let setup =
-        Setup { store, language: Language::En, words: Words::new, errands, clock: now, home: None, files: Vec::new() };
+    let setup = Setup {
+        store,
+        language: Language::En,
+        words: Words::new,
+        errands,
+        clock: now,
+        home: None,
+        files: Vec::new(),
+        records: Records::nowhere(),
+    };
     Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup))
 }
 

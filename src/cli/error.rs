@@ -163,6 +163,13 @@ pub(super) enum CliError {
     },
     /// A correction that changes nothing.
     NothingCorrected,
+    /// An entry that is known elsewhere, without the chain that it is of.
+    HeadWithoutChain,
+    /// An entry that is known of another chain.
+    HeadOfOther { chain: String, other: String },
+    /// A program that was built without the server of a shop.
+    #[cfg(not(feature = "shop"))]
+    NoShop,
     /// The address of a server, where a file is needed.
     JournalIsServer,
     /// The system has no folder for a user's data.

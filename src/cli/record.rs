@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::journal::server;
 use super::said::Recorded;
 use super::{CliError, Io};
 use crate::journal::Record;
@@ -10,13 +11,15 @@ use crate::journal::body;
 use crate::journal::entry::{About, Check, Checked, Content, CycleCheck, Entry, UsedFile};
 use crate::message::Say as _;
 use crate::store::local::{self, Journal, Opening};
-use crate::store::{StoreError, StoreRemark, here};
+use crate::store::{StoreError, StoreRemark, here, is_server};
+
+const JOURNAL: &str =
+    "The journal: a file, or the server of a shop (postgres://…); default: FITCHECK_JOURNAL, or your own";
 
 /// Where a journal is.
 #[derive(Debug, Clone, clap::Args)]
 pub(super) struct JournalArgs {
-    /// The journal, a file; default: FITCHECK_JOURNAL, or your own
-    #[arg(long, value_name = "FILE")]
+    #[arg(long, help = JOURNAL, value_name = "FILE|ADDRESS")]
     journal: Option<String>,
 }
 
@@ -27,8 +30,7 @@ pub(super) struct RecordArgs {
     /// Keep every verdict in the journal
     #[arg(long)]
     record: bool,
-    /// The journal, a file; default: FITCHECK_JOURNAL, or your own
-    #[arg(long, value_name = "FILE", requires = "record")]
+    #[arg(long, help = JOURNAL, value_name = "FILE|ADDRESS", requires = "record")]
     journal: Option<String>,
     /// Who measured
     #[arg(long, value_name = "NAME", requires = "record")]
@@ -50,32 +52,49 @@ pub(super) struct RecordArgs {
     station: Option<String>,
 }
 
-/// The file of the journal that was named, or else the user's own.
-pub(super) fn file(given: Option<&str>) -> Result<PathBuf, CliError> {
-    let of_variable = || std::env::var("FITCHECK_JOURNAL").ok().filter(|text| !text.is_empty());
-    let text = given.map(str::to_owned).or_else(of_variable);
-    match text {
-        Some(text) if is_address(&text) => Err(CliError::JournalIsServer),
-        Some(text) => Ok(PathBuf::from(text)),
-        None => Ok(local::folder().ok_or(CliError::NoJournalFolder)?.join(local::FILE)),
+/// Where a journal is.
+pub(super) enum Place {
+    /// The file of a station.
+    File(PathBuf),
+    /// The server of a shop. Its address may hold a password.
+    Server(String),
+}
+
+impl Place {
+    /// The journal that was named, or else the user's own.
+    fn of(given: Option<&str>) -> Result<Self, CliError> {
+        let of_variable = || std::env::var("FITCHECK_JOURNAL").ok().filter(|text| !text.is_empty());
+        match given.map(str::to_owned).or_else(of_variable) {
+            Some(text) if is_server(&text) => Ok(Self::Server(text)),
+            Some(text) => Ok(Self::File(PathBuf::from(text))),
+            None => own().map(Self::File),
+        }
     }
 }
 
-/// Whether a text is the address of a server.
-fn is_address(text: &str) -> bool {
-    text.starts_with("postgres://") || text.starts_with("postgresql://")
+/// The user's own journal.
+fn own() -> Result<PathBuf, CliError> {
+    Ok(local::folder().ok_or(CliError::NoJournalFolder)?.join(local::FILE))
 }
 
 impl JournalArgs {
-    /// The file.
+    /// The file or the server.
+    pub(super) fn place(&self) -> Result<Place, CliError> {
+        Place::of(self.journal.as_deref())
+    }
+
+    /// The file, for what a server cannot do.
     pub(super) fn file(&self) -> Result<PathBuf, CliError> {
-        file(self.journal.as_deref())
+        match self.place()? {
+            Place::File(file) => Ok(file),
+            Place::Server(_) => Err(CliError::JournalIsServer),
+        }
     }
 }
 
 /// Collects what is to be recorded.
 pub(super) struct Recorder {
-    file: PathBuf,
+    place: Place,
     about: About,
     entries: Vec<Entry>,
 }
@@ -97,7 +116,7 @@ impl RecordArgs {
             feature: text(&self.feature_name),
             remark: text(&self.remark),
         };
-        Ok(Some(Recorder { file: file(self.journal.as_deref())?, about, entries: Vec::new() }))
+        Ok(Some(Recorder { place: Place::of(self.journal.as_deref())?, about, entries: Vec::new() }))
     }
 }
 
@@ -135,12 +154,23 @@ impl Recorder {
 
     /// Keeps all of them or none, and says so.
     pub(super) fn keep(self, io: &mut Io<'_>) -> Result<(), CliError> {
-        let Self { file, about, entries } = self;
+        let Self { place, about, entries } = self;
         if entries.is_empty() {
             io.remark(&Recorded::Nothing);
             return Ok(());
         }
-        keep(&file, &about, &entries, io)
+        match place {
+            Place::File(file) => keep(&file, &about, &entries, io),
+            // A station writes to its own file first: what is there is safe, whatever becomes of the server.
+            Place::Server(address) => {
+                let file = own()?;
+                keep(&file, &about, &entries, io)?;
+                if let Err(error) = server::send(&address, &file, &about.station, io) {
+                    io.warn(&Recorded::NotSent { error: error.message() });
+                }
+                Ok(())
+            }
+        }
     }
 }
 

@@ -107,6 +107,21 @@ pub(super) enum CliRemark {
         number: u64,
         hash: String,
     },
+    /// What the server of a shop lacked was sent.
+    #[cfg(feature = "shop")]
+    Sent {
+        #[say(with = printed)]
+        entries: u64,
+        #[say(with = printed)]
+        number: u64,
+        server: String,
+    },
+    /// Entries on a server that this version cannot read.
+    #[cfg(feature = "shop")]
+    Unread {
+        #[say(with = printed)]
+        entries: u64,
+    },
     /// Nothing is known elsewhere of a journal.
     NoHeadKnown,
     /// A default was used for the clearance height.
@@ -135,6 +150,8 @@ pub(super) enum Recorded {
     },
     /// Nothing was judged.
     Nothing,
+    /// It is safe here, and the server does not have it yet.
+    NotSent { error: Message },
     /// Rows of a file that are not checks, or that cannot be kept.
     Without { rows: usize, places: String },
 }

@@ -1,16 +1,18 @@
 //! One frame: draw the panels, apply their commands, run the effects.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use eframe::egui::{Context, Event, ThemePreference, Ui, ViewportCommand};
 use jiff::civil::DateTime;
 
 use super::effects::{Errands, Runner};
+use super::journal::Records;
 use super::keeping::Keeper;
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{budget, check, cycles, dialogs, field, fit, keys, pairing, program, tables, top_bar};
+use super::{budget, check, cycles, dialogs, field, fit, keys, pairing, program, records, tables, top_bar};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Session, Theme};
 use crate::words::{Language, Words};
 
@@ -31,6 +33,8 @@ pub struct Setup {
     pub home: Option<PathBuf>,
     /// Files that are opened at once, and what for.
     pub files: Vec<(Purpose, PathBuf)>,
+    /// Where checks are recorded.
+    pub records: Records,
 }
 
 impl Setup {
@@ -45,6 +49,7 @@ impl Setup {
             clock: || jiff::Zoned::now().datetime(),
             home: etcetera::home_dir().ok(),
             files: Vec::new(),
+            records: Records::of_user(),
         }
     }
 }
@@ -61,6 +66,8 @@ pub struct App {
     first_frame: bool,
     /// The user was asked and closes the window.
     leaves: bool,
+    /// Since when the window waits for records before it closes, in seconds of the window.
+    closes: Option<f64>,
 }
 
 impl App {
@@ -87,17 +94,20 @@ impl App {
         let mut app = Self {
             words: (setup.words)(session.language()),
             words_of: setup.words,
-            runner: Runner::new(setup.errands),
+            runner: Runner::new(setup.errands, setup.records, setup.clock),
             keeper: Keeper::new(store, session.saved()),
             session,
             clock: setup.clock,
             first_frame: true,
             leaves: false,
+            closes: None,
         };
         app.prefer_theme(&cc.egui_ctx);
         for effect in effects {
             app.run(&cc.egui_ctx, effect);
         }
+        let begin = app.runner.desk().begin();
+        app.apply(&cc.egui_ctx, vec![begin]);
         let files = setup.files.into_iter().map(|(purpose, path)| FilesCommand::Open(purpose, path).into());
         app.apply(&cc.egui_ctx, files.collect());
         app
@@ -129,6 +139,22 @@ impl App {
         self.runner.run(ctx, effect, (self.session.sources(), &self.words), (self.clock)());
     }
 
+    /// Closes the window once every record is on disk; a user is asked where that fails or takes too long.
+    fn close_when_written(&mut self, ctx: &Context) {
+        const MOST: f64 = 10.0;
+        let Some(since) = self.closes else { return };
+        let is_late = since + MOST < ctx.input(|input| input.time);
+        if self.session.would_lose() || is_late {
+            self.closes = None;
+            self.apply(ctx, vec![Command::AskToLeave]);
+        } else if self.session.recording().unwritten() == 0 {
+            self.closes = None;
+            ctx.send_viewport_cmd(ViewportCommand::Close);
+        } else {
+            ctx.request_repaint_after(Duration::from_millis(50));
+        }
+    }
+
     fn apply(&mut self, ctx: &Context, commands: Vec<Command>) {
         if commands.is_empty() {
             return;
@@ -156,10 +182,14 @@ impl eframe::App for App {
         self.keeper.frame(ctx, &mut self.session, &self.runner);
         // Nothing is lost without a question to the user.
         let closing = ctx.input(|input| input.viewport().close_requested());
-        if closing && !self.leaves && !self.session.unsaved().is_empty() {
+        if closing && !self.leaves && self.session.would_lose() {
             ctx.send_viewport_cmd(ViewportCommand::CancelClose);
             self.apply(ctx, vec![Command::AskToLeave]);
+        } else if closing && !self.leaves && 0 < self.session.recording().unwritten() {
+            ctx.send_viewport_cmd(ViewportCommand::CancelClose);
+            self.closes = Some(ctx.input(|input| input.time));
         }
+        self.close_when_written(ctx);
     }
 
     fn ui(&mut self, ui: &mut Ui, _frame: &mut eframe::Frame) {
@@ -179,6 +209,7 @@ impl eframe::App for App {
     }
 
     fn on_exit(&mut self, _gl: Option<&eframe::glow::Context>) {
+        self.runner.desk().finish();
         self.keeper.finish(&self.session, &self.runner);
     }
 }
@@ -205,6 +236,7 @@ fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
         Page::Program => program::program_ui(ui, view),
         Page::Pairing => pairing::pairing_ui(ui, view),
         Page::Budget => budget::budget_ui(ui, view),
+        Page::Records => records::records_ui(ui, view),
     }
     dialogs::dialogs_ui(ui, view);
 }

@@ -32,7 +32,7 @@ fn dropped(ui: &Ui, view: &mut View<'_>) {
                 };
                 Purpose::OpenParts(feature)
             }
-            Page::Check | Page::Fit => Purpose::Import,
+            Page::Check | Page::Fit | Page::Records => Purpose::Import,
         };
         view.send(FilesCommand::Open(purpose, file.path().to_owned()));
     }
@@ -95,7 +95,13 @@ fn leaving_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.set_width(space(110.0));
     heading(ui, view.text("leave"));
     let names = view.session.unsaved().join(", ");
-    ui.label(view.words.say(&Message::new("leave-unsaved").text("names", names)));
+    if !names.is_empty() {
+        ui.label(view.words.say(&Message::new("leave-unsaved").text("names", names)));
+    }
+    let unwritten = view.session.recording().unwritten();
+    if 0 < unwritten {
+        problem(ui, view.words.say(&Message::new("records-page-leave").count("count", unwritten)));
+    }
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = control(ui);
         let stay = ui.button(view.text("leave-stay"));
@@ -138,7 +144,7 @@ pub(super) const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::Import => "dialog-import",
         Purpose::LoadMask => "dialog-mask",
         Purpose::LoadTables => "dialog-tables",
-        Purpose::Export(_) => "dialog-export",
+        Purpose::Export(_) | Purpose::ReportRecords(_) => "dialog-export",
         Purpose::ExportStatus => "dialog-export-status",
         Purpose::OpenCycleFile(CycleFile::Contacts) => "cycles-dialog-contacts",
         Purpose::OpenCycleFile(CycleFile::Workpiece) => "cycles-dialog-workpiece",
@@ -293,6 +299,10 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
         if notice.change.is_some() && notice.change == view.session.history().last_change() {
             let undo = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
             view.button_as(ui, Action::Undo, undo);
+        }
+        if notice.records {
+            let again = view.named(Action::RecordAgain).min_size(vec2(space(24.0), control(ui)));
+            view.button_as(ui, Action::RecordAgain, again);
         }
         let of_file = [Action::OpenWritten, Action::ShowWritten].into_iter().filter(|_| notice.file.is_some());
         for action in of_file.chain([Action::Close]) {

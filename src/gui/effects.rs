@@ -10,13 +10,14 @@ use std::sync::mpsc::{Receiver, SendError, Sender, channel};
 use eframe::egui::{Context, ViewportCommand};
 use jiff::civil::DateTime;
 
+use super::journal::{Desk, Records};
 use super::reading::{is_read, read};
 use super::rows::Runs;
 use crate::exchange::batch::Part;
 use crate::files;
 use crate::message::Message;
 use crate::session::{
-    Command, Content, Effect, Fate, FilesCommand, Launch, Paired, PairingCommand, Purpose, RowsCommand,
+    Command, Content, Effect, Fate, FilesCommand, Launch, Paired, PairingCommand, Purpose, RecordsCommand, RowsCommand,
     WorkpieceCommand,
 };
 use crate::tolerance::Sources;
@@ -44,6 +45,8 @@ pub(super) struct Runner {
     files: Sender<Errand>,
     /// The run over a large file.
     rows: Arc<Runs>,
+    /// Who keeps and reads records.
+    desk: Desk,
 }
 
 impl Drop for Runner {
@@ -54,13 +57,19 @@ impl Drop for Runner {
 }
 
 impl Runner {
-    pub fn new(errands: Errands) -> Self {
+    pub fn new(errands: Errands, records: Records, clock: fn() -> DateTime) -> Self {
         let (sender, receiver) = channel();
         let (files, queue) = channel::<Errand>();
         if errands == Errands::OnThread {
             on_thread("files", Box::new(move || queue.into_iter().for_each(|errand| errand())));
         }
-        Self { errands, sender, receiver, files, rows: Arc::default() }
+        let desk = Desk::new(errands, records, clock, sender.clone());
+        Self { errands, sender, receiver, files, rows: Arc::default(), desk }
+    }
+
+    /// Who keeps and reads records.
+    pub const fn desk(&self) -> &Desk {
+        &self.desk
     }
 
     /// The commands that came back since the last frame.
@@ -79,6 +88,7 @@ impl Runner {
 
     /// Runs an effect; the frame itself does the clipboard.
     pub fn run(&self, ctx: &Context, effect: Effect, (sources, words): (&Arc<Sources>, &Words), now: DateTime) {
+        let Some(effect) = self.desk.run(ctx, effect) else { return };
         let effect = match effect {
             Effect::Copy(text) => return ctx.copy_text(text),
             Effect::Leave => return ctx.send_viewport_cmd(ViewportCommand::Close),
@@ -181,7 +191,7 @@ fn answers(
             vec![FilesCommand::IsFolder(path).into()]
         }
         Effect::Read(purpose, path) => {
-            let command = read(purpose, path.clone(), sources, now);
+            let (command, sha256) = read(purpose, path.clone(), sources, now);
             let fate = match &command {
                 _ if matches!(path.try_exists(), Ok(false)) => Fate::Gone,
                 command if is_read(command) => Fate::Read,
@@ -190,7 +200,10 @@ fn answers(
             // A file is remembered as what it is.
             let is_part = matches!(command, Command::Workpiece(WorkpieceCommand::PartRead { .. }));
             let purpose = if is_part { Purpose::OpenPart } else { purpose };
-            vec![FilesCommand::Seen { purpose, path, fate }.into(), command]
+            let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+            let measured = sha256.map(|sha256| RecordsCommand::Measured { name, sha256 }.into());
+            let seen = FilesCommand::Seen { purpose, path, fate }.into();
+            std::iter::once(seen).chain(measured).chain([command]).collect()
         }
         Effect::Save(path, content) => save(path, &content, false),
         Effect::Replace(path, content) => save(path, &content, true),
@@ -210,7 +223,13 @@ fn answers(
         | Effect::Leave
         | Effect::JudgeRows { .. }
         | Effect::StopRows
-        | Effect::ReadRows { .. } => Vec::new(),
+        | Effect::ReadRows { .. }
+        | Effect::OpenJournal { .. }
+        | Effect::Keep { .. }
+        | Effect::AskRecords { .. }
+        | Effect::ReadRecords(_)
+        | Effect::VerifyRecords { .. }
+        | Effect::StopVerify => Vec::new(),
     }
 }
 
@@ -277,7 +296,8 @@ mod tests {
     fn files_are_written_and_read_in_the_order_in_which_they_were_asked_for() {
         let folder = tempfile::tempdir().unwrap();
         let path = |number: usize| folder.path().join(format!("{number}.txt"));
-        let runner = Runner::new(Errands::OnThread);
+        let clock = || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
+        let runner = Runner::new(Errands::OnThread, Records::nowhere(), clock);
         let (ctx, words) = (Context::default(), Words::new(crate::words::Language::En));
         // The first is the longest, so that any other would overtake it.
         for number in 0..20 {

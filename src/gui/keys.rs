@@ -5,7 +5,7 @@
 use eframe::egui::{self, Event, EventFilter, Id, KeyboardShortcut, Modifiers, Ui};
 
 use super::view::View;
-use super::{check, fit, pairing, program, tables};
+use super::{check, fit, pairing, program, records, tables};
 use crate::session::action::{Action, Held, Key, Part, Shortcut};
 
 /// Does what was pressed in this frame, before anything is drawn: a key that an action takes reaches no widget.
@@ -65,6 +65,7 @@ fn id(part: Part, view: &View<'_>) -> Id {
         Part::History => check::history_id(),
         Part::Rows => check::rows_id(),
         Part::Pairs => pairing::list_id(),
+        Part::Records => records::list_id(),
     }
 }
 

@@ -6,13 +6,15 @@
 //! | `effects`, `reading` | files, dialogs and the clipboard, off the frame's thread |
 //! | `rows` | the workers behind the rows of a large file |
 //! | `store` | the state file |
+//! | `journal` | who keeps and reads records |
 //! | `theme` | colours, sizes, fonts |
-//! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget` | the pages |
+//! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records` | the pages |
 //! | `top_bar`, `dialogs`, `folder_list` | what belongs to every page |
+//! | `who` | who is measuring |
 //! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
 //! | `columns` | three columns, and how they fold |
-//! | `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
+//! | `class_chooser`, `field`, `keypad`, `limits`, `long_list`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
 
@@ -27,15 +29,18 @@ mod effects;
 mod field;
 mod fit;
 mod folder_list;
+pub mod journal;
 mod keeping;
 mod keypad;
 mod keys;
 mod limits;
+mod long_list;
 mod material;
 mod pairing;
 mod popup;
 mod program;
 mod reading;
+mod records;
 mod rows;
 mod shapes;
 mod store;
@@ -45,6 +50,7 @@ mod tools;
 mod top_bar;
 mod verdict_card;
 mod view;
+mod who;
 
 pub use app::{App, Setup};
 pub use effects::Errands;

@@ -14,6 +14,7 @@ use crate::control::tool_table::ToolTable;
 use crate::exchange;
 use crate::exchange::contacts::{self, Contacts};
 use crate::files;
+use crate::journal::chain::Hash;
 use crate::message::{Message, Say as _};
 use crate::nc::program::ProgramWarning;
 use crate::probing::simulated::{Part, Simulation};
@@ -46,44 +47,59 @@ pub(super) const fn is_read(command: &Command) -> bool {
     }
 }
 
-/// Reads what a dialog of this purpose asks for.
-pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> Command {
-    let name = name(&path);
-    match purpose {
+/// Reads what a dialog of this purpose asks for, with SHA-256 of the file where a record may name it.
+pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> (Command, Option<Hash>) {
+    let (name, mut seen) = (name(&path), None);
+    let command = match purpose {
         Purpose::Import => match rows::large(&path) {
-            Ok(None) => CheckCommand::Imported { result: import(&path, sources, now), name }.into(),
+            Ok(None) => CheckCommand::Imported { result: import(&path, sources, now, &mut seen), name }.into(),
             Ok(Some(large)) => RowsCommand::Opened { name, result: Ok((path, large)) }.into(),
             Err(problem) => RowsCommand::Opened { name, result: Err(problem) }.into(),
         },
         Purpose::LoadMask => Command::MaskRead { name, result: read_mask(&path) },
         Purpose::LoadTables => Command::TablesRead { result: read_tables(&path), folder: path },
         Purpose::OpenTable => TablesCommand::Read { name, result: read_table(&path) }.into(),
-        Purpose::OpenProgram => ProgramCommand::Read { result: read_program(&path), path }.into(),
+        Purpose::OpenProgram => ProgramCommand::Read { result: read_program(&path, &mut seen), path }.into(),
         Purpose::OpenCycleFile(CycleFile::Contacts) => {
-            WorkpieceCommand::ContactsRead { name, result: read_contacts(&path) }.into()
+            WorkpieceCommand::ContactsRead { name, result: read_contacts(&path, &mut seen) }.into()
         }
-        Purpose::OpenCycleFile(CycleFile::Workpiece) | Purpose::OpenPart => read_workpiece(&path, name).into(),
+        Purpose::OpenCycleFile(CycleFile::Workpiece) | Purpose::OpenPart => {
+            read_workpiece(&path, name, &mut seen).into()
+        }
         Purpose::OpenCycleFile(CycleFile::Probes) => {
             CyclesCommand::ProbesRead { name, result: read_probes(&path) }.into()
         }
         Purpose::OpenTools => ToolsCommand::Read { name, result: read_tools(&path) }.into(),
-        Purpose::OpenBudget => BudgetCommand::Read { result: read_text(&path), path }.into(),
-        Purpose::UseBudget => BudgetCommand::UsedRead { result: read_text(&path), path }.into(),
+        Purpose::OpenBudget => BudgetCommand::Read { result: read_text(&path, &mut seen), path }.into(),
+        Purpose::UseBudget => BudgetCommand::UsedRead { result: read_text(&path, &mut seen), path }.into(),
         Purpose::OpenReadings => BudgetCommand::ReadingsRead { result: read_readings(&path), name }.into(),
         Purpose::OpenParts(feature) => {
             PairingCommand::Read { feature, result: read_parts(&path, &name, feature), path }.into()
         }
         // These purposes write files.
         _ => Command::Picked(None),
-    }
+    };
+    (command, seen)
+}
+
+/// The bytes of a file that a record may name.
+fn bytes_of(path: &Path, seen: &mut Option<Hash>) -> Result<Vec<u8>, Message> {
+    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    *seen = Some(Hash::of_file(&bytes));
+    Ok(bytes)
 }
 
 fn name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
-fn import(path: &Path, sources: &Sources, now: DateTime) -> Result<Box<exchange::Imported>, Message> {
-    let bytes = files::read_file(path).map_err(|error| error.message())?;
+fn import(
+    path: &Path,
+    sources: &Sources,
+    now: DateTime,
+    seen: &mut Option<Hash>,
+) -> Result<Box<exchange::Imported>, Message> {
+    let bytes = bytes_of(path, seen)?;
     Ok(Box::new(exchange::import(&name(path), &bytes, sources, now)))
 }
 
@@ -111,15 +127,15 @@ fn read_table(path: &Path) -> Result<(Box<DeviationTable>, Vec<Message>), Messag
     }
 }
 
-fn read_program(path: &Path) -> Result<(Box<Document>, Vec<ProgramWarning>), Message> {
+fn read_program(path: &Path, seen: &mut Option<Hash>) -> Result<(Box<Document>, Vec<ProgramWarning>), Message> {
     files::no_half_set(path.parent().unwrap_or(path)).map_err(|error| error.message())?;
-    let bytes = files::read_file(path).map_err(|error| error.message())?;
+    let bytes = bytes_of(path, seen)?;
     let (document, warnings) = Document::read(&name(path), &bytes).map_err(|error| error.message())?;
     Ok((Box::new(document), warnings))
 }
 
-fn read_contacts(path: &Path) -> Result<(Contacts, Vec<Message>), Message> {
-    let bytes = files::read_file(path).map_err(|error| error.message())?;
+fn read_contacts(path: &Path, seen: &mut Option<Hash>) -> Result<(Contacts, Vec<Message>), Message> {
+    let bytes = bytes_of(path, seen)?;
     let read = contacts::read(&bytes).map_err(|error| error.message())?;
     let ignored = read.ignored.iter().map(|column| Message::new("cycles-column-ignored").text("column", column));
     let ignored = ignored.collect();
@@ -127,10 +143,10 @@ fn read_contacts(path: &Path) -> Result<(Contacts, Vec<Message>), Message> {
 }
 
 /// A workpiece with one surface, or a part of several features: its file says which.
-fn read_workpiece(path: &Path, name: String) -> WorkpieceCommand {
-    let bytes = match files::read_file(path) {
+fn read_workpiece(path: &Path, name: String, seen: &mut Option<Hash>) -> WorkpieceCommand {
+    let bytes = match bytes_of(path, seen) {
         Ok(bytes) => bytes,
-        Err(error) => return WorkpieceCommand::Read(Err(error.message())),
+        Err(problem) => return WorkpieceCommand::Read(Err(problem)),
     };
     let text = decode(&bytes);
     if !Part::is_file(&text) {
@@ -142,8 +158,8 @@ fn read_workpiece(path: &Path, name: String) -> WorkpieceCommand {
     WorkpieceCommand::PartRead { name, result }
 }
 
-fn read_text(path: &Path) -> Result<String, Message> {
-    let bytes = files::read_file(path).map_err(|error| error.message())?;
+fn read_text(path: &Path, seen: &mut Option<Hash>) -> Result<String, Message> {
+    let bytes = bytes_of(path, seen)?;
     Ok(decode(&bytes).into_owned())
 }
 

@@ -15,6 +15,7 @@ use crate::batch::{self, Failed, Input, Packing, Sink, Stream, Watch};
 use crate::exchange::ImportErrorKind;
 use crate::exchange::batch::{BLOCK, Block, Court, Cutter, Layout, Marks, Part, Picked, Store, Tally, pick};
 use crate::files;
+use crate::journal::chain::FileHash;
 use crate::message::{Message, Say as _};
 use crate::session::{End, LARGE, Large, News};
 use crate::tolerance::Sources;
@@ -144,7 +145,8 @@ impl Runs {
         let (file, size) = files::open(path).map_err(|error| error.message())?;
         let before = file.metadata().map(|metadata| stamp(&metadata)).map_err(|error| failed(&error))?;
         found.news.bytes.1 = size.unwrap_or_default();
-        let counted = Counted { file, read: found.read };
+        let seen = Arc::<Mutex<FileHash>>::default();
+        let counted = Counted { file, read: found.read, seen: Arc::clone(&seen) };
         let mut stream = Stream::of(Box::new(counted)).map_err(|error| failed(&error))?;
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         let layout = stream.layout(true, &name).map_err(|error| failed(&error))?.map_err(|error| error.message())?;
@@ -184,6 +186,9 @@ impl Runs {
         if after != Some(before) && !watch.stop.load(Relaxed) {
             return Err(Message::new("rows-changed"));
         }
+        // What was not read to its end has no hash.
+        let is_whole = size.is_some_and(|size| size == found.read.load(Relaxed));
+        found.news.sha256 = is_whole.then(|| lock(&seen).clone().hash());
         Ok(())
     }
 
@@ -237,11 +242,14 @@ fn unpacked() -> io::Result<(File, File, Option<tempfile::TempPath>)> {
 struct Counted<'a> {
     file: File,
     read: &'a AtomicU64,
+    /// What its bytes are hashed to.
+    seen: Arc<Mutex<FileHash>>,
 }
 
 impl Read for Counted<'_> {
     fn read(&mut self, to: &mut [u8]) -> io::Result<usize> {
         let read = self.file.read(to)?;
+        lock(&self.seen).see(to.get(..read).unwrap_or_default());
         self.read.fetch_add(u64::try_from(read).unwrap_or_default(), Relaxed);
         Ok(read)
     }

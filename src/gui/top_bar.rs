@@ -5,6 +5,7 @@ use eframe::egui::{Button, Id, Panel, RichText, Ui};
 use super::dialogs::title_id;
 use super::theme::{self, control, sizes, space};
 use super::view::{View, quiet};
+use super::who::{names_ui, who_ui};
 use crate::message::Message;
 use crate::report::RENDERINGS;
 use crate::session::{Action, Command, Density, FilesCommand, Page, Theme};
@@ -39,11 +40,15 @@ pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
             ui.add_space((ui.available_width() - width).max(0.0));
             let shown = ui.horizontal(|ui| {
                 if has_room {
+                    who_ui(ui, view);
                     view.button(ui, Action::Import);
                     ui.menu_button(view.text("export"), |ui| export_ui(ui, view));
                 }
                 ui.menu_button(view.text("menu"), |ui| {
                     if !has_room {
+                        if view.session.recording().is_on() {
+                            ui.menu_button(view.text("records-page-who"), |ui| names_ui(ui, view));
+                        }
                         view.menu_item(ui, Action::Import);
                         ui.menu_button(view.text("export"), |ui| export_ui(ui, view));
                         ui.separator();

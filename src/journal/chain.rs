@@ -66,6 +66,22 @@ impl Hash {
     }
 }
 
+/// SHA-256 of a file that is read piece by piece.
+#[derive(Debug, Clone, Default)]
+pub struct FileHash(Sha256);
+
+impl FileHash {
+    /// Takes the next bytes.
+    pub fn see(&mut self, bytes: &[u8]) {
+        self.0.update(bytes);
+    }
+
+    /// The hash of all bytes so far.
+    pub fn hash(self) -> Hash {
+        Hash(self.0.finalize().into())
+    }
+}
+
 /// The hash of an entry with this body that follows `before`. `None` where a body is too long to be counted: four gigabytes and more.
 pub fn entry_hash(chain: ChainId, before: Head, body: &[u8]) -> Option<Hash> {
     let mut hasher = Sha256::new();

@@ -73,6 +73,28 @@ impl Memory {
         }
     }
 
+    /// Leaves room before the first record for so many that come later; nothing where there are records already.
+    pub fn leave_room(&mut self, count: u64) {
+        if self.rows.is_empty() && self.next == 0 {
+            self.next = count;
+        }
+    }
+
+    /// Puts records before all others, as far as there is room for their numbers: of too many the oldest stay out. Returns
+    /// the numbers of all that are in, in order.
+    pub fn put_before(&mut self, records: Vec<Arc<Record>>) -> Vec<RecordId> {
+        let first = self.rows.first().map_or(self.next, |row| row.id.0);
+        let room = usize::try_from(first).unwrap_or(usize::MAX);
+        let skipped = records.len().saturating_sub(room);
+        let count = u64::try_from(records.len() - skipped).unwrap_or_default();
+        let ids: Vec<RecordId> = (first.saturating_sub(count)..first).map(RecordId).collect();
+        let rows = records.into_iter().skip(skipped).zip(&ids);
+        let rows = rows.map(|(record, id)| Row { id: *id, texts: Searched::of(&record), record });
+        self.rows.splice(0..0, rows);
+        self.arrange();
+        ids
+    }
+
     /// Takes out every record from a number on.
     pub fn remove_from(&mut self, first: RecordId) -> Removed {
         let removed = self.rows.split_off(self.rows.partition_point(|row| row.id < first));

@@ -14,6 +14,7 @@ use super::fit::FitCommand;
 use super::history::ListCommand;
 use super::pairing::PairingCommand;
 use super::program::ProgramCommand;
+use super::records::RecordsCommand;
 use super::rows::RowsCommand;
 use super::tables::TablesCommand;
 use super::tools::ToolsCommand;
@@ -21,6 +22,8 @@ use super::workpiece::WorkpieceCommand;
 use crate::control::mask::Mask;
 use crate::exchange::batch::Part;
 use crate::files::FileError;
+use crate::journal::ask::Question;
+use crate::journal::entry::Entry;
 use crate::message::Message;
 use crate::report::pairing::Asked;
 use crate::tolerance::{Base, DeviationTable, Feature, iso286};
@@ -43,6 +46,8 @@ pub enum Command {
     Pairing(PairingCommand),
     /// Does something on the budget page.
     Budget(BudgetCommand),
+    /// Does something on the records page, or with what is recorded.
+    Records(RecordsCommand),
     /// Does something with the simulated workpiece or recorded contacts.
     Workpiece(WorkpieceCommand),
     /// Does something with the tool table.
@@ -125,7 +130,7 @@ impl From<ListCommand> for Command {
     }
 }
 
-from_variants!(Command: Pairing(PairingCommand), Budget(BudgetCommand));
+from_variants!(Command: Pairing(PairingCommand), Budget(BudgetCommand), Records(RecordsCommand));
 from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand), Tools(ToolsCommand), Files(FilesCommand));
 
 /// What a file dialog is for.
@@ -171,6 +176,8 @@ pub enum Purpose {
     OpenParts(Feature),
     /// Writing the pairs in a format of their list, by its number there.
     SavePairs(usize),
+    /// Writing the chosen records in a format of the report's list, by its number there.
+    ReportRecords(usize),
 }
 
 impl Purpose {
@@ -184,7 +191,8 @@ impl Purpose {
             | Self::SaveCycleLog
             | Self::SaveTools
             | Self::SaveBudget
-            | Self::SavePairs(_) => false,
+            | Self::SavePairs(_)
+            | Self::ReportRecords(_) => false,
             Self::Import
             | Self::LoadMask
             | Self::LoadTables
@@ -231,12 +239,14 @@ pub enum Page {
     Pairing,
     /// Uncertainty budgets.
     Budget,
+    /// Everything that was recorded.
+    Records,
 }
 
 impl Page {
     /// Every page in the order of the top bar.
-    pub const ALL: [Self; 7] =
-        [Self::Check, Self::Fit, Self::Cycles, Self::Tables, Self::Program, Self::Pairing, Self::Budget];
+    pub const ALL: [Self; 8] =
+        [Self::Check, Self::Fit, Self::Cycles, Self::Tables, Self::Program, Self::Pairing, Self::Budget, Self::Records];
 }
 
 /// Light or dark.
@@ -324,6 +334,40 @@ pub enum Effect {
         /// What is asked.
         asked: Box<Asked>,
     },
+    /// Open the journal, which is made where there is none, and send [`RecordsCommand::Opened`] with so many of its newest checks.
+    OpenJournal {
+        /// The file.
+        file: PathBuf,
+        /// The name of the station, for a journal that is made.
+        station: String,
+        /// How many checks.
+        newest: u64,
+    },
+    /// Write entries to the journal, with the time of now, and send [`RecordsCommand::Kept`] once they are on disk.
+    Keep {
+        /// The number of the batch.
+        run: u64,
+        /// The entries; whoever writes them puts in their time.
+        entries: Vec<Entry>,
+    },
+    /// Find records and send [`RecordsCommand::Found`] again and again; the question before is given up.
+    AskRecords {
+        /// The number of the question.
+        run: u64,
+        /// What is asked.
+        question: Box<Question>,
+        /// Whether to wait until nobody types.
+        rests: bool,
+    },
+    /// Read these records and send [`RecordsCommand::Read`].
+    ReadRecords(Vec<u64>),
+    /// Walk along the chain and send [`RecordsCommand::Verifying`] now and then, and [`RecordsCommand::Verified`] at the end.
+    VerifyRecords {
+        /// The number of the walk.
+        run: u64,
+    },
+    /// End the walk, if there is one.
+    StopVerify,
     /// Close the window.
     Leave,
     /// Put a text on the clipboard.

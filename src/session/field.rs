@@ -9,6 +9,7 @@ use super::cycles::{CycleField, CyclesCommand, WorkpieceField};
 use super::fit::{FitCommand, FitField};
 use super::pairing::{PairingCommand, PairingField};
 use super::program::{ProgramCommand, ProgramField};
+use super::records::{RecordsCommand, RecordsField};
 use super::tables::{TablesCommand, TablesField};
 use super::workpiece::WorkpieceCommand;
 use crate::length::Length;
@@ -31,6 +32,8 @@ pub enum Field {
     Pairing(PairingField),
     /// One of the budget page.
     Budget(BudgetField),
+    /// One of the records page.
+    Records(RecordsField),
     /// A figure of the simulated workpiece, which the cycles page and the program page share.
     Workpiece(WorkpieceField),
 }
@@ -46,13 +49,14 @@ impl Field {
             Self::Program(field) => ProgramCommand::Type(field, text).into(),
             Self::Pairing(field) => PairingCommand::Type(field, text).into(),
             Self::Budget(field) => BudgetCommand::Type(field, text).into(),
+            Self::Records(field) => RecordsCommand::Type(field, text).into(),
             Self::Workpiece(field) => WorkpieceCommand::Type(field, text).into(),
         }
     }
 }
 
 from_variants!(Field: Check(CheckField), Fit(FitField), Cycles(CycleField), Tables(TablesField));
-from_variants!(Field: Pairing(PairingField), Budget(BudgetField));
+from_variants!(Field: Pairing(PairingField), Budget(BudgetField), Records(RecordsField));
 from_variants!(Field: Program(ProgramField), Workpiece(WorkpieceField));
 
 /// The fields of a page whose texts survive a restart.

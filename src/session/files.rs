@@ -92,6 +92,11 @@ impl Session {
                 let records = self.shared.history.for_report().map(Arc::as_ref);
                 names::of_records(records, &several, now, ending(purpose))
             }
+            Purpose::ReportRecords(_) => {
+                let several = Words::new(self.shared.language).get("file-name-checks");
+                let records = self.records.for_report();
+                names::of_records(records.iter().map(Arc::as_ref), &several, now, ending(purpose))
+            }
             Purpose::ExportStatus => {
                 let part = self.check.shown().map(|shown| names::of_record(&shown.record)).unwrap_or_default();
                 names::dated(&names::allowed(&format!("{part}-status")), now, ending(purpose))
@@ -186,6 +191,7 @@ impl Session {
             }
             Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?.into(),
             Purpose::Export(format) => self.export(format, now)?,
+            Purpose::ReportRecords(format) => self.report_records(format, now)?,
             Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?.into(),
             Purpose::SaveTools => self.tools_bytes()?.into(),
             Purpose::SaveBudget => self.budget.bytes(&path).into(),
@@ -212,6 +218,14 @@ impl Session {
         let Some(rendering) = RENDERINGS.get(format) else { return Err(Message::new("dialog-no-path")) };
         let records: Vec<Arc<Record>> = self.shared.history.for_report().map(Arc::clone).collect();
         let report = Box::new(Report::new(now, records));
+        Ok(Content::Report { report, rendering, language: self.shared.language })
+    }
+
+    /// The chosen records of the records page as a report.
+    fn report_records(&self, format: usize, now: DateTime) -> Result<Content, Message> {
+        let Some(rendering) = RENDERINGS.get(format) else { return Err(Message::new("dialog-no-path")) };
+        let journal = self.shared.recording.journal().map(|journal| (journal.chain, journal.head));
+        let report = Box::new(self.records.report(now, journal));
         Ok(Content::Report { report, rendering, language: self.shared.language })
     }
 
@@ -295,7 +309,7 @@ impl Session {
             None => Message::new("file-written-here").text("name", name),
         };
         let file = Some(path.to_owned());
-        self.shared.notices.push(Notice { message, details: Vec::new(), is_problem: false, file, change: None });
+        self.shared.notices.push(Notice { file, ..Notice::of(message, false) });
     }
 }
 

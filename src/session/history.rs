@@ -132,6 +132,31 @@ impl History {
         self.undo.back().map(|(id, _)| *id)
     }
 
+    /// Puts checks of the journal before all others, the oldest first; undo knows nothing of them. Returns their numbers.
+    pub(super) fn restore(&mut self, records: Vec<Arc<Record>>) -> Vec<RecordId> {
+        let ids = self.records.put_before(records);
+        self.count_hidden();
+        ids
+    }
+
+    /// The numbers of the checks that undo would take away.
+    pub(super) fn taken_by_undo(&self) -> BTreeSet<RecordId> {
+        match self.undo.back() {
+            Some((_, Change::Added { first, count })) => (first.0..).take(*count).map(RecordId).collect(),
+            _ => BTreeSet::new(),
+        }
+    }
+
+    /// The numbers of all checks.
+    pub(super) fn ids(&self) -> BTreeSet<RecordId> {
+        self.records.all().map(|(id, _)| id).collect()
+    }
+
+    /// Leaves room before the first check for those of the journal.
+    pub(super) fn leave_room(&mut self, count: u64) {
+        self.records.leave_room(count);
+    }
+
     /// The number that the next check will get.
     pub(super) const fn next(&self) -> RecordId {
         self.records.next()

@@ -3,7 +3,7 @@
 //! Menu, key, button, file and test send a [`Command`]; [`Session::apply`] changes the state and answers with
 //! [`Effect`]s for the world outside. No file, thread, clock or window is touched here: the time comes in.
 //!
-//! Seven pages of the same shape, each in a folder of its name, as in `gui`: its state, its text fields (`field`), what
+//! Eight pages of the same shape, each in a folder of its name, as in `gui`: its state, its text fields (`field`), what
 //! can be done (`command`) and how (`apply`). A page changes itself and what belongs to all (`shared`).
 //!
 //! | file | what |
@@ -15,8 +15,9 @@
 //! | `program` | an NC program is run and stepped |
 //! | `pairing` | measured holes against measured shafts |
 //! | `budget` | how sure a measured value is |
+//! | `records` | everything that was recorded |
 //! | `rows` | the rows of a file that is too large for the history |
-//! | `shared`, `history`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
+//! | `shared`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
 //! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
@@ -46,6 +47,8 @@ mod pairing;
 mod part;
 pub mod program;
 mod readers;
+mod recording;
+pub mod records;
 mod rows;
 mod saved;
 mod shared;
@@ -83,8 +86,10 @@ pub use pairing::{
 };
 pub use part::{feature_message, shape_id};
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
+pub use recording::{Keeping, MOST_NAMES, Named, OpenJournal, RESTORED, Recorded, Recording};
+pub use records::{RecordRow, RecordsCommand, RecordsField, RecordsPage};
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
-pub use saved::{Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs};
+pub use saved::{Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords};
 pub use shared::{MaskChoice, Notice};
 pub use step::Step;
 pub use tables::{TablesCommand, TablesField, TablesPage};
@@ -111,6 +116,7 @@ pub struct Session {
     program: ProgramPage,
     pairing: PairingPage,
     budget: BudgetPage,
+    records: RecordsPage,
 }
 
 impl Session {
@@ -122,7 +128,7 @@ impl Session {
     /// A session from what was saved. The tables' folder and the budget that checks used are read by the effects that come
     /// with it; until the answer of the first comes, nothing is judged by a class.
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
-        let mut shared = Shared::new(saved.language, saved.theme);
+        let mut shared = Shared::new(saved.language, saved.theme, saved.records);
         shared.keypad = saved.keypad;
         shared.places = Places::restore(saved.files);
         shared.density = saved.density;
@@ -139,6 +145,7 @@ impl Session {
             program: ProgramPage::default(),
             pairing: PairingPage::new(&saved.inputs, &shared.sources),
             budget: BudgetPage::new(&saved.inputs, saved.budget.clone()),
+            records: RecordsPage::default(),
             shared,
         };
         let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));
@@ -168,6 +175,7 @@ impl Session {
             },
             cycles: self.cycles.saved(),
             files: self.shared.places.saved(),
+            records: self.shared.recording.saved(),
             ..Saved::default()
         }
     }
@@ -181,6 +189,8 @@ impl Session {
             return effects;
         }
         self.budget.see_day(now.date());
+        self.records.see_time(now);
+        self.shared.recording.named = self.check.named();
         let shared = &mut self.shared;
         let mut effects = match command {
             Command::Check(command) => self.check.apply(command, shared, now),
@@ -190,6 +200,7 @@ impl Session {
             Command::Program(command) => self.program.apply(command, shared, now),
             Command::Pairing(command) => self.pairing.apply(command, shared, now),
             Command::Budget(command) => self.budget.apply(command, shared, now),
+            Command::Records(command) => self.records.apply(command, shared, now),
             command => self.apply_shared(command, now),
         };
         let shared = &mut self.shared;
@@ -201,11 +212,14 @@ impl Session {
             self.program.follow(&news, shared);
             self.pairing.follow(&news, shared);
             self.budget.follow(&news, shared);
+            self.records.follow(&news, shared);
         }
         let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
         effects.extend(to_read.map(Effect::List));
         effects.extend(self.check.take_errands());
         effects.extend(self.pairing.take_errands());
+        effects.extend(self.records.take_errands());
+        effects.extend(shared.recording.take_errands());
         shared.in_order(effects)
     }
 
@@ -219,7 +233,8 @@ impl Session {
             | Command::Tables(_)
             | Command::Program(_)
             | Command::Pairing(_)
-            | Command::Budget(_) => {}
+            | Command::Budget(_)
+            | Command::Records(_) => {}
             // Its answer was taken out of it.
             Command::Answered(..) => return Vec::new(),
             Command::Workpiece(command) => {
@@ -251,10 +266,12 @@ impl Session {
             Command::Picked(path) => return self.picked(path.as_deref(), now),
             Command::Confirm => return self.confirm(now),
             Command::Close => self.close(),
-            Command::AskToLeave if self.tables.unsaved().next().is_none() && !self.budget.is_unsaved() => {
-                return vec![Effect::Leave];
+            Command::AskToLeave => {
+                if !self.would_lose() {
+                    return vec![Effect::Leave];
+                }
+                self.shared.leaving = true;
             }
-            Command::AskToLeave => shared.leaving = true,
             Command::Leave(false) => shared.leaving = false,
             Command::Leave(true) => return vec![Effect::Leave],
             Command::MaskRead { name, result } => self.mask_read(name, result),
@@ -283,6 +300,7 @@ impl Session {
             Field::Program(field) => self.program.text(field),
             Field::Pairing(field) => self.pairing.text(field),
             Field::Budget(field) => self.budget.text(field),
+            Field::Records(field) => self.records.text(field),
             Field::Workpiece(field) => self.shared.workpiece.form.text(field),
         }
     }
@@ -297,6 +315,7 @@ impl Session {
             Field::Program(field) => self.program.error(field),
             Field::Pairing(field) => self.pairing.error(field),
             Field::Budget(field) => self.budget.error(field),
+            Field::Records(field) => self.records.error(field),
             Field::Workpiece(field) => self.shared.workpiece.form.error(field),
         }
     }
@@ -304,7 +323,10 @@ impl Session {
     /// Whether a field holds a name or words, and no figures: then a point is a sign like any other.
     pub fn is_free_text(&self, field: impl Into<Field>) -> bool {
         match field.into() {
-            Field::Check(field) => matches!(field, CheckField::Part | CheckField::HistoryFilter),
+            Field::Check(field) => {
+                use CheckField::{HistoryFilter, Part, Remark, Serial};
+                matches!(field, Part | Serial | Remark | HistoryFilter)
+            }
             // A tool may be called by its name.
             Field::Cycles(CycleField::Parameter(key)) => {
                 let parameter = self.cycles.cycle().parameter(key);
@@ -315,6 +337,7 @@ impl Session {
             Field::Program(field) => matches!(field, ProgramField::Filter | ProgramField::Name | ProgramField::Value),
             // Two points stand between two clearances.
             Field::Pairing(field) => field == PairingField::Wanted,
+            Field::Records(field) => field != RecordsField::Measured,
             Field::Cycles(_) | Field::Fit(_) | Field::Budget(_) | Field::Workpiece(_) => false,
         }
     }
@@ -324,6 +347,7 @@ impl Session {
         match field.into() {
             Field::Check(field) => self.check.culprit(field),
             Field::Fit(field) => self.fit.culprit(field),
+            Field::Records(field) => self.records.culprit(field),
             Field::Cycles(_)
             | Field::Tables(_)
             | Field::Program(_)

@@ -8,6 +8,8 @@ use super::command::{Density, Page, Theme};
 use super::cycles::WorkpieceForm;
 use super::files::{Dialog, RecentFile};
 use super::history::History;
+use super::recording::{Recorded, Recording};
+use super::records::RecordsPage;
 use super::shared::{MaskChoice, Notice};
 use super::workpiece::{OpenPart, RecordedContacts};
 use crate::control::mask::Mask;
@@ -146,6 +148,21 @@ impl Session {
         self.shared.tell(message);
     }
 
+    /// Whether and where checks are recorded, who measures, and what could not be written.
+    pub const fn recording(&self) -> &Recording {
+        &self.shared.recording
+    }
+
+    /// What has become of the shown check on its way to the journal; `None` where it was not sent.
+    pub fn check_recorded(&self) -> Option<Recorded<'_>> {
+        self.shared.recording.of_check(self.check.shown()?.id?)
+    }
+
+    /// The records page.
+    pub const fn records(&self) -> &RecordsPage {
+        &self.records
+    }
+
     /// The names of tables and of a budget with unsaved changes.
     pub fn unsaved(&self) -> Vec<String> {
         let tables = self.tables.unsaved().map(|document| document.title().to_owned());
@@ -156,6 +173,11 @@ impl Session {
     pub fn unopened_tables(&self) -> impl Iterator<Item = (usize, &Arc<DeviationTable>)> {
         let own = self.shared.sources.own().iter().enumerate();
         own.filter(|(_, table)| self.tables.by_title(table.name()).is_none())
+    }
+
+    /// Whether something would be lost with the window: unsaved changes, or checks that could not be recorded.
+    pub fn would_lose(&self) -> bool {
+        !self.unsaved().is_empty() || 0 < self.shared.recording.failed()
     }
 
     /// Whether the user wants to close the window and something is unsaved.

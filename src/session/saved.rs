@@ -43,6 +43,22 @@ pub struct Saved {
     pub cycles: SavedCycles,
     /// Folders and recent files.
     pub files: SavedFiles,
+    /// Where checks are recorded, and who measures.
+    pub records: SavedRecords,
+}
+
+/// What is kept of recording.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SavedRecords {
+    /// Whether no check is recorded.
+    pub off: bool,
+    /// The journal, where it is not the usual one.
+    pub file: Option<PathBuf>,
+    /// Who measures.
+    pub who: String,
+    /// The names that were used last, the latest first.
+    pub names: Vec<String>,
 }
 
 /// What is kept of files.
@@ -106,6 +122,7 @@ impl Default for Saved {
             inputs: SavedInputs::default(),
             cycles: SavedCycles::default(),
             files: SavedFiles::default(),
+            records: SavedRecords::default(),
         }
     }
 }

@@ -13,9 +13,12 @@ use super::budget::OpenBudget;
 use super::command::{Density, DialogId, Effect, Page, Purpose, Theme};
 use super::files::{Dialog, Places};
 use super::history::{ChangeId, History};
+use super::recording::Recording;
+use super::saved::SavedRecords;
 use super::tools::OpenTools;
 use super::workpiece::SimulatedWorkpiece;
 use crate::control::mask::Mask;
+use crate::journal::Record;
 use crate::message::Message;
 use crate::tolerance::fit::materials::Materials;
 use crate::tolerance::{Absent, Sources};
@@ -51,10 +54,19 @@ pub struct Notice {
     pub file: Option<PathBuf>,
     /// The change of the history that it tells of.
     pub change: Option<ChangeId>,
+    /// Whether it tells of checks that could not be recorded.
+    pub records: bool,
+}
+
+impl Notice {
+    /// A headline alone.
+    pub(super) const fn of(message: Message, is_problem: bool) -> Self {
+        Self { message, details: Vec::new(), is_problem, file: None, change: None, records: false }
+    }
 }
 
 /// A change by a page, or for all of them, that other pages follow.
-#[derive(Debug, Clone, PartialEq, Eq)]
+#[derive(Debug, Clone, PartialEq)]
 pub(super) enum News {
     /// A page was opened.
     Opened(Page),
@@ -78,6 +90,15 @@ pub(super) enum News {
     Budget,
     /// A part of this callout is to be checked.
     Check(String),
+    /// What a record asked for is to be measured again.
+    MeasureAgain {
+        /// The record.
+        record: Arc<Record>,
+        /// The part.
+        part: String,
+        /// Its serial number.
+        serial: String,
+    },
 }
 
 /// What every page does: follow its commands and the news of the others.
@@ -114,6 +135,7 @@ pub(super) struct Shared {
     pub given_up: Option<PathBuf>,
     pub materials: Materials,
     pub history: History,
+    pub recording: Recording,
     pub workpiece: SimulatedWorkpiece,
     /// The tool table that was opened.
     pub tools: Option<Arc<OpenTools>>,
@@ -132,8 +154,9 @@ pub(super) struct Shared {
 }
 
 impl Shared {
-    pub fn new(language: Language, theme: Theme) -> Self {
-        Self { language, theme, materials: Materials::shipped().clone(), ..Self::default() }
+    pub fn new(language: Language, theme: Theme, records: SavedRecords) -> Self {
+        let recording = Recording::new(records);
+        Self { language, theme, recording, materials: Materials::shipped().clone(), ..Self::default() }
     }
 
     /// Announces news to the other pages.
@@ -195,17 +218,23 @@ impl Shared {
 
     /// Tells the user what failed.
     pub fn tell(&mut self, message: Message) {
-        self.notices.push(Notice { message, details: Vec::new(), is_problem: true, file: None, change: None });
+        self.notices.push(Notice::of(message, true));
     }
 
     /// Tells the user what failed, before the notice that asked for it.
     pub fn tell_first(&mut self, message: Message) {
-        self.notices.insert(0, Notice { message, details: Vec::new(), is_problem: true, file: None, change: None });
+        self.notices.insert(0, Notice::of(message, true));
+    }
+
+    /// Tells the user that checks are not recorded, and offers to try again: one notice for all of them.
+    pub fn tell_of_records(&mut self, message: Message) {
+        self.notices.retain(|notice| !notice.records);
+        self.notices.push(Notice { records: true, ..Notice::of(message, true) });
     }
 
     /// Tells the user what was done.
     pub fn note(&mut self, message: Message, details: Vec<Message>) {
-        self.notices.push(Notice { message, details, is_problem: false, file: None, change: None });
+        self.notices.push(Notice { details, ..Notice::of(message, false) });
     }
 
     /// Tells the user what was done, where there are details.

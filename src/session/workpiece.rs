@@ -7,6 +7,7 @@ use super::command::{CycleFile, Purpose};
 use super::cycles::{WorkpieceField, WorkpieceForm};
 use super::shared::{News, Shared};
 use crate::exchange::contacts::Contacts;
+use crate::journal::chain::Hash;
 use crate::message::Message;
 use crate::probing::Contact;
 use crate::probing::cycle::Plane;
@@ -52,6 +53,8 @@ pub struct RecordedContacts {
     pub contacts: Vec<Contact>,
     /// Whether the file has their heights.
     pub has_heights: bool,
+    /// SHA-256 of the file.
+    pub sha256: Option<Hash>,
 }
 
 /// A simulated part of a file.
@@ -61,6 +64,8 @@ pub struct OpenPart {
     pub name: String,
     /// The part.
     pub part: Part,
+    /// SHA-256 of the file.
+    pub sha256: Option<Hash>,
 }
 
 /// The simulated workpiece as it is typed, and the contacts that were read.
@@ -121,14 +126,17 @@ impl Shared {
                 let refuses = self.page == Page::Cycles;
                 let result = if refuses { result.and(Err(Message::new("cycles-part-refused"))) } else { result };
                 if let Some(part) = self.file_answered(result) {
-                    self.workpiece.part = Some(Arc::new(OpenPart { name, part: *part }));
+                    let sha256 = self.recording.of_file(&name);
+                    self.workpiece.part = Some(Arc::new(OpenPart { name, part: *part, sha256 }));
                     self.spread(News::PartTaken);
                 }
             }
             WorkpieceCommand::ContactsRead { name, result } => {
                 if let Some((Contacts { contacts, has_heights, .. }, details)) = self.file_answered(result) {
                     self.note_details(Message::new("cycles-contacts-loaded").text("name", &name), details);
-                    self.workpiece.recorded = Some(Arc::new(RecordedContacts { name, contacts, has_heights }));
+                    let sha256 = self.recording.of_file(&name);
+                    let recorded = RecordedContacts { name, contacts, has_heights, sha256 };
+                    self.workpiece.recorded = Some(Arc::new(recorded));
                     self.spread(News::ContactsTaken);
                 }
             }

@@ -16,9 +16,9 @@ pub fn moment() -> Moment {
 pub fn computer() -> String {
     let of_variable = ["COMPUTERNAME", "HOSTNAME"].into_iter().find_map(|name| std::env::var(name).ok());
     let of_file = || {
-        let paths = ["/proc/sys/kernel/hostname", "/etc/hostname"].into_iter();
+        let mut paths = ["/proc/sys/kernel/hostname", "/etc/hostname"].into_iter();
         let read = |path| Some(String::from_utf8_lossy(&files::read_file(Path::new(path)).ok()?).into_owned());
-        paths.filter_map(read).next()
+        paths.find_map(read)
     };
     let name = of_variable.or_else(of_file).unwrap_or_default();
     let name: String = name.trim().chars().filter(|c| !c.is_control()).take(200).collect();

@@ -16,8 +16,8 @@ fn read(text: &str) -> Question {
     Question::read(text, &here()).unwrap_or_else(|error| panic!("{text}: {error}"))
 }
 
-fn ms(text: &str) -> Option<i64> {
-    Some(text.parse::<Timestamp>().unwrap().as_millisecond())
+fn ms(text: &str) -> i64 {
+    text.parse::<Timestamp>().unwrap().as_millisecond()
 }
 
 #[test]
@@ -34,8 +34,8 @@ fn every_word_asks_for_what_it_says() {
         verdicts: vec![Status::Scrap, Status::Rework],
         who: some("Anna"),
         station: some("Mill 3"),
-        from_ms: ms("2026-10-31T23:00:00Z"),
-        before_ms: ms("2026-11-23T23:00:00Z"),
+        from_ms: Some(ms("2026-10-31T23:00:00Z")),
+        before_ms: Some(ms("2026-11-23T23:00:00Z")),
         simulated: Some(false),
         standing: true,
         words: vec!["burr".to_owned()],
@@ -53,18 +53,24 @@ fn every_word_asks_for_what_it_says() {
 
 #[test]
 fn days_are_those_of_the_place() {
-    let today =
-        Question { from_ms: ms("2026-11-22T23:00:00Z"), before_ms: ms("2026-11-23T23:00:00Z"), ..Question::default() };
+    let today = Question {
+        from_ms: Some(ms("2026-11-22T23:00:00Z")),
+        before_ms: Some(ms("2026-11-23T23:00:00Z")),
+        ..Question::default()
+    };
     assert_eq!(read("today"), today);
     assert_eq!(read("from:2026-11-23 to:2026-11-23"), today);
-    let week = Question { before_ms: ms("2026-11-29T23:00:00Z"), ..today.clone() };
+    let week = Question { before_ms: Some(ms("2026-11-29T23:00:00Z")), ..today.clone() };
     assert_eq!(read("week"), week);
     // A Sunday evening in UTC is a Monday in Auckland.
     let there = Here { now: "2026-11-22T12:30:00Z".parse().unwrap(), zone: TimeZone::fixed(Offset::constant(13)) };
     let found = Question::read("week", &there).unwrap();
-    assert_eq!((found.from_ms, found.before_ms), (ms("2026-11-22T11:00:00Z"), ms("2026-11-29T11:00:00Z")));
+    assert_eq!((found.from_ms, found.before_ms), (Some(ms("2026-11-22T11:00:00Z")), Some(ms("2026-11-29T11:00:00Z"))));
     let times = read("from:2026-11-23T14:30 to:2026-11-23T13:45:10.5Z");
-    assert_eq!((times.from_ms, times.before_ms), (ms("2026-11-23T13:30:00Z"), ms("2026-11-23T13:45:10.5Z")));
+    assert_eq!(
+        (times.from_ms, times.before_ms),
+        (Some(ms("2026-11-23T13:30:00Z")), Some(ms("2026-11-23T13:45:10.5Z")))
+    );
 }
 
 #[test]

@@ -614,7 +614,7 @@ fn questions_find_what_a_look_at_every_entry_finds() {
     let (place, entries) = mixed();
     let reader = Reader::open(&place.path()).unwrap();
     let mut runner = proptest::test_runner::TestRunner::new(ProptestConfig {
-        cases: 600,
+        cases: 250,
         failure_persistence: None,
         ..ProptestConfig::default()
     });

@@ -179,6 +179,7 @@ fn news(text: &str, take: usize, end: Option<End>) -> News {
         bytes: (1, 2),
         elapsed_ms: 10,
         end,
+        sha256: None,
     }
 }
 

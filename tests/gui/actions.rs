@@ -11,12 +11,12 @@ use fitcheck::session::action::{Held, Part, Shortcut};
 use fitcheck::session::program::Speed;
 use fitcheck::session::{
     Action, CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, FitField, Page, Paired, PairingCommand,
-    PairingField, ProgramCommand, Purpose, Session, Step, TablesCommand, Theme,
+    PairingField, ProgramCommand, Purpose, RecordsCommand, Session, Step, TablesCommand, Theme,
 };
 use fitcheck::tolerance::Feature;
 use fitcheck::words::Language;
 
-use crate::harness::window;
+use crate::harness::{nowhere, window};
 
 /// A window, and a session without one.
 struct Pair {
@@ -28,6 +28,8 @@ struct Pair {
 impl Pair {
     fn on(page: Page) -> Self {
         let mut pair = Self { window: window(), session: Session::new(Language::En), done: BTreeSet::new() };
+        let nowhere = nowhere();
+        pair.apply(RecordsCommand::Begin { usual: None, station: nowhere.station, zone: nowhere.zone }.into());
         pair.apply(Command::SetTheme(Theme::Light));
         pair.send(Command::OpenPage(page));
         pair
@@ -99,7 +101,7 @@ impl Pair {
                     list.focus();
                 }
             }
-            Page::Cycles | Page::Budget => {}
+            Page::Cycles | Page::Budget | Page::Records => {}
         }
         self.window.step();
         self.window.step();

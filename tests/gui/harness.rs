@@ -6,12 +6,26 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Theme, Vec2, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, SnapshotOptions};
+use fitcheck::gui::journal::Records;
 use fitcheck::gui::{App, Errands, Setup, Store};
+use fitcheck::journal::entry::Moment;
 use fitcheck::session::{Command, Purpose};
 use fitcheck::words::{Language, Words};
+use jiff::tz::{TimeZone, offset};
 
 /// The size that most tests look at.
 pub const DESK: Vec2 = vec2(1280.0, 800.0);
+
+/// The same time with its zone.
+pub fn moment() -> Moment {
+    Moment { utc_ms: 1_795_254_127_000, offset_min: 60, zone: "Europe/Amsterdam".to_owned() }
+}
+
+/// Nothing is recorded.
+pub fn nowhere() -> Records {
+    let zone = TimeZone::fixed(offset(1));
+    Records { moment, zone, station: "Mill 3".to_owned(), ..Records::nowhere() }
+}
 
 /// A window at a fixed time, in English, that keeps nothing.
 pub fn window() -> Harness<'static, App> {
@@ -32,6 +46,8 @@ pub struct Window {
     pub files: Vec<(Purpose, PathBuf)>,
     /// Pixels per point.
     pub zoom: f32,
+    /// Where checks are recorded.
+    pub records: Records,
 }
 
 impl Default for Window {
@@ -45,6 +61,7 @@ impl Default for Window {
             home: None,
             files: Vec::new(),
             zoom: 1.0,
+            records: nowhere(),
         }
     }
 }
@@ -59,6 +76,7 @@ impl Window {
             clock: || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0),
             home: self.home,
             files: self.files,
+            records: self.records,
         };
         let mut harness = Harness::builder()
             .with_size(self.size)

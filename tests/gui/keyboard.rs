@@ -71,9 +71,9 @@ fn tab_walks_in_reading_order() {
             "Nominal size",
             "Class",
             "Part or feature",
+            "Record",
             "Centre X",
             "Centre Y",
-            "Height Z",
         ]
     );
 }

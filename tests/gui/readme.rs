@@ -107,7 +107,7 @@ fn a_flange_is_turned_and_measured() {
 }
 
 /// Pictures of the README that other tests take, too.
-const OTHERS: [(&str, &str); 10] = [
+const OTHERS: [(&str, &str); 11] = [
     ("cycle_421", "cycle_421_light"),
     ("cycle_422", "cycle_422_dark"),
     ("cycle_427", "cycle_427_light"),
@@ -117,6 +117,7 @@ const OTHERS: [(&str, &str); 10] = [
     ("pairing", "pairing_light"),
     ("program", "program_light"),
     ("program_part", "program_part_light"),
+    ("records", "records_light"),
     ("tables", "table_differs_light"),
 ];
 

@@ -5,6 +5,8 @@
 
 use std::borrow::Cow;
 use std::io::Write as _;
+use std::sync::Arc;
+use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
 use eframe::egui::epaint::TextShape;
@@ -12,17 +14,19 @@ use eframe::egui::{FontFamily, Rect, Shape, Vec2, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
+use fitcheck::gui::journal::Records;
 use fitcheck::message::Bundle;
 use fitcheck::session::{
     BudgetCommand, BudgetField, CheckCommand, CheckField, Command, CyclesCommand, Field, FilesCommand, FitField,
-    MeasureBy, Page, PairingCommand, PairingField, ProgramCommand, Purpose,
+    MeasureBy, Page, PairingCommand, PairingField, ProgramCommand, Purpose, RecordsCommand,
 };
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
 use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::{Language, Words};
 
-use crate::harness::Window;
+use crate::fake_journal::Fake;
+use crate::harness::{Window, nowhere};
 
 /// Width and height in pixels, and the zoom.
 const SIZES: [(f32, f32, f32); 13] = [
@@ -84,7 +88,12 @@ fn longer(text: &str) -> Cow<'_, str> {
 fn open(size: (f32, f32, f32), tongue: Tongue) -> Harness<'static, App> {
     let (width, height, zoom) = size;
     let Tongue { language, words, .. } = tongue;
-    Window { size: vec2(width, height) / zoom, zoom, language, words, ..Window::default() }.open()
+    let records = Records {
+        usual: Some("/shop/journal.sqlite".into()),
+        journals: Arc::new(Fake::of(1, Duration::ZERO)),
+        ..nowhere()
+    };
+    Window { size: vec2(width, height) / zoom, zoom, language, words, records, ..Window::default() }.open()
 }
 
 fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
@@ -279,16 +288,26 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
             }
             send(&mut window, PairingCommand::Select(1));
         }
+        Page::Records => recorded(&mut window),
         Page::Check | Page::Tables => {}
     }
     paint(&mut window, &what);
-    if page != Page::Tables && page != Page::Program {
+    if !matches!(page, Page::Tables | Page::Program | Page::Records) {
         check_frame(&window, points, &what);
     }
     faults(&window, tongue, &what)
 }
 
-const OTHER_PAGES: [Page; 6] = [Page::Fit, Page::Cycles, Page::Program, Page::Tables, Page::Pairing, Page::Budget];
+/// Records in sight, one of them open and being corrected.
+fn recorded(window: &mut Harness<'_, App>) {
+    measured(window, &["25.012", "24.998", "25.030"]);
+    send(window, RecordsCommand::Choose(3, true));
+    send(window, RecordsCommand::Open(2));
+    send(window, RecordsCommand::Correct(true));
+}
+
+const OTHER_PAGES: [Page; 7] =
+    [Page::Fit, Page::Cycles, Page::Program, Page::Tables, Page::Pairing, Page::Budget, Page::Records];
 
 const HOLES: &[u8] = b"id;measured\nH1;25,012\nH2;25,004\nH3;25,001\nH4;25,021\nH5;\n";
 const SHAFTS: &[u8] = b"id;measured\nS1;24,990\nS2;24,986\nS3;25,016\nS4;24,999\n";

@@ -194,10 +194,16 @@ cli-recorded-without = { $rows ->
    *[other] { $rows } rows are not recorded
 }: { $places }
 cli-not-recorded = nothing was recorded: { $error }
-cli-journal-is-server = a server takes what a station has recorded: record into a file, and fitcheck journal send sends it
+cli-journal-is-server = this needs the journal of a station, a file: a server takes what stations have recorded
+cli-no-shop = this program was built without the server of a shop: name a file as the journal
+cli-recorded-not-sent = not sent to the server yet: { $error }; what is recorded here stays, and fitcheck journal send sends it
 cli-no-journal-folder = this system has no folder for your data: name a journal with --journal FILE
 cli-no-entry = there is no entry { $number } in { $path }: the last one is { $last }
 cli-no-check = entry { $number } is not a check
 cli-already-corrected-by = entry { $number } is corrected or withdrawn by entry { $by } already: correct that one
 cli-not-typed = the value of entry { $number } was measured, not typed: measure again, or withdraw the check
 cli-nothing-corrected = a correction changes something: give --measured, --who, --part, --serial, --feature-name, --remark or --withdraw
+cli-remark-sent = { $entries } entries were sent to { $server }, which has this journal up to entry { $number }
+cli-remark-unread = { $entries } entries are passed over: this version cannot read them
+cli-head-without-chain = a server has several chains: --head CHAIN:NUMBER:HASH
+cli-head-of-other = this journal is the chain { $chain }, and --head names { $other }

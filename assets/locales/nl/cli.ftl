@@ -194,10 +194,16 @@ cli-recorded-without = { $rows ->
    *[other] { $rows } rijen zijn niet vastgelegd
 }: { $places }
 cli-not-recorded = er is niets vastgelegd: { $error }
-cli-journal-is-server = een server krijgt wat een station heeft vastgelegd: leg vast in een bestand, en fitcheck journal send verstuurt het
+cli-journal-is-server = hiervoor is het logboek van een station nodig, een bestand: een server krijgt wat stations hebben vastgelegd
+cli-no-shop = dit programma is gebouwd zonder de server van een werkplaats: noem een bestand als logboek
+cli-recorded-not-sent = nog niet naar de server gestuurd: { $error }; wat hier is vastgelegd blijft, en fitcheck journal send stuurt het
 cli-no-journal-folder = dit systeem heeft geen map voor eigen gegevens: noem een logboek met --journal FILE
 cli-no-entry = in { $path } is geen regel { $number }: de laatste is { $last }
 cli-no-check = regel { $number } is geen controle
 cli-already-corrected-by = regel { $number } is al gecorrigeerd of ingetrokken door regel { $by }: corrigeer die
 cli-not-typed = de waarde van regel { $number } is gemeten en niet getypt: meet opnieuw, of trek de controle in
 cli-nothing-corrected = een correctie verandert iets: geef --measured, --who, --part, --serial, --feature-name, --remark of --withdraw
+cli-remark-sent = { $entries } regels gestuurd naar { $server }, die dit logboek nu heeft tot en met regel { $number }
+cli-remark-unread = { $entries } regels zijn overgeslagen: deze versie kan ze niet lezen
+cli-head-without-chain = een server heeft verschillende ketens: --head CHAIN:NUMBER:HASH
+cli-head-of-other = dit logboek is de keten { $chain }, en --head noemt { $other }

@@ -93,6 +93,8 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE.tp")]
     probe_table: Option<PathBuf>,
     #[command(flatten)]
+    record: RecordArgs,
+    #[command(flatten)]
     tools: ToolArgs,
     /// Number of the probe in the table; default: the first one
     #[arg(long, value_name = "N")]
@@ -111,8 +113,6 @@ pub(super) struct Args {
     as_block: bool,
     #[command(flatten)]
     log: log::LogArgs,
-    #[command(flatten)]
-    record: RecordArgs,
     /// Language of the log, and of the control's questions and names as far as they are known
     #[arg(long, default_value = "en", value_parser = dialogue())]
     language: Dialogue,

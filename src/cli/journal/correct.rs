@@ -14,8 +14,8 @@ use crate::store::local::{Reader, Row};
 use crate::tolerance::fit::thermal;
 
 const HELP: &str = "\
-Nothing is changed: a new entry names the old one and gives the reason, and both stay. A value that was typed may be
-typed again; it is judged by the same limits and the same rule.
+Nothing is changed: a new entry names the old one and gives the reason, and both stay. A value that
+was typed may be typed again; it is judged by the same limits and the same rule.
 
 Examples:
   fitcheck journal correct 12 --reason \"serial number of the next part\" --serial 17-0043

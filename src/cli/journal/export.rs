@@ -21,10 +21,12 @@ fn help() -> String {
         "\
 {QUESTIONS}
 
-An export is the journal at one moment, however many programs record into it. Corrected and withdrawn checks are in it,
-as are those that correct them (correction_of); standing leaves them out. Columns of csv:
+An export is the journal at one moment, however many programs record into it. Corrected and withdrawn
+checks are in it, as are those that correct them (correction_of); standing leaves them out.
+
+Columns of csv:
   {}
-json has an entry a line: its body as it is kept, with number, hash and chain.
+json has one entry on each line: its body as it is kept, with number, hash and chain.
 
 Examples:
   fitcheck journal export -o checks.csv
@@ -59,19 +61,16 @@ impl Args {
         let mut numbers = reader.numbers(&question, None, usize::MAX).said()?;
         numbers.reverse();
         let mut export = Export { reader: &reader, numbers: &numbers, failed: None, unread: Vec::new() };
-        match &self.output {
-            Some(path) => save_with(path, &mut |out| export.write(self.format, out), io).or_else(|error| {
-                // The journal's own words come first: its error is only passed through the file's.
-                export.failed.take().map_or(Err(error), |failed| Err(CliError::Said(failed.message())))
-            })?,
-            None => {
-                let written = export.write(self.format, io.data());
-                if let Some(failed) = export.failed.take() {
-                    return Err(CliError::Said(failed.message()));
-                }
-                heard_or_not(written)?;
-            }
+        let written = if let Some(path) = &self.output {
+            save_with(path, &mut |out| export.write(self.format, out), io)
+        } else {
+            heard_or_not(export.write(self.format, io.data()))
+        };
+        // The journal's own words come first: its error only passes through the file's.
+        if let Some(failed) = &export.failed {
+            return Err(CliError::Said(failed.message()));
         }
+        written?;
         Ok(unread(&export.unread, io))
     }
 }

@@ -2,8 +2,9 @@
 
 use super::row::{self, header};
 use super::{
-    CliError, CliRemark, Format, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, heard_or_not,
+    CliError, CliRemark, Format, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, heard_or_not, server,
 };
+use crate::cli::record::Place;
 use crate::journal::entry::{Content, Entry};
 use crate::report::csv;
 use crate::store::local::{Reader, Row};
@@ -46,16 +47,24 @@ pub(super) struct Args {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let question = self.question.read()?;
-        let reader = Reader::open(&self.journal.file()?).said()?;
         // One more than is listed tells that there are more.
         let most = self.limit.saturating_add(1);
-        let mut numbers = reader.numbers(&question, None, if self.oldest { usize::MAX } else { most }).said()?;
-        if self.oldest {
-            numbers.reverse();
-        }
-        let are_more = self.limit < numbers.len();
-        numbers.truncate(self.limit);
-        let rows = reader.rows(&numbers).said()?;
+        let mut rows = match self.journal.place()? {
+            Place::File(file) => {
+                let reader = Reader::open(&file).said()?;
+                let all = if self.oldest { usize::MAX } else { most };
+                let mut numbers = reader.numbers(&question, None, all).said()?;
+                if self.oldest {
+                    numbers.reverse();
+                }
+                numbers.truncate(most);
+                reader.rows(&numbers).said()?
+            }
+            Place::Server(_) if self.oldest => return Err(CliError::JournalIsServer),
+            Place::Server(address) => server::list(&address, &question, most, io)?,
+        };
+        let are_more = self.limit < rows.len();
+        rows.truncate(self.limit);
         match self.format {
             Format::Text => table(&rows, io)?,
             Format::Csv => {

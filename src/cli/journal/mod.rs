@@ -9,12 +9,20 @@
 //! | `verify` | whether a journal is whole |
 //! | `correct` | a check in place of another one, or taken back |
 //! | `backup` | a copy |
+//! | `shop` | the server of a shop: its tables, and what is sent there |
+//! | `server`, `no_server` | a server that is asked, and a program that was built without |
 
 mod backup;
 mod correct;
 mod export;
 mod list;
 mod row;
+#[cfg(feature = "shop")]
+pub(super) mod server;
+#[cfg(not(feature = "shop"))]
+#[path = "no_server.rs"]
+pub(super) mod server;
+mod shop;
 mod show;
 mod text;
 mod verify;
@@ -26,7 +34,7 @@ use super::record::JournalArgs;
 use super::{CliError, CliRemark, Format, Io, Outcome, Refused, heard_or_not, save_with};
 use crate::journal::ask::{Here, Question};
 
-/// The journal: list, show, export, verify, correct, back up
+/// The journal: list, show, export, verify, correct, back up, send
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     #[command(subcommand)]
@@ -40,6 +48,8 @@ subcommands! {
     Verify(verify::Args),
     Correct(correct::Args),
     Backup(backup::Args),
+    InitShop(shop::InitArgs),
+    Send(shop::SendArgs),
 }
 
 impl Args {
@@ -58,7 +68,7 @@ A question narrows the list word by word:
   from:2026-11-01 to:2026-11-23 today week         recorded on these days, the last one included
   simulated measured                               only simulated ones, only measured ones
   standing                                         neither corrected nor withdrawn
-  burr                                             a word that begins so in part, serial number, feature, name or remark";
+  burr                                             a word that begins so, in any name or the remark";
 
 /// Which checks are asked for.
 #[derive(Debug, Clone, clap::Args)]

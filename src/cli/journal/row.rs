@@ -8,6 +8,7 @@ use crate::length::{Length, Unit};
 use crate::report::columns::{Cell as _, Column, cells, names};
 use crate::report::csv::harmless;
 use crate::store::local::Row;
+use crate::verdict::rules::Uncertainty;
 
 /// The columns of the CSV, in order.
 pub(super) const COLUMNS: [Column<Row>; 17] = [
@@ -19,11 +20,11 @@ pub(super) const COLUMNS: [Column<Row>; 17] = [
     ("serial", |row| name(&about(row)?.serial)),
     ("feature", |row| name(&about(row)?.feature)),
     ("callout", |row| record(row)?.callout.map(|callout| callout.to_string())),
-    ("min_mm", |row| mm(limits(row)?[0])),
-    ("max_mm", |row| mm(limits(row)?[1])),
-    ("measured_mm", |row| mm(measured(row)?)),
+    ("min_mm", |row| Some(mm(limits(row)?[0]))),
+    ("max_mm", |row| Some(mm(limits(row)?[1]))),
+    ("measured_mm", |row| Some(mm(measured(row)?))),
     ("rule", |row| record(row)?.verdict.rule.name().word().cell()),
-    ("u_um", |row| record(row)?.verdict.rule.uncertainty().map(|uncertainty| uncertainty.um())),
+    ("u_um", |row| record(row)?.verdict.rule.uncertainty().map(Uncertainty::um)),
     ("status", |row| check(row)?.status()?.cell()),
     ("origin", |row| name(&origin(check(row)?))),
     ("correction_of", |row| Some(entry(row)?.corrects()?.target.number.to_string())),
@@ -107,8 +108,8 @@ pub(super) fn origin(check: &Check) -> String {
     }
 }
 
-fn mm(length: Length) -> Option<String> {
-    Some(length.exact(Unit::Millimetre, 3))
+fn mm(length: Length) -> String {
+    length.exact(Unit::Millimetre, 3)
 }
 
 /// A text that somebody typed: no spreadsheet computes it.

@@ -6,21 +6,23 @@ use std::path::Path;
 use indicatif::{ProgressBar, ProgressStyle};
 use serde_json::json;
 
-use super::{CliError, CliRemark, Io, JournalArgs, Outcome, Refused as _};
+use super::{CliError, CliRemark, Io, JournalArgs, Outcome, Refused as _, server};
 use crate::cli::args::one_of;
-use crate::journal::chain::{ChainId, Head};
+use crate::cli::record::Place;
+use crate::journal::chain::{ChainId, Head, HexError};
 use crate::journal::inspection::Break;
 use crate::store::StoreRemark;
 use crate::store::local::{self, Anchors, Reader, Verified};
 
 const HELP: &str = "\
-The chain shows an entry that was changed, removed, inserted or moved. That the newest entries were cut off, that an older
-copy was put back, or that all was written anew is found with an entry that is known elsewhere: the last one that this
-computer has seen, which Fitcheck keeps beside its settings, and those that --head gives.
+The chain shows an entry that was changed, removed, inserted or moved. That the newest entries were
+cut off, that an older copy was put back, or that all was written anew is found with an entry that is
+known elsewhere: the last one that this computer has seen, which Fitcheck keeps beside its settings,
+and those that --head gives.
 
 Examples:
   fitcheck journal verify
-  fitcheck journal verify --head 1204:9f86d081884c7d659a2feaa0c55ad015a3bf4f1b2b0b822cd15d6c15b0f00a08
+  fitcheck journal verify --head 1204:9f86d081…
 
 The exit code is 1 where anything is not as it was written.";
 
@@ -28,9 +30,9 @@ The exit code is 1 where anything is not as it was written.";
 #[derive(Debug, clap::Args)]
 #[command(after_help = HELP)]
 pub(super) struct Args {
-    /// An entry that is known elsewhere, such as from a report or a backup: its number and its hash
-    #[arg(long = "head", value_name = "NUMBER:HASH", value_parser = head)]
-    heads: Vec<Head>,
+    /// An entry that is known elsewhere, such as from a report or a backup: its number and its hash, on a server behind its chain
+    #[arg(long = "head", value_name = "[CHAIN:]NUMBER:HASH", value_parser = head)]
+    heads: Vec<Known>,
     /// Format of the answer
     #[arg(long, value_name = "FORMAT", default_value = "text", value_parser = one_of(FORMATS, |format| format))]
     format: &'static str,
@@ -40,21 +42,40 @@ pub(super) struct Args {
 
 const FORMATS: [&str; 2] = ["text", "json"];
 
-fn head(text: &str) -> Result<Head, String> {
+/// An entry that is known elsewhere, and perhaps its chain.
+type Known = (Option<ChainId>, Head);
+
+fn head(text: &str) -> Result<Known, String> {
+    let hex = |error: HexError| error.to_string();
+    let (chain, text) = match text.split_once(':') {
+        Some((chain, rest)) if rest.contains(':') => (Some(chain.parse().map_err(hex)?), rest),
+        _ => (None, text),
+    };
     let (number, hash) = text.split_once(':').ok_or("expected a number, a colon and a hash, such as 12:9f86…")?;
     let number: u64 = number.parse().map_err(|_not_one| format!("{number} is not the number of an entry"))?;
     if number == 0 {
         return Err("entries count from 1".to_owned());
     }
-    Ok(Head { number, hash: hash.parse().map_err(|error: crate::journal::chain::HexError| error.to_string())? })
+    Ok((chain, Head { number, hash: hash.parse().map_err(hex)? }))
 }
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let file = self.journal.file()?;
+        let file = match self.journal.place()? {
+            Place::File(file) => file,
+            Place::Server(address) => {
+                let known = self.heads.iter().map(|(chain, head)| Some(((*chain)?, *head)));
+                let known: Vec<_> = known.collect::<Option<_>>().ok_or(CliError::HeadWithoutChain)?;
+                let is_whole = server::verify(&address, &known, self.format == "json", io)?;
+                return Ok(if is_whole { Outcome::Done } else { Outcome::BadData });
+            }
+        };
         let chain = Reader::open(&file).said()?.chain();
+        if let Some(other) = self.heads.iter().find_map(|(given, _)| given.filter(|given| *given != chain)) {
+            return Err(CliError::HeadOfOther { chain: chain.to_string(), other: other.to_string() });
+        }
         let (mut known, replaced) = known_elsewhere(&file, chain, io);
-        known.extend(&self.heads);
+        known.extend(self.heads.iter().map(|(_, head)| head));
         let bar = bar();
         let found = local::verify(&file, &known, &mut |done, all| {
             bar.set_length(all);
@@ -90,7 +111,7 @@ fn known_elsewhere(file: &Path, chain: ChainId, io: &mut Io<'_>) -> (Vec<Head>, 
 }
 
 /// A line that changes; nothing where standard error is no terminal.
-fn bar() -> ProgressBar {
+pub(super) fn bar() -> ProgressBar {
     let bar = ProgressBar::new(0);
     if let Ok(style) = ProgressStyle::with_template("{bar:20} {percent} %, {human_pos} entries, {eta} left") {
         bar.set_style(style);

@@ -84,9 +84,9 @@ pub(super) struct Args {
     #[arg(long, value_name = "FILE.tp")]
     probe_table: Option<PathBuf>,
     #[command(flatten)]
-    tools: ToolArgs,
-    #[command(flatten)]
     record: RecordArgs,
+    #[command(flatten)]
+    tools: ToolArgs,
     /// Skip unknown blocks instead of stopping
     #[arg(long)]
     skip_unknown: bool,

@@ -2,6 +2,7 @@
 
 use eframe::egui::{CollapsingHeader, Ui, vec2};
 
+use crate::gui::check::record_panel::recorded_ui;
 use crate::gui::check::worth_lines;
 use crate::gui::columns::is_low;
 use crate::gui::theme::{control, space};
@@ -26,6 +27,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let record = view.session.check().shown().map(|shown| shown.record.as_ref());
     let card = record.map_or_else(|| no_card(view), |record| card(view.words, record));
     card_ui(ui, view, &card);
+    recorded_ui(ui, view, view.session.check_recorded());
 }
 
 /// The card without a record: where a measurement was refused, that nothing was measured, and why.

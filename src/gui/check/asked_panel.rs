@@ -2,6 +2,7 @@
 
 use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
 
+use crate::gui::check::record_panel::record_ui;
 use crate::gui::check::rule_panel::worth_ui;
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
 use crate::gui::field::{self, Look, Pairs, error_ui, field_ui};
@@ -122,6 +123,7 @@ fn size_and_class_ui(ui: &mut Ui, view: &mut View<'_>) {
     let width = ui.available_width();
     let look = Look { font: theme::font(sizes().body), ..Look::large(width) };
     field_ui(ui, view, CheckField::Part, name.id, look);
+    record_ui(ui, view);
 }
 
 fn position_ui(ui: &mut Ui, view: &mut View<'_>) {

@@ -115,7 +115,7 @@ fn heads_ui(ui: &mut Ui, view: &mut View<'_>, columns: &Columns, height: Rangef)
 }
 
 /// Between the edge of a column and its text.
-pub(super) const PAD: f32 = 4.0;
+pub(in crate::gui) const PAD: f32 = 4.0;
 
 /// A row in sight.
 struct Row {
@@ -209,7 +209,7 @@ fn row_ui(ui: &Ui, view: &mut View<'_>, columns: &Columns, row: &Row) {
 }
 
 /// A text in one line; returns whether it was cut.
-pub(super) fn text_ui(painter: &Painter, rect: Rect, text: &str, font: &FontId, colour: Color32) -> bool {
+pub(in crate::gui) fn text_ui(painter: &Painter, rect: Rect, text: &str, font: &FontId, colour: Color32) -> bool {
     let mut job = LayoutJob::simple_singleline(text.to_owned(), font.clone(), colour);
     job.wrap = TextWrapping::truncate_at_width(rect.width().max(0.0));
     let galley = painter.layout_job(job);

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `asked_panel` | left: callout, limits, measured value, probe position, simulated workpiece |
 //! | `rule_panel` | left: decision rule, uncertainty, temperature |
+//! | `record_panel` | left: what is recorded besides; right: the number of the record |
 //! | `band_plot`, `contacts_plot`, `last_values` | middle: what was seen |
 //! | `answer_panel`, `worth_lines`, `status_panel` | right: the verdict, what it is worth, and the control's window |
 //! | `history_panel`, `history_list` | bottom: earlier checks |
@@ -16,6 +17,7 @@ mod contacts_plot;
 mod history_list;
 mod history_panel;
 mod last_values;
+mod record_panel;
 mod rows_list;
 mod rows_panel;
 mod rule_panel;
@@ -23,9 +25,12 @@ mod status_panel;
 mod worth_lines;
 
 use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
-pub(super) use history_list::id as history_id;
+pub(super) use history_list::{PAD, id as history_id, text_ui};
+pub(super) use record_panel::recorded_ui;
 pub(super) use rows_list::id as rows_id;
+pub(super) use rows_panel::grouped;
 pub(super) use status_panel::mask_chooser_ui;
+pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};
 
 use super::columns::{Page, Shape, Side, column_ui, columns_ui, panel_ui};
 use super::keypad::keypad_ui;

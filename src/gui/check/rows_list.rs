@@ -1,16 +1,15 @@
 //! The rows in sight of a large file. The list takes the focus as a whole.
-//!
-//! It scrolls by itself: a scroll area counts in pixels, and has too few digits for the millionth row.
 
 use std::ops::Range;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{CursorIcon, Id, Rangef, Rect, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2};
+use eframe::egui::{Id, Rangef, Rect, Sense, Ui, UiBuilder, WidgetInfo, vec2};
 
 use super::history_list::{PAD, text_ui};
 use super::rows_panel::{fate_text, grouped};
 use crate::exchange::batch::Picked;
-use crate::gui::shapes::{self, focus_ring, lines_of, part_of, times};
+use crate::gui::long_list::{Long, Top, scrolled};
+use crate::gui::shapes::{self, focus_ring, lines_of, times};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, focus_soon, quiet, take_focus};
 use crate::length::Length;
@@ -54,36 +53,6 @@ fn columns(left: f32, width: f32) -> Columns {
     })
 }
 
-/// The first place in sight, and how many points of it are above.
-#[derive(Debug, Clone, Copy, Default)]
-struct Top {
-    place: usize,
-    hidden: f32,
-}
-
-impl Top {
-    /// Moves by points, as far as there are rows.
-    fn scroll(self, points: f32, height: f32, last: Self) -> Self {
-        let moved = self.hidden + points;
-        let rows = (moved / height).floor();
-        let place = if rows < 0.0 {
-            let up = lines_of(-rows);
-            if self.place < up {
-                return Self::default();
-            }
-            self.place - up
-        } else {
-            self.place + lines_of(rows)
-        };
-        Self { place, hidden: moved - rows * height }.at_most(last)
-    }
-
-    fn at_most(self, last: Self) -> Self {
-        let is_beyond = last.place < self.place || last.place == self.place && last.hidden < self.hidden;
-        if is_beyond { last } else { self }
-    }
-}
-
 /// Heads and rows in the room that is left.
 pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
     let room = ui.available_rect_before_wrap();
@@ -104,7 +73,7 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
     let list = ui.interact(rect, id(), Sense::focusable_noninteractive());
     list.widget_info(|| WidgetInfo::labeled(Role::Grid, true, view.text("rows-list")));
     let height = control(ui);
-    let top = scrolled(ui, rows, rect, height, bar);
+    let top = scrolled(ui, &Long { id: id(), count: rows.listed(), look: rows.look() }, rect, bar);
     ui.scope_builder(UiBuilder::new().max_rect(rect).id_salt("rows-body"), |ui| {
         ui.set_clip_rect(rect.intersect(ui.clip_rect()));
         if rows.listed() == 0 {
@@ -117,64 +86,6 @@ pub(super) fn list_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         focus_ring(ui, rect);
     }
     ui.advance_cursor_after_rect(room);
-}
-
-/// Where the list stands after the wheel, a finger, the bar, or a cursor that has to come into sight.
-fn scrolled(ui: &Ui, rows: &Rows, rect: Rect, height: f32, bar: f32) -> Top {
-    let key = id().with("top");
-    let (mut top, looked): (Top, u64) = ui.data(|data| data.get_temp(key)).unwrap_or_default();
-    let fit = lines_of((rect.height() / height).floor());
-    let last = match rows.listed().checked_sub(fit + 1) {
-        Some(place) => Top { place, hidden: height - (rect.height() - times(height, fit)) },
-        None => Top::default(),
-    };
-    // A finger drags the rows; what is pressed stays with the row.
-    let drag = ui.interact(rect, id().with("drag"), Sense::DRAG);
-    let is_touched = ui.input(eframe::egui::InputState::any_touches);
-    if drag.dragged() && is_touched {
-        top = top.scroll(-drag.drag_delta().y, height, last);
-    }
-    if ui.rect_contains_pointer(rect) {
-        top = top.scroll(-ui.input(|input| input.smooth_scroll_delta().y), height, last);
-    }
-    top = bar_ui(ui, rect, (top, last), bar);
-    let (look, place) = rows.look();
-    if look != looked
-        && let Some(place) = place
-    {
-        let is_above = place < top.place || place == top.place && 0.0 < top.hidden;
-        if is_above {
-            top = Top { place, hidden: 0.0 };
-        } else if top.place + fit <= place {
-            let hidden = height - (rect.height() - times(height, fit));
-            top = place.checked_sub(fit).map_or_else(Top::default, |place| Top { place, hidden });
-        }
-    }
-    top = top.at_most(last);
-    ui.data_mut(|data| data.insert_temp(key, (top, look)));
-    top
-}
-
-/// The scroll bar, where there is something to scroll.
-fn bar_ui(ui: &Ui, rect: Rect, (top, last): (Top, Top), width: f32) -> Top {
-    if last.place == 0 && last.hidden <= 0.0 {
-        return top;
-    }
-    let rail = Rect::from_min_max(pos2(rect.right() - width, rect.top()), rect.max);
-    let response = ui.interact(rail, id().with("bar"), Sense::DRAG | Sense::CLICK).on_hover_cursor(CursorIcon::Default);
-    let size = space(8.0).min(rail.height());
-    let way = (rail.height() - size).max(1.0);
-    let mut top = top;
-    if let Some(pointer) = response.interact_pointer_pos().filter(|_| response.dragged() || response.clicked()) {
-        let share = ((pointer.y - rail.top() - size / 2.0) / way).clamp(0.0, 1.0);
-        top = if 1.0 <= share { last } else { Top { place: part_of(share, last.place), hidden: 0.0 } };
-    }
-    let at = shapes::ratio(top.place, last.place.max(1)) * way;
-    let handle = Rect::from_min_size(pos2(rail.left(), rail.top() + at), vec2(width, size)).shrink2(vec2(2.0, 0.0));
-    let palette = palette(ui.ctx());
-    ui.painter().rect_filled(rail, 0.0, palette.background.0);
-    ui.painter().rect_filled(handle, 2.0, if response.hovered() { palette.text.0 } else { palette.quiet.0 });
-    top
 }
 
 fn rows_ui(

@@ -67,7 +67,7 @@ pub(super) fn switch_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 /// A whole number in groups of three digits, with spaces that do not break.
-pub(super) fn grouped(number: u64) -> String {
+pub(in crate::gui) fn grouped(number: u64) -> String {
     let digits = number.to_string();
     let mut text = String::new();
     for (at, digit) in digits.chars().enumerate() {

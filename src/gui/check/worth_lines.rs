@@ -10,7 +10,7 @@ use crate::verdict::rules::percent;
 use crate::words::Words;
 
 /// The lines of the card: proven or not, the temperature, a budget that does not count.
-pub(super) fn lines(words: &Words, record: &Record) -> Vec<String> {
+pub(in crate::gui) fn lines(words: &Words, record: &Record) -> Vec<String> {
     let mut lines = Vec::new();
     if let Some(Decision { zones, proven, .. }) = record.decision() {
         lines.extend(proven.map(|is_proven| words.get(if is_proven { "rule-proven" } else { "rule-not-proven" })));
@@ -45,7 +45,7 @@ fn corrected(words: &Words, correction: &Correction) -> String {
 
 /// What engineers want to know: the accepted zone, the probabilities, where the uncertainty comes from, what the correction
 /// took.
-pub(super) fn reasons(view: &View<'_>, record: &Record) -> Vec<String> {
+pub(in crate::gui) fn reasons(view: &View<'_>, record: &Record) -> Vec<String> {
     let words = view.words;
     let mut reasons = Vec::new();
     if let Some(Decision { zones, conformity, .. }) = record.decision() {

@@ -3,6 +3,7 @@
 use eframe::egui::{Align, Color32, Label, Layout, RichText, Ui, vec2};
 
 use crate::gui::check::mask_chooser_ui;
+use crate::gui::check::recorded_ui;
 use crate::gui::columns::is_tiny;
 use crate::gui::popup::popup_ui;
 use crate::gui::theme::{self, sizes, space};
@@ -44,10 +45,12 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The verdict. What stands below it does not move when a result comes: the card keeps the room of a rework with its
 /// instruction.
-pub(super) fn verdict_ui(ui: &mut Ui, view: &View<'_>) {
+pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
     let run = view.session.cycles().run();
     let height = if is_tiny(ui) { 0.0 } else { card_height(ui, view, &largest_card(view.words)) };
     card_ui(ui, view, &Card { height, ..run_card(view, run) });
+    let slip = run.and_then(|run| run.record).map(|record| (record, 0));
+    recorded_ui(ui, view, slip.and_then(|slip| view.session.recording().of_slip(slip)));
 }
 
 /// A card with every line that one value can give it.

@@ -4,6 +4,7 @@ use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, CollapsingHeader, Frame, Label, Margin, RichText, Sense, Ui, vec2};
 
 use super::tools_panel::changes_ui;
+use crate::gui::check::recorded_ui;
 use crate::gui::popup;
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
@@ -43,7 +44,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 /// The verdict in one line, so that the program's own window stays in sight.
-pub(super) fn verdict_ui(ui: &mut Ui, view: &View<'_>) {
+pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
     let run = view.session.program().run();
     let status = run.and_then(Run::status);
     let measured = run.and_then(|run| run.cycles().last()).and_then(|cycle| main_value(view.words, cycle));
@@ -77,6 +78,8 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &View<'_>) {
     let said = simulated.into_iter().chain([word]).chain(measured).collect::<Vec<_>>().join(". ");
     let response = ui.interact(card.response.rect, ui.scope_id().with("verdict"), Sense::hover());
     live(ui, &response, &said, Live::Assertive);
+    let slip = view.session.program().run().and_then(Run::record);
+    recorded_ui(ui, view, slip.and_then(|slip| view.session.recording().of_slip(slip)));
 }
 
 /// The diameter that a cycle measured, or else what it compared first, or its first result.

@@ -3,7 +3,7 @@
 use super::{Action, Key, Part, Place, Shortcut};
 use crate::session::program::ProgramField;
 use crate::session::tables::TablesField;
-use crate::session::{CheckField, Field, Page, Session};
+use crate::session::{CheckField, Field, Page, RecordsField, Session};
 
 impl Action {
     /// All its keys, even those that another action takes first. The first one is shown to the user.
@@ -37,6 +37,9 @@ impl Action {
     /// What Enter does in a text field of a page.
     pub const fn on_enter(field: Field, page: Page) -> Option<Self> {
         match (field, page) {
+            (Field::Records(RecordsField::Question), _) => None,
+            (Field::Records(RecordsField::Who), _) => Some(Self::TakeName),
+            (Field::Records(_), _) => Some(Self::SendCorrection),
             (Field::Program(ProgramField::Filter) | Field::Check(CheckField::HistoryFilter), _) => None,
             (Field::Program(ProgramField::Name | ProgramField::Value), _) => Some(Self::GiveValue),
             (Field::Tables(TablesField::CellUpper | TablesField::CellLower), _) => Some(Self::SetCell),
@@ -44,7 +47,7 @@ impl Action {
             (_, Page::Check) => Some(Self::Measure),
             (_, Page::Cycles) => Some(Self::RunCycle),
             (_, Page::Program) => Some(Self::RunProgram),
-            (_, Page::Fit | Page::Tables | Page::Pairing | Page::Budget) => None,
+            (_, Page::Fit | Page::Tables | Page::Pairing | Page::Budget | Page::Records) => None,
         }
     }
 }

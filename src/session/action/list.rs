@@ -5,6 +5,7 @@ use crate::journal::query::Column;
 use crate::report::RENDERINGS;
 use crate::report::pairing::FORMATS as PAIR_FORMATS;
 use crate::session::program::Switch;
+use crate::session::records::Shorthand;
 use crate::session::{Density, MeasureBy, Page, Step, Theme};
 use crate::tolerance::{Base, Feature};
 
@@ -271,4 +272,43 @@ actions! {
     MovePair(Step): Step::BLOCKS;
     /// Puts all pairs on the clipboard.
     CopyPairs;
+
+    /// Puts a word into the question to the journal, or takes it out.
+    AskRecords(Shorthand): Shorthand::ALL;
+    /// Goes to the question.
+    FindRecords;
+    /// Goes to another record.
+    MoveRecord(Step): Step::BLOCKS;
+    /// Opens the record.
+    OpenRecord;
+    /// Chooses the record for the report, or not.
+    ChooseRecord;
+    /// Chooses none.
+    ChooseNoRecords;
+    /// Takes simulated checks into the report, or leaves them out.
+    WithSimulated;
+    /// Puts the chosen records, or the one at which the keys are, on the clipboard.
+    CopyRecords;
+    /// Writes the chosen records in a format of the report's list, by its number there.
+    ReportRecords(usize): 0..RENDERINGS.len();
+    /// Goes back to the list.
+    CloseRecord;
+    /// Takes what the record asked for to the check page.
+    MeasureAgain;
+    /// Opens the form of a correction.
+    CorrectRecord;
+    /// Writes the correction.
+    SendCorrection;
+    /// Closes the form.
+    LeaveCorrection;
+    /// Takes the record back without another in its place.
+    WithdrawRecord;
+    /// Walks the chain of the journal.
+    VerifyRecords;
+    /// Stops that.
+    CancelVerify;
+    /// Writes again what could not be recorded.
+    RecordAgain;
+    /// The name in the field measures from now on.
+    TakeName;
 }

@@ -6,7 +6,7 @@
 //! | here | what is asked of an action: its name, whether it is possible, its command |
 //! | `list` | every action |
 //! | `table` | a row for every action |
-//! | `program`, `pairing`, `budget` | the rows of these pages |
+//! | `program`, `pairing`, `budget`, `records` | the rows of these pages |
 //! | `row` | what a row says |
 //! | `possible` | the conditions of the rows |
 //! | `place` | where an action applies |
@@ -22,6 +22,7 @@ mod pairing;
 mod place;
 mod possible;
 mod program;
+mod records;
 mod row;
 mod shortcut;
 mod table;
@@ -35,7 +36,7 @@ use super::budget::BudgetCommand;
 use super::cycles::CyclesCommand;
 use super::tables;
 use super::workpiece::WorkpieceCommand;
-use super::{Command, Page, Session};
+use super::{Command, Page, RecordsCommand, Session};
 use crate::exchange::tables::TABLE_FORMATS;
 use crate::length::Length;
 use crate::message::Message;
@@ -58,6 +59,9 @@ impl Action {
     pub fn text(self, session: &Session, words: &Words) -> String {
         match self {
             Self::Export(number) => {
+                RENDERINGS.get(number).map(|to| words.get(&format!("export-{}", to.name))).unwrap_or_default()
+            }
+            Self::ReportRecords(number) => {
                 RENDERINGS.get(number).map(|to| words.get(&format!("export-{}", to.name))).unwrap_or_default()
             }
             Self::SavePairs(number) => PAIR_FORMATS
@@ -137,6 +141,10 @@ impl Session {
             Some(CyclesCommand::ShowBlock(false).into())
         } else if self.workpiece_is_open() && (is_on(Page::Cycles) || is_on(Page::Program)) {
             Some(WorkpieceCommand::Show(false).into())
+        } else if self.records().correcting().is_some() && is_on(Page::Records) {
+            Some(RecordsCommand::Correct(false).into())
+        } else if self.records().opened().is_some() && is_on(Page::Records) {
+            Some(RecordsCommand::CloseRecord.into())
         } else {
             None
         }

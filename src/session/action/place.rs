@@ -32,11 +32,14 @@ pub enum Part {
     Rows,
     /// The list of pairs on the pairing page.
     Pairs,
+    /// The list of the records page.
+    Records,
 }
 
 impl Part {
     /// The parts of all pages.
-    pub const ALL: [Self; 6] = [Self::Classes, Self::Cells, Self::Listing, Self::History, Self::Rows, Self::Pairs];
+    pub const ALL: [Self; 7] =
+        [Self::Classes, Self::Cells, Self::Listing, Self::History, Self::Rows, Self::Pairs, Self::Records];
 
     /// The page that it belongs to.
     pub const fn page(self) -> Page {
@@ -46,6 +49,7 @@ impl Part {
             Self::Listing => Page::Program,
             Self::History | Self::Rows => Page::Check,
             Self::Pairs => Page::Pairing,
+            Self::Records => Page::Records,
         }
     }
 }

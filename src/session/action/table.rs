@@ -7,7 +7,7 @@ use super::possible::{
 };
 use super::row::{Row, Sends, everywhere, in_dialog, of_workpiece, on, switch, within};
 use super::{Action, Held, Key, Part, Place, Shortcut};
-use super::{budget, pairing, program};
+use super::{budget, pairing, program, records};
 use crate::journal::query::Column;
 use crate::session::check::{CheckCommand, CheckField};
 use crate::session::cycles::CyclesCommand;
@@ -39,6 +39,7 @@ pub(super) fn row(action: Action) -> Row {
                 Page::Program => ("page-program", '5'),
                 Page::Pairing => ("page-pairing", '6'),
                 Page::Budget => ("page-budget", '7'),
+                Page::Records => ("page-records", '8'),
             };
             everywhere(text, Command::OpenPage(page)).key(Shortcut::ctrl(key))
         }
@@ -354,6 +355,26 @@ pub(super) fn row(action: Action) -> Row {
         Action::SavePairs(number) => pairing::save(number),
         Action::MovePair(step) => pairing::step(step).key(keys(step)),
         Action::CopyPairs => pairing::copy(),
+
+        Action::AskRecords(shorthand) => records::ask(shorthand),
+        Action::FindRecords => records::find(),
+        Action::MoveRecord(step) => records::step(step).key(keys(step)),
+        Action::OpenRecord => records::open(),
+        Action::ChooseRecord => records::choose(),
+        Action::ChooseNoRecords => records::choose_none(),
+        Action::WithSimulated => records::with_simulated(),
+        Action::CopyRecords => records::copy(),
+        Action::ReportRecords(number) => records::report(number),
+        Action::CloseRecord => records::close(),
+        Action::MeasureAgain => records::measure_again(),
+        Action::CorrectRecord => records::correct(),
+        Action::SendCorrection => records::send_correction(),
+        Action::LeaveCorrection => records::leave_correction(),
+        Action::WithdrawRecord => records::withdraw(),
+        Action::VerifyRecords => records::verify(),
+        Action::CancelVerify => records::cancel_verify(),
+        Action::RecordAgain => records::try_again(),
+        Action::TakeName => records::take_name(),
     }
 }
 
@@ -373,6 +394,9 @@ pub(super) fn is_on(action: Action, session: &Session) -> Option<bool> {
         Action::MeasureBy(by) => session.check().by() == by,
         Action::ShowClasses(feature) => session.fit().side() == feature,
         Action::Switch(switch) => session.program().is_on(switch),
+        Action::AskRecords(shorthand) => session.records().has(shorthand),
+        Action::WithSimulated => session.records().with_simulated(),
+        Action::WithdrawRecord => session.records().correcting().is_some_and(|form| form.withdraws),
         _ => return None,
     })
 }

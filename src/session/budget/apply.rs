@@ -77,7 +77,9 @@ impl BudgetPage {
         let result =
             result.and_then(|text| if LARGEST < text.len() { Err(BudgetError::TooLarge.message()) } else { Ok(text) });
         if let Some(text) = shared.file_answered(result) {
-            self.open_or_ask(Document::read(path, &text));
+            let mut document = Document::read(path, &text);
+            document.sha256 = shared.recording.of_file(&document.name());
+            self.open_or_ask(document);
         }
     }
 

@@ -5,6 +5,8 @@ use std::path::{Path, PathBuf};
 use jiff::ToSpan as _;
 use jiff::civil::Date;
 
+use crate::journal::chain::Hash;
+
 /// What a new budget begins with; the days are put in.
 const TEMPLATE: &str = include_str!("../../../assets/budget.toml");
 
@@ -19,6 +21,8 @@ pub(super) struct Document {
     path: Option<PathBuf>,
     /// The text that can be had again.
     kept: String,
+    /// SHA-256 of the file's bytes.
+    pub sha256: Option<Hash>,
     /// Whether the file's lines end with carriage return and line feed.
     has_returns: bool,
 }
@@ -35,7 +39,7 @@ impl Document {
     pub fn read(path: PathBuf, text: &str) -> Self {
         let has_returns = text.contains("\r\n");
         let text = text.strip_prefix('\u{feff}').unwrap_or(text).replace("\r\n", "\n");
-        Self { kept: text.clone(), text, path: Some(path), has_returns }
+        Self { kept: text.clone(), text, path: Some(path), sha256: None, has_returns }
     }
 
     /// The file's name without the folder.
@@ -62,6 +66,8 @@ impl Document {
 
     /// A file holds this text from now on.
     pub fn saved(&mut self, path: &Path, text: String) {
+        let is_this = text == self.text;
         (self.path, self.kept) = (Some(path.to_owned()), text);
+        self.sha256 = is_this.then(|| Hash::of_file(&self.bytes()));
     }
 }

@@ -6,6 +6,7 @@ use std::sync::Arc;
 use super::document::Document;
 use super::{BudgetPage, Readings};
 use crate::budget::{Basis, Budget, Validity};
+use crate::journal::chain::Hash;
 use crate::message::{Message, Say as _};
 use crate::session::shared::{News, Shared};
 
@@ -16,6 +17,8 @@ pub struct OpenBudget {
     pub file: String,
     /// The budget.
     pub budget: Budget,
+    /// SHA-256 of the file, where it holds this budget.
+    pub sha256: Option<Hash>,
 }
 
 /// Which budget checks use, seen from the page.
@@ -70,7 +73,8 @@ impl BudgetPage {
         details.extend(warning(&budget, budget.validity(self.today)));
         // The page says which budget is in use; a notice only tells what is not seen there.
         shared.note_details(Message::new("budget-page-used").text("name", &budget.name), details);
-        shared.budget = Some(Arc::new(OpenBudget { file: self.document.name(), budget }));
+        let sha256 = self.document.sha256.filter(|_| self.used_file.is_some() && !self.is_unsaved());
+        shared.budget = Some(Arc::new(OpenBudget { file: self.document.name(), budget, sha256 }));
         shared.spread(News::Budget);
     }
 
@@ -116,7 +120,8 @@ impl BudgetPage {
                     Message::new("budget-page-used").text("name", &budget.name),
                     warning.into_iter().collect(),
                 );
-                shared.budget = Some(Arc::new(OpenBudget { file: document.name(), budget }));
+                let sha256 = shared.recording.of_file(&document.name());
+                shared.budget = Some(Arc::new(OpenBudget { file: document.name(), budget, sha256 }));
                 shared.spread(News::Budget);
                 // What was opened meanwhile stays.
                 if self.document == Document::default() {

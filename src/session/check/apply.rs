@@ -8,12 +8,13 @@ use super::{
     Asked, CheckCommand, CheckField, CheckPage, Judging, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
     class_text, measuring, nominal_text, worth,
 };
+use crate::journal::entry::{FileRole, UsedFile};
 use crate::journal::query::RecordId;
 use crate::journal::{Record, status_window};
 use crate::message::{Message, Say as _};
 use crate::probing::Origin;
-use crate::session::budget::OpenBudget;
 use crate::session::command::{Effect, Page};
+use crate::session::recording::used;
 use crate::session::rows::Rows;
 use crate::session::shared::{News, PageState, Shared};
 use crate::tolerance::Sources;
@@ -83,10 +84,12 @@ impl PageState for CheckPage {
                 return copied.map(Effect::Copy).into_iter().collect();
             }
             CheckCommand::ClearHistory => {
+                let stay = shared.recording.has_any(&shared.history.ids()).then(|| Message::new("records-page-stay"));
                 let count = shared.history.clear();
                 if 0 < count {
                     self.clear(&shared.sources);
-                    shared.note(Message::new("history-cleared").count("count", count), Vec::new());
+                    let message = Message::new("history-cleared").count("count", count);
+                    shared.note(message, stay.into_iter().collect());
                     shared.note_change();
                 }
             }
@@ -107,10 +110,11 @@ impl PageState for CheckPage {
             News::StatusWindow => {
                 self.filter(shared);
                 if let Some(shown) = self.shown.take() {
-                    self.draw(shown.record, shared);
+                    self.draw(shown.record, shown.id, shared);
                 }
             }
             News::Check(callout) => self.take_callout(callout, &shared.sources),
+            News::MeasureAgain { record, part, serial } => self.ask_again(record, part, serial, shared),
             // No verdict stays beside a budget that it was not made with.
             News::Budget if self.own_judging().from == UncertaintyFrom::Budget => self.edited(&shared.sources),
             News::Opened(_)
@@ -135,11 +139,12 @@ impl CheckPage {
     /// notice says what was undone.
     fn undo(&mut self, shared: &mut Shared) {
         let change = shared.history.last_change();
+        let stay = shared.recording.has_any(&shared.history.taken_by_undo()).then(|| Message::new("records-page-stay"));
         let Some(undone) = shared.history.take_back() else { return };
         self.clear(&shared.sources);
         shared.notices.retain(|notice| notice.change.is_none() || notice.change != change);
-        if shared.page != Page::Check {
-            shared.note(Message::new("undone").message("what", undone), Vec::new());
+        if shared.page != Page::Check || stay.is_some() {
+            shared.note(Message::new("undone").message("what", undone), stay.into_iter().collect());
         }
     }
 
@@ -239,6 +244,36 @@ impl CheckPage {
         self.edited(sources);
     }
 
+    /// Sends checks to the journal, with the file that their values are from. The serial number is that of one part.
+    pub(super) fn keep(&self, first: RecordId, records: &[Arc<Record>], from: Option<UsedFile>, shared: &mut Shared) {
+        let mut named = self.named();
+        if 1 < records.len() {
+            named.serial.clear();
+        }
+        let budget = shared.budget.as_deref().and_then(|open| used(FileRole::Budget, &open.file, open.sha256));
+        shared.recording.keep_checks(first, records, &named, |record| {
+            let budget = budget.clone().filter(|_| record.budget.is_some());
+            from.iter().cloned().chain(budget).collect()
+        });
+    }
+
+    /// Asks for what a record asked for: callout, part, serial number and rule. Its value is to be measured.
+    fn ask_again(&mut self, record: &Record, part: &str, serial: &str, shared: &Shared) {
+        let callout = record.callout.map(|callout| callout.to_string()).unwrap_or_default();
+        self.take_callout(&callout, &shared.sources);
+        self.feature = Some(record.limits.feature).filter(|_| self.asked.needs_feature());
+        let (judging, texts) = worth::of_record(record);
+        self.judging = judging;
+        for (field, text) in texts {
+            self.texts.set(field, text);
+        }
+        self.texts.set(CheckField::Part, part);
+        self.texts.set(CheckField::Serial, serial);
+        self.texts.set(CheckField::Measured, "");
+        self.measured_is_used = false;
+        self.edited(&shared.sources);
+    }
+
     fn measure(&mut self, shared: &mut Shared, now: DateTime) {
         let asked_about = self.question.take();
         // What stands in the fields is what is meant.
@@ -265,7 +300,9 @@ impl CheckPage {
             }
         }
         self.measured_is_used = self.by == MeasureBy::Typing;
-        let id = shared.history.add(vec![Arc::new(record)]);
+        let record = Arc::new(record);
+        let id = shared.history.add(vec![Arc::clone(&record)]);
+        self.keep(id, &[record], None, shared);
         if self.by == MeasureBy::Simulating {
             self.inputs.keep(id, &self.texts);
             let next = self.asked.seed.unwrap_or_default().wrapping_add(1);
@@ -299,18 +336,23 @@ impl CheckPage {
             self.feature = Some(record.limits.feature);
         }
         (self.lot, self.question, self.refusal) = (lot, None, None);
-        self.show_inputs(id, &record, shared.budget.as_deref());
+        self.show_inputs(id, &record, shared);
         self.lent = Some(Arc::clone(&record));
         self.read(&shared.sources);
-        self.draw(record, shared);
+        self.draw(record, id, shared);
     }
 
     /// Puts what a record was made with back into the fields: nothing else stands beside the verdict. The user's own
     /// texts come back with the next edit.
-    fn show_inputs(&mut self, id: Option<RecordId>, record: &Record, budget: Option<&OpenBudget>) {
+    fn show_inputs(&mut self, id: Option<RecordId>, record: &Record, shared: &Shared) {
+        let budget = shared.budget.as_deref();
         self.take_back_own();
         let worth = Worth::read(&self.texts, self.judging, &mut |_, _| {});
         let mut inputs = self.inputs.of(id, record);
+        if let Some(named) = id.and_then(|id| shared.recording.named_of(id)) {
+            inputs.push((CheckField::Serial, named.serial.clone()));
+            inputs.push((CheckField::Remark, named.remark.clone()));
+        }
         if !worth.agrees(record, budget) {
             let (judging, texts) = worth::of_record(record);
             self.own_judging = Some(std::mem::replace(&mut self.judging, judging));
@@ -336,9 +378,9 @@ impl CheckPage {
         self.measured_is_used = is_typed;
     }
 
-    fn draw(&mut self, record: Arc<Record>, shared: &Shared) {
+    fn draw(&mut self, record: Arc<Record>, id: Option<RecordId>, shared: &Shared) {
         let (language, mask) = shared.drawn_with();
         let window = status_window(&record, language, mask).map_err(|error| error.message());
-        self.shown = Some(Shown { record, window });
+        self.shown = Some(Shown { record, id, window });
     }
 }

@@ -12,6 +12,10 @@ kept_fields! {
     Measured: "measured", "";
     /// Name of the part or feature, free text.
     Part: "part", "";
+    /// Serial number of the part, free text, for the record.
+    Serial: "serial", "";
+    /// Anything else for the record, free text.
+    Remark: "remark", "";
     /// The nominal size alone, mm; typing here rewrites the callout.
     Nominal: "nominal", "";
     /// Centre in X (Q11, Q273), mm.

@@ -9,11 +9,13 @@ use super::worth::Worth;
 use super::{CheckField, CheckPage, Lot};
 use crate::exchange::Imported;
 use crate::journal::Record;
+use crate::journal::entry::FileRole;
 use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::probing::measurement::measure_contacts;
 use crate::probing::{Contact, Origin};
 use crate::session::budget::OpenBudget;
+use crate::session::recording::used;
 use crate::session::rows::Rows;
 use crate::session::shared::{Notice, Shared};
 use crate::verdict::{AxisPosition, PositionVerdict};
@@ -40,13 +42,17 @@ impl CheckPage {
         // The newest file is the one that is meant.
         self.errands.extend(self.rows.as_mut().map(Rows::cancel).unwrap_or_default());
         self.shows_rows = false;
+        let sha256 = shared.recording.of_file(name);
+        let file = used(FileRole::Measurements, name, sha256);
         let mut notice = import_notice(name, &imported);
         if let Some(contacts) = imported.contacts.take() {
             // Contacts are judged by what the user asked for, not by what an older check lent.
             self.edited(&shared.sources);
             match judge_contacts(name, &contacts, self, shared.budget.as_deref(), now) {
                 Ok(record) => {
-                    let id = shared.history.add(vec![Arc::new(record)]);
+                    let record = Arc::new(record);
+                    let id = shared.history.add(vec![Arc::clone(&record)]);
+                    self.keep(id, &[record], file, shared);
                     self.inputs.keep(id, &self.texts);
                     notice.change = shared.history.last_change();
                     self.show(id, shared);
@@ -81,7 +87,8 @@ impl CheckPage {
         self.clear(&shared.sources);
         self.lot = is_lot.then(|| lot(first));
         if !records.is_empty() {
-            shared.history.add(records);
+            shared.history.add(records.clone());
+            self.keep(first, &records, file, shared);
             shared.note_change();
         }
         if is_lot {
@@ -109,7 +116,7 @@ fn import_notice(name: &str, imported: &Imported) -> Notice {
         imported.unjudged.iter().filter(|_| imported.contacts.is_none()).map(|unjudged| unjudged.why.message());
     let warnings = imported.warnings.iter().map(crate::message::Say::message);
     let details = problems.chain(unjudged).chain(warnings).collect();
-    Notice { message, details, is_problem: good == 0, file: None, change: None }
+    Notice { details, ..Notice::of(message, good == 0) }
 }
 
 /// Judges contacts from a file by the limits on screen.

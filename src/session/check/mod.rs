@@ -39,9 +39,11 @@ pub use worth::{Judging, UncertaintyFrom, Worth};
 use self::inputs::Inputs;
 use super::command::Effect;
 use super::field::{KeptField as _, Texts};
+use super::recording::Named;
 use super::rows::Rows;
 use super::saved::SavedInputs;
 use crate::journal::Record;
+use crate::journal::query::RecordId;
 use crate::length::Length;
 use crate::message::Message;
 use crate::tolerance::{Callout, Feature, Sources};
@@ -64,6 +66,8 @@ pub enum MeasureBy {
 pub struct Shown {
     /// The record.
     pub record: Arc<Record>,
+    /// Its number in the history; `None` where it is not in it.
+    pub id: Option<RecordId>,
     /// The status window's text, or why the mask cannot be drawn.
     pub window: Result<String, Message>,
 }
@@ -155,6 +159,16 @@ impl CheckPage {
             .filter(|(key, _)| key != filter && !(is_judged && key == measured))
             .collect::<Vec<_>>()
             .into_iter()
+    }
+
+    /// What the user names beside the next check, whatever a shown one lent.
+    pub(super) fn named(&self) -> Named {
+        let own = |field: CheckField| {
+            let text = self.own.get(&field).map_or_else(|| self.text(field), String::as_str);
+            text.trim().to_owned()
+        };
+        let [part, serial, remark] = [CheckField::Part, CheckField::Serial, CheckField::Remark].map(own);
+        Named { part, serial, remark }
     }
 
     /// How the next part is judged, for the state file.

@@ -6,8 +6,10 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::CheckPage;
+use crate::journal::entry::FileRole;
 use crate::message::Message;
 use crate::session::command::Effect;
+use crate::session::recording::used;
 use crate::session::rows::{Rows, RowsCommand};
 use crate::session::shared::Shared;
 
@@ -52,7 +54,9 @@ impl CheckPage {
             }
             RowsCommand::Keep => {
                 if let Some(record) = rows.shown().and_then(|row| row.record.clone()) {
-                    shared.history.add(vec![record]);
+                    let file = rows.sha256().and_then(|sha256| used(FileRole::Measurements, rows.name(), Some(sha256)));
+                    let id = shared.history.add(vec![Arc::clone(&record)]);
+                    self.keep(id, &[record], file, shared);
                     shared.note(Message::new("rows-kept"), Vec::new());
                     shared.note_change();
                 }

@@ -9,6 +9,7 @@ use crate::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use crate::control::cycle_status::cycle_window;
 use crate::control::mask::Mask;
 use crate::control::text::decode;
+use crate::journal::entry::{CycleOrigin, FileRole};
 use crate::length::Unit;
 use crate::message::{Message, Say as _};
 use crate::probing::circle::Evaluation;
@@ -16,6 +17,7 @@ use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move};
 use crate::probing::simulated::Surface;
 use crate::probing::{Source, SourceError};
 use crate::session::Step;
+use crate::session::recording::{cycle_check, used};
 use crate::session::shared::Shared;
 use crate::session::tools::Monitoring;
 use crate::words::Dialogue;
@@ -47,6 +49,8 @@ pub struct CycleRun {
     pub monitoring: Option<Monitoring>,
     /// The time of the run.
     pub time: DateTime,
+    /// The number under which it was sent to the journal; `None` where it judged nothing, or nothing is recorded.
+    pub record: Option<u64>,
 }
 
 /// The measuring log of a run.
@@ -112,6 +116,7 @@ impl CycleRun {
             log: None,
             monitoring: None,
             time,
+            record: None,
         }
     }
 }
@@ -133,7 +138,7 @@ impl CyclesPage {
         };
     }
 
-    pub(super) fn measure(&mut self, shared: &Shared, now: DateTime) {
+    pub(super) fn measure(&mut self, shared: &mut Shared, now: DateTime) {
         self.clear();
         self.read();
         let missing: Vec<_> = self.missing().collect();
@@ -145,8 +150,29 @@ impl CyclesPage {
             0 => self.run_source(shared, now),
             count => Err(Message::new("cycles-fields-wrong").count("count", count)),
         };
-        self.run = Some(run.unwrap_or_else(|problem| CycleRun::refused(self.cycle, problem, now)));
+        let mut run = run.unwrap_or_else(|problem| CycleRun::refused(self.cycle, problem, now));
+        run.record = self.keep(&run, shared);
+        self.run = Some(run);
         self.step = self.last();
+    }
+
+    /// Sends what the cycle says to the journal, where it judged something.
+    fn keep(&self, run: &CycleRun, shared: &mut Shared) -> Option<u64> {
+        let recorded = shared.workpiece.recorded.as_deref().filter(|_| self.from == ContactsFrom::Recorded);
+        let origin = match (self.from, recorded) {
+            (ContactsFrom::Recorded, recorded) => {
+                CycleOrigin::Contacts { file: recorded.map_or("", |recorded| recorded.name.as_str()).into() }
+            }
+            (ContactsFrom::Simulated, _) => {
+                let seed = shared.workpiece.form.simulation().map_or(0, |simulation| simulation.seed);
+                CycleOrigin::Workpiece { file: "".into(), seed }
+            }
+            (ContactsFrom::Perfect, _) => CycleOrigin::Perfect,
+        };
+        let check = cycle_check(run.cycle, run.found()?, origin, None)?;
+        let file = recorded.and_then(|recorded| used(FileRole::Measurements, &recorded.name, recorded.sha256));
+        let files: Vec<_> = file.into_iter().collect();
+        shared.recording.keep_cycles(vec![check], &files)
     }
 
     fn run_source(&self, shared: &Shared, time: DateTime) -> Result<CycleRun, Message> {
@@ -172,6 +198,7 @@ impl CyclesPage {
             evaluation,
             monitoring,
             time,
+            record: None,
         })
     }
 

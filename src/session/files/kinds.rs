@@ -56,7 +56,7 @@ impl Purpose {
             Self::Import => "measurements",
             Self::LoadMask => "mask",
             Self::LoadTables => "own-tables",
-            Self::Export(_) => "report",
+            Self::Export(_) | Self::ReportRecords(_) => "report",
             Self::ExportStatus => "status",
             Self::OpenTable | Self::SaveTable(_) => "table",
             Self::OpenCycleFile(CycleFile::Contacts) => "contacts",
@@ -91,7 +91,9 @@ impl Purpose {
             }
             Self::LoadMask => vec!["a"],
             Self::LoadTables | Self::OpenTable => vec!["tab"],
-            Self::Export(number) => RENDERINGS.get(number).map(|format| format.endings.to_vec()).unwrap_or_default(),
+            Self::Export(number) | Self::ReportRecords(number) => {
+                RENDERINGS.get(number).map(|format| format.endings.to_vec()).unwrap_or_default()
+            }
             Self::SaveTable(number) => {
                 TABLE_FORMATS.get(number).map(|format| format.endings.to_vec()).unwrap_or_default()
             }

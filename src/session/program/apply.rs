@@ -44,6 +44,7 @@ impl PageState for ProgramPage {
             ProgramCommand::SetValue => self.give_value(),
             ProgramCommand::DropValue(parameter) => self.drop_value(parameter),
         }
+        self.keep_new(shared);
         Vec::new()
     }
 

@@ -10,6 +10,7 @@
 //! | `inputs` | the seven inputs of 8255 as fields, and Fitcheck's own answer |
 //! | `run` | a run: the machine, slice by slice |
 //! | `running` | run, pause, single block, to the selected block |
+//! | `keeping` | what its cycles say goes to the journal |
 //! | `watching` | parameters with their names, changes and values given before a run |
 //! | `opening` | programs from files, and what is typed |
 //! | `workpiece` | what is measured |
@@ -24,6 +25,7 @@ mod command;
 mod document;
 mod field;
 mod inputs;
+mod keeping;
 mod notes;
 mod opening;
 mod run;
@@ -47,6 +49,7 @@ pub use tools::ToolOf;
 pub use watching::{Name, Watched};
 
 use crate::control::variables::{Parameter, Value};
+use crate::journal::chain::Hash;
 use crate::message::Message;
 use crate::nc::machine::{BlockPlace, NcPath};
 use crate::nc::program::ProgramWarning;
@@ -75,6 +78,8 @@ pub struct ProgramPage {
     switches: BTreeSet<Switch>,
     speed: Speed,
     run: Option<Run>,
+    /// SHA-256 of the open program's file.
+    sha256: Option<Hash>,
     /// Why a run could not begin.
     refused: Option<Message>,
     /// Counts how often a line had to come into sight.

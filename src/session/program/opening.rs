@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::{Document, Input, Origin, ProgramField, ProgramPage, WorkpieceFrom};
+use crate::journal::chain::Hash;
 use crate::message::{Message, Say as _};
 use crate::nc::machine::Shipped;
 use crate::nc::program::ProgramWarning;
@@ -28,7 +29,10 @@ impl ProgramPage {
             return shared.tell(Message::new("program-page-not-shipped").text("name", name));
         };
         match Document::read(name, bytes) {
-            Ok((document, warnings)) => self.open_program(Origin::Shipped(name), document, warnings, shared),
+            Ok((document, warnings)) => {
+                self.open_program(Origin::Shipped(name), document, warnings, shared);
+                self.sha256 = Some(Hash::of_file(bytes));
+            }
             Err(error) => shared.tell(error.message()),
         }
     }
@@ -43,7 +47,9 @@ impl ProgramPage {
             self.recent.retain(|known| *known != path);
             self.recent.insert(0, path.clone());
             self.recent.truncate(MOST_RECENT);
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
             self.open_program(Origin::File(path), *document, warnings, shared);
+            self.sha256 = shared.recording.of_file(&name);
         }
     }
 

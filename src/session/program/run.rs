@@ -95,6 +95,10 @@ pub struct Run {
     looked_through: usize,
     /// The parameters before the last command.
     pub(super) before: Variables,
+    /// How many of its cycles were looked at for the journal.
+    pub(super) recorded: usize,
+    /// The number under which the last of them was sent to the journal, and its place there.
+    pub(super) record: Option<(u64, u64)>,
 }
 
 impl Run {
@@ -110,6 +114,8 @@ impl Run {
             listed: Vec::new(),
             looked_through: 0,
             before,
+            recorded: 0,
+            record: None,
         }
     }
 
@@ -195,6 +201,11 @@ impl Run {
     /// The tool table as the run has changed it; `None` where it has changed nothing.
     pub fn changed_tools(&self) -> Option<&ToolTable> {
         self.machine.tool_table().filter(|_| !self.tool_changes().is_empty())
+    }
+
+    /// Under which number the last judged cycle was sent to the journal; `None` where none was.
+    pub const fn record(&self) -> Option<(u64, u64)> {
+        self.record
     }
 
     /// The worst status of what was measured.

@@ -46,6 +46,7 @@ impl Rows {
         self.layout = news.layout.or_else(|| self.layout.take());
         (self.classes, self.tally) = (news.classes, news.tally);
         (self.bytes, self.elapsed_ms, self.end) = (news.bytes, news.elapsed_ms, news.end);
+        self.sha256 = news.sha256;
         self.counts.resize(self.classes.len() + 1, [0; FATES]);
         self.sieve = self.filter.sieve(self.classes.len());
         for part in news.parts {

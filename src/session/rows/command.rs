@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use crate::exchange::batch::{Fate, Layout, Part, Picked, Tally};
+use crate::journal::chain::Hash;
 use crate::message::Message;
 use crate::session::Step;
 use crate::tolerance::ToleranceClass;
@@ -83,6 +84,8 @@ pub struct News {
     pub elapsed_ms: u64,
     /// Whether it has ended.
     pub end: Option<End>,
+    /// SHA-256 of the file, where it was read to its end.
+    pub sha256: Option<Hash>,
 }
 
 /// How a run has ended.

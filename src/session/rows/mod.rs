@@ -18,6 +18,7 @@ pub use command::{End, Large, News, RowsCommand};
 
 use crate::exchange::batch::{FATES, Fate, Filter, Layout, Part, Picked, Sieve, Tally};
 use crate::journal::Record;
+use crate::journal::chain::Hash;
 use crate::message::Message;
 use crate::tolerance::ToleranceClass;
 
@@ -44,6 +45,8 @@ pub struct Rows {
     bytes: (u64, u64),
     elapsed_ms: u64,
     end: Option<End>,
+    /// SHA-256 of the file, once it was read to its end.
+    sha256: Option<Hash>,
     filter: Filter,
     /// The same for the classes so far.
     sieve: Sieve,
@@ -108,6 +111,7 @@ impl Rows {
             bytes: (0, 0),
             elapsed_ms: 0,
             end: None,
+            sha256: None,
             filter: Filter::default(),
             sieve: Filter::default().sieve(0),
             cursor: None,
@@ -123,6 +127,11 @@ impl Rows {
     /// The file's name without its folder.
     pub fn name(&self) -> &str {
         &self.name
+    }
+
+    /// SHA-256 of the file, once it was read to its end.
+    pub const fn sha256(&self) -> Option<Hash> {
+        self.sha256
     }
 
     /// The file.

@@ -101,7 +101,10 @@ pub(super) fn to_write(path: &Path, patience: Duration) -> Result<Connection, St
     }
     not_on_a_network(path, folder.unwrap_or_else(|| Path::new(".")))?;
     let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
-    let failed = |error: rusqlite::Error| StoreError::of(path, &error);
+    let failed = |error: rusqlite::Error| match StoreError::of(path, &error) {
+        error @ StoreError::CannotOpen { .. } => told_by_the_system(path).unwrap_or(error),
+        error => error,
+    };
     let connection = Connection::open_with_flags(path, flags).map_err(failed)?;
     connection.busy_timeout(patience).map_err(failed)?;
     guard(&connection).map_err(failed)?;
@@ -116,6 +119,15 @@ pub(super) fn to_write(path: &Path, patience: Duration) -> Result<Connection, St
         return Err(StoreError::CannotOpen { path: path.to_owned() });
     }
     Ok(connection)
+}
+
+/// Why a file cannot be opened to write, which SQLite does not tell.
+fn told_by_the_system(path: &Path) -> Option<StoreError> {
+    let opened = std::fs::OpenOptions::new().append(true).open(path);
+    opened
+        .err()
+        .filter(|error| error.kind() != std::io::ErrorKind::NotFound)
+        .map(|error| StoreError::system(path, &error))
 }
 
 /// A connection that only reads. In a folder that may not be written to, a journal that nobody uses is read as it lies.

@@ -1,0 +1,164 @@
+page-records = Records
+
+## What is recorded with a check
+records-page-fold = Record
+records-page-fold-hint = Serial number and remark are recorded with the next checks
+records-page-serial = Serial number
+records-page-serial-short = Serial no.
+records-page-remark = Remark
+records-page-feature = Feature
+records-page-record = Record { $number }
+records-page-waiting = Being recorded
+records-page-not-recorded = Not recorded: { $why }
+records-page-nowhere = Checks are not recorded: there is no data folder for them
+records-page-off = Checks are not recorded: recording is turned off in the state file
+records-page-opening = The journal is being opened
+records-page-how-on = The state file, state.toml, says in its part [records] which file is the journal, and whether checks are recorded.
+records-page-not-opened = The journal cannot be opened, and checks are not recorded: { $why }
+records-page-not-kept = { $count ->
+    [one] 1 check is not recorded: { $why }
+   *[other] { $count } checks are not recorded: { $why }
+}
+records-page-not-kept-why = the journal did not answer
+records-page-no-thread = the system gives no thread for the journal
+records-page-interrupted = it was interrupted
+records-page-failed = { $count ->
+    [one] 1 check is not recorded
+   *[other] { $count } checks are not recorded
+}
+records-page-try-again = Try again
+records-page-stay = Records stay in the journal
+records-page-leave = { $count ->
+    [one] 1 check is not recorded yet. It is lost if the window closes.
+   *[other] { $count } checks are not recorded yet. They are lost if the window closes.
+}
+
+## Who is measuring
+records-page-who = Measured by
+records-page-nobody = Name…
+records-page-who-nobody = Measured by nobody in particular. Choose a name
+records-page-who-is = Measured by { $name }
+records-page-nobody-named = No name
+records-page-new-name = Another name
+records-page-take-name = Use this name
+
+## The question
+records-page-question = Find
+records-page-help = Words, or part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-more-actions = More
+records-page-today = Today
+records-page-this-week = This week
+records-page-not-good = Not good
+records-page-measured-only = Measured only
+records-page-looking = Searching
+records-page-count = { $many ->
+    [one] 1 record
+   *[other] { $count } records
+}
+records-page-more = { $count }+ records
+records-page-unread = The journal cannot be read: { $why }
+records-page-none = no journal is open
+records-page-missing = Record { $number } is missing
+records-page-empty = Checks appear here once they are recorded
+records-page-none-found = No record matches
+
+## The list
+records-page-list = Records
+records-page-head-number = No.
+records-page-move = Go to another record
+records-page-open = Open the record
+records-page-choose = Choose for a report
+records-page-choose-record = Choose record { $number } for a report
+records-page-chosen = { $count ->
+    [one] 1 chosen
+   *[other] { $count } chosen
+}
+records-page-copy = Copy
+records-page-report = Report…
+records-page-with-simulated = With simulated checks
+records-page-with-simulated-hint = Simulated checks are no evidence; the report says that it has some
+records-page-report-simulated = { $count ->
+    [one] 1 of these checks is simulated: it is no evidence
+   *[other] { $count } of these checks are simulated: they are no evidence
+}
+records-page-report-from = From the journal { $chain }, records { $numbers }; its newest entry is { $number } ({ $hash })
+records-page-out-simulated = { $count ->
+    [one] 1 simulated check is left out
+   *[other] { $count } simulated checks are left out
+}
+records-page-out-replaced = { $count ->
+    [one] 1 corrected or withdrawn record is left out
+   *[other] { $count } corrected or withdrawn records are left out
+}
+records-page-out-cycles = { $count ->
+    [one] 1 record of a cycle is left out
+   *[other] { $count } records of cycles are left out
+}
+records-page-out-unread = { $count ->
+    [one] 1 record that cannot be read is left out
+   *[other] { $count } records that cannot be read are left out
+}
+records-page-see = See { $number }
+records-page-takes-back = Withdraws { $number }
+records-page-withdrawal = Withdrawal
+records-page-cycle = Cycle { $cycle }
+records-page-went-back = { $time } (clock)
+
+## An open record
+records-page-close = Back to the list
+records-page-reading = Reading the record
+records-page-measure-again = Measure again
+records-page-measure-again-hint = Takes callout, part, serial number and rule to the check page
+records-page-correct = Correct…
+records-page-correct-hint = Adds a record in place of this one; both stay
+records-page-simulated = Simulated: nobody measured this
+records-page-corrected-by = Corrected or withdrawn by record { $number }
+records-page-corrects = In place of record { $number }
+records-page-decided = Decision
+records-page-limits = Limits
+records-page-source = Limits from
+records-page-contacts = Contacts
+records-page-rule = Rule
+records-page-station = Station
+records-page-time = { $time } ({ $offset } { $zone })
+records-page-clock = The clock of the station was set back before this record
+records-page-cycle-number = Cycle
+records-page-program = Program
+records-page-block = { $program }, line { $line }
+records-page-parameters = Parameters
+records-page-figures = Results
+records-page-file-measurements = Measurements
+records-page-file-program = Program
+records-page-file-workpiece = Workpiece
+records-page-file-budget = Uncertainty budget
+records-page-chain = Chain
+records-page-chain-name = Journal
+records-page-hash = Hash
+
+## A correction
+records-page-correction = Correction
+records-page-correction-hint = A new record stands in place of this one. Both stay in the journal.
+records-page-reason = Reason
+records-page-withdraw = Withdraw the record
+records-page-withdraw-hint = Nothing stands in its place
+records-page-typed = Typed value, mm
+records-page-send-correction = Record the correction
+records-page-leave-correction = Cancel
+records-page-no-reason = A correction needs a reason
+records-page-nothing-changed = Nothing is different: change a field, or withdraw the record
+records-page-not-open = The record is not open
+records-page-not-recording = Checks are not recorded
+
+## The journal
+records-page-place = { $file } · { $entries } entries
+records-page-unsent = { $count } not yet sent
+records-page-verify = Verify
+records-page-verify-hint = Checks every entry against the one before it
+records-page-verify-cancel = Cancel verification
+records-page-verify-cancelled = Verification cancelled
+records-page-verify-progress = Progress of the verification
+records-page-verifying = { $done } of { $of } entries
+records-page-whole = { $time }: { $entries } entries verified, up to { $number } ({ $hash })
+records-page-broken = { $time }: { $entries } entries looked at, and the journal is not as it was written
+records-page-not-verified = { $time }: not verified: { $why }
+records-page-no-anchors = the entries that are known elsewhere cannot be read: { $why }

@@ -1,0 +1,164 @@
+page-records = Journaal
+
+## Wat bij een controle wordt vastgelegd
+records-page-fold = Vastleggen
+records-page-fold-hint = Serienummer en opmerking worden bij de volgende controles vastgelegd
+records-page-serial = Serienummer
+records-page-serial-short = Serienr.
+records-page-remark = Opmerking
+records-page-feature = Element
+records-page-record = Vastlegging { $number }
+records-page-waiting = Wordt vastgelegd
+records-page-not-recorded = Niet vastgelegd: { $why }
+records-page-nowhere = Controles worden niet vastgelegd: er is geen gegevensmap voor
+records-page-off = Controles worden niet vastgelegd: het vastleggen is uitgezet in het statusbestand
+records-page-opening = Het journaal wordt geopend
+records-page-how-on = Het statusbestand, state.toml, zegt in zijn deel [records] welk bestand het journaal is, en of controles worden vastgelegd.
+records-page-not-opened = Het journaal kan niet worden geopend, en controles worden niet vastgelegd: { $why }
+records-page-not-kept = { $count ->
+    [one] 1 controle is niet vastgelegd: { $why }
+   *[other] { $count } controles zijn niet vastgelegd: { $why }
+}
+records-page-not-kept-why = het journaal gaf geen antwoord
+records-page-no-thread = het systeem geeft geen thread voor het journaal
+records-page-interrupted = het is onderbroken
+records-page-failed = { $count ->
+    [one] 1 controle is niet vastgelegd
+   *[other] { $count } controles zijn niet vastgelegd
+}
+records-page-try-again = Opnieuw proberen
+records-page-stay = Vastleggingen blijven in het journaal
+records-page-leave = { $count ->
+    [one] 1 controle is nog niet vastgelegd. Zij gaat verloren als het venster sluit.
+   *[other] { $count } controles zijn nog niet vastgelegd. Zij gaan verloren als het venster sluit.
+}
+
+## Wie er meet
+records-page-who = Gemeten door
+records-page-nobody = Naam…
+records-page-who-nobody = Er is geen naam gekozen. Een naam kiezen
+records-page-who-is = Gemeten door { $name }
+records-page-nobody-named = Geen naam
+records-page-new-name = Andere naam
+records-page-take-name = Deze naam gebruiken
+
+## De vraag
+records-page-question = Zoeken
+records-page-help = Woorden, of part:… serial:… feature:… callout:… class:… verdict:scrap who:… station:… today week from:2026-11-01 to:… measured simulated
+records-page-more-actions = Meer
+records-page-today = Vandaag
+records-page-this-week = Deze week
+records-page-not-good = Niet goed
+records-page-measured-only = Alleen gemeten
+records-page-looking = Zoeken…
+records-page-count = { $many ->
+    [one] 1 vastlegging
+   *[other] { $count } vastleggingen
+}
+records-page-more = { $count }+ vastleggingen
+records-page-unread = Het journaal kan niet worden gelezen: { $why }
+records-page-none = er is geen journaal geopend
+records-page-missing = Vastlegging { $number } ontbreekt
+records-page-empty = Controles verschijnen hier zodra zij zijn vastgelegd
+records-page-none-found = Geen vastlegging voldoet
+
+## De lijst
+records-page-list = Vastleggingen
+records-page-head-number = Nr.
+records-page-move = Naar een andere vastlegging
+records-page-open = De vastlegging openen
+records-page-choose = Voor een rapport kiezen
+records-page-choose-record = Vastlegging { $number } voor een rapport kiezen
+records-page-chosen = { $count ->
+    [one] 1 gekozen
+   *[other] { $count } gekozen
+}
+records-page-copy = Kopiëren
+records-page-report = Rapport…
+records-page-with-simulated = Met gesimuleerde controles
+records-page-with-simulated-hint = Gesimuleerde controles zijn geen bewijs; het rapport zegt dat het er heeft
+records-page-report-simulated = { $count ->
+    [one] 1 van deze controles is gesimuleerd: zij is geen bewijs
+   *[other] { $count } van deze controles zijn gesimuleerd: zij zijn geen bewijs
+}
+records-page-report-from = Uit het journaal { $chain }, vastleggingen { $numbers }; de nieuwste is { $number } ({ $hash })
+records-page-out-simulated = { $count ->
+    [one] 1 gesimuleerde controle is weggelaten
+   *[other] { $count } gesimuleerde controles zijn weggelaten
+}
+records-page-out-replaced = { $count ->
+    [one] 1 gecorrigeerde of ingetrokken vastlegging is weggelaten
+   *[other] { $count } gecorrigeerde of ingetrokken vastleggingen zijn weggelaten
+}
+records-page-out-cycles = { $count ->
+    [one] 1 vastlegging van een cyclus is weggelaten
+   *[other] { $count } vastleggingen van cycli zijn weggelaten
+}
+records-page-out-unread = { $count ->
+    [one] 1 vastlegging die niet kan worden gelezen is weggelaten
+   *[other] { $count } vastleggingen die niet kunnen worden gelezen zijn weggelaten
+}
+records-page-see = Zie { $number }
+records-page-takes-back = Trekt { $number } in
+records-page-withdrawal = Intrekking
+records-page-cycle = Cyclus { $cycle }
+records-page-went-back = { $time } (klok)
+
+## Een geopende vastlegging
+records-page-close = Terug naar de lijst
+records-page-reading = De vastlegging wordt gelezen
+records-page-measure-again = Opnieuw meten
+records-page-measure-again-hint = Neemt tolerantie, onderdeel, serienummer en regel mee naar de controlepagina
+records-page-correct = Corrigeren…
+records-page-correct-hint = Voegt een vastlegging toe in plaats van deze; beide blijven
+records-page-simulated = Gesimuleerd: niemand heeft dit gemeten
+records-page-corrected-by = Gecorrigeerd of ingetrokken door vastlegging { $number }
+records-page-corrects = In plaats van vastlegging { $number }
+records-page-decided = Beslissing
+records-page-limits = Grensmaten
+records-page-source = Grensmaten uit
+records-page-contacts = Meetpunten
+records-page-rule = Regel
+records-page-station = Station
+records-page-time = { $time } ({ $offset } { $zone })
+records-page-clock = De klok van het station is vóór deze vastlegging teruggezet
+records-page-cycle-number = Cyclus
+records-page-program = Programma
+records-page-block = { $program }, tekstregel { $line }
+records-page-parameters = Parameters
+records-page-figures = Resultaten
+records-page-file-measurements = Metingen
+records-page-file-program = Programma
+records-page-file-workpiece = Werkstuk
+records-page-file-budget = Onzekerheidsbudget
+records-page-chain = Keten
+records-page-chain-name = Journaal
+records-page-hash = Hash
+
+## Een correctie
+records-page-correction = Correctie
+records-page-correction-hint = Een nieuwe vastlegging komt in plaats van deze. Beide blijven in het journaal.
+records-page-reason = Reden
+records-page-withdraw = De vastlegging intrekken
+records-page-withdraw-hint = Er komt niets in haar plaats
+records-page-typed = Getypte waarde, mm
+records-page-send-correction = De correctie vastleggen
+records-page-leave-correction = Annuleren
+records-page-no-reason = Een correctie heeft een reden nodig
+records-page-nothing-changed = Er is niets anders: wijzig een veld, of trek de vastlegging in
+records-page-not-open = De vastlegging is niet geopend
+records-page-not-recording = Controles worden niet vastgelegd
+
+## Het journaal
+records-page-place = { $file } · { $entries } vermeldingen
+records-page-unsent = { $count } nog niet verzonden
+records-page-verify = Verifiëren
+records-page-verify-hint = Vergelijkt elke vermelding met die ervoor
+records-page-verify-cancel = Verificatie afbreken
+records-page-verify-cancelled = Verificatie afgebroken
+records-page-verify-progress = Voortgang van de verificatie
+records-page-verifying = { $done } van { $of } vermeldingen
+records-page-whole = { $time }: { $entries } vermeldingen geverifieerd, tot en met { $number } ({ $hash })
+records-page-broken = { $time }: { $entries } vermeldingen bekeken, en het journaal is niet zoals het is geschreven
+records-page-not-verified = { $time }: niet geverifieerd: { $why }
+records-page-no-anchors = wat elders van het journaal bekend is kan niet worden gelezen: { $why }

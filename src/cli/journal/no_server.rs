@@ -1,0 +1,34 @@
+//! A program that was built without the server of a shop.
+
+use std::path::Path;
+
+use super::{CliError, Io};
+use crate::journal::ask::Question;
+use crate::journal::chain::{ChainId, Head};
+use crate::store::local::Row;
+
+pub(in crate::cli) fn init(_address: &str, _io: &mut Io<'_>) -> Result<(), CliError> {
+    Err(CliError::NoShop)
+}
+
+pub(in crate::cli) fn send(_address: &str, _file: &Path, _station: &str, _io: &mut Io<'_>) -> Result<(), CliError> {
+    Err(CliError::NoShop)
+}
+
+pub(in crate::cli) fn verify(
+    _address: &str,
+    _known: &[(ChainId, Head)],
+    _is_json: bool,
+    _io: &mut Io<'_>,
+) -> Result<bool, CliError> {
+    Err(CliError::NoShop)
+}
+
+pub(in crate::cli) fn list(
+    _address: &str,
+    _question: &Question,
+    _most: usize,
+    _io: &mut Io<'_>,
+) -> Result<Vec<Row>, CliError> {
+    Err(CliError::NoShop)
+}

@@ -1,0 +1,60 @@
+//! What is recorded with the next checks, and what has become of the shown one.
+
+use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
+
+use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::theme::{self, control, palette, sizes};
+use crate::gui::view::{View, problem, quiet, quiet_cut};
+use crate::message::Message;
+use crate::session::{Action, CheckField, Keeping, Recorded};
+
+/// Left: serial number and remark, and whether checks are recorded.
+pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
+    CollapsingHeader::new(view.text("records-page-fold")).id_salt("record").show_unindented(ui, |ui| {
+        let width = ui.available_width();
+        for (field, name) in [(CheckField::Serial, "records-page-serial"), (CheckField::Remark, "records-page-remark")]
+        {
+            let name = ui.label(view.text(name));
+            let look = Look { font: theme::font(sizes().body), ..Look::large(width) };
+            field_ui(ui, view, field, name.id, look);
+            error_ui(ui, view, field);
+        }
+        quiet(ui, view.text("records-page-fold-hint"));
+        keeping_ui(ui, view);
+    });
+}
+
+/// Whether checks are recorded.
+fn keeping_ui(ui: &mut Ui, view: &View<'_>) {
+    match view.session.recording().keeping() {
+        Keeping::Nowhere => _ = quiet(ui, view.text("records-page-nowhere")),
+        Keeping::Off => _ = quiet(ui, view.text("records-page-off")),
+        Keeping::Opening => _ = quiet(ui, view.text("records-page-opening")),
+        Keeping::Open => {}
+        Keeping::Failed(why) => {
+            _ = problem(ui, view.words.say(&Message::new("records-page-not-opened").message("why", why.clone())));
+        }
+    }
+}
+
+/// Below the verdict: the number of the record once it is on disk, or that it is not. The line is there in any case, so that
+/// nothing moves when the number comes.
+pub(in crate::gui) fn recorded_ui(ui: &mut Ui, view: &mut View<'_>, recorded: Option<Recorded<'_>>) {
+    if !view.session.recording().is_on() {
+        return;
+    }
+    match recorded {
+        None => _ = quiet_cut(ui, " "),
+        Some(Recorded::Waiting) => _ = quiet_cut(ui, view.text("records-page-waiting")),
+        Some(Recorded::Kept(number)) => {
+            _ = quiet_cut(ui, view.words.say(&Message::new("records-page-record").text("number", number)));
+        }
+        Some(Recorded::Failed(why)) => {
+            let said = view.words.say(&Message::new("records-page-not-recorded").message("why", why.clone()));
+            let text = RichText::new(said).font(theme::bold(sizes().body)).color(palette(ui.ctx()).error.0);
+            ui.add(Label::new(text).wrap());
+            let button = view.named(Action::RecordAgain).min_size(eframe::egui::vec2(0.0, control(ui)));
+            view.button_as(ui, Action::RecordAgain, button);
+        }
+    }
+}

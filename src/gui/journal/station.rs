@@ -1,0 +1,26 @@
+//! The name of the computer, and the time with its zone.
+
+use std::path::Path;
+
+use crate::files;
+use crate::journal::entry::Moment;
+
+/// The time now, as a record keeps it.
+pub fn moment() -> Moment {
+    let now = jiff::Zoned::now();
+    let zone = now.time_zone().iana_name().unwrap_or_default().to_owned();
+    Moment { utc_ms: now.timestamp().as_millisecond(), offset_min: now.offset().seconds() / 60, zone }
+}
+
+/// The name of the computer, where the system tells it.
+pub fn computer() -> String {
+    let of_variable = ["COMPUTERNAME", "HOSTNAME"].into_iter().find_map(|name| std::env::var(name).ok());
+    let of_file = || {
+        let paths = ["/proc/sys/kernel/hostname", "/etc/hostname"].into_iter();
+        let read = |path| Some(String::from_utf8_lossy(&files::read_file(Path::new(path)).ok()?).into_owned());
+        paths.filter_map(read).next()
+    };
+    let name = of_variable.or_else(of_file).unwrap_or_default();
+    let name: String = name.trim().chars().filter(|c| !c.is_control()).take(200).collect();
+    if name.is_empty() { "fitcheck".to_owned() } else { name }
+}

@@ -1,0 +1,129 @@
+//! The texts of a row of the list.
+
+use crate::gui::view::Digits;
+use crate::journal::entry::Checked;
+use crate::message::Message;
+use crate::session::RecordRow;
+use crate::session::records::RowTexts;
+use crate::verdict::Status;
+use crate::words::Words;
+
+/// What is known of a row of the list.
+#[derive(Debug, Default)]
+pub(super) struct Cells {
+    pub number: String,
+    pub time: String,
+    pub part: String,
+    pub serial: String,
+    pub feature: String,
+    pub callout: String,
+    pub measured: String,
+    pub deviation: String,
+    pub status: String,
+    pub who: String,
+    /// The verdict, for colour and shape.
+    pub verdict: Option<Status>,
+    pub is_simulated: bool,
+    /// Another entry stands in its place, or takes it back.
+    pub is_struck: bool,
+    /// Whether it is a check that may have a verdict.
+    pub is_check: bool,
+}
+
+impl Cells {
+    /// A row that was not read yet.
+    pub fn missing(number: u64) -> Self {
+        let wait = || "…".to_owned();
+        Self {
+            number: number.to_string(),
+            time: wait(),
+            part: wait(),
+            callout: wait(),
+            measured: wait(),
+            status: wait(),
+            ..Self::default()
+        }
+    }
+
+    pub fn of(words: &Words, row: &RecordRow) -> Self {
+        let number = row.head.number.to_string();
+        let entry = match &row.entry {
+            Ok(entry) => entry,
+            Err(why) => return Self { number, part: words.say(why), ..Self::default() },
+        };
+        let RowTexts { time, callout, mut measured, mut deviation, status } = RowTexts::of(row, words);
+        let check = entry.check();
+        if let Some(Checked::Size(record)) = check.map(|check| &check.what) {
+            let digits = Digits::of(record);
+            measured = digits.mm(words, record.measurement.diameter, 3);
+            deviation = digits.signed_um(words, record.verdict.size.deviation);
+        }
+        let about = &entry.about;
+        let time =
+            if row.went_back { words.say(&Message::new("records-page-went-back").text("time", time)) } else { time };
+        let status = match (row.corrected_by, entry.corrects()) {
+            (Some(by), _) => words.say(&Message::new("records-page-see").text("number", by)),
+            (None, Some(correction)) if check.is_none() => {
+                words.say(&Message::new("records-page-takes-back").text("number", correction.target.number))
+            }
+            _ => status,
+        };
+        Self {
+            number,
+            time,
+            part: about.part.clone(),
+            serial: about.serial.clone(),
+            feature: about.feature.clone(),
+            callout,
+            measured,
+            deviation: if deviation.is_empty() { deviation } else { format!("{deviation} µm") },
+            status,
+            who: about.who.clone(),
+            verdict: check.and_then(crate::journal::entry::Check::status),
+            is_simulated: check.is_some_and(crate::journal::entry::Check::is_simulated),
+            is_struck: row.corrected_by.is_some(),
+            is_check: check.is_some(),
+        }
+    }
+
+    /// From the number to who measured; the verdict is drawn apart.
+    pub const fn all(&self) -> [&String; 10] {
+        [
+            &self.number,
+            &self.time,
+            &self.part,
+            &self.serial,
+            &self.feature,
+            &self.callout,
+            &self.measured,
+            &self.deviation,
+            &self.status,
+            &self.who,
+        ]
+    }
+
+    /// What a screen reader says of a row.
+    pub fn said(&self, words: &Words, is_chosen: bool) -> String {
+        let number = words.say(&Message::new("records-page-record").text("number", &self.number));
+        let measured = match self.measured.as_str() {
+            "" => String::new(),
+            "…" => self.measured.clone(),
+            measured => format!("{measured} mm"),
+        };
+        let parts = [
+            &number,
+            &self.time,
+            &self.part,
+            &self.serial,
+            &self.feature,
+            &self.callout,
+            &measured,
+            &self.deviation,
+            &self.status,
+            &self.who,
+        ];
+        let parts: Vec<&str> = parts.into_iter().map(String::as_str).filter(|part| !part.is_empty()).collect();
+        let said = parts.join(", ");
+        if is_chosen { words.say(&Message::new("history-row-chosen").text("row", said)) } else { said }
+    }
+}

@@ -1,0 +1,53 @@
+//! The form of a correction: what the record should say, and why. The old entry stays.
+
+use eframe::egui::{Ui, vec2};
+
+use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::theme::{self, control, sizes, space};
+use crate::gui::view::{View, heading, problem, quiet};
+use crate::session::records::Correcting;
+use crate::session::{Action, RecordsField};
+
+/// The form.
+pub(super) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
+    heading(ui, view.text("records-page-correction"));
+    quiet(ui, view.text("records-page-correction-hint"));
+    view.checkbox(ui, Action::WithdrawRecord);
+    field(ui, view, RecordsField::Reason, "records-page-reason");
+    if !form.withdraws {
+        for (of, name) in [
+            (RecordsField::Part, "head-part"),
+            (RecordsField::Serial, "records-page-serial"),
+            (RecordsField::Feature, "records-page-feature"),
+            (RecordsField::Measurer, "records-page-who"),
+            (RecordsField::Remark, "records-page-remark"),
+        ] {
+            field(ui, view, of, name);
+        }
+        if view.session.records().typed_value().is_some() {
+            field(ui, view, RecordsField::Measured, "records-page-typed");
+        }
+    }
+    if let Some(why) = &form.problem {
+        problem(ui, view.words.say(why));
+    }
+    ui.horizontal_wrapped(|ui| {
+        let width = view.width_of(ui, &[Action::SendCorrection]);
+        view.main_button(ui, Action::SendCorrection, vec2(width, control(ui)));
+        view.field_button(ui, Action::LeaveCorrection);
+        if form.problem.is_some() && view.session.can(Action::RecordAgain) {
+            view.field_button(ui, Action::RecordAgain);
+        } else if form.run.is_some() {
+            quiet(ui, view.text("records-page-waiting"));
+        }
+    });
+    ui.add_space(space(1.0));
+    ui.separator();
+}
+
+fn field(ui: &mut Ui, view: &mut View<'_>, field: RecordsField, name: &str) {
+    let name = quiet(ui, view.text(name));
+    let look = Look { font: theme::font(sizes().body), ..Look::large(ui.available_width()) };
+    field_ui(ui, view, field, name.id, look);
+    error_ui(ui, view, field);
+}

@@ -1,0 +1,101 @@
+//! Below: where records are kept, how many there are, what is wrong; and the walk along the chain.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{ProgressBar, Ui, WidgetInfo};
+
+use crate::gui::check::grouped;
+use crate::gui::columns::is_tiny;
+use crate::gui::shapes::share;
+use crate::gui::theme::space;
+use crate::gui::view::{View, problem, quiet, quiet_cut};
+use crate::message::Message;
+use crate::session::records::{Verified, Walk};
+use crate::session::{Action, Keeping};
+
+/// The foot of the page.
+pub(super) fn foot_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.y = space(1.0);
+        // Each stands in the place of the other.
+        for action in [Action::VerifyRecords, Action::CancelVerify] {
+            if view.session.can(action) && !is_tiny(ui) {
+                view.button(ui, action);
+            }
+        }
+        walk_ui(ui, view);
+        wrong_ui(ui, view);
+    });
+    place_ui(ui, view);
+}
+
+/// Where records are kept, and how many there are.
+fn place_ui(ui: &mut Ui, view: &View<'_>) {
+    let recording = view.session.recording();
+    let file = recording.file().map(|file| file.display().to_string()).unwrap_or_default();
+    let entries = recording.newest();
+    let said = Message::new("records-page-place").text("file", &file).text("entries", grouped(entries));
+    let mut said = view.words.say(&said);
+    if let Some(unsent) = recording.unsent() {
+        let unsent = Message::new("records-page-unsent").text("count", grouped(unsent));
+        said = format!("{said} · {}", view.words.say(&unsent));
+    }
+    quiet_cut(ui, &said).on_hover_text(&said);
+}
+
+/// What is wrong, when something is.
+fn wrong_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let recording = view.session.recording();
+    if let Keeping::Failed(why) = recording.keeping() {
+        problem(ui, view.words.say(&Message::new("records-page-not-opened").message("why", why.clone())));
+    }
+    let failed = recording.failed();
+    if 0 < failed {
+        problem(ui, view.words.say(&Message::new("records-page-failed").count("count", failed)));
+    }
+    if view.session.can(Action::RecordAgain) {
+        view.button(ui, Action::RecordAgain);
+    }
+    if let Some(why) = view.session.recording().trouble() {
+        problem(ui, view.words.say(why));
+    }
+}
+
+/// How far the walk is, or what it has found.
+fn walk_ui(ui: &mut Ui, view: &View<'_>) {
+    let words = view.words;
+    match view.session.records().walk() {
+        Walk::None => {}
+        Walk::Running { done, of } => {
+            let bar = ProgressBar::new(share(*done, *of)).desired_width(space(25.0)).desired_height(space(3.0));
+            let shown = ui.add(bar);
+            let name = view.text("records-page-verify-progress");
+            shown.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, &name));
+            let said = Message::new("records-page-verifying").text("done", grouped(*done)).text("of", grouped(*of));
+            quiet(ui, words.say(&said));
+        }
+        Walk::Cancelled => _ = quiet(ui, view.text("records-page-verify-cancelled")),
+        Walk::Done { result: Ok(Verified { entries, head, problems }), at } => {
+            let time = at.strftime(crate::journal::query::TIME).to_string();
+            let id = if problems.is_empty() { "records-page-whole" } else { "records-page-broken" };
+            let said = Message::new(id)
+                .text("time", time)
+                .text("entries", grouped(*entries))
+                .text("number", head.number)
+                .text("hash", head.hash.short());
+            let said = words.say(&said);
+            if problems.is_empty() {
+                quiet(ui, said)
+            } else {
+                problem(ui, said)
+            };
+            for found in problems {
+                problem(ui, words.say(found));
+            }
+        }
+        Walk::Done { result: Err(why), at } => {
+            let time = at.strftime(crate::journal::query::TIME).to_string();
+            let said = Message::new("records-page-not-verified").text("time", time).message("why", why.clone());
+            problem(ui, words.say(&said));
+        }
+    }
+}

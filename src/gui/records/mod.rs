@@ -1,0 +1,74 @@
+//! The records page: everything that was recorded.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | where everything stands |
+//! | `asking_panel` | above: the question, its short ways, how many records |
+//! | `list`, `cells` | the rows in sight of all |
+//! | `record_panel` | right, or in the place of the list: the record that is open, with its whole reasoning |
+//! | `correction_panel` | the form of a correction |
+//! | `foot_panel` | below: where records are kept, how many, what is wrong; the walk along the chain |
+
+mod asking_panel;
+mod cells;
+mod correction_panel;
+mod foot_panel;
+mod list;
+mod reasons;
+mod record_panel;
+
+use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
+pub(super) use list::id as list_id;
+
+use super::columns::{Side, column_ui, panel_ui};
+use super::dialogs::just_opened;
+use super::keypad::keypad_ui;
+use super::theme::space;
+use super::view::{View, heading, quiet};
+use crate::session::Keeping;
+
+/// From this width on the open record stands beside the list.
+const BESIDE: f32 = 230.0;
+
+/// The page.
+pub(super) fn records_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if just_opened(ui, Id::unique("records-page")) {
+        ui.memory_mut(|memory| memory.request_focus(list::id()));
+    }
+    if !view.session.recording().is_on() {
+        return nothing_ui(ui, view);
+    }
+    let frame = Frame::side_top_panel(ui.style());
+    Panel::bottom("records-foot").frame(frame).resizable(false).show(ui, |ui| foot_panel::foot_ui(ui, view));
+    let width = ui.available_width();
+    let is_open = view.session.records().opened().is_some();
+    if is_open && space(BESIDE) <= width {
+        let sizes = (width * 0.42, space(90.0)..=width * 0.6);
+        panel_ui(ui, view, Side::Right, "records-open", sizes, |ui, view| {
+            keypad_ui(ui, view);
+            record_panel::record_ui(ui, view);
+        });
+    } else if is_open {
+        keypad_ui(ui, view);
+        CentralPanel::default().show(ui, |ui| record_panel::record_ui(ui, view));
+        return;
+    } else {
+        keypad_ui(ui, view);
+    }
+    CentralPanel::default().show(ui, |ui| {
+        asking_panel::asking_ui(ui, view);
+        list::list_ui(ui, view);
+    });
+}
+
+/// Nothing is recorded, and why.
+fn nothing_ui(ui: &mut Ui, view: &View<'_>) {
+    CentralPanel::default().show(ui, |ui| {
+        column_ui(ui, "records-none", |ui| {
+            heading(ui, view.text("page-records"));
+            let is_off = *view.session.recording().keeping() == Keeping::Off;
+            ui.label(view.text(if is_off { "records-page-off" } else { "records-page-nowhere" }));
+            quiet(ui, view.text("records-page-how-on"));
+        });
+    });
+}

@@ -1,0 +1,130 @@
+//! Everything that a record says, line by line.
+
+use crate::gui::check::{worth_lines, worth_reasons};
+use crate::gui::view::{Digits, View, doubt_text};
+use crate::journal::Record;
+use crate::journal::entry::{Checked, CycleCheck, CycleOrigin, Entry, UsedFile};
+use crate::message::{Message, Say as _};
+use crate::session::RecordRow;
+use crate::session::records::local_time;
+
+/// A line of an open record.
+pub(super) enum Line {
+    Named(String, String),
+    Heading(String),
+    Sentence(String),
+}
+
+/// All lines.
+pub(super) fn lines(view: &View<'_>, row: &RecordRow) -> Vec<Line> {
+    let entry = match &row.entry {
+        Ok(entry) => entry,
+        Err(why) => return vec![Line::Sentence(view.words.say(why))],
+    };
+    let mut lines = about(view, entry, row.went_back);
+    if let Some(check) = entry.check() {
+        lines.push(Line::Heading(view.text("records-page-decided")));
+        match &check.what {
+            Checked::Size(record) => size(view, record, &mut lines),
+            Checked::Cycle(cycle) => of_cycle(view, cycle, &mut lines),
+        }
+        lines.extend(check.remark().map(|remark| Line::Sentence(view.words.told(&remark))));
+        lines.extend(check.files.iter().map(|file| of_file(view, file)));
+    }
+    lines.push(Line::Heading(view.text("records-page-chain")));
+    let named = |id: &str, text: String| Line::Named(view.text(id), text);
+    lines.push(named("records-page-hash", row.head.hash.to_string()));
+    let chain = view.session.recording().journal().map(|journal| journal.chain.to_string());
+    lines.extend(chain.map(|chain| named("records-page-chain-name", chain)));
+    lines
+}
+
+/// Who, where, when.
+fn about(view: &View<'_>, entry: &Entry, went_back: bool) -> Vec<Line> {
+    let about = &entry.about;
+    let zone = &about.time.zone;
+    let offset = Message::new("records-page-time").text("time", local_time(&about.time)).text("zone", zone);
+    let offset = offset.text("offset", offset_text(about.time.offset_min));
+    let mut lines = Vec::new();
+    if let Some(correction) = entry.corrects() {
+        lines.push(Line::Named(view.text("records-page-reason"), correction.reason.clone()));
+    }
+    let texts = [
+        ("head-time", view.words.say(&offset)),
+        ("head-part", about.part.clone()),
+        ("records-page-serial", about.serial.clone()),
+        ("records-page-feature", about.feature.clone()),
+        ("records-page-who", about.who.clone()),
+        ("records-page-station", about.station.clone()),
+        ("records-page-remark", about.remark.clone()),
+    ];
+    let told = texts.into_iter().filter(|(_, text)| !text.is_empty());
+    lines.extend(told.map(|(id, text)| Line::Named(view.text(id), text)));
+    if went_back {
+        lines.push(Line::Sentence(view.text("records-page-clock")));
+    }
+    lines
+}
+
+/// How far local time is ahead of UTC: `+01:00`.
+fn offset_text(minutes: i32) -> String {
+    let sign = if minutes < 0 { '\u{2212}' } else { '+' };
+    format!("{sign}{:02}:{:02}", (minutes / 60).abs(), (minutes % 60).abs())
+}
+
+/// Limits, measurement, rule, figures.
+fn size(view: &View<'_>, record: &Record, lines: &mut Vec<Line>) {
+    let words = view.words;
+    let named = |id: &str, text: String| Line::Named(view.text(id), text);
+    let bounds = record.limits.bounds();
+    let limits = format!("{} … {} mm", words.mm(bounds.minimum(), 3), words.mm(bounds.maximum(), 3));
+    lines.push(named("head-callout", crate::journal::query::callout(record)));
+    lines.push(named("records-page-limits", limits));
+    lines.push(named("records-page-source", words.told(&record.limits.source)));
+    lines.push(named("head-measured", format!("{} mm", Digits::Exact.mm(words, record.measurement.diameter, 3))));
+    lines.push(named("head-from", words.told(&record.measurement.origin)));
+    let contacts = record.measurement.contacts.len();
+    if 0 < contacts {
+        lines.push(named("records-page-contacts", contacts.to_string()));
+    }
+    lines.push(named("records-page-rule", words.told(&record.verdict.rule)));
+    let said = worth_lines(words, record).into_iter().chain(worth_reasons(view, record));
+    lines.extend(said.map(Line::Sentence));
+    lines.extend(record.doubt.map(|doubt| Line::Sentence(doubt_text(words, doubt))));
+    let caveat = |what: Message| words.say(&Message::new("why-caveat").message("what", what));
+    lines.extend(record.measurement.caveats().into_iter().map(|what| Line::Sentence(caveat(what.message()))));
+}
+
+/// What a cycle says: its parameters, what it compared, its results.
+fn of_cycle(view: &View<'_>, cycle: &CycleCheck, lines: &mut Vec<Line>) {
+    let words = view.words;
+    let named = |id: &str, text: String| Line::Named(view.text(id), text);
+    lines.push(named("records-page-cycle-number", cycle.cycle.to_string()));
+    let origin = match &cycle.origin {
+        CycleOrigin::Perfect => Message::new("cycles-from-perfect"),
+        CycleOrigin::Workpiece { seed, .. } => Message::new("cycles-from-simulated").text("seed", seed),
+        CycleOrigin::Contacts { file } => Message::new("cycles-from-recorded").text("file", file),
+    };
+    lines.push(named("head-from", words.say(&origin)));
+    if let Some((program, line)) = &cycle.block {
+        let said = Message::new("records-page-block").text("program", program).text("line", line);
+        lines.push(named("records-page-program", words.say(&said)));
+    }
+    for compared in &cycle.compared {
+        let mm = |length| words.mm(length, 3);
+        let text = format!("{} mm ({} … {} mm)", mm(compared.measured), mm(compared.minimum), mm(compared.maximum));
+        lines.push(Line::Named(compared.what.clone(), text));
+    }
+    let parameters: Vec<String> =
+        cycle.parameters.iter().map(|(name, value)| format!("{name}={}", words.number(value))).collect();
+    lines.push(named("records-page-parameters", parameters.join("  ")));
+    let figures: Vec<String> =
+        cycle.figures.iter().map(|(name, length)| format!("{name} {}", words.mm(*length, 3))).collect();
+    lines.push(named("records-page-figures", figures.join(", ")));
+}
+
+/// A file, and SHA-256 of its bytes.
+fn of_file(view: &View<'_>, file: &UsedFile) -> Line {
+    let text = format!("{} · SHA-256 {}", file.name, file.sha256);
+    Line::Named(view.text(&format!("records-page-file-{}", file.role.word())), text)
+}

@@ -1,0 +1,67 @@
+//! Who is measuring: in the top bar, with the last names and a field for another one.
+
+use eframe::egui::containers::menu::{MenuButton, MenuConfig};
+use eframe::egui::{PopupCloseBehavior, RichText, Ui};
+
+use super::field::{Look, field_ui};
+use super::theme::{self, control, sizes, space};
+use super::view::{View, quiet};
+use crate::message::Message;
+use crate::session::{Action, RecordsCommand, RecordsField};
+
+/// The button with the name, and its menu; nothing where nothing is recorded.
+pub(super) fn who_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let recording = view.session.recording();
+    if !recording.is_on() {
+        return;
+    }
+    let who = recording.who();
+    let shown = if who.is_empty() { view.text("records-page-nobody") } else { shortened(who) };
+    let said = Message::new(if who.is_empty() { "records-page-who-nobody" } else { "records-page-who-is" });
+    let said = view.words.say(&said.text("name", who));
+    let config = MenuConfig::new().close_behavior(PopupCloseBehavior::CloseOnClickOutside);
+    let (button, _) = MenuButton::new(shown).config(config).ui(ui, |ui| names_ui(ui, view));
+    button.widget_info(|| eframe::egui::WidgetInfo::labeled(eframe::egui::accesskit::Role::Button, true, &said));
+    button.on_hover_text(said);
+}
+
+/// A long name is cut; the whole one shows under the pointer.
+fn shortened(name: &str) -> String {
+    const MOST: usize = 14;
+    if name.chars().count() <= MOST {
+        return name.to_owned();
+    }
+    name.chars().take(MOST - 1).chain(['…']).collect()
+}
+
+/// The last names, and a field for another one.
+pub(super) fn names_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.set_min_width(space(50.0));
+    let recording = view.session.recording();
+    let (who, names) = (recording.who().to_owned(), recording.names().to_vec());
+    for name in names {
+        if ui.radio(name == who, RichText::new(&name).font(theme::font(sizes().body))).clicked() {
+            view.send(RecordsCommand::UseName(name));
+            ui.close();
+        }
+    }
+    if ui.radio(who.is_empty(), view.text("records-page-nobody-named")).clicked() {
+        view.send(RecordsCommand::UseName(String::new()));
+        ui.close();
+    }
+    ui.separator();
+    let name = quiet(ui, view.text("records-page-new-name"));
+    let look = Look { font: theme::font(sizes().body), ..Look::large(space(46.0)) };
+    let before = view.commands.len();
+    field_ui(ui, view, RecordsField::Who, name.id, look);
+    let button = view.named(Action::TakeName).min_size(eframe::egui::vec2(0.0, control(ui)));
+    view.button_as(ui, Action::TakeName, button);
+    let is_taken = view
+        .commands
+        .iter()
+        .skip(before)
+        .any(|command| matches!(command, crate::session::Command::Records(RecordsCommand::TakeName)));
+    if is_taken {
+        ui.close();
+    }
+}

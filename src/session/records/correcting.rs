@@ -1,0 +1,170 @@
+//! From the form of a correction to the entry that makes it. The old entry stays as it is, and both are seen.
+
+use std::sync::Arc;
+
+use super::{RecordRow, RecordsField, RecordsPage};
+use crate::journal::Record;
+use crate::journal::entry::{About, Check, Checked, Content};
+use crate::length::Length;
+use crate::message::Message;
+use crate::probing::{Measurement, Origin};
+use crate::session::field::Range;
+use crate::session::recording::{Recorded, correcting};
+use crate::session::shared::Shared;
+use crate::tolerance::fit::thermal::Correction as Warmth;
+
+/// The correction that is being made.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Correcting {
+    /// Whether the record is taken back, and nothing put in its place.
+    pub withdraws: bool,
+    /// Whether it is being written: the number of its batch.
+    pub run: Option<u64>,
+    /// Why it was not written.
+    pub problem: Option<Message>,
+}
+
+type Refusal = (RecordsField, Message);
+
+impl RecordsPage {
+    /// Whether the open record can be corrected: a check that no other entry corrects or takes back.
+    pub fn can_correct(&self) -> bool {
+        self.opened_row().is_some_and(|row| {
+            row.corrected_by.is_none() && row.entry.as_ref().is_ok_and(|entry| entry.check().is_some())
+        })
+    }
+
+    /// The typed value of the open record, where it was typed and can be typed again.
+    pub fn typed_value(&self) -> Option<Length> {
+        let record = size(self.opened_row()?)?;
+        let measured = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
+        // A budget counts for the value that it was evaluated for.
+        (record.measurement.origin == Origin::Typed && record.budget.is_none()).then_some(measured)
+    }
+
+    /// Opens the form with what the record says, or closes it.
+    pub(super) fn correct(&mut self, is_open: bool) {
+        self.correcting = None;
+        for field in [RecordsField::Reason, RecordsField::Measured] {
+            self.texts.remove(&field);
+            self.errors.remove(&field);
+        }
+        if !is_open || !self.can_correct() {
+            return;
+        }
+        let Some(Ok(about)) = self.opened_row().map(|row| row.entry.as_ref().map(|entry| entry.about.clone())) else {
+            return;
+        };
+        let About { part, serial, feature, who, remark, .. } = about;
+        let texts = [
+            (RecordsField::Part, part),
+            (RecordsField::Serial, serial),
+            (RecordsField::Feature, feature),
+            (RecordsField::Measurer, who),
+            (RecordsField::Remark, remark),
+        ];
+        self.texts.extend(texts);
+        let typed = self.typed_value().map(|value| (RecordsField::Measured, value.to_string()));
+        self.texts.extend(typed);
+        self.correcting = Some(Correcting::default());
+    }
+
+    /// Whether the correction takes the record back.
+    pub(super) const fn withdraw(&mut self, withdraws: bool) {
+        if let Some(correcting) = &mut self.correcting {
+            correcting.withdraws = withdraws;
+        }
+    }
+
+    /// Sends the correction to the journal; what is missing is said beside its field.
+    pub(super) fn send_correction(&mut self, shared: &mut Shared) {
+        let Some(form) = self.correcting.clone().filter(|form| form.run.is_none()) else { return };
+        match self.correction(&form) {
+            Ok((about, content)) => {
+                let run = shared.recording.keep_correction(about, content);
+                let problem = run.is_none().then(|| Message::new("records-page-not-recording"));
+                self.correcting = Some(Correcting { run, problem, ..form });
+            }
+            Err((field, problem)) => _ = self.errors.insert(field, problem),
+        }
+    }
+
+    /// The entry that the form asks for.
+    fn correction(&self, form: &Correcting) -> Result<(About, Content), Refusal> {
+        let row = self.opened_row().cloned();
+        let reason = self.text(RecordsField::Reason).trim();
+        let refused = |field, id| (field, Message::new(id));
+        if reason.is_empty() {
+            return Err(refused(RecordsField::Reason, "records-page-no-reason"));
+        }
+        let row = row.ok_or_else(|| refused(RecordsField::Reason, "records-page-not-open"))?;
+        let entry = row.entry.as_ref().map_err(|problem| (RecordsField::Reason, problem.clone()))?;
+        let correction = correcting(row.head, reason);
+        if form.withdraws {
+            return Ok((entry.about.clone(), Content::Withdrawal(correction)));
+        }
+        let text = |field: RecordsField| self.text(field).trim().to_owned();
+        let about = About {
+            part: text(RecordsField::Part),
+            serial: text(RecordsField::Serial),
+            feature: text(RecordsField::Feature),
+            who: text(RecordsField::Measurer),
+            remark: text(RecordsField::Remark),
+            ..entry.about.clone()
+        };
+        let check = entry.check().ok_or_else(|| refused(RecordsField::Reason, "records-page-not-open"))?;
+        let what = match &check.what {
+            Checked::Cycle(_) => check.what.clone(),
+            Checked::Size(record) => Checked::Size(Arc::new(self.corrected(record, &about)?)),
+        };
+        let is_same = about == entry.about && what == check.what;
+        if is_same {
+            return Err(refused(RecordsField::Reason, "records-page-nothing-changed"));
+        }
+        let check = Check { what, files: check.files.clone(), corrects: Some(correction) };
+        Ok((about, Content::Check(Box::new(check))))
+    }
+
+    /// The record with the name and the typed value of the form, judged by its own rule.
+    fn corrected(&self, record: &Record, about: &About) -> Result<Record, Refusal> {
+        let id = if about.feature.is_empty() { about.part.clone() } else { about.feature.clone() };
+        let mut record = Record { id, ..record.clone() };
+        let Some(before) = self.typed_value() else { return Ok(record) };
+        let typed = Range::AboveZero.read(self.text(RecordsField::Measured));
+        let typed = typed.map_err(|problem| (RecordsField::Measured, problem))?;
+        if typed != before {
+            let (rule, warmth) = (record.verdict.rule, record.correction);
+            let measurement = Measurement::of_diameter(typed, Origin::Typed);
+            record = Record::judged(record.time, record.id, record.callout, record.limits, measurement, None).by(rule);
+            if let Some(Warmth { part, scale, .. }) = warmth {
+                record = record.corrected(Warmth::new(typed, part, scale));
+            }
+        }
+        Ok(record)
+    }
+
+    /// The journal has answered: the form closes, and the new record is opened; or it says why nothing was written.
+    pub(super) fn correction_kept(&mut self, run: u64, shared: &Shared) {
+        let Some(form) = self.correcting.as_mut().filter(|form| form.run == Some(run)) else { return };
+        match shared.recording.of_slip((run, 0)) {
+            Some(Recorded::Kept(number)) => {
+                let old = self.open.as_ref().map(|open| open.number);
+                self.correct(false);
+                old.into_iter().for_each(|old| self.listing.forget(old));
+                self.ask(shared, false);
+                let effects = self.open(number);
+                self.errands.extend(effects);
+            }
+            Some(Recorded::Failed(problem)) => form.problem = Some(problem.clone()),
+            Some(Recorded::Waiting) | None => {}
+        }
+    }
+}
+
+/// The check of a size in a row.
+fn size(row: &RecordRow) -> Option<&Arc<Record>> {
+    match &row.entry.as_ref().ok()?.check()?.what {
+        Checked::Size(record) => Some(record),
+        Checked::Cycle(_) => None,
+    }
+}

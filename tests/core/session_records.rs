@@ -1,0 +1,462 @@
+//! What the session records, and the records page: without a window, a file or a thread.
+
+use std::sync::Arc;
+
+use fitcheck::journal::Record;
+use fitcheck::journal::chain::{ChainId, Hash, Head};
+use fitcheck::journal::entry::{About, Check, Checked, Content, Correction, Entry, FileRole, Moment};
+use fitcheck::length::Length;
+use fitcheck::message::Message;
+use fitcheck::probing::{Measurement, Origin};
+use fitcheck::session::records::{Found, Numbers, PAGE, Shorthand, Walk};
+use fitcheck::session::{
+    Action, CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, ListCommand, MeasureBy, OpenJournal, Page,
+    ProgramCommand, RESTORED, RecordRow, Recorded, RecordsCommand, RecordsField, Saved, Session, Step,
+};
+use fitcheck::tolerance::Sources;
+use fitcheck::words::Language;
+use jiff::civil::{DateTime, date};
+use jiff::tz::{TimeZone, offset};
+
+fn now() -> DateTime {
+    date(2026, 11, 21).at(10, 42, 7, 0)
+}
+
+fn send(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
+    session.apply(command.into(), now())
+}
+
+fn typed(session: &mut Session, field: impl Into<Field>, text: &str) -> Vec<Effect> {
+    let command = field.into().typed(text.to_owned());
+    session.apply(command, now())
+}
+
+fn begin(session: &mut Session) -> Vec<Effect> {
+    let (usual, zone) = (Some("/data/journal.sqlite".into()), TimeZone::fixed(offset(1)));
+    send(session, RecordsCommand::Begin { usual, station: "Mill 3".to_owned(), zone })
+}
+
+fn head(number: u64) -> Head {
+    Head { number, hash: Hash([u8::try_from(number % 251).unwrap(); 32]) }
+}
+
+fn journal(number: u64) -> Box<OpenJournal> {
+    Box::new(OpenJournal { chain: ChainId([1; 16]), head: head(number), remarks: Vec::new() })
+}
+
+/// A session whose journal is open.
+fn recording() -> Session {
+    let mut session = Session::new(Language::En);
+    begin(&mut session);
+    send(&mut session, RecordsCommand::Opened(Ok((journal(1), Vec::new()))));
+    session
+}
+
+fn measure(session: &mut Session, callout: &str, measured: &str) -> Vec<Effect> {
+    typed(session, CheckField::Callout, callout);
+    typed(session, CheckField::Measured, measured);
+    send(session, CheckCommand::Measure)
+}
+
+/// What an effect wants to be kept.
+#[track_caller]
+fn kept(effects: &[Effect]) -> (u64, Vec<Entry>) {
+    let [Effect::Keep { run, entries }] = effects else { panic!("{effects:?}") };
+    (*run, entries.clone())
+}
+
+fn size(entry: &Entry) -> &Record {
+    match &entry.check().unwrap().what {
+        Checked::Size(record) => record,
+        Checked::Cycle(cycle) => panic!("{cycle:?}"),
+    }
+}
+
+fn record(part: &str, um: i64) -> Record {
+    let callout: fitcheck::tolerance::Callout = "25 H7".parse().unwrap();
+    let limits = Sources::default().limits(&callout, None).unwrap();
+    let measured = Length::from_nanometres(25_000_000 + um * 1_000).unwrap();
+    Record::judged(
+        now(),
+        part.to_owned(),
+        Some(callout),
+        limits,
+        Measurement::of_diameter(measured, Origin::Typed),
+        None,
+    )
+}
+
+fn about(part: &str) -> About {
+    let time = Moment { utc_ms: 1_795_254_127_000, offset_min: 60, zone: String::new() };
+    let [station, who] = ["Mill 3", "Anna"].map(str::to_owned);
+    About {
+        station,
+        time,
+        who,
+        part: part.to_owned(),
+        serial: String::new(),
+        feature: String::new(),
+        remark: String::new(),
+    }
+}
+
+fn row(number: u64, content: Content, corrected_by: Option<u64>) -> RecordRow {
+    let entry = Ok(Entry { about: about(&format!("P{number}")), content });
+    RecordRow { head: head(number), entry, corrected_by, went_back: false }
+}
+
+fn check_row(number: u64, um: i64, corrected_by: Option<u64>) -> RecordRow {
+    let what = Checked::Size(Arc::new(record(&format!("P{number}"), um)));
+    row(number, Content::Check(Box::new(Check { what, files: Vec::new(), corrects: None })), corrected_by)
+}
+
+#[test]
+fn the_window_opens_the_usual_journal_or_the_one_of_the_state_file_or_none() {
+    let opens = |saved: &str| {
+        let (mut session, _) = Session::restore(Saved::read(saved.as_bytes()).unwrap());
+        let file = begin(&mut session).iter().find_map(|effect| match effect {
+            Effect::OpenJournal { file, station, newest } if station == "Mill 3" && *newest == RESTORED => {
+                Some(file.display().to_string())
+            }
+            _ => None,
+        });
+        (file, session.recording().is_on())
+    };
+    assert_eq!(opens("version = 1"), (Some("/data/journal.sqlite".to_owned()), true));
+    assert_eq!(opens("version = 1\n[records]\nfile = \"/other.sqlite\""), (Some("/other.sqlite".to_owned()), true));
+    assert_eq!(opens("version = 1\n[records]\noff = true"), (None, false));
+    let mut session = Session::new(Language::En);
+    let zone = TimeZone::UTC;
+    assert_eq!(send(&mut session, RecordsCommand::Begin { usual: None, station: String::new(), zone }), []);
+    assert_eq!(measure(&mut session, "25 H7", "25.012"), []);
+    assert_eq!(session.check_recorded(), None);
+}
+
+#[test]
+fn a_check_is_recorded_with_who_part_serial_and_remark_and_counts_once_it_is_on_disk() {
+    let mut session = recording();
+    send(&mut session, RecordsCommand::UseName(" Anna ".to_owned()));
+    for (field, text) in [(CheckField::Part, "Flange"), (CheckField::Serial, "S-1"), (CheckField::Remark, "first")] {
+        typed(&mut session, field, text);
+    }
+    let (run, entries) = kept(&measure(&mut session, "25 H7", "24.998"));
+    let told = &entries[0].about;
+    let texts = [&told.station, &told.who, &told.part, &told.serial, &told.feature, &told.remark];
+    assert_eq!(texts, ["Mill 3", "Anna", "Flange", "S-1", "", "first"]);
+    assert_eq!(told.time.utc_ms, 0, "the clock is outside");
+    assert_eq!(size(&entries[0]).verdict.status().to_string(), "REWORK");
+    assert_eq!(session.check_recorded(), Some(Recorded::Waiting));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(7)]) });
+    assert_eq!(session.check_recorded(), Some(Recorded::Kept(7)));
+    assert!(session.notices().is_empty());
+    // The name goes with what is saved, the newest first.
+    send(&mut session, RecordsCommand::UseName("Bert".to_owned()));
+    let saved = session.saved().records;
+    assert_eq!((saved.who.as_str(), saved.names), ("Bert", vec!["Bert".to_owned(), "Anna".to_owned()]));
+}
+
+#[test]
+fn simulated_checks_are_recorded_as_simulated() {
+    let mut session = recording();
+    typed(&mut session, CheckField::Callout, "25 H7");
+    send(&mut session, CheckCommand::MeasureBy(MeasureBy::Simulating));
+    let (_, entries) = kept(&send(&mut session, CheckCommand::Measure));
+    assert!(entries[0].check().unwrap().is_simulated());
+}
+
+#[test]
+fn what_fails_stays_and_is_written_again_in_its_order() {
+    let mut session = recording();
+    let (first, entries) = kept(&measure(&mut session, "25 H7", "25.012"));
+    let why = Message::new("records-page-no-thread");
+    send(&mut session, RecordsCommand::Kept { run: first, result: Err(why.clone()) });
+    assert_eq!(session.check_recorded(), Some(Recorded::Failed(&why)));
+    let (second, _) = kept(&measure(&mut session, "25 H7", "25.013"));
+    send(&mut session, RecordsCommand::Kept { run: second, result: Err(why.clone()) });
+    assert_eq!(session.notices().len(), 1, "one notice for both");
+    assert!(session.would_lose() && session.recording().failed() == 2);
+    assert!(!send(&mut session, Command::AskToLeave).contains(&Effect::Leave));
+    send(&mut session, Command::Leave(false));
+    let again = send(&mut session, RecordsCommand::TryAgain);
+    let runs = again.iter().filter_map(|effect| match effect {
+        Effect::Keep { run, .. } => Some(*run),
+        _ => None,
+    });
+    let runs: Vec<u64> = runs.collect();
+    assert_eq!(runs, [first, second]);
+    assert!(again.contains(&Effect::Keep { run: first, entries }));
+    for (run, number) in [(first, 2), (second, 3)] {
+        send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(number)]) });
+    }
+    assert_eq!(session.check_recorded(), Some(Recorded::Kept(3)));
+    assert!(!session.would_lose() && !session.can(Action::RecordAgain) && session.notices().is_empty());
+}
+
+#[test]
+fn a_journal_that_cannot_be_opened_is_told_and_opened_again() {
+    let mut session = Session::new(Language::En);
+    begin(&mut session);
+    let (run, _) = kept(&measure(&mut session, "25 H7", "25.012"));
+    let why = Message::new("records-page-no-thread");
+    send(&mut session, RecordsCommand::Opened(Err(why.clone())));
+    send(&mut session, RecordsCommand::Kept { run, result: Err(why) });
+    let again = send(&mut session, RecordsCommand::TryAgain);
+    assert!(matches!(again.as_slice(), [Effect::OpenJournal { .. }, Effect::Keep { .. }]), "{again:?}");
+}
+
+#[test]
+fn the_newest_checks_of_the_journal_are_the_history_without_those_that_stand_no_longer() {
+    let mut session = Session::new(Language::En);
+    begin(&mut session);
+    // A check that was made before the journal answered is the newest.
+    let (run, _) = kept(&measure(&mut session, "25 H7", "25.012"));
+    let back = Correction { target: head(3), reason: "test".to_owned() };
+    let rows = vec![
+        check_row(2, 4, None),
+        check_row(3, 5, Some(4)),
+        row(4, Content::Withdrawal(back), None),
+        check_row(5, -3, None),
+    ];
+    send(&mut session, RecordsCommand::Opened(Ok((journal(5), rows))));
+    let parts: Vec<_> = session.history().iter().map(|record| record.id.clone()).collect();
+    assert_eq!(parts, ["P2", "P5", ""]);
+    assert!(session.notices().is_empty());
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(6)]) });
+    for (step, number) in [(Step::Bottom, 2), (Step::Up, 5), (Step::Up, 6)] {
+        send(&mut session, ListCommand::Move(step));
+        let cursor = session.history().cursor().unwrap();
+        send(&mut session, CheckCommand::Show(cursor));
+        assert_eq!(session.check_recorded(), Some(Recorded::Kept(number)));
+    }
+    // Undo takes back what was done here, and nothing else.
+    send(&mut session, CheckCommand::Undo);
+    assert_eq!(session.history().len(), 2);
+    assert!(!session.can(Action::Undo));
+}
+
+#[test]
+fn cycles_and_programs_record_each_verdict_once() {
+    let mut session = recording();
+    let block = "TCH PROBE 421 ~\nQ273=0~\nQ274=0~\nQ262=25~\nQ275=25.02~\nQ276=25";
+    for command in [CyclesCommand::TypeBlock(block.into()), CyclesCommand::TakeBlock] {
+        send(&mut session, command);
+    }
+    let (_, entries) = kept(&send(&mut session, CyclesCommand::Run));
+    let Checked::Cycle(cycle) = &entries[0].check().unwrap().what else { panic!("a cycle") };
+    assert_eq!((cycle.cycle, cycle.origin.is_simulated()), (421, true));
+    assert_eq!(cycle.limits, Some(["25", "25.02"].map(|mm| mm.parse().unwrap())));
+    assert!(cycle.parameters.contains(&("Q262".to_owned(), "25".to_owned())), "{:?}", cycle.parameters);
+    send(&mut session, Command::OpenPage(Page::Program));
+    let mut sent = Vec::new();
+    sent.extend(send(&mut session, ProgramCommand::Run));
+    while session.program().is_running() {
+        sent.extend(send(&mut session, ProgramCommand::Tick));
+    }
+    sent.extend(send(&mut session, ProgramCommand::Tick));
+    let (_, entries) = kept(&sent);
+    let check = entries[0].check().unwrap();
+    assert_eq!(entries.len(), 1);
+    assert_eq!(check.files[0].role, FileRole::Program);
+    let Checked::Cycle(cycle) = &check.what else { panic!("a cycle") };
+    assert!(cycle.block.as_ref().is_some_and(|(_, line)| 1 < *line), "{:?}", cycle.block);
+}
+
+#[test]
+fn a_question_is_read_at_every_change_and_an_older_answer_is_dropped() {
+    let mut session = recording();
+    let asked = send(&mut session, Command::OpenPage(Page::Records));
+    let [Effect::AskRecords { run, rests: false, .. }] = asked.as_slice() else { panic!("{asked:?}") };
+    let first = *run;
+    let asked = typed(&mut session, RecordsField::Question, "part:P7");
+    let [Effect::AskRecords { run, question, rests: true }] = asked.as_slice() else { panic!("{asked:?}") };
+    assert_eq!(question.part.as_deref(), Some("P7"));
+    let found = |numbers| Ok(Found { numbers, is_end: true });
+    send(&mut session, RecordsCommand::Found { run: first, result: found(Numbers::All { newest: 9, oldest: 2 }) });
+    assert_eq!(session.records().listing().count(), 0, "an answer to another question");
+    send(&mut session, RecordsCommand::Found { run: *run, result: found(Numbers::These(vec![7])) });
+    assert_eq!(session.records().listing().count(), 1);
+    // What is wrong is said with its place, and what was found stays.
+    assert_eq!(typed(&mut session, RecordsField::Question, "part:P7 verdict:bent"), []);
+    assert!(session.error(RecordsField::Question).is_some());
+    assert_eq!(session.culprit(RecordsField::Question).map(|span| span.start), Some(16));
+    assert_eq!(session.records().listing().count(), 1);
+}
+
+#[test]
+fn buttons_write_their_word_into_the_question_and_take_it_out() {
+    let mut session = recording();
+    send(&mut session, Command::OpenPage(Page::Records));
+    typed(&mut session, RecordsField::Question, "part:\"today  works\"");
+    assert!(!session.records().has(Shorthand::Today), "within quotation marks it is another word");
+    let asked = send(&mut session, RecordsCommand::Toggle(Shorthand::Today));
+    assert_eq!(session.text(RecordsField::Question), "part:\"today  works\" today");
+    let [Effect::AskRecords { question, .. }] = asked.as_slice() else { panic!("{asked:?}") };
+    // Midnight in a zone an hour ahead of UTC.
+    assert_eq!(question.from_ms, Some(1_795_215_600_000));
+    for shorthand in [Shorthand::NotGood, Shorthand::Today, Shorthand::NotGood] {
+        let asked = send(&mut session, RecordsCommand::Toggle(shorthand));
+        assert!(matches!(asked.as_slice(), [Effect::AskRecords { .. }]), "{asked:?}");
+    }
+    assert_eq!(session.text(RecordsField::Question), "part:\"today  works\"");
+}
+
+/// A page over so many records, all of which are listed.
+fn listed(count: u64) -> Session {
+    let mut session = recording();
+    let asked = send(&mut session, Command::OpenPage(Page::Records));
+    let [Effect::AskRecords { run, .. }] = asked.as_slice() else { panic!("{asked:?}") };
+    let found = Found { numbers: Numbers::All { newest: count + 1, oldest: 2 }, is_end: true };
+    send(&mut session, RecordsCommand::Found { run: *run, result: Ok(found) });
+    session
+}
+
+fn read(session: &mut Session, effects: Vec<Effect>) -> usize {
+    let mut pages = 0;
+    for effect in effects {
+        if let Effect::ReadRecords(numbers) = effect {
+            let rows = numbers.iter().map(|number| Arc::new(check_row(*number, 4, None))).collect();
+            send(session, RecordsCommand::Read { numbers, result: Ok(rows) });
+            pages += 1;
+        }
+    }
+    pages
+}
+
+#[test]
+fn of_a_million_records_pages_in_sight_and_the_next_one_are_read_and_few_are_kept() {
+    let mut session = listed(1_000_000);
+    let last = 1_000_000 - 10;
+    let effects = send(&mut session, RecordsCommand::See(0..20));
+    assert_eq!(effects.len(), 2, "the page in sight and the next one");
+    assert_eq!(read(&mut session, effects), 2);
+    assert_eq!(send(&mut session, RecordsCommand::See(0..20)), []);
+    for start in (0..last).step_by(20_011) {
+        let effects = send(&mut session, RecordsCommand::See(start..start + 20));
+        read(&mut session, effects);
+        assert!(session.records().listing().row(1_000_001 - u64::try_from(start).unwrap()).is_some());
+        assert!(session.records().listing().read() <= 20 * PAGE);
+    }
+    // The last row is the first check.
+    let effects = send(&mut session, RecordsCommand::See(last..1_000_000));
+    read(&mut session, effects);
+    let listing = session.records().listing();
+    assert_eq!((listing.at(999_999), listing.at(1_000_000), listing.place_of(2)), (Some(2), None, Some(999_999)));
+    assert!(listing.row(2).is_some());
+    send(&mut session, RecordsCommand::Move(Step::Last));
+    assert_eq!(session.records().cursor(), Some(2));
+}
+
+#[test]
+fn rows_that_cannot_be_read_are_said_and_not_asked_for_again_and_again() {
+    let mut session = listed(1_000);
+    let effects = send(&mut session, RecordsCommand::See(0..20));
+    let Some(Effect::ReadRecords(numbers)) = effects.into_iter().next() else { panic!("rows") };
+    let why = Message::new("records-page-no-thread");
+    send(&mut session, RecordsCommand::Read { numbers, result: Err(why.clone()) });
+    assert_eq!(session.records().listing().unread(), Some(&why));
+    assert!(!session.records().listing().lacks(&(0..20)));
+    assert_eq!(send(&mut session, RecordsCommand::See(0..20)), []);
+}
+
+/// A page with these records, the first of them open.
+fn opened(rows: Vec<RecordRow>) -> Session {
+    let mut session = recording();
+    let asked = send(&mut session, Command::OpenPage(Page::Records));
+    let [Effect::AskRecords { run, .. }] = asked.as_slice() else { panic!("{asked:?}") };
+    let numbers: Vec<u64> = rows.iter().map(|row| row.head.number).collect();
+    let found = Found { numbers: Numbers::These(numbers.clone()), is_end: true };
+    send(&mut session, RecordsCommand::Found { run: *run, result: Ok(found) });
+    let first = numbers[0];
+    let rows = rows.into_iter().map(Arc::new).collect();
+    send(&mut session, RecordsCommand::Read { numbers, result: Ok(rows) });
+    send(&mut session, RecordsCommand::Open(first));
+    session
+}
+
+#[test]
+fn a_correction_needs_a_reason_and_something_else_and_names_what_it_corrects() {
+    let mut session = opened(vec![check_row(8, -3, None)]);
+    send(&mut session, RecordsCommand::Correct(true));
+    assert_eq!(send(&mut session, RecordsCommand::SendCorrection), []);
+    assert!(session.error(RecordsField::Reason).is_some());
+    typed(&mut session, RecordsField::Reason, " typed wrongly ");
+    assert_eq!(send(&mut session, RecordsCommand::SendCorrection), [], "nothing is different");
+    typed(&mut session, RecordsField::Measured, "25.0O3");
+    assert_eq!(send(&mut session, RecordsCommand::SendCorrection), []);
+    assert!(session.error(RecordsField::Measured).is_some());
+    typed(&mut session, RecordsField::Measured, "25,003");
+    typed(&mut session, RecordsField::Measurer, "Bert");
+    let (run, entries) = kept(&send(&mut session, RecordsCommand::SendCorrection));
+    let Some(Correction { target, reason }) = entries[0].corrects() else { panic!("a correction") };
+    assert_eq!((*target, reason.as_str()), (head(8), "typed wrongly"));
+    let corrected = size(&entries[0]);
+    assert_eq!((corrected.verdict.status().to_string().as_str(), corrected.time), ("GOOD", now()));
+    assert_eq!(entries[0].about.who, "Bert");
+    assert_eq!(send(&mut session, RecordsCommand::SendCorrection), [], "it is sent once");
+    let effects = send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(9)]) });
+    assert!(session.records().correcting().is_none());
+    assert!(effects.contains(&Effect::ReadRecords(vec![9])), "the new one is opened: {effects:?}");
+}
+
+#[test]
+fn a_withdrawal_and_what_is_corrected_already_cannot_be_corrected() {
+    let back = Correction { target: head(3), reason: "test".to_owned() };
+    for row in [check_row(8, 4, Some(9)), row(9, Content::Withdrawal(back), None)] {
+        let mut session = opened(vec![row]);
+        assert!(!session.can(Action::CorrectRecord));
+        send(&mut session, RecordsCommand::Correct(true));
+        assert!(session.records().correcting().is_none());
+    }
+    let mut session = opened(vec![check_row(8, 4, None)]);
+    send(&mut session, RecordsCommand::Correct(true));
+    send(&mut session, RecordsCommand::Withdraw(true));
+    typed(&mut session, RecordsField::Reason, "was a test");
+    let (_, entries) = kept(&send(&mut session, RecordsCommand::SendCorrection));
+    assert!(matches!(entries[0].content, Content::Withdrawal(_)));
+}
+
+#[test]
+fn measure_again_takes_callout_part_serial_and_rule() {
+    let mut session = opened(vec![check_row(8, -3, None)]);
+    let again = Action::MeasureAgain.command(&session).unwrap();
+    send(&mut session, again);
+    assert_eq!(session.page(), Page::Check);
+    assert_eq!((session.text(CheckField::Callout), session.text(CheckField::Part)), ("25 H7", "P8"));
+    assert!(session.check().shown().is_none());
+    let (_, entries) = kept(&measure(&mut session, "25 H7", "25.003"));
+    assert_eq!(entries[0].about.part, "P8");
+}
+
+#[test]
+fn a_walk_that_was_cancelled_says_so_and_its_late_answer_is_dropped() {
+    let mut session = recording();
+    send(&mut session, Command::OpenPage(Page::Records));
+    let effects = send(&mut session, RecordsCommand::Verify);
+    let [Effect::VerifyRecords { run }] = effects.as_slice() else { panic!("{effects:?}") };
+    send(&mut session, RecordsCommand::Verifying { run: *run, done: 10, of: 20 });
+    assert_eq!(*session.records().walk(), Walk::Running { done: 10, of: 20 });
+    assert_eq!(send(&mut session, RecordsCommand::CancelVerify), [Effect::StopVerify]);
+    let result = Err(Message::new("store-interrupted"));
+    send(&mut session, RecordsCommand::Verified { run: *run, result, at: now() });
+    assert_eq!(*session.records().walk(), Walk::Cancelled);
+}
+
+#[test]
+fn a_file_that_was_used_is_named_with_its_hash() {
+    let mut session = recording();
+    let bytes = b"id;callout;measured\nA;25 H7;25,012\nB;25 H7;24,998\n";
+    let sha256 = Hash::of_file(bytes);
+    typed(&mut session, CheckField::Serial, "S-1");
+    send(&mut session, RecordsCommand::Measured { name: "lot.csv".to_owned(), sha256 });
+    let imported = fitcheck::exchange::import("lot.csv", bytes, &Sources::default(), now());
+    let effects =
+        send(&mut session, CheckCommand::Imported { name: "lot.csv".to_owned(), result: Ok(Box::new(imported)) });
+    let (_, entries) = kept(&effects);
+    assert_eq!(entries.len(), 2);
+    for (entry, part) in entries.iter().zip(["A", "B"]) {
+        let file = &entry.check().unwrap().files[0];
+        assert_eq!((file.role, &*file.name, file.sha256), (FileRole::Measurements, "lot.csv", sha256));
+        // Each row is another part: no serial number is that of all of them.
+        assert_eq!((entry.about.part.as_str(), entry.about.serial.as_str()), (part, ""));
+    }
+}

@@ -1,0 +1,601 @@
+//! Records by label and key: a check and its number, a restart, the records page with its question, an open record, a correction,
+//! the walk along the chain; a million records that are read slowly; a full disk.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::sync::atomic::Ordering::SeqCst;
+use std::time::{Duration, Instant};
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, Theme, Vec2, ViewportId, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
+use fitcheck::gui::journal::{Journals, Local, Records};
+use fitcheck::gui::{App, Store};
+use fitcheck::session::{
+    CheckCommand, Command, CyclesCommand, Density, Field, FilesCommand, MeasureBy, Page, ProgramCommand, Purpose,
+    Recorded, RecordsCommand, RecordsField,
+};
+use fitcheck::words::Language;
+use jiff::tz::{TimeZone, offset};
+
+use crate::fake_journal::Fake;
+use crate::harness::{Window, check, click, cursor, moment, press, rows, type_into, verdict};
+use crate::pictures::can_paint;
+
+fn records(journals: impl Journals + 'static, folder: &Path) -> Records {
+    Records {
+        journals: Arc::new(journals),
+        usual: Some(folder.join("journal.sqlite")),
+        station: "Mill 3".to_owned(),
+        moment,
+        zone: TimeZone::fixed(offset(1)),
+        always_threads: false,
+    }
+}
+
+/// A window that records into a folder.
+fn at(folder: &Path) -> Window {
+    let local = Local::with_anchors(Some(folder.join("heads.txt")));
+    Window { records: records(local, folder), ..Window::default() }
+}
+
+fn send(window: &mut Harness<'_, App>, command: impl Into<Command>) {
+    let ctx = window.ctx.clone();
+    window.state_mut().send(&ctx, command.into());
+    window.run();
+}
+
+fn press_ctrl(window: &mut Harness<'_, App>, key: Key) {
+    window.key_press_modifiers(Modifiers::COMMAND, key);
+    window.run();
+}
+
+fn type_part(window: &mut Harness<'_, App>, part: &str) {
+    type_into(window, "Part or feature", part);
+}
+
+/// Three checks: a good bore, one to rework, a scrapped shaft.
+fn three(window: &mut Harness<'_, App>) {
+    for (part, callout, measured) in
+        [("Flange 1", "25 H7", "25.012"), ("Flange 2", "25 H7", "24.998"), ("Pin 3", "25 h6", "24.980")]
+    {
+        type_part(window, part);
+        check(window, callout, measured);
+    }
+}
+
+#[test]
+fn a_check_has_its_number_once_it_is_on_disk_and_is_there_after_a_restart() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    three(&mut window);
+    // The first entry is the beginning of the journal.
+    window.get_by_label("Record 4");
+    assert_eq!(window.state().session().check_recorded(), Some(Recorded::Kept(4)));
+    let before = rows(&window);
+    assert_eq!(before.len(), 3);
+    eframe::App::on_exit(window.state_mut(), None);
+    drop(window);
+    let mut again = at(folder.path()).open();
+    assert_eq!(rows(&again), before, "the history of the window before");
+    assert!(!again.state().session().can(fitcheck::session::Action::Undo), "nothing of it can be undone");
+    assert_eq!(verdict(&again), "No result");
+    assert_eq!(again.state().session().notices(), []);
+    check(&mut again, "25 H7", "25.010");
+    again.get_by_label("Record 5");
+    press_ctrl(&mut again, Key::Num8);
+    assert_eq!(again.state().session().page(), Page::Records);
+    let listed = rows(&again);
+    assert_eq!(listed.len(), 4);
+    assert!(listed[0].starts_with("Record 5, 2026-11-21 10:42:07,"), "{listed:?}");
+    assert!(listed[1].contains("Pin 3, 25 h6, 24.980 mm, \u{2212}20 µm, SCRAP"), "{listed:?}");
+    assert!(listed[3].contains("Flange 1, 25 H7, 25.012 mm, +12 µm, GOOD"), "{listed:?}");
+    again.get_by_label("4 records");
+    again.get_by_label_contains("journal.sqlite · 5 entries");
+}
+
+#[test]
+fn a_shown_check_tells_its_record_and_clearing_tells_that_records_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    three(&mut window);
+    let row = rows(&window)[2].clone();
+    window.get_by_label(&row).click();
+    window.run();
+    window.get_by_label("Record 2");
+    send(&mut window, CheckCommand::ClearHistory);
+    window.get_by_label("Records stay in the journal");
+    send(&mut window, Command::Close);
+    send(&mut window, CheckCommand::Undo);
+    check(&mut window, "25 H7", "25.010");
+    send(&mut window, CheckCommand::Undo);
+    window.get_by_label("Records stay in the journal");
+    send(&mut window, Command::OpenPage(Page::Records));
+    assert_eq!(rows(&window).len(), 4);
+}
+
+#[test]
+fn a_question_is_typed_and_its_words_have_buttons() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    three(&mut window);
+    press_ctrl(&mut window, Key::Num8);
+    press_ctrl(&mut window, Key::F);
+    type_into(&mut window, "Find", "flange");
+    assert_eq!(rows(&window).len(), 2);
+    window.get_by_label("2 records");
+    click(&mut window, Role::Button, "Not good");
+    let field = window.get_by_role_and_label(Role::TextInput, "Find").accesskit_node().value();
+    assert_eq!(field.as_deref(), Some("flange verdict:rework,re-measure,scrap"));
+    assert_eq!(rows(&window).len(), 1);
+    click(&mut window, Role::Button, "Not good");
+    click(&mut window, Role::Button, "Today");
+    assert_eq!(rows(&window).len(), 2, "recorded today");
+    type_into(&mut window, "Find", "verdict:bent");
+    assert!(window.state().session().error(RecordsField::Question).is_some());
+    assert_eq!(rows(&window).len(), 2, "the rows of the question before");
+    type_into(&mut window, "Find", "serial:nothing");
+    assert_eq!(rows(&window), [""; 0]);
+    window.get_by_label("No record matches");
+    press(&mut window, Key::Escape);
+    assert_eq!(rows(&window).len(), 3, "Escape empties the question");
+}
+
+#[test]
+fn keys_walk_the_list_and_enter_opens_a_record_with_its_reasoning() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    type_into(&mut window, "Part or feature", "Flange 1");
+    window.get_by_label("Record").click();
+    window.run();
+    type_into(&mut window, "Serial number", "S-17");
+    type_into(&mut window, "Remark", "after the crash");
+    send(&mut window, RecordsCommand::UseName("Anna".to_owned()));
+    check(&mut window, "25 H7", "24.998");
+    check(&mut window, "25 H7", "25.001");
+    press_ctrl(&mut window, Key::Num8);
+    press(&mut window, Key::ArrowDown);
+    assert!(cursor(&window).starts_with("Record 3"), "{}", cursor(&window));
+    press(&mut window, Key::ArrowDown);
+    assert!(cursor(&window).starts_with("Record 2"), "{}", cursor(&window));
+    press(&mut window, Key::Enter);
+    for said in ["S-17", "after the crash", "Anna", "Mill 3", "25.000 … 25.021 mm", "REWORK"] {
+        assert!(window.query_by_label(said).is_some(), "{said}");
+    }
+    window.get_by_label("2026-11-21 10:42:07 (+01:00 Europe/Amsterdam)");
+    let hash = window.state().session().records().opened_row().unwrap().head.hash.to_string();
+    window.get_by_label(&hash);
+    press(&mut window, Key::Escape);
+    assert_eq!(window.state().session().records().opened(), None);
+    window.get_by_role(Role::Grid).focus();
+    window.run();
+    window.input_mut().events.push(Event::Copy);
+    window.step();
+    let copied = window.output().platform_output.commands.iter().find_map(|command| match command {
+        OutputCommand::CopyText(text) => Some(text.clone()),
+        _ => None,
+    });
+    let copied = copied.unwrap();
+    assert!(copied.contains("2\t2026-11-21 10:42:07\tFlange 1\tS-17\t\t25 H7\t24.998\t-2\tREWORK\tAnna\t"), "{copied}");
+}
+
+#[test]
+fn a_record_is_corrected_with_a_reason_and_both_stay() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    three(&mut window);
+    press_ctrl(&mut window, Key::Num8);
+    let first = rows(&window)[2].clone();
+    window.get_by_label(&first).click();
+    window.run();
+    click(&mut window, Role::Button, "Correct…");
+    click(&mut window, Role::Button, "Record the correction");
+    window.get_by_label("A correction needs a reason");
+    type_into(&mut window, "Reason", "read from the wrong part");
+    click(&mut window, Role::Button, "Record the correction");
+    window.get_by_label("Nothing is different: change a field, or withdraw the record");
+    type_into(&mut window, "Typed value, mm", "25.023");
+    type_into(&mut window, "Part", "Flange 7");
+    click(&mut window, Role::Button, "Record the correction");
+    // The new record is open, and stands in place of the old one.
+    window.get_by_role_and_label(Role::Button, "In place of record 2");
+    window.get_by_label("read from the wrong part");
+    let listed = rows(&window);
+    assert!(
+        listed[0].contains("Record 5") && listed[0].contains("Flange 7, 25 H7, 25.023 mm, +23 µm, SCRAP"),
+        "{listed:?}"
+    );
+    assert!(listed[3].contains("Record 2") && listed[3].contains("See 5"), "{listed:?}");
+    click(&mut window, Role::Button, "In place of record 2");
+    window.get_by_role_and_label(Role::Button, "Corrected or withdrawn by record 5");
+    assert!(window.query_by_role_and_label(Role::Button, "Correct…").unwrap().accesskit_node().is_disabled());
+    // A record is taken back, too.
+    window.get_by_label(&listed[1]).click();
+    window.run();
+    click(&mut window, Role::Button, "Correct…");
+    click(&mut window, Role::CheckBox, "Withdraw the record");
+    type_into(&mut window, "Reason", "was a test");
+    press(&mut window, Key::Enter);
+    let listed = rows(&window);
+    assert!(listed[0].contains("Record 6") && listed[0].contains("Withdraws 4"), "{listed:?}");
+    // The history of the next window has what stands.
+    drop(window);
+    let again = at(folder.path()).open();
+    let history = rows(&again);
+    assert_eq!(history.len(), 2, "{history:?}");
+    assert!(history[0].contains("Flange 7") && history[1].contains("Flange 2"), "{history:?}");
+}
+
+#[test]
+fn what_a_record_asked_for_is_measured_again() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    three(&mut window);
+    press_ctrl(&mut window, Key::Num8);
+    let first = rows(&window)[2].clone();
+    window.get_by_label(&first).click();
+    window.run();
+    click(&mut window, Role::Button, "Measure again");
+    assert_eq!(window.state().session().page(), Page::Check);
+    let value = |window: &Harness<'_, App>, name: &str| {
+        window.get_by_role_and_label(Role::TextInput, name).accesskit_node().value().unwrap_or_default()
+    };
+    assert_eq!((value(&window, "Callout"), value(&window, "Part or feature")), ("25 H7".into(), "Flange 1".into()));
+    assert_eq!((value(&window, "Measured value"), verdict(&window)), (String::new(), "No result".into()));
+}
+
+#[test]
+fn the_chain_is_walked_and_the_answer_has_its_date() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    three(&mut window);
+    press_ctrl(&mut window, Key::Num8);
+    click(&mut window, Role::Button, "Verify");
+    window.get_by_label_contains("2026-11-21 10:42:07: 4 entries verified, up to 4");
+}
+
+#[test]
+fn a_report_of_chosen_records_leaves_simulated_ones_out_unless_they_are_asked_for() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    three(&mut window);
+    send(&mut window, CheckCommand::MeasureBy(MeasureBy::Simulating));
+    send(&mut window, CheckCommand::Measure);
+    send(&mut window, Command::OpenPage(Page::Records));
+    assert!(rows(&window)[0].contains("SIMULATED"), "{:?}", rows(&window));
+    for number in [4, 5] {
+        click(&mut window, Role::CheckBox, &format!("Choose record {number} for a report"));
+    }
+    window.get_by_label("2 chosen");
+    window.get_by_label("1 simulated check is left out");
+    let report = |window: &mut Harness<'_, App>, name: &str| {
+        let path = folder.path().join(name);
+        let csv = fitcheck::report::RENDERINGS.iter().position(|to| to.name == "html").unwrap();
+        send(window, Command::OpenDialog(Purpose::ReportRecords(csv)));
+        send(window, Command::TypePath(path.display().to_string()));
+        send(window, Command::Confirm);
+        send(window, Command::Close);
+        std::fs::read_to_string(path).unwrap()
+    };
+    let without = report(&mut window, "without.html");
+    assert!(without.contains("Pin 3") && without.contains("1 simulated check is left out"));
+    assert!(without.contains("records 4, 5; its newest entry is 5"));
+    click(&mut window, Role::CheckBox, "With simulated checks");
+    let with = report(&mut window, "with.html");
+    assert!(with.contains("1 of these checks is simulated: it is no evidence"));
+}
+
+#[test]
+fn every_page_that_judges_records_and_says_so() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    let block = "TCH PROBE 421 ~\nQ273=50~\nQ274=20~\nQ262=25~\nQ275=25.02~\nQ276=25";
+    for command in [CyclesCommand::TypeBlock(block.to_owned()), CyclesCommand::TakeBlock, CyclesCommand::Run] {
+        send(&mut window, command);
+    }
+    send(&mut window, Command::OpenPage(Page::Cycles));
+    window.get_by_label("Record 2");
+    send(&mut window, Command::OpenPage(Page::Program));
+    send(&mut window, ProgramCommand::Run);
+    while window.state().session().program().is_running() {
+        window.run_steps(1);
+    }
+    window.run_ok();
+    window.get_by_label("Record 3");
+    let contacts = Path::new(env!("CARGO_MANIFEST_DIR")).join("docs/examples/plate_fit.csv");
+    send(&mut window, Command::OpenPage(Page::Check));
+    let path = folder.path().join("parts.csv");
+    fitcheck::files::write(&path, b"id;callout;measured\nA;25 H7;25,012\nB;25 H7;24,998\n").unwrap();
+    send(&mut window, FilesCommand::Open(Purpose::Import, path));
+    send(&mut window, Command::Close);
+    send(&mut window, Command::OpenPage(Page::Records));
+    let listed = rows(&window);
+    assert_eq!(listed.len(), 4, "{listed:?}");
+    assert!(listed[3].contains("Cycle 421") && listed[3].contains("SIMULATED"), "{listed:?}");
+    // A file that was used has its hash.
+    window.get_by_label(&listed[0]).click();
+    window.run();
+    let hash = fitcheck::journal::chain::Hash::of_file(b"id;callout;measured\nA;25 H7;25,012\nB;25 H7;24,998\n");
+    window.get_by_label(&format!("parts.csv · SHA-256 {hash}"));
+    assert!(contacts.exists());
+}
+
+#[test]
+fn who_measures_is_chosen_once_and_changed_with_two_touches() {
+    let folder = tempfile::tempdir().unwrap();
+    let store = Store::at(&folder.path().join("state.toml"));
+    let mut window = Window { store: store.clone(), ..at(folder.path()) }.open();
+    click(&mut window, Role::Button, "Measured by nobody in particular. Choose a name");
+    type_into(&mut window, "Another name", "Anna");
+    press(&mut window, Key::Enter);
+    click(&mut window, Role::Button, "Measured by Anna");
+    type_into(&mut window, "Another name", "Bert");
+    click(&mut window, Role::Button, "Use this name");
+    // Two touches: the button and the name.
+    click(&mut window, Role::Button, "Measured by Bert");
+    click(&mut window, Role::RadioButton, "Anna");
+    check(&mut window, "25 H7", "25.012");
+    send(&mut window, Command::OpenPage(Page::Records));
+    assert!(rows(&window)[0].ends_with("GOOD, Anna"), "{:?}", rows(&window));
+    eframe::App::on_exit(window.state_mut(), None);
+    drop(window);
+    let again = Window { store, ..at(folder.path()) }.open();
+    again.get_by_role_and_label(Role::Button, "Measured by Anna");
+}
+
+#[test]
+fn a_full_disk_warns_in_the_card_and_the_verdict_stays_until_it_can_be_written() {
+    let folder = tempfile::tempdir().unwrap();
+    let fake = Fake::default();
+    fake.is_full.store(true, SeqCst);
+    let mut window = Window { records: records(fake.clone(), folder.path()), ..Window::default() }.open();
+    check(&mut window, "25 H7", "25.012");
+    assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
+    window.get_by_label("Not recorded: the system gives no thread for the journal");
+    window.get_by_label("1 check is not recorded: the system gives no thread for the journal");
+    // The window does not close over it without a question.
+    send(&mut window, Command::AskToLeave);
+    window.get_by_label("1 check is not recorded yet. It is lost if the window closes.");
+    send(&mut window, Command::Leave(false));
+    fake.is_full.store(false, SeqCst);
+    let again = window.get_all_by_role_and_label(Role::Button, "Try again").next().unwrap();
+    again.click();
+    window.run();
+    window.get_by_label("Record 1");
+    assert_eq!(fake.written.lock().unwrap().len(), 1);
+    assert_eq!(window.state().session().notices(), []);
+}
+
+#[test]
+fn without_a_folder_nothing_is_recorded_and_the_page_says_so() {
+    let mut window = Window::default().open();
+    check(&mut window, "25 H7", "25.012");
+    assert_eq!(window.state().session().check_recorded(), None);
+    press_ctrl(&mut window, Key::Num8);
+    window.get_by_label("Checks are not recorded: there is no data folder for them");
+}
+
+#[test]
+fn the_state_file_turns_recording_off_or_names_another_journal() {
+    let folder = tempfile::tempdir().unwrap();
+    let state = folder.path().join("state.toml");
+    fitcheck::files::write(&state, b"version = 1\n[records]\noff = true\n").unwrap();
+    let mut window = Window { store: Store::at(&state), ..at(folder.path()) }.open();
+    press_ctrl(&mut window, Key::Num8);
+    window.get_by_label("Checks are not recorded: recording is turned off in the state file");
+    drop(window);
+    let other = folder.path().join("other.sqlite");
+    let text = format!("version = 1\n[records]\nfile = '{}'\n", other.display());
+    fitcheck::files::write(&state, text.as_bytes()).unwrap();
+    let mut window = Window { store: Store::at(&state), ..at(folder.path()) }.open();
+    check(&mut window, "25 H7", "25.012");
+    window.get_by_label("Record 2");
+    assert!(other.exists() && !folder.path().join("journal.sqlite").exists());
+}
+
+/// A page over a million records that are read slowly, on threads of their own.
+fn million(slow: Duration) -> (Harness<'static, App>, Fake) {
+    page(1_000_000, slow)
+}
+
+fn page(count: u64, slow: Duration) -> (Harness<'static, App>, Fake) {
+    let fake = Fake::of(count, slow);
+    let records = Records { always_threads: true, ..records(fake.clone(), Path::new("/nowhere")) };
+    let mut window = Window { records, ..Window::default() }.open();
+    press_ctrl(&mut window, Key::Num8);
+    (window, fake)
+}
+
+/// Frames until something holds.
+#[track_caller]
+fn until(window: &mut Harness<'_, App>, what: impl Fn(&Harness<'_, App>) -> bool) {
+    let begin = Instant::now();
+    while !what(window) {
+        assert!(begin.elapsed() < Duration::from_secs(20), "it never comes: {:?}", rows(window));
+        std::thread::sleep(Duration::from_millis(5));
+        window.step();
+    }
+}
+
+fn is_read(window: &Harness<'_, App>) -> bool {
+    let rows = rows(window);
+    !rows.is_empty() && rows.iter().all(|row| !row.contains('…'))
+}
+
+/// For how long this thread has been on a processor, where the system tells it: the machine is shared, and a clock on the wall
+/// counts what others do.
+fn worked() -> Option<Duration> {
+    let told = std::fs::read_to_string("/proc/thread-self/schedstat").ok()?;
+    Some(Duration::from_nanos(told.split_whitespace().next()?.parse().ok()?))
+}
+
+/// The work of a frame while a key is held, in the middle of many.
+fn work(window: &mut Harness<'_, App>, frames: usize, key: Key) -> Option<Duration> {
+    let mut took = Vec::new();
+    for _ in 0..frames {
+        window.key_press(key);
+        let begin = worked()?;
+        window.step();
+        took.push(worked()?.saturating_sub(begin));
+    }
+    took.sort_unstable();
+    took.get(frames / 2).copied()
+}
+
+#[test]
+fn a_million_records_are_walked_to_the_last_one_and_no_frame_waits() {
+    let (mut window, fake) = million(Duration::from_millis(200));
+    until(&mut window, |window| !rows(window).is_empty());
+    assert!(rows(&window)[0].contains("Record 1000000") || rows(&window)[0].contains('…'));
+    until(&mut window, is_read);
+    assert!(rows(&window)[0].contains("Record 1000000, 2026-11-21 10:42:07, P1000000"), "{:?}", rows(&window));
+    window.get_by_role(Role::Grid).focus();
+    window.step();
+    let took = work(&mut window, 60, Key::PageDown);
+    println!("a frame while a million records are paged: {took:?}");
+    press(&mut window, Key::End);
+    until(&mut window, is_read);
+    let last = rows(&window).pop().unwrap();
+    assert!(last.contains("Record 2, ") && last.contains("P2"), "{last}");
+    assert!(cursor(&window).starts_with("Record 2,"));
+    // Rows around those in sight, and never more than the pages that are kept.
+    assert!(window.state().session().records().listing().read() <= 21 * 200);
+    assert!(fake.read.load(SeqCst) < 60 * 400, "{:?}", fake.read);
+    assert!(took.is_none_or(|took| took < Duration::from_millis(8)), "{took:?}");
+}
+
+#[test]
+fn a_newer_question_ends_the_one_before_and_rows_come_before_the_count() {
+    let (mut window, _fake) = million(Duration::from_millis(100));
+    until(&mut window, is_read);
+    for text in ["7", "77", "777"] {
+        send(&mut window, Field::from(RecordsField::Question).typed(text.to_owned()));
+        window.step();
+    }
+    until(&mut window, |window| rows(window).first().is_some_and(|row| row.contains("Record 999777,")));
+    until(&mut window, |window| window.query_by_label("1\u{a0}000 records").is_some());
+    // Nothing of the questions before comes late.
+    for _ in 0..40 {
+        std::thread::sleep(Duration::from_millis(5));
+        window.step();
+        assert!(rows(&window)[0].contains("Record 999777,"));
+    }
+}
+
+#[test]
+fn a_settled_page_asks_for_no_repaint_and_reads_nothing() {
+    let (mut window, fake) = million(Duration::ZERO);
+    until(&mut window, is_read);
+    std::thread::sleep(Duration::from_millis(100));
+    window.run_steps(4);
+    let before = fake.read.load(SeqCst);
+    window.run();
+    assert_eq!(window.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
+    assert_eq!(fake.read.load(SeqCst), before);
+}
+
+#[test]
+fn a_walk_along_a_long_chain_shows_its_progress_and_is_cancelled() {
+    let (mut window, _fake) = million(Duration::ZERO);
+    until(&mut window, is_read);
+    window.get_by_role_and_label(Role::Button, "Verify").click();
+    until(&mut window, |window| window.query_by_label_contains("of 1\u{a0}000\u{a0}000 entries").is_some());
+    window.get_by_role_and_label(Role::ProgressIndicator, "Progress of the verification");
+    window.get_by_role_and_label(Role::Button, "Cancel verification").click();
+    until(&mut window, |window| window.query_by_label("Verification cancelled").is_some());
+}
+
+#[test]
+fn what_is_pressed_is_as_high_as_a_finger_needs() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut window = at(folder.path()).open();
+    three(&mut window);
+    send(&mut window, Command::SetDensity(Density::Touch));
+    send(&mut window, Command::OpenPage(Page::Records));
+    send(&mut window, RecordsCommand::Open(3));
+    for name in ["Verify", "Today", "Not good", "Measure again", "Correct…", "Back to the list"] {
+        let height = window.get_by_role_and_label(Role::Button, name).rect().height();
+        assert!(44.0 <= height, "{name}: {height}");
+    }
+    for row in rows(&window) {
+        let height = window.get_by_role_and_label(Role::Row, &row).rect().height();
+        assert!(44.0 <= height, "{row}: {height}");
+    }
+}
+
+/// A shop's week for pictures: good, rework, scrap, simulated, corrected.
+fn week(window: Window) -> Harness<'static, App> {
+    // One with the same hashes every time.
+    let fake = Fake::of(1, Duration::ZERO);
+    let folder = Path::new("/home/shop/.local/share/fitcheck");
+    let mut window = Window { records: records(fake, folder), ..window }.open();
+    send(&mut window, RecordsCommand::UseName("Anna".to_owned()));
+    for (at, um) in (1..).zip([12, 4, -3, 9, 17, 21, 24, 8, 13, 1, 19, 6]) {
+        send(&mut window, Field::from(fitcheck::session::CheckField::Part).typed("Flange 40-118".to_owned()));
+        send(&mut window, Field::from(fitcheck::session::CheckField::Serial).typed(format!("S-{:04}", 210 + at)));
+        send(&mut window, Field::from(fitcheck::session::CheckField::Callout).typed("25 H7".to_owned()));
+        let nm: i64 = 25_000_000 + um * 1_000;
+        let text = format!("{}.{:06}", nm / 1_000_000, nm % 1_000_000);
+        send(&mut window, Field::from(fitcheck::session::CheckField::Measured).typed(text));
+        send(&mut window, CheckCommand::Measure);
+    }
+    send(&mut window, RecordsCommand::UseName("Bert".to_owned()));
+    send(&mut window, CheckCommand::MeasureBy(MeasureBy::Simulating));
+    send(&mut window, CheckCommand::Measure);
+    send(&mut window, Command::OpenPage(Page::Records));
+    send(&mut window, RecordsCommand::Open(8));
+    send(&mut window, RecordsCommand::Correct(true));
+    for (field, text) in [(RecordsField::Reason, "read at the wrong bore"), (RecordsField::Measured, "25.020")] {
+        send(&mut window, Field::from(field).typed(text.to_owned()));
+    }
+    send(&mut window, RecordsCommand::SendCorrection);
+    send(&mut window, RecordsCommand::Open(4));
+    window
+}
+
+fn picture(name: &str, theme: Theme, size: Vec2) {
+    if can_paint(name) {
+        let mut window = week(Window { size, theme, ..Window::default() });
+        window.snapshot(name);
+    }
+}
+
+#[test]
+fn the_page_in_light() {
+    picture("records_light", Theme::Light, vec2(1280.0, 800.0));
+}
+
+#[test]
+fn the_page_in_dark() {
+    picture("records_dark", Theme::Dark, vec2(1024.0, 600.0));
+}
+
+/// For people to look at, where they asked for it.
+#[test]
+fn pictures_of_other_sizes() {
+    let Ok(pictures) = std::env::var("PICTURES") else { return };
+    let pictures = PathBuf::from(pictures);
+    for (language, theme, width, height) in [
+        (Language::En, Theme::Light, 1280.0, 800.0),
+        (Language::Nl, Theme::Dark, 1024.0, 600.0),
+        (Language::En, Theme::Light, 480.0, 800.0),
+        (Language::Nl, Theme::Light, 480.0, 320.0),
+        (Language::En, Theme::Dark, 2560.0, 1440.0),
+    ] {
+        let mut window = week(Window { size: vec2(width, height), language, theme, ..Window::default() });
+        let name = format!("records_{language}_{width}x{height}");
+        window.render().unwrap().save(pictures.join(format!("{name}_open.png"))).unwrap();
+        send(&mut window, RecordsCommand::Correct(true));
+        window.render().unwrap().save(pictures.join(format!("{name}_correct.png"))).unwrap();
+        send(&mut window, RecordsCommand::Correct(false));
+        send(&mut window, RecordsCommand::CloseRecord);
+        for number in [14, 15] {
+            send(&mut window, RecordsCommand::Choose(number, true));
+        }
+        send(&mut window, RecordsCommand::Verify);
+        window.render().unwrap().save(pictures.join(format!("{name}_list.png"))).unwrap();
+        send(&mut window, Command::OpenPage(Page::Check));
+        window.render().unwrap().save(pictures.join(format!("{name}_check.png"))).unwrap();
+    }
+}
