@@ -6,11 +6,9 @@
 //! | `writer` | entries onto the disk, one batch after the other |
 //! | `finder` | which records answer a question, and rows |
 //! | `local` | the journal of this station |
-//! | `station` | the name of the computer, and the time with its zone |
 
 mod finder;
 mod local;
-mod station;
 mod writer;
 
 use std::fmt::Debug;
@@ -26,7 +24,6 @@ use finder::{Asked, Finder};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 pub use local::Local;
-pub use station::{computer, moment};
 use writer::{Job, Writer};
 
 use super::effects::Errands;
@@ -36,6 +33,7 @@ use crate::journal::entry::{Entry, Moment};
 use crate::message::Message;
 use crate::session::records::Verified;
 use crate::session::{Command, Effect, OpenJournal, RecordRow, RecordsCommand};
+use crate::store::here::{computer, moment};
 
 /// Where records are kept, whatever that is: the file of this station, or one that a test has made up.
 pub trait Journals: Debug + Send + Sync {

@@ -8,16 +8,13 @@
 //! | here | where records are kept, which checks are recorded, what failed |
 //! | `making` | from a check to an entry |
 //! | `people` | who is measuring |
-//! | `cycle` | from the result of a cycle to an entry |
 
-mod cycle;
 mod making;
 mod people;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-pub(super) use cycle::cycle_check;
 pub use making::Named;
 pub(super) use making::{correcting, used};
 pub use people::MOST_NAMES;
