@@ -101,11 +101,11 @@ pub(super) fn to_write(path: &Path, patience: Duration) -> Result<Connection, St
     }
     not_on_a_network(path, folder.unwrap_or_else(|| Path::new(".")))?;
     let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
-    let failed = |error: rusqlite::Error| StoreError::of(path, &error);
-    let connection = Connection::open_with_flags(path, flags).map_err(|error| match failed(error) {
+    let failed = |error: rusqlite::Error| match StoreError::of(path, &error) {
         error @ StoreError::CannotOpen { .. } => told_by_the_system(path).unwrap_or(error),
         error => error,
-    })?;
+    };
+    let connection = Connection::open_with_flags(path, flags).map_err(failed)?;
     connection.busy_timeout(patience).map_err(failed)?;
     guard(&connection).map_err(failed)?;
     let mode: String =
