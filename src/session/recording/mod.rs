@@ -9,9 +9,7 @@
 //! | `making` | from a check to an entry |
 //! | `people` | who is measuring |
 //! | `server` | the server of the shop |
-//! | `cycle` | from the result of a cycle to an entry |
 
-mod cycle;
 mod making;
 mod people;
 mod server;
@@ -19,7 +17,6 @@ mod server;
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
-pub(super) use cycle::cycle_check;
 pub use making::Named;
 pub(super) use making::{correcting, used};
 pub use people::MOST_NAMES;
