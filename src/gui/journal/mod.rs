@@ -41,7 +41,6 @@ use crate::journal::entry::{Entry, Moment};
 use crate::message::Message;
 use crate::session::records::Verified;
 use crate::session::{Command, Effect, OpenJournal, RecordRow, RecordsCommand};
-use crate::store::here::{computer, moment};
 
 /// Where records are kept, whatever that is: the file of this station, or one that a test has made up.
 pub trait Journals: Debug + Send + Sync {
