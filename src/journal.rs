@@ -39,7 +39,8 @@ use jiff::civil::DateTime;
 pub use window::{status_variables, status_window};
 
 use crate::budget::Provenance;
-use crate::probing::Measurement;
+use crate::length::Length;
+use crate::probing::{Measurement, Origin};
 use crate::tolerance::fit::thermal::Correction;
 use crate::tolerance::{Callout, Limits};
 use crate::verdict::{Doubt, PositionVerdict, Rule, Verdict, doubt, judge, judge_by};
@@ -108,6 +109,21 @@ impl Record {
     #[must_use]
     pub fn by_budget(self, rule: Rule, budget: Arc<Provenance>) -> Self {
         Self { budget: Some(budget), ..self }.by(rule)
+    }
+
+    /// The same with another typed value, as it was measured: brought to 20 °C and judged as the first one was. `None` where the value was
+    /// not typed, or a budget gave the uncertainty: that was for the first value.
+    pub fn retyped(&self, measured: Length) -> Option<Self> {
+        if self.measurement.origin != Origin::Typed || self.budget.is_some() {
+            return None;
+        }
+        let Self { time, id, callout, limits, verdict, correction, .. } = self.clone();
+        let measurement = Measurement::of_diameter(measured, Origin::Typed);
+        let record = Self::judged(time, id, callout, limits, measurement, verdict.position).by(verdict.rule);
+        Some(match correction {
+            Some(Correction { part, scale, .. }) => record.corrected(Correction::new(measured, part, scale)),
+            None => record,
+        })
     }
 
     /// The same with the diameter at 20 °C, judged again by its rule.

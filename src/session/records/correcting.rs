@@ -7,11 +7,10 @@ use crate::journal::Record;
 use crate::journal::entry::{About, Check, Checked, Content};
 use crate::length::Length;
 use crate::message::Message;
-use crate::probing::{Measurement, Origin};
+use crate::probing::Origin;
 use crate::session::field::Range;
 use crate::session::recording::{Recorded, correcting};
 use crate::session::shared::Shared;
-use crate::tolerance::fit::thermal::Correction as Warmth;
 
 /// The correction that is being made.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -133,12 +132,7 @@ impl RecordsPage {
         let typed = Range::AboveZero.read(self.text(RecordsField::Measured));
         let typed = typed.map_err(|problem| (RecordsField::Measured, problem))?;
         if typed != before {
-            let (rule, warmth) = (record.verdict.rule, record.correction);
-            let measurement = Measurement::of_diameter(typed, Origin::Typed);
-            record = Record::judged(record.time, record.id, record.callout, record.limits, measurement, None).by(rule);
-            if let Some(Warmth { part, scale, .. }) = warmth {
-                record = record.corrected(Warmth::new(typed, part, scale));
-            }
+            record = record.retyped(typed).unwrap_or(record);
         }
         Ok(record)
     }
