@@ -111,18 +111,22 @@ impl Record {
         Self { budget: Some(budget), ..self }.by(rule)
     }
 
-    /// The same with another typed value, as it was measured: brought to 20 °C and judged as the first one was. `None` where the value was
-    /// not typed, or a budget gave the uncertainty: that was for the first value.
-    pub fn retyped(&self, measured: Length) -> Option<Self> {
-        if self.measurement.origin != Origin::Typed || self.budget.is_some() {
+    /// The same with another typed diameter, judged by its limits, its rule and its temperature; `None` where it was not typed. A budget
+    /// counts as it did for the value before.
+    pub fn typed_again(&self, diameter: Length) -> Option<Self> {
+        let Self { time, id, callout, limits, measurement, verdict, correction, budget, .. } = self.clone();
+        if measurement.origin != Origin::Typed {
             return None;
         }
-        let Self { time, id, callout, limits, verdict, correction, .. } = self.clone();
-        let measurement = Measurement::of_diameter(measured, Origin::Typed);
-        let record = Self::judged(time, id, callout, limits, measurement, verdict.position).by(verdict.rule);
-        Some(match correction {
-            Some(Correction { part, scale, .. }) => record.corrected(Correction::new(measured, part, scale)),
+        let measurement = Measurement::of_diameter(diameter, Origin::Typed);
+        let record = Self::judged(time, id, callout, limits, measurement, verdict.position);
+        let record = match correction {
+            Some(old) => record.corrected(Correction::new(diameter, old.part, old.scale)),
             None => record,
+        };
+        Some(match budget {
+            Some(budget) => record.by_budget(verdict.rule, budget),
+            None => record.by(verdict.rule),
         })
     }
 

@@ -156,7 +156,7 @@ pub(super) enum CliError {
         #[say(with = printed)]
         by: u64,
     },
-    /// Another measured value for a check whose value was not typed, or has its uncertainty from a budget.
+    /// Another measured value for a check whose value was not typed.
     NotTyped {
         #[say(with = printed)]
         number: u64,

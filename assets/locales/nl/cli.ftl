@@ -201,7 +201,7 @@ cli-no-journal-folder = dit systeem heeft geen map voor eigen gegevens: noem een
 cli-no-entry = in { $path } is geen regel { $number }: de laatste is { $last }
 cli-no-check = regel { $number } is geen controle
 cli-already-corrected-by = regel { $number } is al gecorrigeerd of ingetrokken door regel { $by }: corrigeer die
-cli-not-typed = de waarde van regel { $number } is niet getypt, of een budget gaf de onzekerheid: meet opnieuw, of trek de controle in
+cli-not-typed = de waarde van regel { $number } is niet getypt: meet opnieuw, of trek de controle in
 cli-nothing-corrected = een correctie verandert iets: geef --measured, --who, --part, --serial, --feature-name, --remark of --withdraw
 cli-remark-sent = { $entries ->
     [0] er was niets te sturen

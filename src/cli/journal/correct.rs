@@ -119,7 +119,7 @@ impl Args {
     fn again(&self, check: &Check, text: &str) -> Result<Record, CliError> {
         let diameter = crate::cli::diameter(text, What::MeasuredValue)?;
         let again = match &check.what {
-            Checked::Size(record) => record.retyped(diameter),
+            Checked::Size(record) => record.typed_again(diameter),
             Checked::Cycle(_) => None,
         };
         again.ok_or(CliError::NotTyped { number: self.number })

@@ -37,8 +37,7 @@ impl RecordsPage {
     pub fn typed_value(&self) -> Option<Length> {
         let record = size(self.opened_row()?)?;
         let measured = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
-        // A budget counts for the value that it was evaluated for.
-        (record.measurement.origin == Origin::Typed && record.budget.is_none()).then_some(measured)
+        (record.measurement.origin == Origin::Typed).then_some(measured)
     }
 
     /// Opens the form with what the record says, or closes it.
@@ -127,14 +126,12 @@ impl RecordsPage {
     /// The record with the name and the typed value of the form, judged by its own rule.
     fn corrected(&self, record: &Record, about: &About) -> Result<Record, Refusal> {
         let id = if about.feature.is_empty() { about.part.clone() } else { about.feature.clone() };
-        let mut record = Record { id, ..record.clone() };
+        let record = Record { id, ..record.clone() };
         let Some(before) = self.typed_value() else { return Ok(record) };
         let typed = Range::AboveZero.read(self.text(RecordsField::Measured));
         let typed = typed.map_err(|problem| (RecordsField::Measured, problem))?;
-        if typed != before {
-            record = record.retyped(typed).unwrap_or(record);
-        }
-        Ok(record)
+        let again = (typed != before).then(|| record.typed_again(typed)).flatten();
+        Ok(again.unwrap_or(record))
     }
 
     /// The journal has answered: the form closes, and the new record is opened; or it says why nothing was written.
