@@ -201,7 +201,7 @@ cli-no-journal-folder = dit systeem heeft geen map voor eigen gegevens: noem een
 cli-no-entry = in { $path } is geen vermelding { $number }: de laatste is { $last }
 cli-no-check = vermelding { $number } is geen controle
 cli-already-corrected-by = vermelding { $number } is al gecorrigeerd of ingetrokken door vermelding { $by }: corrigeer die
-cli-not-typed = de waarde van vermelding { $number } is gemeten en niet getypt: meet opnieuw, of trek de controle in
+cli-not-typed = de waarde van vermelding { $number } is niet getypt: meet opnieuw, of trek de controle in
 cli-nothing-corrected = een correctie verandert iets: geef --measured, --who, --part, --serial, --feature-name, --remark of --withdraw
 cli-remark-sent = { $entries ->
     [0] er was niets te sturen

@@ -10,6 +10,7 @@ use super::{CliError, CliRemark, Io, Refused as _};
 use crate::journal::ask::Question;
 use crate::journal::chain::{ChainId, Head};
 use crate::journal::inspection::Break;
+use crate::message::{Message, Say as _};
 use crate::store::local::{Reader, Row};
 use crate::store::shop::{self, Access, Patience, Places, ShopAddress, ShopChain, ShopReader, ShopVerified, Stop};
 
@@ -65,6 +66,44 @@ pub(in crate::cli) fn list(
         io.remark(&CliRemark::Unread { entries: count(page.unread) });
     }
     Ok(page.rows.into_iter().map(|row| row.row).collect())
+}
+
+/// The checks of all stations, page by page.
+pub(in crate::cli) struct Pages {
+    reader: ShopReader,
+    question: Question,
+}
+
+/// A server whose checks are asked for.
+pub(in crate::cli) fn pages(address: &str, question: Question, io: &mut Io<'_>) -> Result<Pages, CliError> {
+    let reader = ShopReader::open(&access(address, io)?, Patience::default(), &Stop::default()).said()?;
+    Ok(Pages { reader, question })
+}
+
+impl Pages {
+    /// Gives all of them to `take`, until that fails.
+    ///
+    /// # Errors
+    /// Why the server could not be asked to the end.
+    pub(in crate::cli) fn each(
+        &self,
+        most: usize,
+        take: &mut dyn FnMut(ChainId, Row) -> std::io::Result<()>,
+    ) -> Result<std::io::Result<()>, Message> {
+        let mut after = None;
+        loop {
+            let page = self.reader.page(&self.question, after, most).map_err(|error| error.message())?;
+            for shop::ShopRow { place, row, .. } in page.rows {
+                if let Err(error) = take(place.chain, row) {
+                    return Ok(Err(error));
+                }
+            }
+            after = page.next;
+            if after.is_none() {
+                return Ok(Ok(()));
+            }
+        }
+    }
 }
 
 /// Looks at every chain; whether all is as it was written.
