@@ -6,11 +6,9 @@
 //! | `writer` | entries onto the disk, one batch after the other |
 //! | `finder` | which records answer a question, and rows |
 //! | `local` | the journal of this station |
-//! | `station` | the name of the computer, and the time with its zone |
 
 mod finder;
 mod local;
-mod station;
 mod writer;
 
 use std::fmt::Debug;
@@ -21,12 +19,12 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+pub use crate::store::here::{computer, moment};
 use eframe::egui::Context;
 use finder::{Asked, Finder};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 pub use local::Local;
-pub use station::{computer, moment};
 use writer::{Job, Writer};
 
 use super::effects::Errands;
