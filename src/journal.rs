@@ -39,7 +39,8 @@ use jiff::civil::DateTime;
 pub use window::{status_variables, status_window};
 
 use crate::budget::Provenance;
-use crate::probing::Measurement;
+use crate::length::Length;
+use crate::probing::{Measurement, Origin};
 use crate::tolerance::fit::thermal::Correction;
 use crate::tolerance::{Callout, Limits};
 use crate::verdict::{Doubt, PositionVerdict, Rule, Verdict, doubt, judge, judge_by};
@@ -108,6 +109,25 @@ impl Record {
     #[must_use]
     pub fn by_budget(self, rule: Rule, budget: Arc<Provenance>) -> Self {
         Self { budget: Some(budget), ..self }.by(rule)
+    }
+
+    /// The same with another typed diameter, judged by its limits, its rule and its temperature; `None` where it was not typed. A budget
+    /// counts as it did for the value before.
+    pub fn typed_again(&self, diameter: Length) -> Option<Self> {
+        let Self { time, id, callout, limits, measurement, verdict, correction, budget, .. } = self.clone();
+        if measurement.origin != Origin::Typed {
+            return None;
+        }
+        let measurement = Measurement::of_diameter(diameter, Origin::Typed);
+        let record = Self::judged(time, id, callout, limits, measurement, verdict.position);
+        let record = match correction {
+            Some(old) => record.corrected(Correction::new(diameter, old.part, old.scale)),
+            None => record,
+        };
+        Some(match budget {
+            Some(budget) => record.by_budget(verdict.rule, budget),
+            None => record.by(verdict.rule),
+        })
     }
 
     /// The same with the diameter at 20 °C, judged again by its rule.

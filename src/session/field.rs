@@ -1,7 +1,9 @@
 //! The text fields of all pages, and the texts in them: one text per field, read anew at every change.
 
 use std::collections::BTreeMap;
+use std::ops;
 
+use super::Session;
 use super::budget::{BudgetCommand, BudgetField};
 use super::check::{CheckCommand, CheckField};
 use super::command::Command;
@@ -14,6 +16,7 @@ use super::tables::{TablesCommand, TablesField};
 use super::workpiece::WorkpieceCommand;
 use crate::length::Length;
 use crate::message::{Message, Say as _};
+use crate::probing::cycle;
 
 /// A text field of the window.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -58,6 +61,75 @@ impl Field {
 from_variants!(Field: Check(CheckField), Fit(FitField), Cycles(CycleField), Tables(TablesField));
 from_variants!(Field: Pairing(PairingField), Budget(BudgetField), Records(RecordsField));
 from_variants!(Field: Program(ProgramField), Workpiece(WorkpieceField));
+
+impl Session {
+    /// The text of a field.
+    pub fn text(&self, field: impl Into<Field>) -> &str {
+        match field.into() {
+            Field::Check(field) => self.check.text(field),
+            Field::Fit(field) => self.fit.text(field),
+            Field::Cycles(field) => self.cycles.text(field),
+            Field::Tables(field) => self.tables.text(field),
+            Field::Program(field) => self.program.text(field),
+            Field::Pairing(field) => self.pairing.text(field),
+            Field::Budget(field) => self.budget.text(field),
+            Field::Records(field) => self.records.text(field),
+            Field::Workpiece(field) => self.shared.workpiece.form.text(field),
+        }
+    }
+
+    /// What is wrong with a field.
+    pub fn error(&self, field: impl Into<Field>) -> Option<&Message> {
+        match field.into() {
+            Field::Check(field) => self.check.error(field),
+            Field::Fit(field) => self.fit.error(field),
+            Field::Cycles(field) => self.cycles.error(field),
+            Field::Tables(field) => self.tables.error(field),
+            Field::Program(field) => self.program.error(field),
+            Field::Pairing(field) => self.pairing.error(field),
+            Field::Budget(field) => self.budget.error(field),
+            Field::Records(field) => self.records.error(field),
+            Field::Workpiece(field) => self.shared.workpiece.form.error(field),
+        }
+    }
+
+    /// Whether a field holds a name or words, and no figures: then a point is a sign like any other.
+    pub fn is_free_text(&self, field: impl Into<Field>) -> bool {
+        match field.into() {
+            Field::Check(field) => {
+                use CheckField::{HistoryFilter, Part, Remark, Serial};
+                matches!(field, Part | Serial | Remark | HistoryFilter)
+            }
+            // A tool may be called by its name.
+            Field::Cycles(CycleField::Parameter(key)) => {
+                let parameter = self.cycles.cycle().parameter(key);
+                parameter.is_some_and(|parameter| parameter.range == cycle::Range::Tool)
+            }
+            Field::Tables(field) => field == TablesField::Filter,
+            Field::Program(ProgramField::Tool(parameter)) => parameter.family.is_text(),
+            Field::Program(field) => matches!(field, ProgramField::Filter | ProgramField::Name | ProgramField::Value),
+            // Two points stand between two clearances.
+            Field::Pairing(field) => field == PairingField::Wanted,
+            Field::Records(field) => field != RecordsField::Measured,
+            Field::Cycles(_) | Field::Fit(_) | Field::Budget(_) | Field::Workpiece(_) => false,
+        }
+    }
+
+    /// Where in a field's text an error shows: characters counted from 0.
+    pub fn culprit(&self, field: impl Into<Field>) -> Option<&ops::Range<usize>> {
+        match field.into() {
+            Field::Check(field) => self.check.culprit(field),
+            Field::Fit(field) => self.fit.culprit(field),
+            Field::Records(field) => self.records.culprit(field),
+            Field::Cycles(_)
+            | Field::Tables(_)
+            | Field::Program(_)
+            | Field::Pairing(_)
+            | Field::Budget(_)
+            | Field::Workpiece(_) => None,
+        }
+    }
+}
 
 /// The fields of a page whose texts survive a restart.
 pub(super) trait KeptField: Copy + Ord + 'static {

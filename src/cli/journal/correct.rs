@@ -8,10 +8,8 @@ use crate::cli::What;
 use crate::cli::record::keep;
 use crate::journal::Record;
 use crate::journal::entry::{About, Check, Checked, Content, Correction, Entry};
-use crate::probing::{Measurement, Origin};
 use crate::store::here;
 use crate::store::local::{Reader, Row};
-use crate::tolerance::fit::thermal;
 
 const HELP: &str = "\
 Nothing is changed: a new entry names the old one and gives the reason, and both stay. A value that
@@ -120,21 +118,11 @@ impl Args {
     /// The record with another typed value, judged by the same limits and the same rule.
     fn again(&self, check: &Check, text: &str) -> Result<Record, CliError> {
         let diameter = crate::cli::diameter(text, What::MeasuredValue)?;
-        let record = match &check.what {
-            Checked::Size(record) if record.measurement.origin == Origin::Typed => Record::clone(record),
-            Checked::Size(_) | Checked::Cycle(_) => return Err(CliError::NotTyped { number: self.number }),
+        let again = match &check.what {
+            Checked::Size(record) => record.typed_again(diameter),
+            Checked::Cycle(_) => None,
         };
-        let Record { time, id, callout, limits, verdict, correction, budget, .. } = record;
-        let measurement = Measurement::of_diameter(diameter, Origin::Typed);
-        let record = Record::judged(time, id, callout, limits, measurement, verdict.position);
-        let record = match correction {
-            Some(old) => record.corrected(thermal::Correction::new(diameter, old.part, old.scale)),
-            None => record,
-        };
-        Ok(match budget {
-            Some(budget) => record.by_budget(verdict.rule, budget),
-            None => record.by(verdict.rule),
-        })
+        again.ok_or(CliError::NotTyped { number: self.number })
     }
 }
 

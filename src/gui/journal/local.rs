@@ -12,7 +12,7 @@ use crate::message::{Message, Say as _};
 use crate::session::records::Verified;
 use crate::session::{OpenJournal, RecordRow};
 use crate::store::local::{self, Anchors, Journal, Opening, Reader, Row};
-use crate::store::{StoreError, StoreRemark};
+use crate::store::{StoreError, StoreRemark, is_server};
 
 /// Journals in files of this computer.
 #[derive(Debug, Clone)]
@@ -32,9 +32,11 @@ impl Local {
         Self { anchors }
     }
 
-    /// The usual file of a user; `None` where there is no data folder.
+    /// The usual file of a user, or the one that `FITCHECK_JOURNAL` names; `None` where there is no data folder. The window keeps
+    /// its records in a file, whatever server gets them afterwards.
     pub fn usual() -> Option<PathBuf> {
-        local::folder().map(|folder| folder.join(local::FILE))
+        let named = std::env::var("FITCHECK_JOURNAL").ok().filter(|text| !text.is_empty() && !is_server(text));
+        named.map(PathBuf::from).or_else(|| local::folder().map(|folder| folder.join(local::FILE)))
     }
 }
 

@@ -39,6 +39,7 @@ impl Action {
         match (field, page) {
             (Field::Records(RecordsField::Question), _) => None,
             (Field::Records(RecordsField::Who), _) => Some(Self::TakeName),
+            (Field::Records(RecordsField::Server), _) => Some(Self::TakeServer),
             (Field::Records(_), _) => Some(Self::SendCorrection),
             (Field::Program(ProgramField::Filter) | Field::Check(CheckField::HistoryFilter), _) => None,
             (Field::Program(ProgramField::Name | ProgramField::Value), _) => Some(Self::GiveValue),

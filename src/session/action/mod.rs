@@ -8,7 +8,7 @@
 //! | `table` | a row for every action |
 //! | `program`, `pairing`, `budget`, `records` | the rows of these pages |
 //! | `row` | what a row says |
-//! | `possible` | the conditions of the rows |
+//! | `possible`, `switches` | the conditions of the rows; what switches are set to |
 //! | `place` | where an action applies |
 //! | `shortcut` | keys, without a window |
 //! | `keys` | which keys are heard and shown |
@@ -25,6 +25,7 @@ mod program;
 mod records;
 mod row;
 mod shortcut;
+mod switches;
 mod table;
 
 pub use list::Action;
@@ -105,7 +106,7 @@ impl Action {
 
     /// Whether what it switches is on, where it switches something.
     pub fn is_on(self, session: &Session) -> Option<bool> {
-        table::is_on(self, session)
+        switches::is_on(self, session)
     }
 
     /// The command that it sends now; `None` where it is not possible.

@@ -374,31 +374,12 @@ pub(super) fn row(action: Action) -> Row {
         Action::VerifyRecords => records::verify(),
         Action::CancelVerify => records::cancel_verify(),
         Action::RecordAgain => records::try_again(),
+        Action::AskForServer => records::ask_for_server(),
+        Action::TakeServer => records::take_server(),
+        Action::LeaveServer => records::leave_server(),
+        Action::SendAgain => records::send_again(),
         Action::TakeName => records::take_name(),
     }
-}
-
-/// Whether what an action switches is on; `None` where it switches nothing.
-pub(super) fn is_on(action: Action, session: &Session) -> Option<bool> {
-    Some(match action {
-        Action::Open(page) => session.page() == page,
-        Action::UseTheme(theme) => session.theme() == theme,
-        Action::UseDensity(density) => session.density() == density,
-        Action::UseSource(base) => session.sources().base() == base,
-        Action::RoundJs => rounds_js(session.sources().options()),
-        Action::Edition1988 => is_of_1988(session.sources().options()),
-        Action::Keypad => session.has_keypad(),
-        Action::ShowRows(shows_rows) => session.check().shows_rows() == shows_rows,
-        Action::OnlyBad => session.history().listed().query().only_bad,
-        Action::AllFiles => session.dialog().is_some_and(|dialog| dialog.list.shows_all()),
-        Action::MeasureBy(by) => session.check().by() == by,
-        Action::ShowClasses(feature) => session.fit().side() == feature,
-        Action::Switch(switch) => session.program().is_on(switch),
-        Action::AskRecords(shorthand) => session.records().has(shorthand),
-        Action::WithSimulated => session.records().with_simulated(),
-        Action::WithdrawRecord => session.records().correcting().is_some_and(|form| form.withdraws),
-        _ => return None,
-    })
 }
 
 /// The keys of a step.

@@ -9,7 +9,7 @@ use crate::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use crate::control::cycle_status::cycle_window;
 use crate::control::mask::Mask;
 use crate::control::text::decode;
-use crate::journal::entry::{CycleOrigin, FileRole};
+use crate::journal::entry::{CycleCheck, CycleOrigin, FileRole};
 use crate::length::Unit;
 use crate::message::{Message, Say as _};
 use crate::probing::circle::Evaluation;
@@ -17,7 +17,7 @@ use crate::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move};
 use crate::probing::simulated::Surface;
 use crate::probing::{Source, SourceError};
 use crate::session::Step;
-use crate::session::recording::{cycle_check, used};
+use crate::session::recording::used;
 use crate::session::shared::Shared;
 use crate::session::tools::Monitoring;
 use crate::words::Dialogue;
@@ -169,7 +169,8 @@ impl CyclesPage {
             }
             (ContactsFrom::Perfect, _) => CycleOrigin::Perfect,
         };
-        let check = cycle_check(run.cycle, run.found()?, origin, None)?;
+        let result = run.found().filter(|result| result.verdict().is_some())?;
+        let check = CycleCheck::of(run.cycle, result, origin);
         let file = recorded.and_then(|recorded| used(FileRole::Measurements, &recorded.name, recorded.sha256));
         let files: Vec<_> = file.into_iter().collect();
         shared.recording.keep_cycles(vec![check], &files)

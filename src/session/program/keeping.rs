@@ -1,9 +1,9 @@
 //! What the cycles of a run say goes to the journal, each once.
 
 use super::{Origin, ProgramPage, WorkpieceFrom};
-use crate::journal::entry::{CycleOrigin, FileRole, UsedFile};
+use crate::journal::entry::{CycleCheck, CycleOrigin, FileRole, UsedFile};
 use crate::nc::machine::CycleRun;
-use crate::session::recording::{cycle_check, used};
+use crate::session::recording::used;
 use crate::session::shared::Shared;
 
 impl ProgramPage {
@@ -21,7 +21,8 @@ impl ProgramPage {
                 .map_or(0, |block| block.lines.start);
             let line = u64::try_from(line).unwrap_or_default().saturating_add(1);
             let block = Some((cycle.place.program.to_string(), line));
-            cycle_check(cycle.cycle, &cycle.result, origin.clone(), block)
+            let is_judged = cycle.result.verdict().is_some();
+            is_judged.then(|| CycleCheck { block, ..CycleCheck::of(cycle.cycle, &cycle.result, origin.clone()) })
         };
         let checks: Vec<_> = new.filter_map(check).collect();
         run.recorded = all.len();

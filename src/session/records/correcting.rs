@@ -7,11 +7,10 @@ use crate::journal::Record;
 use crate::journal::entry::{About, Check, Checked, Content};
 use crate::length::Length;
 use crate::message::Message;
-use crate::probing::{Measurement, Origin};
+use crate::probing::Origin;
 use crate::session::field::Range;
 use crate::session::recording::{Recorded, correcting};
 use crate::session::shared::Shared;
-use crate::tolerance::fit::thermal::Correction as Warmth;
 
 /// The correction that is being made.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -38,8 +37,7 @@ impl RecordsPage {
     pub fn typed_value(&self) -> Option<Length> {
         let record = size(self.opened_row()?)?;
         let measured = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
-        // A budget counts for the value that it was evaluated for.
-        (record.measurement.origin == Origin::Typed && record.budget.is_none()).then_some(measured)
+        (record.measurement.origin == Origin::Typed).then_some(measured)
     }
 
     /// Opens the form with what the record says, or closes it.
@@ -128,19 +126,12 @@ impl RecordsPage {
     /// The record with the name and the typed value of the form, judged by its own rule.
     fn corrected(&self, record: &Record, about: &About) -> Result<Record, Refusal> {
         let id = if about.feature.is_empty() { about.part.clone() } else { about.feature.clone() };
-        let mut record = Record { id, ..record.clone() };
+        let record = Record { id, ..record.clone() };
         let Some(before) = self.typed_value() else { return Ok(record) };
         let typed = Range::AboveZero.read(self.text(RecordsField::Measured));
         let typed = typed.map_err(|problem| (RecordsField::Measured, problem))?;
-        if typed != before {
-            let (rule, warmth) = (record.verdict.rule, record.correction);
-            let measurement = Measurement::of_diameter(typed, Origin::Typed);
-            record = Record::judged(record.time, record.id, record.callout, record.limits, measurement, None).by(rule);
-            if let Some(Warmth { part, scale, .. }) = warmth {
-                record = record.corrected(Warmth::new(typed, part, scale));
-            }
-        }
-        Ok(record)
+        let again = (typed != before).then(|| record.typed_again(typed)).flatten();
+        Ok(again.unwrap_or(record))
     }
 
     /// The journal has answered: the form closes, and the new record is opened; or it says why nothing was written.
