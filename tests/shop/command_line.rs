@@ -58,6 +58,11 @@ fn what_a_station_has_recorded_is_sent_listed_and_verified() {
     let known = format!("{chain}:{head}");
     let (out, _) = done(&["journal", "verify", "--journal", address, "--head", &known]);
     assert!(out.contains(&format!("({chain}): 3 entries are as they were written; the last one is {head}")), "{out}");
+    assert!(out.contains("its newest entry was received ") && out.contains(" s after the time on its clock"), "{out}");
+    let (json, _) = done(&["journal", "verify", "--journal", address, "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let (newest, login) = (json["chains"][0]["clock"]["newest_ms"].as_i64(), json["chains"][0]["login"].as_str());
+    assert!(newest.is_some_and(|ms| (0..60_000).contains(&ms)) && login == Some("fitadmin"), "{json}");
     let ahead = known.replace(&format!(":{}:", 3), ":4:");
     let (code, out, _) = run(home.path(), &["journal", "verify", "--journal", address, "--head", &ahead]);
     assert_eq!(code, 1);

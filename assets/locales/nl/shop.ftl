@@ -20,7 +20,12 @@ shop-busy = de server vraagt om te wachten: { $reason }
 shop-no-password = de server vraagt het wachtwoord van "{ $user }", en er is er geen gevonden: zet PGPASSWORD, of schrijf het in het wachtwoordbestand of de sleutelbos van het systeem
 shop-refused = de server laat deze gebruiker niet toe: { $reason }
 shop-no-tls = de server biedt geen TLS, en zonder TLS wordt niets naar een andere computer gestuurd
-shop-certificate = het certificaat van de server wordt niet aanvaard: { $reason }
+shop-certificate = het certificaat van de server wordt niet aanvaard: { $fault }
+shop-certificate-unknown-issuer = geen autoriteit die deze computer vertrouwt heeft het uitgegeven; noem voor een eigen autoriteit haar bestand met sslrootcert=BESTAND in het adres
+shop-certificate-other-name = het is voor een andere server dan het adres noemt
+shop-certificate-expired = het is verlopen
+shop-certificate-not-yet = het is nog niet geldig
+shop-certificate-other = { $reason }
 shop-authorities = de certificaten van de autoriteiten zijn niet bruikbaar: { $reason }: { $path }
 shop-no-authorities = deze computer vertrouwt geen enkele autoriteit: noem het bestand van de eigen autoriteit met sslrootcert=BESTAND in het adres
 shop-not-made = de database "{ $database }" heeft nog geen logboek: voer eerst fitcheck journal init-shop uit met haar adres

@@ -12,7 +12,9 @@ use crate::journal::chain::{ChainId, Head};
 use crate::journal::inspection::Break;
 use crate::message::{Message, Say as _};
 use crate::store::local::{Reader, Row};
-use crate::store::shop::{self, Access, Patience, Places, ShopAddress, ShopChain, ShopReader, ShopVerified, Stop};
+use crate::store::shop::{
+    self, Access, Clock, Patience, Places, ShopAddress, ShopChain, ShopReader, ShopVerified, Stop,
+};
 
 /// The server with its password, and what is said of places that had none to give.
 fn access(address: &str, io: &mut Io<'_>) -> Result<Access, CliError> {
@@ -132,13 +134,21 @@ pub(in crate::cli) fn verify(
 }
 
 fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
-    for ShopChain { chain, station, inspected, .. } in &found.chains {
+    for ShopChain { chain, station, inspected, clock, .. } in &found.chains {
         let Head { number, hash } = inspected.head;
         if inspected.breaks.is_empty() {
             let entries = inspected.entries;
             writeln!(
                 io.people(),
                 "{station} ({chain}): {entries} entries are as they were written; the last one is {number}:{hash}"
+            )?;
+        }
+        if let Some(Clock { newest_ms, least_ms, .. }) = clock {
+            let (newest, least) = (seconds(*newest_ms), seconds(*least_ms));
+            writeln!(
+                io.people(),
+                "{station} ({chain}): its newest entry was received {newest} s after the time on its clock, of the newest 500 \
+                 the quickest {least} s after it"
             )?;
         }
         for one in &inspected.breaks {
@@ -154,6 +164,12 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
     Ok(())
 }
 
+/// Milliseconds as seconds: `-3600.250`. Below zero the station's clock is ahead of the server's.
+fn seconds(ms: i64) -> String {
+    let (sign, ms) = (if ms < 0 { "-" } else { "" }, ms.unsigned_abs());
+    format!("{sign}{}.{:03}", ms / 1000, ms % 1000)
+}
+
 fn print_json(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
     let chain = |one: &ShopChain| {
         let breaks = one.inspected.breaks.iter();
@@ -161,6 +177,8 @@ fn print_json(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
         json!({
             "chain": one.chain.to_string(),
             "station": one.station,
+            "login": one.login,
+            "clock": one.clock.as_ref().map(|clock| json!({"newest_ms": clock.newest_ms, "least_ms": clock.least_ms})),
             "entries": one.inspected.entries,
             "head": {"number": one.inspected.head.number, "hash": one.inspected.head.hash.to_string()},
             "first_bad": one.inspected.breaks.first().map(Break::number),
