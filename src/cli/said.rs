@@ -110,18 +110,14 @@ pub(super) enum CliRemark {
     /// What the server of a shop lacked was sent.
     #[cfg(feature = "shop")]
     Sent {
-        #[say(with = printed)]
-        entries: u64,
+        entries: usize,
         #[say(with = printed)]
         number: u64,
         server: String,
     },
     /// Entries on a server that this version cannot read.
     #[cfg(feature = "shop")]
-    Unread {
-        #[say(with = printed)]
-        entries: u64,
-    },
+    Unread { entries: usize },
     /// Nothing is known elsewhere of a journal.
     NoHeadKnown,
     /// A default was used for the clearance height.

@@ -225,6 +225,9 @@ fn answers(
         | Effect::StopRows
         | Effect::ReadRows { .. }
         | Effect::OpenJournal { .. }
+        | Effect::SendTo(_)
+        | Effect::WakeSender
+        | Effect::SendAgain
         | Effect::Keep { .. }
         | Effect::AskRecords { .. }
         | Effect::ReadRecords(_)

@@ -368,6 +368,13 @@ pub enum Effect {
     },
     /// End the walk, if there is one.
     StopVerify,
+    /// Send the journal to the server at an address, in the background, and send [`RecordsCommand::Server`] at once and
+    /// [`RecordsCommand::Sent`] again and again; `None` ends it. The address may have a password.
+    SendTo(Option<String>),
+    /// Tell that the journal has something to send.
+    WakeSender,
+    /// Send at once, whatever went wrong before.
+    SendAgain,
     /// Close the window.
     Leave,
     /// Put a text on the clipboard.

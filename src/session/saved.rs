@@ -59,6 +59,8 @@ pub struct SavedRecords {
     pub who: String,
     /// The names that were used last, the latest first.
     pub names: Vec<String>,
+    /// The server of the shop, without a password.
+    pub server: Option<String>,
 }
 
 /// What is kept of files.

@@ -307,6 +307,74 @@ fn a_run_records_each_cycle_with_its_block() {
     assert!(text.contains("\nparameter    Q262 = 25\n"), "{text}");
 }
 
+#[test]
+fn whatever_a_name_holds_is_recorded_as_it_is_and_found() {
+    let place = Place::new();
+    let names = [
+        "'; DROP TABLE entry; --",
+        "\" OR 1=1 --",
+        "NEAR(a b) AND *",
+        "%_\\",
+        "=HYPERLINK(\"x\")",
+        "Ø \u{202e}desrever",
+        "名前 \u{1f529}",
+    ];
+    for (number, name) in (2_u64..).zip(names) {
+        let fields = ["--who", "--part", "--serial", "--feature-name", "--remark"];
+        let more: Vec<&str> = fields.iter().flat_map(|field| [*field, name]).collect();
+        place.record("25.01", &more);
+        let about = &place.entry(number)["body"]["about"];
+        for field in ["who", "part", "serial", "feature", "remark"] {
+            assert_eq!(about[field], name);
+        }
+        let quoted = format!("\"{}\"", name.replace('"', "\"\""));
+        for key in ["part", "serial", "feature", "who"] {
+            let asked = format!("{key}:{quoted}");
+            let said = place.run(&["journal", "list", "--journal", "j.sqlite", "--format", "json", &asked]);
+            let rows: Value = serde_json::from_str(&said.out).unwrap_or_else(|_| panic!("{asked}: {}", said.err));
+            assert_eq!(rows.as_array().unwrap().len(), 1, "{asked}");
+            assert_eq!(rows[0]["number"], number);
+        }
+        let said = place.run(&["journal", "list", "--journal", "j.sqlite", &quoted]);
+        assert_eq!(said.code, 0, "{quoted}: {}", said.err);
+        assert!(!said.out.contains('\u{202e}'), "{}", said.out);
+    }
+    assert_eq!(place.rows("").len(), names.len());
+    place.done("journal verify --journal j.sqlite");
+}
+
+#[test]
+fn ten_programs_record_into_one_file_at_once() {
+    let place = Place::new();
+    let rows = "b,25 H7,25.01\n".repeat(50);
+    place.put("rows.csv", &format!("id,callout,measured\n{rows}"));
+    std::thread::scope(|scope| {
+        for number in 0..10 {
+            let place = &place;
+            let record = move || {
+                let part = format!("P{number}");
+                place.done(&format!("import rows.csv --record --journal j.sqlite --part {part}"));
+            };
+            scope.spawn(record);
+        }
+    });
+    let recorded = place.rows("");
+    assert_eq!(recorded.len(), 500);
+    for part in 0..10 {
+        // All rows of a program, or none, and nothing of another one in between.
+        let part = format!("P{part}");
+        let numbers: Vec<u64> = recorded
+            .iter()
+            .filter(|row| cell(row, "part") == part)
+            .map(|row| cell(row, "number").parse().unwrap())
+            .collect();
+        assert_eq!(numbers.len(), 50);
+        assert_eq!(numbers[49] - numbers[0], 49);
+    }
+    let out = place.done("journal verify --journal j.sqlite");
+    assert!(out.starts_with("501 entries are as they were written"), "{out}");
+}
+
 // ---- asking ----
 
 #[test]

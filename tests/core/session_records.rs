@@ -460,3 +460,46 @@ fn a_file_that_was_used_is_named_with_its_hash() {
         assert_eq!((entry.about.part.as_str(), entry.about.serial.as_str()), (part, ""));
     }
 }
+
+/// The password of an address that is typed goes outside with it, and is nowhere in the session afterwards.
+#[test]
+fn records_are_sent_to_the_server_that_is_named_and_its_password_is_not_kept() {
+    let mut session = recording();
+    send(&mut session, Command::OpenPage(Page::Records));
+    assert_eq!(session.recording().server(), None);
+    send(&mut session, RecordsCommand::AskForServer(true));
+    let given = "postgres://mill3:secret@shop.example/checks";
+    typed(&mut session, RecordsField::Server, given);
+    assert_eq!(send(&mut session, RecordsCommand::TakeServer), [Effect::SendTo(Some(given.to_owned()))]);
+    let wrong = Message::new("records-page-no-shop");
+    send(&mut session, RecordsCommand::Server(Err(wrong.clone())));
+    assert_eq!(session.error(RecordsField::Server), Some(&wrong));
+    assert_eq!(session.recording().server(), None);
+    let shown = "postgres://mill3@shop.example/checks";
+    send(&mut session, RecordsCommand::Server(Ok(shown.to_owned())));
+    assert_eq!(session.recording().server(), Some(shown));
+    assert!(!session.recording().asks_for_server());
+    assert_eq!(session.text(RecordsField::Server), "");
+    let saved = session.saved();
+    assert!(!format!("{saved:?}{session:?}").contains("secret"));
+
+    // A record that is on disk wakes the sender.
+    let (run, _) = kept(&measure(&mut session, "25 H7", "25.012"));
+    let woken = send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(2)]) });
+    assert_eq!(woken, [Effect::WakeSender]);
+    let trouble = Some(Message::new("records-page-no-shop"));
+    send(&mut session, RecordsCommand::Sent { unsent: Some(2), trouble: trouble.clone() });
+    assert_eq!((session.recording().unsent(), session.recording().trouble()), (Some(2), trouble.as_ref()));
+    assert_eq!(send(&mut session, RecordsCommand::SendAgain), [Effect::SendAgain]);
+
+    // The next start sends to it again, once the journal is open.
+    let (mut again, _) = Session::restore(saved);
+    begin(&mut again);
+    let opened = send(&mut again, RecordsCommand::Opened(Ok((journal(2), Vec::new()))));
+    assert_eq!(opened, [Effect::SendTo(Some(shown.to_owned()))]);
+
+    assert_eq!(send(&mut session, RecordsCommand::LeaveServer), [Effect::SendTo(None)]);
+    send(&mut session, RecordsCommand::Sent { unsent: Some(1), trouble: None });
+    assert_eq!((session.recording().server(), session.recording().unsent()), (None, None));
+    assert_eq!(session.saved().records.server, None);
+}

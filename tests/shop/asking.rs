@@ -91,6 +91,7 @@ fn every_part_of_a_question_is_answered_for_all_stations() {
         asked(&reader, &Question { station: text("mühle 4"), callout: text("25 H7"), ..none() }, 2),
         of("Mühle 4")
     );
+    assert_eq!(asked(&reader, &Question { words: vec!["jurg".to_owned()], ..none() }, 2), of("Mühle 4"));
     let page = reader.page(&none(), None, 8).unwrap();
     let corrected: Vec<Option<u64>> = page.rows.iter().take(4).map(|row| row.row.corrected_by).collect();
     assert_eq!(corrected, [None, Some(5), None, Some(4)]);

@@ -7,6 +7,7 @@ mod addresses;
 mod asking;
 mod chains;
 mod clusters;
+mod command_line;
 mod harness;
 mod network;
 mod passwords;

@@ -203,7 +203,14 @@ cli-no-check = entry { $number } is not a check
 cli-already-corrected-by = entry { $number } is corrected or withdrawn by entry { $by } already: correct that one
 cli-not-typed = the value of entry { $number } was measured, not typed: measure again, or withdraw the check
 cli-nothing-corrected = a correction changes something: give --measured, --who, --part, --serial, --feature-name, --remark or --withdraw
-cli-remark-sent = { $entries } entries were sent to { $server }, which has this journal up to entry { $number }
-cli-remark-unread = { $entries } entries are passed over: this version cannot read them
+cli-remark-sent = { $entries ->
+    [0] nothing had to be sent
+    [one] 1 entry was sent
+   *[other] { $entries } entries were sent
+} to { $server }, which has this journal up to entry { $number }
+cli-remark-unread = { $entries ->
+    [one] 1 entry is
+   *[other] { $entries } entries are
+} passed over: this version cannot read it
 cli-head-without-chain = a server has several chains: --head CHAIN:NUMBER:HASH
 cli-head-of-other = this journal is the chain { $chain }, and --head names { $other }

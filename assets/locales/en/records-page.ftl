@@ -151,7 +151,21 @@ records-page-not-recording = Checks are not recorded
 
 ## The journal
 records-page-place = { $file } · { $entries } entries
-records-page-unsent = { $count } not yet sent
+records-page-unsent = { $count } not yet sent to { $server }
+records-page-all-sent = all sent to { $server }
+records-page-server-unknown = { $server } was not reached yet
+records-page-server = Server of the shop
+records-page-server-hint = Sends every record to a PostgreSQL server, in the background; without it everything stays on this computer
+records-page-server-address = Address, such as postgres://mill3@shop.example/checks
+records-page-server-passwords = The password comes from the address, PGPASSWORD, the password file or the system's keyring. One in the address goes to the keyring and is kept nowhere else.
+records-page-take-server = Use this server
+records-page-leave-server = Send no more
+records-page-send-again = Send again
+records-page-not-sent = Not sent: { $why }
+records-page-and = { $one }; { $other }
+records-page-no-shop = this Fitcheck was built without the server of a shop (feature shop)
+records-page-in-keyring = The password of { $server } is in the system's keyring now
+records-page-not-in-keyring = The password of { $server } could not be put into the system's keyring ({ $reason }): it counts until the window is closed, and then has to come from PGPASSWORD or the password file
 records-page-verify = Verify
 records-page-verify-hint = Checks every entry against the one before it
 records-page-verify-cancel = Cancel verification

@@ -203,7 +203,14 @@ cli-no-check = regel { $number } is geen controle
 cli-already-corrected-by = regel { $number } is al gecorrigeerd of ingetrokken door regel { $by }: corrigeer die
 cli-not-typed = de waarde van regel { $number } is gemeten en niet getypt: meet opnieuw, of trek de controle in
 cli-nothing-corrected = een correctie verandert iets: geef --measured, --who, --part, --serial, --feature-name, --remark of --withdraw
-cli-remark-sent = { $entries } regels gestuurd naar { $server }, die dit logboek nu heeft tot en met regel { $number }
-cli-remark-unread = { $entries } regels zijn overgeslagen: deze versie kan ze niet lezen
+cli-remark-sent = { $entries ->
+    [0] er was niets te sturen
+    [one] 1 regel is gestuurd
+   *[other] { $entries } regels zijn gestuurd
+} naar { $server }, die dit logboek heeft tot en met regel { $number }
+cli-remark-unread = { $entries ->
+    [one] 1 regel is
+   *[other] { $entries } regels zijn
+} overgeslagen: deze versie kan dat niet lezen
 cli-head-without-chain = een server heeft verschillende ketens: --head CHAIN:NUMBER:HASH
 cli-head-of-other = dit logboek is de keten { $chain }, en --head noemt { $other }

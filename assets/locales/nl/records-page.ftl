@@ -151,7 +151,21 @@ records-page-not-recording = Controles worden niet vastgelegd
 
 ## Het journaal
 records-page-place = { $file } · { $entries } vermeldingen
-records-page-unsent = { $count } nog niet verzonden
+records-page-unsent = { $count } nog niet verzonden naar { $server }
+records-page-all-sent = alles verzonden naar { $server }
+records-page-server-unknown = { $server } is nog niet bereikt
+records-page-server = Server van de werkplaats
+records-page-server-hint = Stuurt elke vermelding op de achtergrond naar een PostgreSQL-server; zonder server blijft alles op deze computer
+records-page-server-address = Adres, zoals postgres://frees3@werkplaats.example/checks
+records-page-server-passwords = Het wachtwoord komt uit het adres, PGPASSWORD, het wachtwoordbestand of de sleutelbos van het systeem. Een wachtwoord in het adres gaat naar de sleutelbos en wordt nergens anders bewaard.
+records-page-take-server = Deze server gebruiken
+records-page-leave-server = Niet meer verzenden
+records-page-send-again = Opnieuw verzenden
+records-page-not-sent = Niet verzonden: { $why }
+records-page-and = { $one }; { $other }
+records-page-no-shop = deze Fitcheck is gebouwd zonder de server van een werkplaats (feature shop)
+records-page-in-keyring = Het wachtwoord van { $server } staat nu in de sleutelbos van het systeem
+records-page-not-in-keyring = Het wachtwoord van { $server } kon niet in de sleutelbos van het systeem ({ $reason }): het geldt tot het venster sluit, en moet daarna uit PGPASSWORD of het wachtwoordbestand komen
 records-page-verify = Verifiëren
 records-page-verify-hint = Vergelijkt elke vermelding met die ervoor
 records-page-verify-cancel = Verificatie afbreken

@@ -23,10 +23,15 @@ fn access(address: &str, io: &mut Io<'_>) -> Result<Access, CliError> {
     Ok(access)
 }
 
+/// A number that chooses its plural.
+fn count(number: u64) -> usize {
+    usize::try_from(number).unwrap_or(usize::MAX)
+}
+
 /// Makes the tables.
 pub(in crate::cli) fn init(address: &str, io: &mut Io<'_>) -> Result<(), CliError> {
     let made = shop::init(&access(address, io)?, Patience::default()).said()?;
-    io.tell(&made);
+    io.tell(made);
     Ok(())
 }
 
@@ -42,7 +47,7 @@ pub(in crate::cli) fn send(address: &str, file: &Path, station: &str, io: &mut I
     });
     bar.finish_and_clear();
     let sent = sent.said()?;
-    let (entries, number, server) = (sent.entries, sent.head.number, access.address.to_string());
+    let (entries, number, server) = (count(sent.entries), sent.head.number, access.address.to_string());
     io.tell(CliRemark::Sent { entries, number, server });
     Ok(())
 }
@@ -57,7 +62,7 @@ pub(in crate::cli) fn list(
     let reader = ShopReader::open(&access(address, io)?, Patience::default(), &Stop::default()).said()?;
     let page = reader.page(question, None, most).said()?;
     if 0 < page.unread {
-        io.remark(&CliRemark::Unread { entries: page.unread });
+        io.remark(&CliRemark::Unread { entries: count(page.unread) });
     }
     Ok(page.rows.into_iter().map(|row| row.row).collect())
 }

@@ -6,9 +6,15 @@
 //! | `writer` | entries onto the disk, one batch after the other |
 //! | `finder` | which records answer a question, and rows |
 //! | `local` | the journal of this station |
+//! | `shop`, `no_shop` | the server of the shop, or none |
 
 mod finder;
 mod local;
+#[cfg(not(feature = "shop"))]
+#[path = "no_shop.rs"]
+mod shop;
+#[cfg(feature = "shop")]
+mod shop;
 mod writer;
 
 use std::fmt::Debug;
@@ -19,11 +25,13 @@ use std::sync::mpsc::{Receiver, Sender, channel};
 use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 use std::time::Duration;
 
+pub use crate::store::here::{computer, moment};
 use eframe::egui::Context;
 use finder::{Asked, Finder};
 use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 pub use local::Local;
+use shop::Shop;
 use writer::{Job, Writer};
 
 use super::effects::Errands;
@@ -33,7 +41,6 @@ use crate::journal::entry::{Entry, Moment};
 use crate::message::Message;
 use crate::session::records::Verified;
 use crate::session::{Command, Effect, OpenJournal, RecordRow, RecordsCommand};
-use crate::store::here::{computer, moment};
 
 /// Where records are kept, whatever that is: the file of this station, or one that a test has made up.
 pub trait Journals: Debug + Send + Sync {
@@ -154,6 +161,7 @@ pub(super) struct Desk {
     /// The number of the walk that goes on; 0 for none.
     walk: Arc<AtomicU64>,
     file: Mutex<Option<PathBuf>>,
+    shop: Mutex<Shop>,
     clock: fn() -> DateTime,
 }
 
@@ -207,6 +215,7 @@ impl Desk {
             newest,
             walk: Arc::default(),
             file: Mutex::default(),
+            shop: Mutex::default(),
             clock,
             records,
         }
@@ -243,6 +252,9 @@ impl Desk {
             }
             Effect::ReadRecords(numbers) => self.find(ctx, Asked::Rows { numbers, ctx: ctx.clone() }),
             Effect::VerifyRecords { run } => self.verify(ctx, run),
+            Effect::SendTo(address) => self.send_to(ctx, address.as_deref()),
+            Effect::WakeSender => lock(&self.shop).wake(),
+            Effect::SendAgain => lock(&self.shop).again(),
             Effect::StopVerify => self.walk.store(0, Relaxed),
             other => return Some(other),
         }
@@ -271,6 +283,16 @@ impl Desk {
         let _no_thread = self.finder.send(asked);
     }
 
+    /// Sends the journal to a server from now on, or to none.
+    fn send_to(&self, ctx: &Context, address: Option<&str>) {
+        let mut shop = lock(&self.shop);
+        shop.leave();
+        let (Some(address), Some(file)) = (address, lock(&self.file).clone()) else { return };
+        let (answers, ctx) = (self.answers.clone(), ctx.clone());
+        let tell = move |command: Command| say(&answers, &ctx, command);
+        shop.send_to(address, (&file, &self.records.station), tell);
+    }
+
     fn verify(&self, ctx: &Context, run: u64) {
         let clock = self.clock;
         self.walk.store(run, Relaxed);
@@ -290,6 +312,8 @@ impl Desk {
     /// Waits until everything is on disk that was sent. A drive that does not answer is not waited for forever.
     pub fn finish(&self) {
         self.walk.store(0, Relaxed);
+        // What the server lacks is sent the next time.
+        lock(&self.shop).leave();
         if lock(&self.writer).take().is_some() && !self.is_at_once && lock(&self.written).recv_timeout(MOST).is_err() {
             log::error!("the journal has not answered: checks may not be recorded");
         }

@@ -5,12 +5,13 @@ use eframe::egui::{ProgressBar, Ui, WidgetInfo};
 
 use crate::gui::check::grouped;
 use crate::gui::columns::is_tiny;
+use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::shapes::share;
-use crate::gui::theme::space;
+use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::Message;
 use crate::session::records::{Verified, Walk};
-use crate::session::{Action, Keeping};
+use crate::session::{Action, Keeping, RecordsField};
 
 /// The foot of the page.
 pub(super) fn foot_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -22,9 +23,15 @@ pub(super) fn foot_ui(ui: &mut Ui, view: &mut View<'_>) {
                 view.button(ui, action);
             }
         }
+        if view.session.can(Action::AskForServer) && !is_tiny(ui) {
+            view.button(ui, Action::AskForServer);
+        }
         walk_ui(ui, view);
         wrong_ui(ui, view);
     });
+    if view.session.recording().asks_for_server() {
+        server_ui(ui, view);
+    }
     place_ui(ui, view);
 }
 
@@ -35,11 +42,28 @@ fn place_ui(ui: &mut Ui, view: &View<'_>) {
     let entries = recording.newest();
     let said = Message::new("records-page-place").text("file", &file).text("entries", grouped(entries));
     let mut said = view.words.say(&said);
-    if let Some(unsent) = recording.unsent() {
-        let unsent = Message::new("records-page-unsent").text("count", grouped(unsent));
-        said = format!("{said} · {}", view.words.say(&unsent));
+    if let Some(server) = recording.server() {
+        let sent = match recording.unsent() {
+            None => Message::new("records-page-server-unknown"),
+            Some(0) => Message::new("records-page-all-sent"),
+            Some(unsent) => Message::new("records-page-unsent").text("count", grouped(unsent)),
+        };
+        said = format!("{said} · {}", view.words.say(&sent.text("server", server)));
     }
     quiet_cut(ui, &said).on_hover_text(&said);
+}
+
+/// The form for the server of the shop.
+fn server_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let name = quiet(ui, view.text("records-page-server-address"));
+    let look = Look { font: theme::font(sizes().body), ..Look::large(ui.available_width().min(space(140.0))) };
+    field_ui(ui, view, RecordsField::Server, name.id, look);
+    error_ui(ui, view, RecordsField::Server);
+    ui.horizontal_wrapped(|ui| {
+        view.button(ui, Action::TakeServer);
+        view.button(ui, Action::LeaveServer);
+        quiet(ui, view.text("records-page-server-passwords"));
+    });
 }
 
 /// What is wrong, when something is.
@@ -56,7 +80,8 @@ fn wrong_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.button(ui, Action::RecordAgain);
     }
     if let Some(why) = view.session.recording().trouble() {
-        problem(ui, view.words.say(why));
+        problem(ui, view.words.say(&Message::new("records-page-not-sent").message("why", why.clone())));
+        view.button(ui, Action::SendAgain);
     }
 }
 

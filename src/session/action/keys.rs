@@ -44,6 +44,7 @@ impl Action {
                 _,
             ) => None,
             (Field::Records(RecordsField::Who), _) => Some(Self::TakeName),
+            (Field::Records(RecordsField::Server), _) => Some(Self::TakeServer),
             (Field::Records(_), _) => Some(Self::SendCorrection),
             (Field::Program(ProgramField::Name | ProgramField::Value), _) => Some(Self::GiveValue),
             (Field::Tables(TablesField::CellUpper | TablesField::CellLower), _) => Some(Self::SetCell),

@@ -309,6 +309,14 @@ actions! {
     CancelVerify;
     /// Writes again what could not be recorded.
     RecordAgain;
+    /// Opens or closes the form for the server of the shop.
+    AskForServer;
+    /// Sends to the server in the field.
+    TakeServer;
+    /// Sends to no server any more.
+    LeaveServer;
+    /// Sends at once, whatever went wrong before.
+    SendAgain;
     /// The name in the field measures from now on.
     TakeName;
 }

@@ -127,6 +127,31 @@ pub(super) fn try_again() -> Row {
         .when(|session| 0 < session.recording().failed() || session.recording().has_failed_to_open())
 }
 
+pub(super) fn ask_for_server() -> Row {
+    Row::new(
+        Place::Page(Page::Records),
+        "records-page-server",
+        Sends::FromState(|session| RecordsCommand::AskForServer(!session.recording().asks_for_server()).into()),
+    )
+    .hint("records-page-server-hint")
+    .when(|session| session.recording().is_on())
+}
+
+pub(super) fn take_server() -> Row {
+    on(Page::Records, "records-page-take-server", RecordsCommand::TakeServer)
+        .when(|session| !session.text(RecordsField::Server).trim().is_empty())
+}
+
+pub(super) fn leave_server() -> Row {
+    on(Page::Records, "records-page-leave-server", RecordsCommand::LeaveServer)
+        .when(|session| session.recording().server().is_some())
+}
+
+pub(super) fn send_again() -> Row {
+    on(Page::Records, "records-page-send-again", RecordsCommand::SendAgain)
+        .when(|session| session.recording().trouble().is_some())
+}
+
 pub(super) fn take_name() -> Row {
     everywhere("records-page-take-name", RecordsCommand::TakeName.into())
         .when(|session| !session.text(RecordsField::Who).trim().is_empty())

@@ -374,6 +374,10 @@ pub(super) fn row(action: Action) -> Row {
         Action::VerifyRecords => records::verify(),
         Action::CancelVerify => records::cancel_verify(),
         Action::RecordAgain => records::try_again(),
+        Action::AskForServer => records::ask_for_server(),
+        Action::TakeServer => records::take_server(),
+        Action::LeaveServer => records::leave_server(),
+        Action::SendAgain => records::send_again(),
         Action::TakeName => records::take_name(),
     }
 }

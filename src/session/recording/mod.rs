@@ -8,9 +8,11 @@
 //! | here | where records are kept, which checks are recorded, what failed |
 //! | `making` | from a check to an entry |
 //! | `people` | who is measuring |
+//! | `server` | the server of the shop |
 
 mod making;
 mod people;
+mod server;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
@@ -18,6 +20,7 @@ use std::path::{Path, PathBuf};
 pub use making::Named;
 pub(super) use making::{correcting, used};
 pub use people::MOST_NAMES;
+use server::Server;
 
 use self::people::People;
 use super::command::Effect;
@@ -115,10 +118,7 @@ pub struct Recording {
     newest: u64,
     /// The file that was read last, with SHA-256 of its bytes.
     measured: Option<(String, Hash)>,
-    /// How many entries the server of the shop does not have yet; `None` where there is none, or nobody has asked it.
-    pub(super) unsent: Option<u64>,
-    /// What is wrong with sending.
-    pub(super) trouble: Option<Message>,
+    server: Server,
     errands: Vec<Effect>,
 }
 
@@ -157,6 +157,9 @@ impl Recording {
         match result {
             Ok(journal) => {
                 self.newest = self.newest.max(journal.head.number);
+                if self.journal.is_none() {
+                    self.begin_sending();
+                }
                 (self.journal, self.keeping) = (Some(journal), Keeping::Open);
             }
             Err(problem) => self.keeping = Keeping::Failed(problem),
@@ -186,6 +189,7 @@ impl Recording {
                 self.newest = heads.last().map_or(self.newest, |head| self.newest.max(head.number));
                 batch.fate = Fate::Kept(heads.first().map_or(0, |head| head.number));
                 batch.entries = Vec::new();
+                self.wake_sender();
                 false
             }
             Err(problem) => {
@@ -256,16 +260,6 @@ impl Recording {
     /// The newest number that this window has seen.
     pub const fn newest(&self) -> u64 {
         self.newest
-    }
-
-    /// How many entries the server of the shop does not have yet; `None` where there is none, or nobody has asked it.
-    pub const fn unsent(&self) -> Option<u64> {
-        self.unsent
-    }
-
-    /// What is wrong with sending.
-    pub const fn trouble(&self) -> Option<&Message> {
-        self.trouble.as_ref()
     }
 
     /// Who is measuring; empty where nobody said.

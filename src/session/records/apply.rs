@@ -35,8 +35,27 @@ impl PageState for RecordsPage {
             }
             RecordsCommand::Measured { name, sha256 } => shared.recording.saw(name, sha256),
             RecordsCommand::Sent { unsent, trouble } => {
-                (shared.recording.unsent, shared.recording.trouble) = (unsent, trouble);
+                shared.recording.of_server(unsent, trouble);
             }
+            RecordsCommand::AskForServer(is_asked) => {
+                // An address may have a password: it does not stay.
+                self.texts.remove(&RecordsField::Server);
+                self.errors.remove(&RecordsField::Server);
+                shared.recording.ask_for_server(is_asked);
+            }
+            RecordsCommand::TakeServer => shared.recording.try_server(self.text(RecordsField::Server).trim()),
+            RecordsCommand::LeaveServer => shared.recording.leave_server(),
+            RecordsCommand::SendAgain => shared.recording.send_again(),
+            RecordsCommand::Server(Ok(address)) => {
+                self.texts.remove(&RecordsField::Server);
+                shared.recording.use_server(address);
+            }
+            RecordsCommand::Server(Err(problem)) if shared.recording.asks_for_server() => {
+                self.errors.insert(RecordsField::Server, problem);
+            }
+            // The address of the state file.
+            RecordsCommand::Server(Err(problem)) => shared.recording.of_server(None, Some(problem)),
+            RecordsCommand::Note(note) => shared.note(note, Vec::new()),
             RecordsCommand::UseName(name) => shared.recording.use_name(&name),
             RecordsCommand::TakeName => {
                 shared.recording.use_name(self.text(RecordsField::Who));

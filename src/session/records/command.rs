@@ -52,6 +52,18 @@ pub enum RecordsCommand {
         /// What is wrong, when something is.
         trouble: Option<Message>,
     },
+    /// Opens the form for the server of the shop, or closes it.
+    AskForServer(bool),
+    /// Sends to the server whose address is in the field.
+    TakeServer,
+    /// Sends to no server any more.
+    LeaveServer,
+    /// Sends at once, whatever went wrong before.
+    SendAgain,
+    /// The address in the field is one, without its password; or it is none.
+    Server(Result<String, Message>),
+    /// Something that the user should know.
+    Note(Message),
     /// Somebody of the list measures from now on.
     UseName(String),
     /// The name in the field measures from now on.

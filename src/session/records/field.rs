@@ -7,6 +7,8 @@ pub enum RecordsField {
     Question,
     /// The name of who measures from now on; in the top bar of every page.
     Who,
+    /// The address of the server of the shop.
+    Server,
     /// Why a record is corrected.
     Reason,
     /// The part that it should have.

@@ -103,14 +103,14 @@ impl ShopReader {
     /// Entries behind a place in the list that may fit: what the server says of texts and times is only used to leave out many.
     fn fetch(&self, question: &Question, after: Option<Place>) -> Result<Vec<Fetched>, ShopError> {
         let sql = "SELECT chain, number, hash, body, station, (extract(epoch FROM received) * 1000000)::bigint, \
-             (SELECT max(other.number) FROM fitcheck.entry AS other \
-              WHERE other.chain = entry.chain AND fitcheck.corrects(other.body) = entry.number) \
+             fitcheck.corrected_by(chain, number) \
              FROM fitcheck.entry AS entry \
              WHERE 1 < number AND ($1::bigint IS NULL OR received <= timestamptz 'epoch' + $1 * interval '1 microsecond') \
              AND ($1::bigint IS NULL OR received < timestamptz 'epoch' + $1 * interval '1 microsecond' \
                   OR $2::bytea < chain OR (chain = $2 AND number < $3::bigint)) \
-             AND NOT EXISTS (SELECT FROM pg_catalog.unnest($4::text[]) AS word \
-                             WHERE strpos(lower(body COLLATE \"C\"), word) = 0) \
+             AND (octet_length(body) <> char_length(body) \
+                  OR NOT EXISTS (SELECT FROM pg_catalog.unnest($4::text[]) AS word \
+                                 WHERE strpos(lower(body COLLATE \"C\"), word) = 0)) \
              ORDER BY received DESC, chain, number DESC LIMIT $5";
         let time = after.map(|place| place.received_us);
         let chain = after.map(|place| place.chain.0.to_vec());
@@ -149,8 +149,8 @@ impl Fetched {
     }
 }
 
-/// Words in small letters that stand in the body of every entry that a question asks for. Other letters than those of English are left
-/// to [`Question::finds`], for servers differ in what their small ones are.
+/// Words in small letters that stand in every body of ASCII that a question asks for. Bodies and words with other letters are left to
+/// [`Question::finds`]: servers differ in what their small ones are, and accents do not count.
 fn surely(question: &Question) -> Vec<String> {
     let Question { part, feature, who, station, serial, words, .. } = question;
     let names = [part, feature, who, station, serial].into_iter().flatten().chain(words);

@@ -75,6 +75,13 @@ END
 $$;
 CREATE INDEX IF NOT EXISTS entry_corrects ON fitcheck.entry (chain, fitcheck.corrects(body)) WHERE fitcheck.corrects(body) IS NOT NULL;
 
+-- The newest entry that corrects another one. Without OFFSET the newest entries of the chain would be searched one by one.
+CREATE OR REPLACE FUNCTION fitcheck.corrected_by(of bytea, wanted bigint) RETURNS bigint
+LANGUAGE sql STABLE SET search_path = pg_catalog, pg_temp AS $$
+    SELECT max(number) FROM (
+        SELECT number FROM fitcheck.entry WHERE chain = of AND fitcheck.corrects(body) = wanted OFFSET 0) AS correcting
+$$;
+
 -- One row a check, for spreadsheets and dashboards. Entries that cannot be read are there, too, without figures.
 CREATE OR REPLACE VIEW fitcheck.checks AS
 SELECT
@@ -83,8 +90,7 @@ SELECT
     figures.callout, figures.class, figures.min_mm, figures.max_mm, figures.measured_mm, figures.deviation_um,
     figures.rule, figures.u_um, figures.status, figures.simulated, figures.origin, figures.remark,
     figures.correction_of,
-    (SELECT max(other.number) FROM fitcheck.entry AS other
-     WHERE other.chain = entry.chain AND fitcheck.corrects(other.body) = entry.number) AS corrected_by,
+    fitcheck.corrected_by(entry.chain, entry.number) AS corrected_by,
     round(extract(epoch FROM entry.received - figures.at)::numeric, 3) AS clock_difference_s,
     encode(entry.hash, 'hex') AS hash,
     encode(entry.chain, 'hex') AS chain
