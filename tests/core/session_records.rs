@@ -40,15 +40,15 @@ fn head(number: u64) -> Head {
     Head { number, hash: Hash([u8::try_from(number % 251).unwrap(); 32]) }
 }
 
-fn journal(number: u64) -> Box<OpenJournal> {
-    Box::new(OpenJournal { chain: ChainId([1; 16]), head: head(number), remarks: Vec::new() })
+fn journal(number: u64) -> OpenJournal {
+    OpenJournal { chain: ChainId([1; 16]), head: head(number), remarks: Vec::new() }
 }
 
 /// A session whose journal is open.
 fn recording() -> Session {
     let mut session = Session::new(Language::En);
     begin(&mut session);
-    send(&mut session, RecordsCommand::Opened(Ok((journal(1), Vec::new()))));
+    send(&mut session, RecordsCommand::Opened(Ok((Box::new(journal(1)), Vec::new()))));
     session
 }
 
@@ -217,7 +217,7 @@ fn the_newest_checks_of_the_journal_are_the_history_without_those_that_stand_no_
         row(4, Content::Withdrawal(back), None),
         check_row(5, -3, None),
     ];
-    send(&mut session, RecordsCommand::Opened(Ok((journal(5), rows))));
+    send(&mut session, RecordsCommand::Opened(Ok((Box::new(journal(5)), rows))));
     let parts: Vec<_> = session.history().iter().map(|record| record.id.clone()).collect();
     assert_eq!(parts, ["P2", "P5", ""]);
     assert!(session.notices().is_empty());

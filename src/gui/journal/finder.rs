@@ -180,14 +180,13 @@ impl Finder {
 
     /// Asks the reader, which is opened where it is not.
     fn with_reader<T>(&mut self, ask: impl FnOnce(&dyn Reads) -> Result<T, ReadError>) -> Result<T, ReadError> {
-        let reader = match self.reader.take() {
-            Some(reader) => reader,
-            None => {
-                let file = self.file.as_ref().ok_or_else(|| ReadError::Failed(Message::new("records-page-none")))?;
-                let reader = self.journals.reader(file).map_err(ReadError::Failed)?;
-                *lock(&self.interrupt) = Some(reader.interrupt());
-                reader
-            }
+        let reader = if let Some(reader) = self.reader.take() {
+            reader
+        } else {
+            let file = self.file.as_ref().ok_or_else(|| ReadError::Failed(Message::new("records-page-none")))?;
+            let reader = self.journals.reader(file).map_err(ReadError::Failed)?;
+            *lock(&self.interrupt) = Some(reader.interrupt());
+            reader
         };
         let result = ask(reader.as_ref());
         // One that has failed is opened anew.

@@ -40,10 +40,6 @@ impl Local {
     }
 }
 
-fn told(error: StoreError) -> Message {
-    error.message()
-}
-
 fn failed(error: StoreError) -> ReadError {
     match error {
         StoreError::Interrupted => ReadError::Interrupted,
@@ -54,19 +50,20 @@ fn failed(error: StoreError) -> ReadError {
 impl Journals for Local {
     fn open(&self, file: &Path, station: &str, now: &Moment) -> Result<(Box<dyn Keeps>, Box<OpenJournal>), Message> {
         let opening = Opening { anchors: self.anchors.clone(), ..Opening::new(station, now.clone()) };
-        let journal = Journal::open(file, &opening).map_err(told)?;
+        let journal = Journal::open(file, &opening).map_err(|error| error.message())?;
         let remarks = journal.remarks().iter().filter(|remark| !matches!(remark, StoreRemark::Begun { .. }));
         let remarks = remarks.map(crate::message::Say::message).collect();
-        let opened = OpenJournal { chain: journal.chain(), head: journal.head().map_err(told)?, remarks };
+        let opened =
+            OpenJournal { chain: journal.chain(), head: journal.head().map_err(|error| error.message())?, remarks };
         Ok((Box::new(journal), Box::new(opened)))
     }
 
     fn reader(&self, file: &Path) -> Result<Box<dyn Reads>, Message> {
-        Ok(Box::new(Reader::open(file).map_err(told)?))
+        Ok(Box::new(Reader::open(file).map_err(|error| error.message())?))
     }
 
     fn verify(&self, file: &Path, progress: &mut dyn FnMut(u64, u64) -> ControlFlow<()>) -> Result<Verified, Message> {
-        let chain = Reader::open(file).map_err(told)?.chain();
+        let chain = Reader::open(file).map_err(|error| error.message())?.chain();
         let anchors = self.anchors.as_deref().map(Anchors::read);
         let mut problems = Vec::new();
         let known = match anchors {
@@ -77,7 +74,7 @@ impl Journals for Local {
             }
             None => Vec::new(),
         };
-        let found = local::verify(file, &known, progress).map_err(told)?;
+        let found = local::verify(file, &known, progress).map_err(|error| error.message())?;
         problems.extend(found.inspected.breaks.iter().map(crate::message::Say::message));
         problems.extend(found.findings.iter().map(crate::message::Say::message));
         Ok(Verified { entries: found.inspected.entries, head: found.inspected.head, problems })
@@ -86,7 +83,7 @@ impl Journals for Local {
 
 impl Keeps for Journal {
     fn append(&mut self, entries: &[Entry]) -> Result<Vec<Head>, Message> {
-        let kept = Self::append(self, entries).map_err(told)?;
+        let kept = Self::append(self, entries).map_err(|error| error.message())?;
         Ok(kept.into_iter().map(|kept| kept.head).collect())
     }
 }

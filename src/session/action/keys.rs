@@ -37,11 +37,15 @@ impl Action {
     /// What Enter does in a text field of a page.
     pub const fn on_enter(field: Field, page: Page) -> Option<Self> {
         match (field, page) {
-            (Field::Records(RecordsField::Question), _) => None,
+            (
+                Field::Program(ProgramField::Filter)
+                | Field::Check(CheckField::HistoryFilter)
+                | Field::Records(RecordsField::Question),
+                _,
+            ) => None,
             (Field::Records(RecordsField::Who), _) => Some(Self::TakeName),
             (Field::Records(RecordsField::Server), _) => Some(Self::TakeServer),
             (Field::Records(_), _) => Some(Self::SendCorrection),
-            (Field::Program(ProgramField::Filter) | Field::Check(CheckField::HistoryFilter), _) => None,
             (Field::Program(ProgramField::Name | ProgramField::Value), _) => Some(Self::GiveValue),
             (Field::Tables(TablesField::CellUpper | TablesField::CellLower), _) => Some(Self::SetCell),
             (Field::Tables(TablesField::To), _) => Some(Self::MakeTable),

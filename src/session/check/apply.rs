@@ -245,7 +245,7 @@ impl CheckPage {
     }
 
     /// Sends checks to the journal, with the file that their values are from. The serial number is that of one part.
-    pub(super) fn keep(&self, first: RecordId, records: &[Arc<Record>], from: Option<UsedFile>, shared: &mut Shared) {
+    pub(super) fn keep(&self, first: RecordId, records: &[Arc<Record>], from: Option<&UsedFile>, shared: &mut Shared) {
         let mut named = self.named();
         if 1 < records.len() {
             named.serial.clear();
@@ -253,7 +253,7 @@ impl CheckPage {
         let budget = shared.budget.as_deref().and_then(|open| used(FileRole::Budget, &open.file, open.sha256));
         shared.recording.keep_checks(first, records, &named, |record| {
             let budget = budget.clone().filter(|_| record.budget.is_some());
-            from.iter().cloned().chain(budget).collect()
+            from.into_iter().cloned().chain(budget).collect()
         });
     }
 

@@ -52,7 +52,7 @@ impl CheckPage {
                 Ok(record) => {
                     let record = Arc::new(record);
                     let id = shared.history.add(vec![Arc::clone(&record)]);
-                    self.keep(id, &[record], file, shared);
+                    self.keep(id, &[record], file.as_ref(), shared);
                     self.inputs.keep(id, &self.texts);
                     notice.change = shared.history.last_change();
                     self.show(id, shared);
@@ -88,7 +88,7 @@ impl CheckPage {
         self.lot = is_lot.then(|| lot(first));
         if !records.is_empty() {
             shared.history.add(records.clone());
-            self.keep(first, &records, file, shared);
+            self.keep(first, &records, file.as_ref(), shared);
             shared.note_change();
         }
         if is_lot {

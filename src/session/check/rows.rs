@@ -56,7 +56,7 @@ impl CheckPage {
                 if let Some(record) = rows.shown().and_then(|row| row.record.clone()) {
                     let file = rows.sha256().and_then(|sha256| used(FileRole::Measurements, rows.name(), Some(sha256)));
                     let id = shared.history.add(vec![Arc::clone(&record)]);
-                    self.keep(id, &[record], file, shared);
+                    self.keep(id, &[record], file.as_ref(), shared);
                     shared.note(Message::new("rows-kept"), Vec::new());
                     shared.note_change();
                 }

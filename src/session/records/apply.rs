@@ -21,7 +21,7 @@ impl PageState for RecordsPage {
         match command {
             RecordsCommand::Type(field, text) => self.type_text(field, text, shared),
             RecordsCommand::Begin { usual, station, zone } => {
-                self.zone = zone;
+                self.zone = Some(zone);
                 shared.recording.begin(usual, station);
                 if shared.recording.is_on() {
                     shared.history.leave_room(RESTORED);

@@ -3,6 +3,7 @@
 use std::ops::Range;
 
 use jiff::Timestamp;
+use jiff::tz::TimeZone;
 
 use super::{RecordsField, RecordsPage};
 use crate::journal::ask::{Here, Question};
@@ -78,8 +79,9 @@ impl RecordsPage {
         if !shared.recording.is_on() {
             return;
         }
-        let now = self.now.to_zoned(self.zone.clone()).map_or(Timestamp::UNIX_EPOCH, |now| now.timestamp());
-        match Question::read(self.text(RecordsField::Question), &Here { now, zone: self.zone.clone() }) {
+        let zone = self.zone.clone().unwrap_or(TimeZone::UTC);
+        let now = self.now.to_zoned(zone.clone()).map_or(Timestamp::UNIX_EPOCH, |now| now.timestamp());
+        match Question::read(self.text(RecordsField::Question), &Here { now, zone }) {
             Ok(question) => {
                 self.runs += 1;
                 self.asks = self.runs;

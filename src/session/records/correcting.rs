@@ -141,7 +141,9 @@ impl RecordsPage {
             Some(Recorded::Kept(number)) => {
                 let old = self.open.as_ref().map(|open| open.number);
                 self.correct(false);
-                old.into_iter().for_each(|old| self.listing.forget(old));
+                if let Some(old) = old {
+                    self.listing.forget(old);
+                }
                 self.ask(shared, false);
                 let effects = self.open(number);
                 self.errands.extend(effects);

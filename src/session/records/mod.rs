@@ -97,7 +97,7 @@ pub struct OpenRecord {
 }
 
 /// The state of the records page.
-#[derive(Debug)]
+#[derive(Debug, Default)]
 pub struct RecordsPage {
     texts: BTreeMap<RecordsField, String>,
     errors: BTreeMap<RecordsField, Message>,
@@ -123,34 +123,9 @@ pub struct RecordsPage {
     walk: Walk,
     /// The time of the last command.
     now: DateTime,
-    /// Where its days begin.
-    zone: TimeZone,
+    /// Where its days begin; UTC until that is known.
+    zone: Option<TimeZone>,
     errands: Vec<Effect>,
-}
-
-impl Default for RecordsPage {
-    fn default() -> Self {
-        Self {
-            texts: Default::default(),
-            errors: Default::default(),
-            culprit: Default::default(),
-            runs: Default::default(),
-            asks: Default::default(),
-            listing: Default::default(),
-            asked_at: Default::default(),
-            cursor: Default::default(),
-            look: Default::default(),
-            chosen: Default::default(),
-            with_simulated: Default::default(),
-            open: Default::default(),
-            correcting: Default::default(),
-            walks: Default::default(),
-            walk: Default::default(),
-            now: Default::default(),
-            zone: TimeZone::UTC,
-            errands: Default::default(),
-        }
-    }
 }
 
 impl RecordsPage {
