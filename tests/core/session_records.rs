@@ -495,7 +495,7 @@ fn records_are_sent_to_the_server_that_is_named_and_its_password_is_not_kept() {
     // The next start sends to it again, once the journal is open.
     let (mut again, _) = Session::restore(saved);
     begin(&mut again);
-    let opened = send(&mut again, RecordsCommand::Opened(Ok((journal(2), Vec::new()))));
+    let opened = send(&mut again, RecordsCommand::Opened(Ok((Box::new(journal(2)), Vec::new()))));
     assert_eq!(opened, [Effect::SendTo(Some(shown.to_owned()))]);
 
     assert_eq!(send(&mut session, RecordsCommand::LeaveServer), [Effect::SendTo(None)]);
