@@ -442,6 +442,33 @@ fn a_walk_that_was_cancelled_says_so_and_its_late_answer_is_dropped() {
 }
 
 #[test]
+fn a_row_that_can_be_no_entry_holds_no_other_up_and_is_told() {
+    let mut session = recording();
+    let bytes = format!("id;callout;measured\nA;25 H7;25,012\n{};25 H7;24,998\nC;25 H7;25,001\n", "B".repeat(2_000));
+    let imported = fitcheck::exchange::import("lot.csv", bytes.as_bytes(), &Sources::default(), now());
+    let effects = send(&mut session, CheckCommand::Imported { name: "lot.csv".into(), result: Ok(Box::new(imported)) });
+    let (run, entries) = kept(&effects);
+    let parts: Vec<_> = entries.iter().map(|entry| entry.about.part.as_str()).collect();
+    assert_eq!(parts, ["A", "C"]);
+    assert!(session.notices().iter().any(|notice| notice.message.id == "records-page-refused"));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(2), head(3)]) });
+    let mut recorded = Vec::new();
+    for id in session.history().listed().page(0..3).into_iter().map(|(id, _)| id) {
+        send(&mut session, CheckCommand::Show(id));
+        recorded.push(match session.check_recorded() {
+            Some(Recorded::Kept(number)) => number,
+            other => {
+                assert!(matches!(other, Some(Recorded::Failed(_))), "{other:?}");
+                0
+            }
+        });
+    }
+    assert_eq!(recorded, [3, 0, 2]);
+    // Nothing is to be tried again, and nothing more is lost with the window.
+    assert!(!session.can(Action::RecordAgain) && !session.would_lose());
+}
+
+#[test]
 fn a_file_that_was_used_is_named_with_its_hash() {
     let mut session = recording();
     let bytes = b"id;callout;measured\nA;25 H7;25,012\nB;25 H7;24,998\n";
@@ -495,7 +522,7 @@ fn records_are_sent_to_the_server_that_is_named_and_its_password_is_not_kept() {
     // The next start sends to it again, once the journal is open.
     let (mut again, _) = Session::restore(saved);
     begin(&mut again);
-    let opened = send(&mut again, RecordsCommand::Opened(Ok((journal(2), Vec::new()))));
+    let opened = send(&mut again, RecordsCommand::Opened(Ok((Box::new(journal(2)), Vec::new()))));
     assert_eq!(opened, [Effect::SendTo(Some(shown.to_owned()))]);
 
     assert_eq!(send(&mut session, RecordsCommand::LeaveServer), [Effect::SendTo(None)]);
