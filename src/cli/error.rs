@@ -156,7 +156,7 @@ pub(super) enum CliError {
         #[say(with = printed)]
         by: u64,
     },
-    /// Another measured value for a check whose value was measured.
+    /// Another measured value for a check whose value was not typed.
     NotTyped {
         #[say(with = printed)]
         number: u64,

@@ -500,7 +500,12 @@ fn a_typed_value_is_judged_again_by_the_same_limits_and_rule() {
     assert_eq!(said.code, 0);
     let said = place.say("journal correct 4 --reason typing --measured 25 --journal j.sqlite");
     assert_eq!(said.code, 1);
-    assert!(said.err.contains("the value of entry 4 was measured, not typed"), "{}", said.err);
+    assert!(said.err.contains("the value of entry 4 was not typed"), "{}", said.err);
+    // Brought to 20 °C as the first one was.
+    place.record("24.99", &["--temperature", "22.5", "--material", "steel"]);
+    assert_eq!(place.say("journal correct 5 --reason typing --measured 25.01 --journal j.sqlite").code, 0);
+    assert_eq!(column(&place.rows(""), "measured_mm")[4], "25.009281");
+    assert_eq!(place.entry(6)["body"]["check"]["size"]["correction"]["measured_nm"], 25_010_000);
 }
 
 #[test]

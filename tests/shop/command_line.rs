@@ -44,9 +44,13 @@ fn what_a_station_has_recorded_is_sent_listed_and_verified() {
     assert!(err.contains("recorded as entry 3 of ") && err.contains("1 entry was sent to postgres://"), "{err}");
     let (here, _) = done(&["journal", "list", "--format", "csv"]);
     let (there, _) = done(&["journal", "list", "--format", "csv", "--journal", address]);
-    assert_eq!((here.lines().count(), here), (3, there));
+    assert_eq!((here.lines().count(), &here), (3, &there));
     let (found, _) = done(&["journal", "list", "part:Shaft", "--format", "csv", "--journal", address]);
     assert_eq!(found.lines().count(), 2, "{found}");
+    let (exported, _) = done(&["journal", "export", "--journal", address]);
+    assert_eq!(exported, here);
+    let (lines, _) = done(&["journal", "export", "part:Flange", "--format", "json", "--journal", address]);
+    assert_eq!(lines, done(&["journal", "export", "part:Flange", "--format", "json"]).0);
     let (local, _) = done(&["journal", "verify"]);
     let head = local.trim().rsplit(' ').next().unwrap();
     let chain = done(&["journal", "show", "1"]).0;
@@ -54,6 +58,11 @@ fn what_a_station_has_recorded_is_sent_listed_and_verified() {
     let known = format!("{chain}:{head}");
     let (out, _) = done(&["journal", "verify", "--journal", address, "--head", &known]);
     assert!(out.contains(&format!("({chain}): 3 entries are as they were written; the last one is {head}")), "{out}");
+    assert!(out.contains("its newest entry was received ") && out.contains(" s after the time on its clock"), "{out}");
+    let (json, _) = done(&["journal", "verify", "--journal", address, "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    let (newest, login) = (json["chains"][0]["clock"]["newest_ms"].as_i64(), json["chains"][0]["login"].as_str());
+    assert!(newest.is_some_and(|ms| (0..60_000).contains(&ms)) && login == Some("fitadmin"), "{json}");
     let ahead = known.replace(&format!(":{}:", 3), ":4:");
     let (code, out, _) = run(home.path(), &["journal", "verify", "--journal", address, "--head", &ahead]);
     assert_eq!(code, 1);
@@ -73,7 +82,7 @@ fn what_cannot_be_sent_is_recorded_here_and_no_password_is_told() {
     let (code, out, more) = run(home.path(), &["journal", "send", address]);
     assert_eq!((code, out.as_str()), (1, ""));
     assert!(!format!("{err}{more}").contains("s3cret"), "{err}{more}");
-    for refused in [["journal", "show", "2"], ["journal", "backup", "x.sqlite"], ["journal", "export", "standing"]] {
+    for refused in [["journal", "show", "2"], ["journal", "backup", "x.sqlite"]] {
         let (code, _, err) = run(home.path(), &[&refused[..], &["--journal", address]].concat());
         assert_eq!(code, 1);
         assert!(err.contains("needs the journal of a station") && !err.contains("s3cret"), "{err}");

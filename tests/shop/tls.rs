@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use fitcheck::files;
-use fitcheck::store::shop::{Made, ShopAddress, ShopError, ShopReader, Stop, init};
+use fitcheck::store::shop::{CertificateFault, Made, ShopAddress, ShopError, ShopReader, Stop, init};
 
 use crate::clusters::Cluster;
 use crate::harness::{SHORT, Shop, access, server};
@@ -61,7 +61,14 @@ fn every_other_certificate_is_refused_with_a_sentence() {
         assert!(said.contains("certificate") || said.contains("authority"), "{said}");
     }
     let error = init(&access(&named(&cluster.address, "shop.example", &wrong)), SHORT).unwrap_err();
-    assert_eq!(error.to_string(), "the certificate of the server is not accepted: UnknownIssuer");
+    assert_eq!(error, ShopError::Certificate { fault: CertificateFault::UnknownIssuer });
+    assert_eq!(
+        error.to_string(),
+        "the certificate of the server is not accepted: no authority that this computer trusts has issued it; for a shop's own \
+         authority name its file with sslrootcert=FILE in the address"
+    );
+    let error = init(&access(&named(&cluster.address, "other.example", &right)), SHORT).unwrap_err();
+    assert_eq!(error, ShopError::Certificate { fault: CertificateFault::OtherName });
 }
 
 #[test]

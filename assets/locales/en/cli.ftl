@@ -201,7 +201,7 @@ cli-no-journal-folder = this system has no folder for your data: name a journal 
 cli-no-entry = there is no entry { $number } in { $path }: the last one is { $last }
 cli-no-check = entry { $number } is not a check
 cli-already-corrected-by = entry { $number } is corrected or withdrawn by entry { $by } already: correct that one
-cli-not-typed = the value of entry { $number } was measured, not typed: measure again, or withdraw the check
+cli-not-typed = the value of entry { $number } was not typed: measure again, or withdraw the check
 cli-nothing-corrected = a correction changes something: give --measured, --who, --part, --serial, --feature-name, --remark or --withdraw
 cli-remark-sent = { $entries ->
     [0] nothing had to be sent

@@ -20,7 +20,12 @@ shop-busy = the server asks to wait: { $reason }
 shop-no-password = the server asks for the password of "{ $user }", and none was found: set PGPASSWORD, or write it to the password file or the system's keyring
 shop-refused = the server does not let this user in: { $reason }
 shop-no-tls = the server offers no TLS, and nothing is sent to another computer without it
-shop-certificate = the certificate of the server is not accepted: { $reason }
+shop-certificate = the certificate of the server is not accepted: { $fault }
+shop-certificate-unknown-issuer = no authority that this computer trusts has issued it; for a shop's own authority name its file with sslrootcert=FILE in the address
+shop-certificate-other-name = it is for another host than the address names
+shop-certificate-expired = it has expired
+shop-certificate-not-yet = it is not valid yet
+shop-certificate-other = { $reason }
 shop-authorities = the certificates of the authorities cannot be used: { $reason }: { $path }
 shop-no-authorities = this computer trusts no authority: name the file of the shop's own one with sslrootcert=FILE in the address
 shop-not-made = the database "{ $database }" holds no journal yet: run fitcheck journal init-shop with its address first

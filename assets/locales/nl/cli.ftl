@@ -26,7 +26,7 @@ cli-what-perfect-workpiece = werkstuk op nominale maat
 cli-what-size = maat
 cli-what-cycle = cyclus { $code }
 cli-what-log = meetprotocol
-cli-what-entry = regel { $number }
+cli-what-entry = vermelding { $number }
 cli-what-option = --{ $name }
 cli-what-set = --set { $name }={ $value }
 
@@ -119,8 +119,8 @@ cli-remark-batch-floats = { $name } heeft binaire breuken in { $columns }: elk w
 cli-remark-tools-not-written = de gereedschapstabel is niet geschreven: --tools-out BESTAND.t schrijft hem met deze wijzigingen
 cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die met --clearance-height
 cli-remark-more-entries = hier staan er maar { $limit }: --limit N toont er meer
-cli-remark-backed-up = gekopieerd tot en met regel { $number } naar { $path } (hash { $hash })
-cli-remark-no-head-known = van dit logboek is elders geen regel bekend: dat de nieuwste regels zijn afgesneden, zou niet worden gevonden
+cli-remark-backed-up = gekopieerd tot en met vermelding { $number } naar { $path } (hash { $hash })
+cli-remark-no-head-known = van dit logboek is elders geen vermelding bekend: dat de nieuwste vermeldingen zijn afgesneden, zou niet worden gevonden
 
 # Waarschuwingen
 cli-warning-column-not-used = kolom { $column } is overgeslagen
@@ -186,8 +186,8 @@ start-missing = bestand bestaat niet: { $path }; noem een bestaand bestand om he
 start-folder = dit is een map, geen bestand: { $path }; alleen bestanden gaan open in het venster
 
 ## What was recorded
-cli-recorded-entry = vastgelegd als regel { $number } van { $file } (hash { $hash })
-cli-recorded-entries = vastgelegd als regels { $first } tot en met { $last } van { $file } (hash van de laatste { $hash })
+cli-recorded-entry = vastgelegd als vermelding { $number } van { $file } (hash { $hash })
+cli-recorded-entries = vastgelegd als vermeldingen { $first } tot en met { $last } van { $file } (hash van de laatste { $hash })
 cli-recorded-nothing = er is niets beoordeeld, dus er is niets vastgelegd
 cli-recorded-without = { $rows ->
     [one] 1 rij is niet vastgelegd
@@ -198,19 +198,19 @@ cli-journal-is-server = hiervoor is het logboek van een station nodig, een besta
 cli-no-shop = dit programma is gebouwd zonder de server van een werkplaats: noem een bestand als logboek
 cli-recorded-not-sent = nog niet naar de server gestuurd: { $error }; wat hier is vastgelegd blijft, en fitcheck journal send stuurt het
 cli-no-journal-folder = dit systeem heeft geen map voor eigen gegevens: noem een logboek met --journal FILE
-cli-no-entry = in { $path } is geen regel { $number }: de laatste is { $last }
-cli-no-check = regel { $number } is geen controle
-cli-already-corrected-by = regel { $number } is al gecorrigeerd of ingetrokken door regel { $by }: corrigeer die
-cli-not-typed = de waarde van regel { $number } is gemeten en niet getypt: meet opnieuw, of trek de controle in
+cli-no-entry = in { $path } is geen vermelding { $number }: de laatste is { $last }
+cli-no-check = vermelding { $number } is geen controle
+cli-already-corrected-by = vermelding { $number } is al gecorrigeerd of ingetrokken door vermelding { $by }: corrigeer die
+cli-not-typed = de waarde van vermelding { $number } is niet getypt: meet opnieuw, of trek de controle in
 cli-nothing-corrected = een correctie verandert iets: geef --measured, --who, --part, --serial, --feature-name, --remark of --withdraw
 cli-remark-sent = { $entries ->
     [0] er was niets te sturen
-    [one] 1 regel is gestuurd
-   *[other] { $entries } regels zijn gestuurd
-} naar { $server }, die dit logboek heeft tot en met regel { $number }
+    [one] 1 vermelding is gestuurd
+   *[other] { $entries } vermeldingen zijn gestuurd
+} naar { $server }, die dit logboek heeft tot en met vermelding { $number }
 cli-remark-unread = { $entries ->
-    [one] 1 regel is
-   *[other] { $entries } regels zijn
+    [one] 1 vermelding is
+   *[other] { $entries } vermeldingen zijn
 } overgeslagen: deze versie kan dat niet lezen
 cli-head-without-chain = een server heeft verschillende ketens: --head CHAIN:NUMBER:HASH
 cli-head-of-other = dit logboek is de keten { $chain }, en --head noemt { $other }

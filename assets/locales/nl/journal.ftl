@@ -1,19 +1,19 @@
 ## The chain of a journal
 journal-hex = "{ $text }" is geen reeks van { $digits } hexadecimale cijfers
-journal-break-changed = regel { $number } is niet de regel die is geschreven
+journal-break-changed = vermelding { $number } is niet de vermelding die is geschreven
 journal-break-removed = { $count ->
-        [one] regel { $number } ontbreekt
-       *[other] { $count } regels ontbreken vanaf { $number }
+        [one] vermelding { $number } ontbreekt
+       *[other] { $count } vermeldingen ontbreken vanaf { $number }
     }
-journal-break-inserted = regel { $number } is ingevoegd
-journal-break-reordered = de regels { $number } en { $other } zijn verwisseld
-journal-break-rewritten = regel { $number } is een andere dan elders bekend is: het logboek is vanaf daar of eerder opnieuw geschreven
-journal-break-cut-off = het logboek eindigt met regel { $last }, en regel { $known } is elders bekend: de nieuwste regels zijn afgesneden, of een oudere kopie is teruggezet
+journal-break-inserted = vermelding { $number } is ingevoegd
+journal-break-reordered = de vermeldingen { $number } en { $other } zijn verwisseld
+journal-break-rewritten = vermelding { $number } is een andere dan elders bekend is: het logboek is vanaf daar of eerder opnieuw geschreven
+journal-break-cut-off = het logboek eindigt met vermelding { $last }, en vermelding { $known } is elders bekend: de nieuwste vermeldingen zijn afgesneden, of een oudere kopie is teruggezet
 
 ## Entries
-journal-body-json = geen regel van een logboek: { $reason }
+journal-body-json = geen vermelding van een logboek: { $reason }
 journal-body-newer = gemaakt door een nieuwere Fitcheck: versie { $version } van het formaat, deze Fitcheck leest versies tot en met { $known }
-journal-body-too-large = geen regel van een logboek: { $bytes } bytes, hoogstens { $most } zijn toegestaan
+journal-body-too-large = geen vermelding van een logboek: { $bytes } bytes, hoogstens { $most } zijn toegestaan
 journal-body-too-long = { $field } heeft { $bytes } bytes, hoogstens { $most } zijn toegestaan
 journal-body-control = { $field } heeft het stuurteken { $code } als teken { $place }: teksten van een logboek zijn één regel zonder stuurtekens
 journal-body-empty = { $field } is leeg
@@ -54,21 +54,21 @@ store-locked = een ander programma houdt { $path } vast, langer dan dit programm
 store-disk = de schijf van { $path } weigert: { $reason }
 store-cannot-open = { $path } kan niet worden geopend
 store-network-folder = { $path } ligt in een map van een andere machine, waar twee stations over elkaar heen zouden schrijven: kies een map van deze machine, en een server voor de werkplaats
-store-altered = "{ $name }", dat regels tegen verandering beschermt, ontbreekt in { $path } of is veranderd
+store-altered = "{ $name }", dat vermeldingen tegen verandering beschermt, ontbreekt in { $path } of is veranderd
 store-no-beginning = { $path } zegt niet welke keten het is
-store-no-entry = { $path } heeft geen regel { $number }: de laatste is { $last }
+store-no-entry = { $path } heeft geen vermelding { $number }: de laatste is { $last }
 store-backup = de kopie van { $path } is niet heel geworden, en is weggehaald
 store-interrupted = gestopt
 store-database = { $path }: { $reason }
 store-remark-begun = er is een nieuw logboek begonnen: { $path }
 store-remark-set-aside = het logboek { $path } was beschadigd: het ligt nu onveranderd in { $folder }, en in zijn plaats is een nieuw begonnen
 store-remark-migrated = { $path } is naar deze versie gebracht; zoals het was is het { $copy }
-store-remark-behind = { $path } eindigt met regel { $last } en had eens regel { $known }: de nieuwste regels zijn afgesneden, of een oudere kopie is teruggezet
-store-remark-other = regel { $number } van { $path } is een andere dan hij was: het logboek is vanaf daar of eerder opnieuw geschreven
-store-remark-replaced = { $path } is een ander logboek dan dat er was; dat had { $known } regels
-store-remark-no-anchor = de laatste regel van dit logboek kon niet worden bewaard in { $path }: { $reason }
-store-finding-altered = "{ $name }", dat regels tegen verandering beschermt, ontbreekt of is veranderd
+store-remark-behind = { $path } eindigt met vermelding { $last } en had eens vermelding { $known }: de nieuwste vermeldingen zijn afgesneden, of een oudere kopie is teruggezet
+store-remark-other = vermelding { $number } van { $path } is een andere dan zij was: het logboek is vanaf daar of eerder opnieuw geschreven
+store-remark-replaced = { $path } is een ander logboek dan dat er was; dat had { $known } vermeldingen
+store-remark-no-anchor = de laatste vermelding van dit logboek kon niet worden bewaard in { $path }: { $reason }
+store-finding-altered = "{ $name }", dat vermeldingen tegen verandering beschermt, ontbreekt of is veranderd
 store-finding-not-found = { $entries ->
-        [one] 1 regel wordt niet gevonden, of door iets anders dan er staat
-       *[other] { $entries } regels worden niet gevonden, of door iets anders dan er staat
+        [one] 1 vermelding wordt niet gevonden, of door iets anders dan er staat
+       *[other] { $entries } vermeldingen worden niet gevonden, of door iets anders dan er staat
     }

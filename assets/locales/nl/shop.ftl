@@ -20,31 +20,36 @@ shop-busy = de server vraagt om te wachten: { $reason }
 shop-no-password = de server vraagt het wachtwoord van "{ $user }", en er is er geen gevonden: zet PGPASSWORD, of schrijf het in het wachtwoordbestand of de sleutelbos van het systeem
 shop-refused = de server laat deze gebruiker niet toe: { $reason }
 shop-no-tls = de server biedt geen TLS, en zonder TLS wordt niets naar een andere computer gestuurd
-shop-certificate = het certificaat van de server wordt niet aanvaard: { $reason }
+shop-certificate = het certificaat van de server wordt niet aanvaard: { $fault }
+shop-certificate-unknown-issuer = geen autoriteit die deze computer vertrouwt heeft het uitgegeven; noem voor een eigen autoriteit haar bestand met sslrootcert=BESTAND in het adres
+shop-certificate-other-name = het is voor een andere server dan het adres noemt
+shop-certificate-expired = het is verlopen
+shop-certificate-not-yet = het is nog niet geldig
+shop-certificate-other = { $reason }
 shop-authorities = de certificaten van de autoriteiten zijn niet bruikbaar: { $reason }: { $path }
 shop-no-authorities = deze computer vertrouwt geen enkele autoriteit: noem het bestand van de eigen autoriteit met sslrootcert=BESTAND in het adres
-shop-not-made = de database "{ $database }" heeft nog geen journaal: voer eerst fitcheck journal init-shop uit met haar adres
+shop-not-made = de database "{ $database }" heeft nog geen logboek: voer eerst fitcheck journal init-shop uit met haar adres
 shop-no-right = de server staat deze gebruiker dat niet toe: { $reason }
 shop-foreign = de database heeft een schema "fitcheck" dat niet door Fitcheck is gemaakt; het is gelaten zoals het is
-shop-newer = het journaal op de server is door een nieuwere Fitcheck gemaakt (versie { $version }, deze kent { $known }); het is gelaten zoals het is
+shop-newer = het logboek op de server is door een nieuwere Fitcheck gemaakt (versie { $version }, deze kent { $known }); het is gelaten zoals het is
 shop-old-server = PostgreSQL { $version } is te oud: versie { $oldest } of later is nodig
 shop-encoding = de teksten van deze database zijn { $encoding }: maak er een met ENCODING 'UTF8'
-shop-other-login = dit journaal is op de server van "{ $login }", en "{ $ours }" mag er niets aan toevoegen
-shop-fork = regel { $number } op de server ({ $theirs }) is een andere dan hier ({ $ours }): er zijn twee kopieën van dit journaal, of het is gewijzigd
-shop-ahead = de server heeft { $theirs } regels van dit journaal, en hier zijn er maar { $ours }: er is een oudere kopie teruggezet, of er zijn twee kopieën van
-shop-not-text = regel { $number } kan niet worden verstuurd: de bytes zijn geen tekst
-shop-too-long = regel { $number } kan niet worden verstuurd: die heeft { $bytes } bytes
+shop-other-login = dit logboek is op de server van "{ $login }", en "{ $ours }" mag er niets aan toevoegen
+shop-fork = vermelding { $number } op de server ({ $theirs }) is een andere dan hier ({ $ours }): er zijn twee kopieën van dit logboek, of het is gewijzigd
+shop-ahead = de server heeft { $theirs } vermeldingen van dit logboek, en hier zijn er maar { $ours }: er is een oudere kopie teruggezet, of er zijn twee kopieën van
+shop-not-text = vermelding { $number } kan niet worden verstuurd: de bytes zijn geen tekst
+shop-too-long = vermelding { $number } kan niet worden verstuurd: die heeft { $bytes } bytes
 shop-server = de server meldt: { $reason } ({ $code })
 shop-journal = { $what }
 shop-machine = deze computer kan dat niet: { $reason }
 shop-stopped = gestopt
 
 ## Its schema
-shop-made-new = het journaal is in de database gemaakt (versie { $version })
-shop-made-upgraded = het journaal in de database is van versie { $from } naar versie { $version } gebracht
-shop-made-already = het journaal was er al (versie { $version })
+shop-made-new = het logboek is in de database gemaakt (versie { $version })
+shop-made-upgraded = het logboek in de database is van versie { $from } naar versie { $version } gebracht
+shop-made-already = het logboek was er al (versie { $version })
 
 ## What is wrong on it
-shop-finding-altered = "{ $name }", dat regels tegen wijzigen beschermt, ontbreekt op de server of is uitgeschakeld
-shop-finding-row-security = de tabel "{ $name }" houdt stations niet meer bij hun eigen journaal: de rijbeveiliging is uitgeschakeld
-shop-finding-chain-name = een journaal op de server heeft een naam die er geen is: { $name }
+shop-finding-altered = "{ $name }", dat vermeldingen tegen wijzigen beschermt, ontbreekt op de server of is uitgeschakeld
+shop-finding-row-security = de tabel "{ $name }" houdt stations niet meer bij hun eigen logboek: de rijbeveiliging is uitgeschakeld
+shop-finding-chain-name = een logboek op de server heeft een naam die er geen is: { $name }

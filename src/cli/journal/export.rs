@@ -6,11 +6,14 @@ use std::path::PathBuf;
 use super::list::unread;
 use super::row::{self, header};
 use super::show::line;
-use super::{CliError, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, heard_or_not, save_with};
+use super::{
+    CliError, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, heard_or_not, save_with, server,
+};
 use crate::cli::args::one_of;
-use crate::message::Say as _;
+use crate::cli::record::Place;
+use crate::journal::chain::ChainId;
+use crate::message::{Message, Say as _};
 use crate::report::csv;
-use crate::store::StoreError;
 use crate::store::local::{Reader, Row};
 
 /// So many entries are read at once.
@@ -22,7 +25,8 @@ fn help() -> String {
 {QUESTIONS}
 
 An export is the journal at one moment, however many programs record into it. Corrected and withdrawn
-checks are in it, as are those that correct them (correction_of); standing leaves them out.
+checks are in it, as are those that correct them (correction_of); standing leaves them out. From a
+server come the checks of all stations, what it got last first.
 
 Columns of csv:
   {}
@@ -56,11 +60,17 @@ const FORMATS: [&str; 2] = ["csv", "json"];
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let question = self.question.read()?;
-        let reader = Reader::open(&self.journal.file()?).said()?;
-        // Entries never change, so these numbers are the journal as it is now.
-        let mut numbers = reader.numbers(&question, None, usize::MAX).said()?;
-        numbers.reverse();
-        let mut export = Export { reader: &reader, numbers: &numbers, failed: None, unread: Vec::new() };
+        let from = match self.journal.place()? {
+            Place::File(file) => {
+                let reader = Reader::open(&file).said()?;
+                // Entries never change, so these numbers are the journal as it is now.
+                let mut numbers = reader.numbers(&question, None, usize::MAX).said()?;
+                numbers.reverse();
+                Source::Journal { reader, numbers }
+            }
+            Place::Server(address) => Source::Server(Box::new(server::pages(&address, question, io)?)),
+        };
+        let mut export = Export { from: &from, failed: None, unread: Vec::new() };
         let written = if let Some(path) = &self.output {
             save_with(path, &mut |out| export.write(self.format, out), io)
         } else {
@@ -68,48 +78,71 @@ impl Args {
         };
         // The journal's own words come first: its error only passes through the file's.
         if let Some(failed) = &export.failed {
-            return Err(CliError::Said(failed.message()));
+            return Err(CliError::Said(failed.clone()));
         }
         written?;
         Ok(unread(&export.unread, io))
     }
 }
 
-struct Export<'a> {
-    reader: &'a Reader,
-    numbers: &'a [u64],
+/// Where the entries come from.
+enum Source {
+    Journal { reader: Reader, numbers: Vec<u64> },
+    Server(Box<server::Pages>),
+}
+
+impl Source {
+    /// Gives page after page to `take`, until that fails.
+    ///
+    /// # Errors
     /// Why the journal could not be read to its end.
-    failed: Option<StoreError>,
+    fn each(&self, take: &mut dyn FnMut(ChainId, Row) -> std::io::Result<()>) -> Result<std::io::Result<()>, Message> {
+        match self {
+            Self::Journal { reader, numbers } => {
+                for page in numbers.chunks(PAGE) {
+                    for row in reader.rows(page).map_err(|error| error.message())? {
+                        if let Err(error) = take(reader.chain(), row) {
+                            return Ok(Err(error));
+                        }
+                    }
+                }
+                Ok(Ok(()))
+            }
+            Self::Server(pages) => pages.each(PAGE, take),
+        }
+    }
+}
+
+struct Export<'a> {
+    from: &'a Source,
+    /// Why the journal could not be read to its end.
+    failed: Option<Message>,
     /// Entries that this version cannot read.
     unread: Vec<Row>,
 }
 
 impl Export<'_> {
     fn write(&mut self, format: &str, out: &mut dyn Write) -> std::io::Result<()> {
+        let Self { from, failed, unread } = self;
         let is_csv = format == "csv";
         if is_csv {
             csv::line(header(), out)?;
         }
-        for page in self.numbers.chunks(PAGE) {
-            let rows = match self.reader.rows(page) {
-                Ok(rows) => rows,
-                Err(error) => {
-                    let told = std::io::Error::other(error.to_string());
-                    self.failed = Some(error);
-                    return Err(told);
-                }
-            };
-            for row in rows {
-                if is_csv {
-                    csv::line(row::line(&row), out)?;
-                } else {
-                    out.write_all(&line(&row, self.reader.chain(), None))?;
-                }
-                if row.entry.is_err() {
-                    self.unread.push(row);
-                }
+        let read = from.each(&mut |chain, row| {
+            if is_csv {
+                csv::line(row::line(&row), out)?;
+            } else {
+                out.write_all(&line(&row, chain, None))?;
             }
-        }
-        Ok(())
+            if row.entry.is_err() {
+                unread.push(row);
+            }
+            Ok(())
+        });
+        read.unwrap_or_else(|why| {
+            let told = std::io::Error::other(why.to_string());
+            *failed = Some(why);
+            Err(told)
+        })
     }
 }

@@ -5,6 +5,7 @@ use std::path::Path;
 use super::{CliError, Io};
 use crate::journal::ask::Question;
 use crate::journal::chain::{ChainId, Head};
+use crate::message::Message;
 use crate::store::local::Row;
 
 pub(in crate::cli) fn init(_address: &str, _io: &mut Io<'_>) -> Result<(), CliError> {
@@ -22,6 +23,23 @@ pub(in crate::cli) fn verify(
     _io: &mut Io<'_>,
 ) -> Result<bool, CliError> {
     Err(CliError::NoShop)
+}
+
+/// There are none.
+pub(in crate::cli) enum Pages {}
+
+pub(in crate::cli) fn pages(_address: &str, _question: Question, _io: &mut Io<'_>) -> Result<Pages, CliError> {
+    Err(CliError::NoShop)
+}
+
+impl Pages {
+    pub(in crate::cli) fn each(
+        &self,
+        _most: usize,
+        _take: &mut dyn FnMut(ChainId, Row) -> std::io::Result<()>,
+    ) -> Result<std::io::Result<()>, Message> {
+        match *self {}
+    }
 }
 
 pub(in crate::cli) fn list(

@@ -10,8 +10,11 @@ use super::{CliError, CliRemark, Io, Refused as _};
 use crate::journal::ask::Question;
 use crate::journal::chain::{ChainId, Head};
 use crate::journal::inspection::Break;
+use crate::message::{Message, Say as _};
 use crate::store::local::{Reader, Row};
-use crate::store::shop::{self, Access, Patience, Places, ShopAddress, ShopChain, ShopReader, ShopVerified, Stop};
+use crate::store::shop::{
+    self, Access, Clock, Patience, Places, ShopAddress, ShopChain, ShopReader, ShopVerified, Stop,
+};
 
 /// The server with its password, and what is said of places that had none to give.
 fn access(address: &str, io: &mut Io<'_>) -> Result<Access, CliError> {
@@ -67,6 +70,44 @@ pub(in crate::cli) fn list(
     Ok(page.rows.into_iter().map(|row| row.row).collect())
 }
 
+/// The checks of all stations, page by page.
+pub(in crate::cli) struct Pages {
+    reader: ShopReader,
+    question: Question,
+}
+
+/// A server whose checks are asked for.
+pub(in crate::cli) fn pages(address: &str, question: Question, io: &mut Io<'_>) -> Result<Pages, CliError> {
+    let reader = ShopReader::open(&access(address, io)?, Patience::default(), &Stop::default()).said()?;
+    Ok(Pages { reader, question })
+}
+
+impl Pages {
+    /// Gives all of them to `take`, until that fails.
+    ///
+    /// # Errors
+    /// Why the server could not be asked to the end.
+    pub(in crate::cli) fn each(
+        &self,
+        most: usize,
+        take: &mut dyn FnMut(ChainId, Row) -> std::io::Result<()>,
+    ) -> Result<std::io::Result<()>, Message> {
+        let mut after = None;
+        loop {
+            let page = self.reader.page(&self.question, after, most).map_err(|error| error.message())?;
+            for shop::ShopRow { place, row, .. } in page.rows {
+                if let Err(error) = take(place.chain, row) {
+                    return Ok(Err(error));
+                }
+            }
+            after = page.next;
+            if after.is_none() {
+                return Ok(Ok(()));
+            }
+        }
+    }
+}
+
 /// Looks at every chain; whether all is as it was written.
 pub(in crate::cli) fn verify(
     address: &str,
@@ -93,13 +134,21 @@ pub(in crate::cli) fn verify(
 }
 
 fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
-    for ShopChain { chain, station, inspected, .. } in &found.chains {
+    for ShopChain { chain, station, inspected, clock, .. } in &found.chains {
         let Head { number, hash } = inspected.head;
         if inspected.breaks.is_empty() {
             let entries = inspected.entries;
             writeln!(
                 io.people(),
                 "{station} ({chain}): {entries} entries are as they were written; the last one is {number}:{hash}"
+            )?;
+        }
+        if let Some(Clock { newest_ms, least_ms, .. }) = clock {
+            let (newest, least) = (seconds(*newest_ms), seconds(*least_ms));
+            writeln!(
+                io.people(),
+                "{station} ({chain}): its newest entry was received {newest} s after the time on its clock, of the newest 500 \
+                 the quickest {least} s after it"
             )?;
         }
         for one in &inspected.breaks {
@@ -115,6 +164,12 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
     Ok(())
 }
 
+/// Milliseconds as seconds: `-3600.250`. Below zero the station's clock is ahead of the server's.
+fn seconds(ms: i64) -> String {
+    let (sign, ms) = (if ms < 0 { "-" } else { "" }, ms.unsigned_abs());
+    format!("{sign}{}.{:03}", ms / 1000, ms % 1000)
+}
+
 fn print_json(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
     let chain = |one: &ShopChain| {
         let breaks = one.inspected.breaks.iter();
@@ -122,6 +177,8 @@ fn print_json(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
         json!({
             "chain": one.chain.to_string(),
             "station": one.station,
+            "login": one.login,
+            "clock": one.clock.as_ref().map(|clock| json!({"newest_ms": clock.newest_ms, "least_ms": clock.least_ms})),
             "entries": one.inspected.entries,
             "head": {"number": one.inspected.head.number, "hash": one.inspected.head.hash.to_string()},
             "first_bad": one.inspected.breaks.first().map(Break::number),

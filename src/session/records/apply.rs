@@ -38,10 +38,14 @@ impl PageState for RecordsPage {
                 shared.recording.of_server(unsent, trouble);
             }
             RecordsCommand::AskForServer(is_asked) => {
-                // An address may have a password: it does not stay.
-                self.texts.remove(&RecordsField::Server);
+                // What was typed may have a password: it does not stay.
+                let shown = shared.recording.server().unwrap_or_default().to_owned();
+                self.texts.insert(RecordsField::Server, shown);
                 self.errors.remove(&RecordsField::Server);
                 shared.recording.ask_for_server(is_asked);
+                if is_asked {
+                    return vec![Effect::Focus(RecordsField::Server.into())];
+                }
             }
             RecordsCommand::TakeServer => shared.recording.try_server(self.text(RecordsField::Server).trim()),
             RecordsCommand::LeaveServer => shared.recording.leave_server(),

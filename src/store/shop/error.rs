@@ -45,7 +45,7 @@ pub enum ShopError {
     /// The certificate of the server is not one that is trusted, or is another machine's.
     Certificate {
         /// What is wrong with it.
-        reason: String,
+        fault: CertificateFault,
     },
     /// The file of trusted authorities cannot be used.
     Authorities {
@@ -151,6 +151,41 @@ pub enum ShopError {
     Stopped,
 }
 
+/// What is wrong with a server's certificate.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "shop-certificate")]
+pub enum CertificateFault {
+    /// No authority that is trusted here has issued it.
+    UnknownIssuer,
+    /// It is another machine's.
+    OtherName,
+    /// Its time is over.
+    Expired,
+    /// Its time has not come.
+    NotYet,
+    /// Something else.
+    Other {
+        /// What the check says.
+        reason: String,
+    },
+}
+
+impl CertificateFault {
+    fn of(error: &rustls::Error) -> Self {
+        use rustls::CertificateError as Fault;
+        let rustls::Error::InvalidCertificate(fault) = error else {
+            return Self::Other { reason: shortened(&error.to_string(), 300) };
+        };
+        match fault {
+            Fault::UnknownIssuer => Self::UnknownIssuer,
+            Fault::NotValidForName | Fault::NotValidForNameContext { .. } => Self::OtherName,
+            Fault::Expired | Fault::ExpiredContext { .. } => Self::Expired,
+            Fault::NotValidYet | Fault::NotValidYetContext { .. } => Self::NotYet,
+            other => Self::Other { reason: shortened(&other.to_string(), 300) },
+        }
+    }
+}
+
 fn first_digits(hash: &Hash) -> Arg {
     Arg::Text(hash.short())
 }
@@ -205,11 +240,7 @@ impl ShopError {
 /// What is wrong with a certificate, where the handshake failed for that.
 fn certificate(error: &tokio_postgres::Error) -> Option<ShopError> {
     let handshake = error.source()?.downcast_ref::<std::io::Error>()?.get_ref()?;
-    let reason = match handshake.downcast_ref::<rustls::Error>()? {
-        rustls::Error::InvalidCertificate(why) => why.to_string(),
-        other => other.to_string(),
-    };
-    Some(ShopError::Certificate { reason: shortened(&reason, 300) })
+    handshake.downcast_ref::<rustls::Error>().map(|error| ShopError::Certificate { fault: CertificateFault::of(error) })
 }
 
 /// An error with the reasons behind it.

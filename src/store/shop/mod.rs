@@ -31,7 +31,7 @@ mod verify;
 
 pub use address::{AddressError, ShopAddress};
 pub use clock::{Clock, clocks};
-pub use error::ShopError;
+pub use error::{CertificateFault, ShopError};
 pub use password::{Access, Password, PasswordRemark, Places, keep_in_keyring};
 pub use reading::{Page, Place, ShopReader, ShopRow};
 pub use schema::{Made, SCHEMA, Schema, init, init_as};
