@@ -442,6 +442,33 @@ fn a_walk_that_was_cancelled_says_so_and_its_late_answer_is_dropped() {
 }
 
 #[test]
+fn a_row_that_can_be_no_entry_holds_no_other_up_and_is_told() {
+    let mut session = recording();
+    let bytes = format!("id;callout;measured\nA;25 H7;25,012\n{};25 H7;24,998\nC;25 H7;25,001\n", "B".repeat(2_000));
+    let imported = fitcheck::exchange::import("lot.csv", bytes.as_bytes(), &Sources::default(), now());
+    let effects = send(&mut session, CheckCommand::Imported { name: "lot.csv".into(), result: Ok(Box::new(imported)) });
+    let (run, entries) = kept(&effects);
+    let parts: Vec<_> = entries.iter().map(|entry| entry.about.part.as_str()).collect();
+    assert_eq!(parts, ["A", "C"]);
+    assert!(session.notices().iter().any(|notice| notice.message.id == "records-page-refused"));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(2), head(3)]) });
+    let mut recorded = Vec::new();
+    for id in session.history().listed().page(0..3).into_iter().map(|(id, _)| id) {
+        send(&mut session, CheckCommand::Show(id));
+        recorded.push(match session.check_recorded() {
+            Some(Recorded::Kept(number)) => number,
+            other => {
+                assert!(matches!(other, Some(Recorded::Failed(_))), "{other:?}");
+                0
+            }
+        });
+    }
+    assert_eq!(recorded, [3, 0, 2]);
+    // Nothing is to be tried again, and nothing more is lost with the window.
+    assert!(!session.can(Action::RecordAgain) && !session.would_lose());
+}
+
+#[test]
 fn a_file_that_was_used_is_named_with_its_hash() {
     let mut session = recording();
     let bytes = b"id;callout;measured\nA;25 H7;25,012\nB;25 H7;24,998\n";

@@ -28,13 +28,16 @@ pub struct Fake {
     pub count: u64,
     /// How long a call of its reader takes.
     pub slow: Duration,
+    /// How long writing takes.
+    pub slow_disk: Duration,
     /// Whether nothing can be written.
     pub is_full: Arc<AtomicBool>,
     /// What was written.
     pub written: Arc<Mutex<Vec<Entry>>>,
     /// How many rows were read.
     pub read: Arc<AtomicUsize>,
-    stopped: Arc<AtomicU64>,
+    /// How often a call was stopped.
+    pub stopped: Arc<AtomicU64>,
 }
 
 impl Fake {
@@ -116,6 +119,7 @@ impl Journals for Fake {
 
 impl Keeps for Fake {
     fn append(&mut self, entries: &[Entry]) -> Result<Vec<Head>, Message> {
+        std::thread::sleep(self.slow_disk);
         if self.is_full.load(SeqCst) {
             return Err(Message::new("records-page-no-thread"));
         }

@@ -368,6 +368,28 @@ fn a_full_disk_warns_in_the_card_and_the_verdict_stays_until_it_can_be_written()
 }
 
 #[test]
+fn a_window_that_closes_waits_for_what_is_being_written_and_shows_it_as_not_recorded_until_then() {
+    let fake = Fake { slow_disk: Duration::from_millis(300), ..Fake::default() };
+    let records = Records { always_threads: true, ..records(fake.clone(), Path::new("/nowhere")) };
+    let mut window = Window { records, ..Window::default() }.open();
+    for measured in ["25.012", "25.013", "25.014"] {
+        check(&mut window, "25 H7", measured);
+    }
+    window.get_by_label("Being recorded");
+    assert!(window.query_by_label_contains("Record ").is_none());
+    let viewport = window.input_mut().viewports.entry(ViewportId::ROOT).or_default();
+    viewport.events.push(eframe::egui::ViewportEvent::Close);
+    window.step();
+    let cancels = |window: &Harness<'_, App>| {
+        let commands = &window.output().viewport_output[&ViewportId::ROOT].commands;
+        commands.iter().any(|command| *command == eframe::egui::ViewportCommand::CancelClose)
+    };
+    assert!(cancels(&window), "it stays until all of them are on disk");
+    eframe::App::on_exit(window.state_mut(), None);
+    assert_eq!(fake.written.lock().unwrap().len(), 3, "and whatever ends it waits");
+}
+
+#[test]
 fn without_a_folder_nothing_is_recorded_and_the_page_says_so() {
     let mut window = Window::default().open();
     check(&mut window, "25 H7", "25.012");

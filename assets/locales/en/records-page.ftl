@@ -19,6 +19,10 @@ records-page-not-kept = { $count ->
     [one] 1 check is not recorded: { $why }
    *[other] { $count } checks are not recorded: { $why }
 }
+records-page-refused = { $count ->
+    [one] 1 check cannot be recorded: { $why }
+   *[other] { $count } checks cannot be recorded, the first of them because: { $why }
+}
 records-page-not-kept-why = the journal did not answer
 records-page-no-thread = the system gives no thread for the journal
 records-page-interrupted = it was interrupted

@@ -19,6 +19,10 @@ records-page-not-kept = { $count ->
     [one] 1 controle is niet vastgelegd: { $why }
    *[other] { $count } controles zijn niet vastgelegd: { $why }
 }
+records-page-refused = { $count ->
+    [one] 1 controle kan niet worden vastgelegd: { $why }
+   *[other] { $count } controles kunnen niet worden vastgelegd, de eerste omdat: { $why }
+}
 records-page-not-kept-why = het journaal gaf geen antwoord
 records-page-no-thread = het systeem geeft geen thread voor het journaal
 records-page-interrupted = het is onderbroken

@@ -3,7 +3,7 @@
 use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
 
 use crate::gui::field::{Look, error_ui, field_ui};
-use crate::gui::theme::{self, control, palette, sizes};
+use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::Message;
 use crate::session::{Action, CheckField, Keeping, Recorded};
@@ -53,8 +53,9 @@ pub(in crate::gui) fn recorded_ui(ui: &mut Ui, view: &mut View<'_>, recorded: Op
             let said = view.words.say(&Message::new("records-page-not-recorded").message("why", why.clone()));
             let text = RichText::new(said).font(theme::bold(sizes().body)).color(palette(ui.ctx()).error.0);
             ui.add(Label::new(text).wrap());
-            let button = view.named(Action::RecordAgain).min_size(eframe::egui::vec2(0.0, control(ui)));
-            view.button_as(ui, Action::RecordAgain, button);
+            if view.session.can(Action::RecordAgain) {
+                view.field_button(ui, Action::RecordAgain);
+            }
         }
     }
 }

@@ -251,10 +251,13 @@ impl CheckPage {
             named.serial.clear();
         }
         let budget = shared.budget.as_deref().and_then(|open| used(FileRole::Budget, &open.file, open.sha256));
-        shared.recording.keep_checks(first, records, &named, |record| {
+        let refused = shared.recording.keep_checks(first, records, &named, |record| {
             let budget = budget.clone().filter(|_| record.budget.is_some());
             from.into_iter().cloned().chain(budget).collect()
         });
+        if let Some((count, why)) = refused {
+            shared.tell(Message::new("records-page-refused").count("count", count).message("why", why));
+        }
     }
 
     /// Asks for what a record asked for: callout, part, serial number and rule. Its value is to be measured.

@@ -88,8 +88,8 @@ impl CheckPage {
         self.lot = is_lot.then(|| lot(first));
         if !records.is_empty() {
             shared.history.add(records.clone());
-            self.keep(first, &records, file.as_ref(), shared);
             shared.note_change();
+            self.keep(first, &records, file.as_ref(), shared);
         }
         if is_lot {
             self.show_of_lot(shared);

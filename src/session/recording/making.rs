@@ -3,12 +3,13 @@
 use std::sync::Arc;
 
 use super::{Known, Recording};
-use crate::journal::Record;
 use crate::journal::chain::Hash;
 use crate::journal::entry::{
     About, Check, Checked, Content, Correction, CycleCheck, Entry, FileRole, Moment, UsedFile,
 };
 use crate::journal::query::RecordId;
+use crate::journal::{Record, body};
+use crate::message::{Message, Say as _};
 
 /// What a user names beside a check.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -28,24 +29,40 @@ pub(in crate::session) fn used(role: FileRole, name: &str, sha256: Option<Hash>)
 
 impl Recording {
     /// Sends checks of the history, from this number on; each is named by its own part. `files` says what each was made with.
+    /// Returns how many can be no entries of a journal, and why the first cannot: the others do not wait for them.
     pub(in crate::session) fn keep_checks(
         &mut self,
         first: RecordId,
         records: &[Arc<Record>],
         named: &Named,
         files: impl Fn(&Record) -> Vec<UsedFile>,
-    ) {
-        let checks = records.iter().map(|record| {
+    ) -> Option<(usize, Message)> {
+        if !self.is_on() {
+            return None;
+        }
+        let (mut entries, mut known, mut refused) = (Vec::new(), Vec::new(), Vec::new());
+        for (id, record) in (first.0..).map(RecordId).zip(records) {
             let named = Named { part: record.id.clone(), ..named.clone() };
             let check = Check { what: Checked::Size(Arc::clone(record)), files: files(record), corrects: None };
-            self.entry(&named, Content::Check(Box::new(check)))
-        });
-        let entries = checks.collect();
-        let Some(run) = self.send(entries) else { return };
-        for (at, record) in (0..).zip(records) {
-            let named = Named { part: record.id.clone(), ..named.clone() };
-            self.checks.insert(RecordId(first.0.saturating_add(at)), Known { slip: (run, at), named });
+            let entry = self.entry(&named, Content::Check(Box::new(check)));
+            match body::write(&entry) {
+                Ok(_) => {
+                    known.push((id, named));
+                    entries.push(entry);
+                }
+                Err(error) => refused.push((id, named, error.message())),
+            }
         }
+        if let Some(run) = self.send(entries) {
+            let of_run = (0..).map(|at| (run, at)).zip(known);
+            self.checks.extend(of_run.map(|(slip, (id, named))| (id, Known { slip, named })));
+        }
+        let told = refused.first().map(|(_, _, why)| (refused.len(), why.clone()));
+        for (id, named, why) in refused {
+            let slip = (self.refuse(why), 0);
+            self.checks.insert(id, Known { slip, named });
+        }
+        told
     }
 
     /// Sends what cycles say, named as the next check is; returns the number of the batch.
@@ -60,9 +77,14 @@ impl Recording {
     }
 
     /// Sends a correction; returns the number of the batch.
-    pub(in crate::session) fn keep_correction(&mut self, about: About, content: Content) -> Option<u64> {
+    ///
+    /// # Errors
+    /// Why it can be no entry of a journal, or that nothing is recorded.
+    pub(in crate::session) fn keep_correction(&mut self, about: About, content: Content) -> Result<u64, Message> {
         let about = About { station: self.station.clone(), time: unstamped(), ..about };
-        self.send(vec![Entry { about, content }])
+        let entry = Entry { about, content };
+        body::write(&entry).map_err(|error| error.message())?;
+        self.send(vec![entry]).ok_or_else(|| Message::new("records-page-not-recording"))
     }
 
     fn entry(&self, named: &Named, content: Content) -> Entry {

@@ -84,6 +84,8 @@ enum Fate {
     /// The number of the first one.
     Kept(u64),
     Failed(Message),
+    /// It can never be written, whatever the disk does.
+    Refused(Message),
 }
 
 /// The journal that was opened.
@@ -176,6 +178,13 @@ impl Recording {
         self.errands.push(Effect::Keep { run, entries: entries.clone() });
         self.batches.insert(run, Batch { entries, fate: Fate::Waiting });
         Some(run)
+    }
+
+    /// What cannot be an entry of a journal is told at once, and not tried again; returns its number.
+    fn refuse(&mut self, problem: Message) -> u64 {
+        self.sent += 1;
+        self.batches.insert(self.sent, Batch { entries: Vec::new(), fate: Fate::Refused(problem) });
+        self.sent
     }
 
     /// The journal has answered about a batch. Returns whether that is news of a failure.
@@ -286,7 +295,7 @@ impl Recording {
         Some(match &self.batches.get(&run)?.fate {
             Fate::Waiting => Recorded::Waiting,
             Fate::Kept(first) => Recorded::Kept(first.saturating_add(at)),
-            Fate::Failed(problem) => Recorded::Failed(problem),
+            Fate::Failed(problem) | Fate::Refused(problem) => Recorded::Failed(problem),
         })
     }
 

@@ -79,8 +79,10 @@ impl RecordsPage {
         let Some(form) = self.correcting.clone().filter(|form| form.run.is_none()) else { return };
         match self.correction(&form) {
             Ok((about, content)) => {
-                let run = shared.recording.keep_correction(about, content);
-                let problem = run.is_none().then(|| Message::new("records-page-not-recording"));
+                let (run, problem) = match shared.recording.keep_correction(about, content) {
+                    Ok(run) => (Some(run), None),
+                    Err(problem) => (None, Some(problem)),
+                };
                 self.correcting = Some(Correcting { run, problem, ..form });
             }
             Err((field, problem)) => _ = self.errors.insert(field, problem),
