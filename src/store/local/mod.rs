@@ -210,7 +210,7 @@ impl Journal {
     ///
     /// # Errors
     /// [`StoreError`] where the file cannot be written to; nothing is lost.
-    pub fn tidy(&mut self) -> Result<(), StoreError> {
+    pub fn tidy(&self) -> Result<(), StoreError> {
         let all = || index::bring_all_up(&self.connection, reader::integer(head_of(&self.connection)?.number));
         all().map_err(|error: rusqlite::Error| StoreError::of(&self.path, &error))
     }
@@ -245,7 +245,7 @@ impl Journal {
             return;
         }
         let anchor = Anchor { file: self.path.clone(), chain: self.chain, head: self.head };
-        if let Err(reason) = Anchors::keep(path, anchor) {
+        if let Err(reason) = Anchors::keep(path, &anchor) {
             let told = StoreRemark::NoAnchor { path: path.clone(), reason };
             if !self.remarks.contains(&told) {
                 self.remarks.push(told);
