@@ -382,7 +382,7 @@ fn a_window_that_closes_waits_for_what_is_being_written_and_shows_it_as_not_reco
     window.step();
     let cancels = |window: &Harness<'_, App>| {
         let commands = &window.output().viewport_output[&ViewportId::ROOT].commands;
-        commands.iter().any(|command| *command == eframe::egui::ViewportCommand::CancelClose)
+        commands.contains(&eframe::egui::ViewportCommand::CancelClose)
     };
     assert!(cancels(&window), "it stays until all of them are on disk");
     eframe::App::on_exit(window.state_mut(), None);

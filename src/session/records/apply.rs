@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::{OpenRecord, RecordRow, RecordsCommand, RecordsField, RecordsPage, Walk};
+use super::{OpenRecord, RecordRow, RecordsCommand, RecordsField, RecordsPage};
 use crate::journal::Record;
 use crate::journal::chain::Head;
 use crate::journal::entry::{Check, Checked};
@@ -68,24 +68,10 @@ impl PageState for RecordsPage {
             RecordsCommand::Correct(is_open) => self.correct(is_open),
             RecordsCommand::Withdraw(withdraws) => self.withdraw(withdraws),
             RecordsCommand::SendCorrection => self.send_correction(shared),
-            RecordsCommand::Verify => return self.verify(),
-            RecordsCommand::CancelVerify => {
-                if let Walk::Running { .. } = self.walk {
-                    self.walk = Walk::Cancelled;
-                    return vec![Effect::StopVerify];
-                }
-            }
-            RecordsCommand::Verifying { run, done, of } if run == self.walks => {
-                if let Walk::Running { .. } = self.walk {
-                    self.walk = Walk::Running { done, of };
-                }
-            }
-            RecordsCommand::Verified { run, result, at } if run == self.walks => {
-                if let Walk::Running { .. } = self.walk {
-                    self.walk = Walk::Done { result, at };
-                }
-            }
-            RecordsCommand::Verifying { .. } | RecordsCommand::Verified { .. } => {}
+            command @ (RecordsCommand::Verify
+            | RecordsCommand::CancelVerify
+            | RecordsCommand::Verifying { .. }
+            | RecordsCommand::Verified { .. }) => return self.walk_on(command),
         }
         Vec::new()
     }
@@ -202,13 +188,6 @@ impl RecordsPage {
             serial: entry.about.serial.clone(),
         });
         shared.open(Page::Check);
-    }
-
-    fn verify(&mut self) -> Vec<Effect> {
-        self.runs += 1;
-        self.walks = self.runs;
-        self.walk = Walk::Running { done: 0, of: 0 };
-        vec![Effect::VerifyRecords { run: self.walks }]
     }
 }
 

@@ -10,6 +10,7 @@
 //! | `listing` | which records are listed, and those that were read |
 //! | `correcting` | from the form of a correction to the entry that makes it |
 //! | `sending` | the form for the server of the shop |
+//! | `walking` | the walk along the chain |
 //! | `choosing` | the chosen records, as a report and on the clipboard |
 
 mod apply;
@@ -20,6 +21,7 @@ mod correcting;
 mod field;
 mod listing;
 mod sending;
+mod walking;
 
 use std::collections::BTreeMap;
 use std::ops::Range;
