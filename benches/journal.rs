@@ -1,6 +1,6 @@
 //! The journal of a station: adding a check beside what a bare table needs for the same bytes and the same durability, and questions to a
 //! journal of a million checks.
-#![expect(clippy::expect_used, reason = "a bench may stop")]
+#![expect(clippy::expect_used, clippy::indexing_slicing, reason = "a bench may stop")]
 
 use std::hint::black_box;
 use std::ops::ControlFlow;
@@ -45,7 +45,7 @@ fn entry(number: u64) -> Entry {
         part,
         serial: format!("S{number:07}"),
         feature: format!("B{}", number % 4 + 1),
-        remark: if number % 100 == 0 { "deburred before measuring".to_owned() } else { String::new() },
+        remark: if number.is_multiple_of(100) { "deburred before measuring".to_owned() } else { String::new() },
     };
     let what = Checked::Size(record.into());
     Entry { about, content: Content::Check(Box::new(Check { what, files: Vec::new(), corrects: None })) }
@@ -97,7 +97,7 @@ fn appending(criterion: &mut Criterion) {
 }
 
 /// A journal of a million checks.
-pub fn make(path: &Path) {
+fn make(path: &Path) {
     let mut journal = open(path);
     for lot in 0..MILLION / 10_000 {
         let entries: Vec<Entry> = (lot * 10_000..(lot + 1) * 10_000).map(entry).collect();
@@ -109,7 +109,6 @@ fn asking(criterion: &mut Criterion) {
     let folder = tempfile::tempdir_in(env!("CARGO_TARGET_TMPDIR")).expect("folder");
     let path = folder.path().join("journal.sqlite");
     make(&path);
-    println!("a million checks: {} bytes each", std::fs::metadata(&path).expect("file").len() / MILLION);
     let reader = Reader::open(&path).expect("journal");
     let text = |text: &str| Some(text.to_owned());
     let hours = |hours: i64| Some(NEW_YEAR + hours * 3_600_000);

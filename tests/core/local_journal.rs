@@ -366,7 +366,8 @@ fn a_folder_in_the_place_of_a_journal_is_told() {
 /// What is damaged is moved away as it is, and the new journal names it.
 #[test]
 fn a_damaged_journal_is_set_aside_and_never_overwritten() {
-    let damages: [(&str, fn(&mut Vec<u8>)); 3] = [
+    type Damage = fn(&mut Vec<u8>);
+    let damages: [(&str, Damage); 3] = [
         ("cut to half", |bytes| bytes.truncate(bytes.len() / 2 / 4096 * 4096 + 100)),
         ("header zeroed", |bytes| bytes[..100].fill(0)),
         ("first page random", |bytes| bytes[100..4096].fill(0xA7)),
