@@ -230,6 +230,8 @@ pub struct Correction {
     pub target: Head,
     /// The reason that somebody gave; never empty.
     pub reason: String,
+    /// Who gave it; empty where nobody said. The entry itself says who measured.
+    pub by: String,
 }
 
 /// An entry as it is kept.

@@ -185,7 +185,9 @@ impl Inspection {
                     0 => self.tell(Break::Changed { number }),
                     1.. => self.tell(Break::Removed { number, count }),
                     _ => {
-                        (1..=count).for_each(|back| self.tell(Break::Inserted { number: number.saturating_sub(back) }))
+                        for back in 1..=count {
+                            self.tell(Break::Inserted { number: number.saturating_sub(back) });
+                        }
                     }
                 }
                 self.shift = self.shift.saturating_add(shift);

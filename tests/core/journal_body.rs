@@ -267,7 +267,13 @@ fn any_head() -> impl Strategy<Value = Head> {
 }
 
 fn any_content() -> impl Strategy<Value = Content> {
-    let correction = || (any_head(), "[a-zé ]{0,9}x").prop_map(|(target, reason)| Correction { target, reason });
+    let correction = || {
+        (any_head(), "[a-zé ]{0,9}x").prop_map(|(target, reason)| Correction {
+            target,
+            by: reason.chars().rev().collect(),
+            reason,
+        })
+    };
     let begin = (any::<[u8; 16]>(), any_name(), proptest::option::of((any::<[u8; 16]>(), any_head())));
     let begin = begin.prop_map(|(chain, program, after)| Begin {
         chain: ChainId(chain),
@@ -401,7 +407,7 @@ fn ten_megabytes_of_text_are_refused_in_both_directions() {
 fn a_reason_is_never_empty() {
     let withdrawal = |reason: &str| {
         let target = Head { number: 2, hash: Hash([1; 32]) };
-        let content = Content::Withdrawal(Correction { target, reason: reason.to_owned() });
+        let content = Content::Withdrawal(Correction { target, reason: reason.to_owned(), by: "Bert".to_owned() });
         write(&Entry { about: about(), content })
     };
     assert!(withdrawal("wrong part").is_ok());
@@ -567,7 +573,11 @@ fn three(chain: ChainId) -> Vec<Vec<u8>> {
     let second = write(&Entry { about: about(), content: Content::Check(Box::new(check.clone())) }).unwrap();
     let before = Head { number: 1, hash: entry_hash(chain, Head::default(), &first).unwrap() };
     let target = Head { number: 2, hash: entry_hash(chain, before, &second).unwrap() };
-    let corrects = Some(Correction { target, reason: "the serial number was that of the next part".to_owned() });
+    let corrects = Some(Correction {
+        target,
+        reason: "the serial number was that of the next part".to_owned(),
+        by: "Bert".to_owned(),
+    });
     let about = About { serial: "17-0043".to_owned(), ..about() };
     let content = Content::Check(Box::new(Check { corrects, ..check }));
     vec![first, second, write(&Entry { about, content }).unwrap()]

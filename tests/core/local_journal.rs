@@ -505,7 +505,11 @@ fn mixed() -> (Place, Vec<Entry>) {
     journal.append(&entries[40..]).unwrap();
     drop(journal);
     let kept = place.entries();
-    let correction = |number: usize| Correction { target: kept[number - 1].head, reason: "wrong part".to_owned() };
+    let correction = |number: usize| Correction {
+        target: kept[number - 1].head,
+        reason: "wrong part".to_owned(),
+        by: "Bert".to_owned(),
+    };
     let mut corrected = check("25 H7", "25.013", ["Bush Ø", "S-1", "Anna"]);
     if let Content::Check(check) = &mut corrected.content {
         check.corrects = Some(correction(3));

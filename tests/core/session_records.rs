@@ -210,7 +210,7 @@ fn the_newest_checks_of_the_journal_are_the_history_without_those_that_stand_no_
     begin(&mut session);
     // A check that was made before the journal answered is the newest.
     let (run, _) = kept(&measure(&mut session, "25 H7", "25.012"));
-    let back = Correction { target: head(3), reason: "test".to_owned() };
+    let back = Correction { target: head(3), reason: "test".to_owned(), by: "Bert".to_owned() };
     let rows = vec![
         check_row(2, 4, None),
         check_row(3, 5, Some(4)),
@@ -387,7 +387,7 @@ fn a_correction_needs_a_reason_and_something_else_and_names_what_it_corrects() {
     typed(&mut session, RecordsField::Measured, "25,003");
     typed(&mut session, RecordsField::Measurer, "Bert");
     let (run, entries) = kept(&send(&mut session, RecordsCommand::SendCorrection));
-    let Some(Correction { target, reason }) = entries[0].corrects() else { panic!("a correction") };
+    let Some(Correction { target, reason, .. }) = entries[0].corrects() else { panic!("a correction") };
     assert_eq!((*target, reason.as_str()), (head(8), "typed wrongly"));
     let corrected = size(&entries[0]);
     assert_eq!((corrected.verdict.status().to_string().as_str(), corrected.time), ("GOOD", now()));
@@ -400,7 +400,7 @@ fn a_correction_needs_a_reason_and_something_else_and_names_what_it_corrects() {
 
 #[test]
 fn a_withdrawal_and_what_is_corrected_already_cannot_be_corrected() {
-    let back = Correction { target: head(3), reason: "test".to_owned() };
+    let back = Correction { target: head(3), reason: "test".to_owned(), by: "Bert".to_owned() };
     for row in [check_row(8, 4, Some(9)), row(9, Content::Withdrawal(back), None)] {
         let mut session = opened(vec![row]);
         assert!(!session.can(Action::CorrectRecord));

@@ -33,8 +33,12 @@ fn every_part_of_a_question_is_answered_for_all_stations() {
         };
         let first = add("17-0042", "25.012", None);
         add("17-0043", "25.030", None);
-        let third = add("18-0001", "24.99", Some(Correction { target: first, reason: "other part".to_owned() }));
-        let withdrawal = Correction { target: third, reason: "no part".to_owned() };
+        let third = add(
+            "18-0001",
+            "24.99",
+            Some(Correction { target: first, reason: "other part".to_owned(), by: "Bert".to_owned() }),
+        );
+        let withdrawal = Correction { target: third, reason: "no part".to_owned(), by: "Bert".to_owned() };
         book.add(&Entry { about: book.about("18-0001"), content: Content::Withdrawal(withdrawal) });
         book.add_body(b"not an entry");
         book.send(&shop.station(if who == "Anna" { "a" } else { "b" })).unwrap();

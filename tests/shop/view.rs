@@ -22,9 +22,9 @@ fn a_check_is_a_row_of_plain_columns() {
     let book = Book::new("Mill 3");
     let about = |serial: &str| book.about(serial);
     let first = book.add(&Entry { about: about("1"), content: check(bore("25.012"), None) });
-    let correction = Correction { target: first, reason: "the next part".to_owned() };
+    let correction = Correction { target: first, reason: "the next part".to_owned(), by: "Bert".to_owned() };
     let second = book.add(&Entry { about: about("2"), content: check(bore("24.9995"), Some(correction)) });
-    let withdrawal = Correction { target: second, reason: "no part".to_owned() };
+    let withdrawal = Correction { target: second, reason: "no part".to_owned(), by: "Bert".to_owned() };
     book.add(&Entry { about: about("2"), content: Content::Withdrawal(withdrawal) });
     let nm = |nm| Length::from_nanometres(nm).unwrap();
     let cycle = CycleCheck {

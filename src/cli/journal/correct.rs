@@ -30,6 +30,9 @@ pub(super) struct Args {
     /// Why
     #[arg(long, value_name = "TEXT")]
     reason: String,
+    /// Who corrects; default: the user of the computer. --who is who measured
+    #[arg(long, value_name = "NAME")]
+    by: Option<String>,
     #[command(flatten)]
     changes: Changes,
     /// Take the check back, with nothing in its place
@@ -84,7 +87,8 @@ impl Args {
         drop(reader);
         let (about, check) = standing(&row)?;
         let about = self.about(about);
-        let correction = Correction { target: row.kept.head, reason: self.reason.clone() };
+        let by = self.by.clone().unwrap_or_else(here::user);
+        let correction = Correction { target: row.kept.head, reason: self.reason.clone(), by };
         let content = if self.withdraw {
             Content::Withdrawal(correction)
         } else {

@@ -64,7 +64,8 @@ fn print_begin(begin: &Begin, io: &mut Io<'_>) -> Result<(), CliError> {
 
 fn print_correction(name: &str, correction: &Correction, io: &mut Io<'_>) -> Result<(), CliError> {
     line(name, format_args!("entry {} ({})", correction.target.number, correction.target.hash), io)?;
-    line("reason", &correction.reason, io)
+    line("reason", &correction.reason, io)?;
+    line("corrected by", &correction.by, io)
 }
 
 fn print_check(check: &Check, io: &mut Io<'_>) -> Result<(), CliError> {

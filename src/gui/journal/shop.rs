@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say};
 use crate::session::{Command, RecordsCommand};
 use crate::store::local::Reader;
 use crate::store::shop::{
@@ -87,7 +87,7 @@ fn begin(
 fn trouble(status: &Status) -> Option<Message> {
     let problem = status.problem.as_ref()?.message();
     let and = |one, other| Message::new("records-page-and").message("one", one).message("other", other);
-    Some(status.remarks.iter().map(crate::message::Say::message).fold(problem, and))
+    Some(status.remarks.iter().map(Say::message).fold(problem, and))
 }
 
 /// Puts a password that stood in an address into the keyring, and tells whether that went well.

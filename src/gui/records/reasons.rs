@@ -48,6 +48,9 @@ fn about(view: &View<'_>, entry: &Entry, went_back: bool) -> Vec<Line> {
     let mut lines = Vec::new();
     if let Some(correction) = entry.corrects() {
         lines.push(Line::Named(view.text("records-page-reason"), correction.reason.clone()));
+        if !correction.by.is_empty() {
+            lines.push(Line::Named(view.text("records-page-corrected-by"), correction.by.clone()));
+        }
     }
     let texts = [
         ("head-time", view.words.say(&offset)),

@@ -77,7 +77,7 @@ fn corrects(field: &'static str, corrects: &wire::Corrects) -> Result<Correction
     }
     let number = whole("corrects.number", corrects.number)?;
     let target = Head { number, hash: printed("corrects.hash", &corrects.hash)? };
-    Ok(Correction { target, reason: long(field, &corrects.reason)? })
+    Ok(Correction { target, reason: long(field, &corrects.reason)?, by: name("corrects.by", &corrects.by)? })
 }
 
 fn check(check: wire::Check) -> Result<Check, BodyError> {

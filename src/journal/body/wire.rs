@@ -69,7 +69,7 @@ objects! {
         corrects: Option<Corrects>,
     }
     File { role: String, name: String, sha256: String }
-    Corrects { number: u64, hash: String, reason: String }
+    Corrects { number: u64, hash: String, reason: String, by: String }
     Size {
         id: String,
         local_time: String,

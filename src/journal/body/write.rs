@@ -59,7 +59,7 @@ fn begin(begin: &Begin) -> Result<wire::Begin, BodyError> {
 }
 
 fn corrects(field: &'static str, correction: &Correction) -> Result<wire::Corrects, BodyError> {
-    let Correction { target: Head { number, hash }, reason } = correction;
+    let Correction { target: Head { number, hash }, reason, by } = correction;
     if reason.trim().is_empty() {
         return Err(BodyError::Empty { field });
     }
@@ -67,7 +67,8 @@ fn corrects(field: &'static str, correction: &Correction) -> Result<wire::Correc
         return Err(BodyError::value("corrects.number", number));
     }
     let number = whole("corrects.number", *number)?;
-    Ok(wire::Corrects { number, hash: hash.to_string(), reason: long(field, reason)? })
+    let (hash, reason, by) = (hash.to_string(), long(field, reason)?, name("corrects.by", by)?);
+    Ok(wire::Corrects { number, hash, reason, by })
 }
 
 fn check(check: &Check) -> Result<wire::Check, BodyError> {

@@ -82,9 +82,22 @@ impl Recording {
     /// Why it can be no entry of a journal, or that nothing is recorded.
     pub(in crate::session) fn keep_correction(&mut self, about: About, content: Content) -> Result<u64, Message> {
         let about = About { station: self.station.clone(), time: unstamped(), ..about };
+        let content = match content {
+            Content::Withdrawal(correction) => Content::Withdrawal(self.by_whom(correction)),
+            Content::Check(mut check) => {
+                check.corrects = check.corrects.map(|correction| self.by_whom(correction));
+                Content::Check(check)
+            }
+            begin @ Content::Begin(_) => begin,
+        };
         let entry = Entry { about, content };
         body::write(&entry).map_err(|error| error.message())?;
         self.send(vec![entry]).ok_or_else(|| Message::new("records-page-not-recording"))
+    }
+
+    /// Whoever measures now corrects.
+    fn by_whom(&self, correction: Correction) -> Correction {
+        Correction { by: self.who().to_owned(), ..correction }
     }
 
     fn entry(&self, named: &Named, content: Content) -> Entry {
@@ -106,7 +119,7 @@ const fn unstamped() -> Moment {
     Moment { utc_ms: 0, offset_min: 0, zone: String::new() }
 }
 
-/// The reason of a correction, and what it corrects.
+/// The reason of a correction, and what it corrects; who corrects is put in when it is sent.
 pub(in crate::session) fn correcting(target: crate::journal::chain::Head, reason: &str) -> Correction {
-    Correction { target, reason: reason.trim().to_owned() }
+    Correction { target, reason: reason.trim().to_owned(), by: String::new() }
 }

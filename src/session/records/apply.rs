@@ -34,31 +34,12 @@ impl PageState for RecordsPage {
                 shared.recording.try_again();
             }
             RecordsCommand::Measured { name, sha256 } => shared.recording.saw(name, sha256),
-            RecordsCommand::Sent { unsent, trouble } => {
-                shared.recording.of_server(unsent, trouble);
-            }
-            RecordsCommand::AskForServer(is_asked) => {
-                // What was typed may have a password: it does not stay.
-                let shown = shared.recording.server().unwrap_or_default().to_owned();
-                self.texts.insert(RecordsField::Server, shown);
-                self.errors.remove(&RecordsField::Server);
-                shared.recording.ask_for_server(is_asked);
-                if is_asked {
-                    return vec![Effect::Focus(RecordsField::Server.into())];
-                }
-            }
-            RecordsCommand::TakeServer => shared.recording.try_server(self.text(RecordsField::Server).trim()),
-            RecordsCommand::LeaveServer => shared.recording.leave_server(),
-            RecordsCommand::SendAgain => shared.recording.send_again(),
-            RecordsCommand::Server(Ok(address)) => {
-                self.texts.remove(&RecordsField::Server);
-                shared.recording.use_server(address);
-            }
-            RecordsCommand::Server(Err(problem)) if shared.recording.asks_for_server() => {
-                self.errors.insert(RecordsField::Server, problem);
-            }
-            // The address of the state file.
-            RecordsCommand::Server(Err(problem)) => shared.recording.of_server(None, Some(problem)),
+            command @ (RecordsCommand::Sent { .. }
+            | RecordsCommand::AskForServer(_)
+            | RecordsCommand::TakeServer
+            | RecordsCommand::LeaveServer
+            | RecordsCommand::SendAgain
+            | RecordsCommand::Server(_)) => return self.apply_server(command, shared),
             RecordsCommand::Note(note) => shared.note(note, Vec::new()),
             RecordsCommand::UseName(name) => shared.recording.use_name(&name),
             RecordsCommand::TakeName => {

@@ -9,6 +9,7 @@
 //! | `asking` | from the text of the question to what is asked |
 //! | `listing` | which records are listed, and those that were read |
 //! | `correcting` | from the form of a correction to the entry that makes it |
+//! | `sending` | the form for the server of the shop |
 //! | `walking` | the walk along the chain |
 //! | `choosing` | the chosen records, as a report and on the clipboard |
 
@@ -19,6 +20,7 @@ mod command;
 mod correcting;
 mod field;
 mod listing;
+mod sending;
 mod walking;
 
 use std::collections::BTreeMap;

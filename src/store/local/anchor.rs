@@ -65,9 +65,9 @@ impl Anchors {
     }
 
     /// Keeps the last entry of a journal, unless a later one of the same chain is kept already.
-    pub(super) fn keep(path: &Path, anchor: Anchor) -> Result<(), String> {
+    pub(super) fn keep(path: &Path, anchor: &Anchor) -> Result<(), String> {
         let mut anchors = Self::read(path)?;
-        let anchor = Anchor { file: whole(&anchor.file), ..anchor };
+        let anchor = Anchor { file: whole(&anchor.file), ..anchor.clone() };
         let is_later = |other: &Anchor| other.chain == anchor.chain && anchor.head.number < other.head.number;
         if anchors.0.iter().any(is_later) || anchors.0.last() == Some(&anchor) {
             return Ok(());

@@ -185,7 +185,16 @@ impl Journal {
             head = add(&transaction, path, (*chain, head), &body)?;
             kept.push(Kept { head, body: body.into() });
         }
-        transaction.commit().map_err(failed)?;
+        if let Err(error) = transaction.commit() {
+            let error = StoreError::of(path, &error);
+            // What a failing disk has done is only known by looking: what is there must not be added a second time.
+            let there = Reader::open(path).and_then(|reader| reader.entry(head.number));
+            let is_there = there.is_ok_and(|there| there.is_some_and(|there| there.head == head));
+            let lasts = || connection.query_row("PRAGMA wal_checkpoint(FULL)", [], |row| row.get::<_, i64>(0)) == Ok(0);
+            if !is_there || !lasts() {
+                return Err(error);
+            }
+        }
         // A file of its own for each entry would cost more than the entry.
         let is_due = self.anchored + ANCHOR_EVERY <= head.number;
         self.head = head;
@@ -201,7 +210,7 @@ impl Journal {
     ///
     /// # Errors
     /// [`StoreError`] where the file cannot be written to; nothing is lost.
-    pub fn tidy(&mut self) -> Result<(), StoreError> {
+    pub fn tidy(&self) -> Result<(), StoreError> {
         let all = || index::bring_all_up(&self.connection, reader::integer(head_of(&self.connection)?.number));
         all().map_err(|error: rusqlite::Error| StoreError::of(&self.path, &error))
     }
@@ -236,7 +245,7 @@ impl Journal {
             return;
         }
         let anchor = Anchor { file: self.path.clone(), chain: self.chain, head: self.head };
-        if let Err(reason) = Anchors::keep(path, anchor) {
+        if let Err(reason) = Anchors::keep(path, &anchor) {
             let told = StoreRemark::NoAnchor { path: path.clone(), reason };
             if !self.remarks.contains(&told) {
                 self.remarks.push(told);
