@@ -142,7 +142,7 @@ records-page-hash = Hash
 ## A correction
 records-page-correction = Correction
 records-page-correction-hint = A new record stands in place of this one. Both stay in the journal.
-records-page-corrected-by = Corrected by
+records-page-corrector = Corrected by
 records-page-reason = Reason
 records-page-withdraw = Withdraw the record
 records-page-withdraw-hint = Nothing stands in its place

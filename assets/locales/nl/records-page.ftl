@@ -142,7 +142,7 @@ records-page-hash = Hash
 ## Een correctie
 records-page-correction = Correctie
 records-page-correction-hint = Een nieuwe vastlegging komt in plaats van deze. Beide blijven in het journaal.
-records-page-corrected-by = Gecorrigeerd door
+records-page-corrector = Gecorrigeerd door
 records-page-reason = Reden
 records-page-withdraw = De vastlegging intrekken
 records-page-withdraw-hint = Er komt niets in haar plaats

@@ -49,7 +49,7 @@ fn about(view: &View<'_>, entry: &Entry, went_back: bool) -> Vec<Line> {
     if let Some(correction) = entry.corrects() {
         lines.push(Line::Named(view.text("records-page-reason"), correction.reason.clone()));
         if !correction.by.is_empty() {
-            lines.push(Line::Named(view.text("records-page-corrected-by"), correction.by.clone()));
+            lines.push(Line::Named(view.text("records-page-corrector"), correction.by.clone()));
         }
     }
     let texts = [
