@@ -69,6 +69,12 @@ pub struct Record {
 }
 
 impl Record {
+    /// The same by another name.
+    #[must_use]
+    pub fn called(&self, name: &str) -> Arc<Self> {
+        Arc::new(Self { id: name.to_owned(), ..self.clone() })
+    }
+
     /// Checks a measurement, and the centre's position where it was measured, by the control's default rule; a value
     /// that may be another quantity or another part's gets a doubt.
     pub fn judged(

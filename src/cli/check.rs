@@ -176,15 +176,17 @@ impl Args {
         if record.measurement.origin.is_simulated() && matches!(self.format, Format::Text) {
             io.tell(CliRemark::Simulated);
         }
-        match self.format {
-            Format::Text => self.print_window(&record, io)?,
-            Format::Json => print_json(&record, unstated, budget.as_ref(), io)?,
-            Format::Csv => print_csv(&record, unstated, io)?,
-        }
+        let printed = match self.format {
+            Format::Text => self.print_window(&record, io),
+            Format::Json => print_json(&record, unstated, budget.as_ref(), io),
+            Format::Csv => print_csv(&record, unstated, io),
+        };
+        // It is recorded whoever reads what is printed.
         if let Some(mut recorder) = recorder {
             recorder.size(Arc::new(record), io.files())?;
             recorder.keep(io)?;
         }
+        printed?;
         Ok(Outcome::Judged(status))
     }
 

@@ -96,6 +96,8 @@ impl Args {
         let mut printer = Printer::new(self.format, judge.more(), io)?;
         let mut tally = Tally::default();
         let mut keeping = recorder.map(|recorder| Keeping::new(recorder, io));
+        // After an error of the stream nobody reads on, and what is recorded is recorded all the same.
+        let mut printed = Ok(());
         super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {
             match files::read(path) {
@@ -105,34 +107,36 @@ impl Args {
                     if let Some(keeping) = &mut keeping {
                         keeping.reads(&name, &bytes);
                     }
-                    let mut printed = Ok(());
                     import_each(&name, &bytes, &sources, now, &mut |item| {
                         warn(path, &item, io);
-                        // After an error of the stream nobody reads on.
-                        if printed.is_ok()
+                        if (printed.is_ok() || keeping.is_some())
                             && let Some(row) = rows.row(item)
                         {
                             tally.count(&row);
                             if let Some(keeping) = &mut keeping {
                                 keeping.see(&row);
                             }
-                            printed = printer.row(&row, io);
+                            if printed.is_ok() {
+                                printed = printer.row(&row, io);
+                            }
                         }
                     });
-                    printed?;
                 }
                 Err(error) => {
                     io.fail(&error);
                     let row = Row::of_file(path, error.to_string());
                     tally.count(&row);
-                    printer.row(&row, io)?;
+                    if printed.is_ok() {
+                        printed = printer.row(&row, io);
+                    }
                 }
             }
         }
-        printer.end(io)?;
+        let printed = printed.and_then(|()| printer.end(io));
         if let Some(keeping) = keeping {
-            keeping.end(io)?;
+            tally.bad |= keeping.end(io)?;
         }
+        printed?;
         Ok(match tally.worst {
             _ if tally.bad => Outcome::BadData,
             Some(worst) => Outcome::Judged(worst),

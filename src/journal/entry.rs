@@ -64,6 +64,12 @@ impl About {
     pub const LONGEST_REMARK: usize = 65_536;
     /// The longest of the other texts, bytes of UTF-8.
     pub const LONGEST_NAME: usize = 1_024;
+
+    /// Part, serial number and feature as one name; empty where nobody said any of them.
+    pub fn name(&self) -> String {
+        let texts = [&self.part, &self.serial, &self.feature].into_iter().map(|text| text.as_str());
+        texts.filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" ")
+    }
 }
 
 /// A file that a check was made with.

@@ -92,6 +92,26 @@ pub enum StoreError {
         /// The journal.
         path: PathBuf,
     },
+    /// Another file lies where it was opened: it was moved or set aside meanwhile.
+    Moved {
+        /// The journal.
+        path: PathBuf,
+    },
+    /// The entry that is corrected is not the one that was meant.
+    OtherTarget {
+        /// Its number.
+        #[say(with = printed)]
+        number: u64,
+    },
+    /// The entry was corrected or taken back already.
+    Corrected {
+        /// Its number.
+        #[say(with = printed)]
+        number: u64,
+        /// The entry that did.
+        #[say(with = printed)]
+        by: u64,
+    },
     /// There is no such entry.
     NoEntry {
         /// The journal.

@@ -773,3 +773,113 @@ fn the_last_entries_of_all_journals_are_kept_side_by_side() {
     drop(journal);
     assert_eq!(std::fs::read(&anchors).unwrap(), b"nonsense\n");
 }
+
+/// Whoever looks at a journal opens and closes files: that must not take away the locks of a journal that is open in the same program.
+#[test]
+fn a_journal_that_is_open_keeps_its_log_while_it_is_looked_at_and_others_come_and_go() {
+    let place = Place::with(1);
+    let mut journal = place.open();
+    for number in 0..5 {
+        journal.append(&[good(&format!("A{number}"))]).unwrap();
+        drop(Reader::open(&place.path()).unwrap());
+        assert!(place.verify().is_whole());
+        // Another program closes the file as its last user would: it takes the log away only if nobody else has the file.
+        let status = std::process::Command::new(env!("CARGO_BIN_EXE_fitcheck"))
+            .args(["check", "25 H7", "--measured", "25.012", "--record", "--journal"])
+            .arg(place.path())
+            .env("XDG_CONFIG_HOME", place.folder.path())
+            .output()
+            .unwrap();
+        assert!(status.status.success(), "{status:?}");
+        assert!(place.path().with_file_name("journal.sqlite-wal").exists(), "the log of an open journal is gone");
+    }
+    assert_eq!(place.entries().len(), 12);
+}
+
+#[test]
+fn nothing_is_recorded_in_a_journal_that_was_moved_meanwhile() {
+    let place = Place::with(1);
+    let mut journal = place.open();
+    journal.append(&[good("A")]).unwrap();
+    let aside = place.folder.path().join("aside");
+    std::fs::create_dir(&aside).unwrap();
+    for ending in ["", "-wal", "-shm"] {
+        let name = format!("journal.sqlite{ending}");
+        std::fs::rename(place.path().with_file_name(&name), aside.join(&name)).unwrap();
+    }
+    let moved = Err(StoreError::Moved { path: place.path() });
+    assert_eq!(journal.append(&[good("B")]), moved);
+    // Another one has taken its place.
+    let mut other = place.open();
+    assert_eq!(journal.append(&[good("B")]), moved);
+    other.append(&[good("B")]).unwrap();
+    drop((journal, other));
+    assert_eq!(Reader::open(&aside.join("journal.sqlite")).unwrap().head().unwrap().number, 3);
+    assert_eq!(place.entries().len(), 2);
+}
+
+#[test]
+fn an_entry_is_corrected_once_and_only_the_one_that_was_meant() {
+    let place = Place::with(2);
+    let target = place.entries()[1].head;
+    let correcting = |target: Head| {
+        let correction = Correction { target, reason: "wrong part".to_owned(), by: "Bert".to_owned() };
+        Entry { content: Content::Withdrawal(correction), ..good("A") }
+    };
+    let mut journal = place.open();
+    let other = Head { hash: place.entries()[2].head.hash, ..target };
+    assert_eq!(journal.append(&[correcting(other)]), Err(StoreError::OtherTarget { number: 2 }));
+    assert_eq!(
+        journal.append(&[correcting(Head { number: 99, ..target })]),
+        Err(StoreError::OtherTarget { number: 99 })
+    );
+    journal.append(&[correcting(target)]).unwrap();
+    for is_indexed in [false, true] {
+        if is_indexed {
+            journal.tidy().unwrap();
+        }
+        assert_eq!(journal.append(&[correcting(target)]), Err(StoreError::Corrected { number: 2, by: 4 }));
+    }
+    assert_eq!(place.entries().len(), 4);
+}
+
+#[test]
+fn a_trigger_that_swallows_entries_is_named_and_nothing_is_acknowledged() {
+    let place = Place::with(1);
+    let mut journal = place.open();
+    let swallow = "CREATE TRIGGER zz BEFORE INSERT ON entry BEGIN SELECT RAISE(IGNORE); END";
+    Connection::open(place.path()).unwrap().execute_batch(swallow).unwrap();
+    let altered = StoreError::Altered { path: place.path(), name: "entry".to_owned() };
+    assert_eq!(journal.append(&[good("A")]), Err(altered));
+    assert_eq!(place.verify().findings, [Finding::Altered { name: "zz".to_owned() }]);
+}
+
+#[test]
+fn an_emptied_journal_is_not_whole_and_is_set_aside() {
+    let place = Place::with(2);
+    place.tamper("DELETE FROM entry; DELETE FROM find; UPDATE indexed SET number = 0");
+    assert_eq!(place.verify().findings, [Finding::NoBeginning]);
+    let journal = place.open();
+    assert!(matches!(journal.remarks(), [StoreRemark::SetAside { .. }, ..]), "{:?}", remarks(&journal));
+}
+
+#[test]
+fn an_index_that_hides_an_entry_is_named() {
+    let place = Place::with(700);
+    place.open().tidy().unwrap();
+    let copy = place.folder.path().join("copy.sqlite");
+    backup(&place.path(), &copy).unwrap();
+    let mut bytes = std::fs::read(&copy).unwrap();
+    // In the index of parts a name is followed by the number of its entry; in the table other columns are.
+    let name = b"flange 333";
+    let places: Vec<usize> = (0..bytes.len() - name.len()).filter(|at| bytes[*at..].starts_with(name)).collect();
+    let found = places.into_iter().any(|at| {
+        bytes[at + 9] = b'4';
+        fitcheck::files::write(&copy, &bytes).unwrap();
+        let verified = verify(&copy, &[], &mut |_, _| ControlFlow::Continue(()));
+        bytes[at + 9] = b'3';
+        let named = |found: &Verified| matches!(found.findings[..], [Finding::Index { .. }]);
+        verified.is_ok_and(|verified| named(&verified))
+    });
+    assert!(found);
+}

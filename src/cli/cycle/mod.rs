@@ -209,18 +209,20 @@ impl Args {
             log: &log,
             tools: &tools,
         };
-        match self.format {
-            Format::Text => text::print(&run, self.path, io)?,
-            Format::Csv if self.path => answer::print_path_csv(&path, io)?,
-            Format::Csv => answer::print_csv(&run, io)?,
-            Format::Json => answer::print_json(&run, io)?,
-        }
+        let printed = match self.format {
+            Format::Text => text::print(&run, self.path, io),
+            Format::Csv if self.path => answer::print_path_csv(&path, io),
+            Format::Csv => answer::print_csv(&run, io),
+            Format::Json => answer::print_json(&run, io),
+        };
+        // It is recorded whoever reads what is printed.
         if let Some(mut recorder) = recorder {
             if result.verdict().is_some() {
                 recorder.cycle(CycleCheck::of(self.cycle, &result, source.origin()), io.files())?;
             }
             recorder.keep(io)?;
         }
+        printed?;
         if let (Some(stop), Format::Csv) = (&result.stop, self.format) {
             io.tell(stop);
         }

@@ -22,11 +22,13 @@ pub(super) struct Keeping {
     /// Rows that are no checks, or that cannot be kept, and the first ones by file and line.
     without: usize,
     places: Vec<String>,
+    /// Whether a judged row was no entry.
+    has_refused: bool,
 }
 
 impl Keeping {
     pub(super) fn new(recorder: Recorder, io: &Io<'_>) -> Self {
-        Self { recorder, shared: io.files(), files: Vec::new(), without: 0, places: Vec::new() }
+        Self { recorder, shared: io.files(), files: Vec::new(), without: 0, places: Vec::new(), has_refused: false }
     }
 
     /// From here on rows are those of this file.
@@ -41,8 +43,13 @@ impl Keeping {
         let why = match &row.judged {
             Some(record) => match self.recorder.size(Arc::clone(record), self.files.clone()) {
                 Ok(()) => return,
-                Err(CliError::NotRecorded { error }) => format!(" ({error})"),
-                Err(error) => format!(" ({error})"),
+                Err(error) => {
+                    self.has_refused = true;
+                    match error {
+                        CliError::NotRecorded { error } => format!(" ({error})"),
+                        error => format!(" ({error})"),
+                    }
+                }
             },
             None => String::new(),
         };
@@ -52,15 +59,16 @@ impl Keeping {
         }
     }
 
-    /// Records all of them or none.
-    pub(super) fn end(self, io: &mut Io<'_>) -> Result<(), CliError> {
-        let Self { recorder, without, mut places, .. } = self;
+    /// Records all of them or none; whether a check was no entry.
+    pub(super) fn end(self, io: &mut Io<'_>) -> Result<bool, CliError> {
+        let Self { recorder, without, mut places, has_refused, .. } = self;
         if MOST < without {
             places.push("…".to_owned());
         }
         if 0 < without {
             io.warn(&Recorded::Without { rows: without, places: places.join(", ") });
         }
-        recorder.keep(io)
+        recorder.keep(io)?;
+        Ok(has_refused)
     }
 }

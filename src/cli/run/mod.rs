@@ -150,32 +150,16 @@ impl Args {
                 return Err(CliError::SetTwice { name: name.to_owned() });
             }
         }
-        let ended = match self.format {
-            RunFormat::Text => {
-                let mut listener = text::Printer::new(self.trace);
-                let ended = run(&mut machine, &mut listener, io)?;
-                text::notes(&machine, &ended, self.trace, language.language(), io);
-                text::tell_source(&machine, &source, io);
-                self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io)?;
-                ended
-            }
-            RunFormat::Json => {
-                let mut listener = answer::Trace::new(self.trace);
-                let mut ended = run(&mut machine, &mut listener, io)?;
-                ended.warnings = warnings.iter().map(ToString::to_string).collect();
-                // Before the answer, which says whether the table is written; an error comes after it.
-                let written = self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io);
-                ended.tools_out = written.as_ref().ok().cloned().flatten();
-                answer::print(
-                    &answer::Answer { machine: &machine, ended: &ended, source: &source, trace: &listener },
-                    io,
-                )?;
-                written?;
-                ended
+        let ended = self.run_and_print(&mut machine, &warnings, &source, io);
+        // What was measured before a fault was measured, whoever reads what is printed.
+        let recorded = recorder.map_or(Ok(()), |recorder| keep(recorder, &machine, &source, io));
+        let ended = match ended {
+            Ok(ended) => ended,
+            Err(unprinted) => {
+                recorded.unwrap_or_else(|unrecorded| io.fail(unrecorded));
+                return Err(unprinted);
             }
         };
-        // What was measured before a fault was measured.
-        let recorded = recorder.map_or(Ok(()), |recorder| keep(recorder, &machine, &source, io));
         if let Some(fault) = ended.fault {
             text::tell_fault(&fault, language.language(), io);
             recorded?;
@@ -183,6 +167,39 @@ impl Args {
         }
         recorded?;
         Ok(machine.status().map_or(Outcome::Done, Outcome::Judged))
+    }
+
+    /// Runs it, and prints what is to be said of it.
+    fn run_and_print(
+        &self,
+        machine: &mut Machine,
+        warnings: &[ProgramWarning],
+        source: &Source,
+        io: &mut Io<'_>,
+    ) -> Result<Ended, CliError> {
+        let language = self.language;
+        let ended = match self.format {
+            RunFormat::Text => {
+                let mut listener = text::Printer::new(self.trace);
+                let ended = run(machine, &mut listener, io)?;
+                text::notes(machine, &ended, self.trace, language.language(), io);
+                text::tell_source(machine, source, io);
+                self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io)?;
+                ended
+            }
+            RunFormat::Json => {
+                let mut listener = answer::Trace::new(self.trace);
+                let mut ended = run(machine, &mut listener, io)?;
+                ended.warnings = warnings.iter().map(ToString::to_string).collect();
+                // Before the answer, which says whether the table is written; an error comes after it.
+                let written = self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io);
+                ended.tools_out = written.as_ref().ok().cloned().flatten();
+                answer::print(&answer::Answer { machine, ended: &ended, source, trace: &listener }, io)?;
+                written?;
+                ended
+            }
+        };
+        Ok(ended)
     }
 
     /// The machine, and what the reader of the program has to say.

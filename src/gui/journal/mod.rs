@@ -17,6 +17,7 @@ mod shop;
 mod shop;
 mod writer;
 
+use std::collections::BTreeMap;
 use std::fmt::Debug;
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
@@ -162,6 +163,8 @@ pub(super) struct Desk {
     walk: Arc<AtomicU64>,
     file: Mutex<Option<PathBuf>>,
     shop: Mutex<Shop>,
+    /// When each batch of entries was made.
+    made: Mutex<BTreeMap<u64, Moment>>,
     clock: fn() -> DateTime,
 }
 
@@ -216,6 +219,7 @@ impl Desk {
             walk: Arc::default(),
             file: Mutex::default(),
             shop: Mutex::default(),
+            made: Mutex::default(),
             clock,
             records,
         }
@@ -238,8 +242,10 @@ impl Desk {
             }
             Effect::Keep { run, mut entries } => {
                 let now = (self.records.moment)();
+                // What is tried again was made when it was sent first.
+                let made = lock(&self.made).entry(run).or_insert_with(|| now.clone()).clone();
                 for entry in &mut entries {
-                    entry.about.time.clone_from(&now);
+                    entry.about.time.clone_from(&made);
                 }
                 self.write(Job::keep(ctx, now, run, entries));
             }

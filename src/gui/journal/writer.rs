@@ -7,6 +7,7 @@ use eframe::egui::Context;
 
 use super::{Journals, Keeps, ReadError};
 use crate::journal::ask::Question;
+use crate::journal::chain::Head;
 use crate::journal::entry::{Entry, Moment};
 use crate::message::Message;
 use crate::session::{Command, OpenJournal, RecordRow, RecordsCommand};
@@ -65,16 +66,27 @@ impl Writer {
             }
             What::Keep { run, entries } => {
                 // It failed before: what it holds now is looked at anew.
-                let opened = if self.journal.is_none() { self.open(&now).map(Some) } else { Ok(None) };
-                let result = opened.and_then(|_opened| match &mut self.journal {
-                    Some(journal) => journal.append(&entries),
-                    None => Err(Message::new("records-page-no-thread")),
-                });
+                let mut result = self.append(&now, &entries);
+                if result.as_ref().is_err_and(|problem| problem.id == "store-moved") {
+                    // Another program has set it aside: the one in its place takes the entries.
+                    self.journal = None;
+                    result = self.append(&now, &entries);
+                }
                 if result.is_err() {
                     self.journal = None;
                 }
                 vec![RecordsCommand::Kept { run, result }.into()]
             }
+        }
+    }
+
+    fn append(&mut self, now: &Moment, entries: &[Entry]) -> Result<Vec<Head>, Message> {
+        if self.journal.is_none() {
+            self.open(now)?;
+        }
+        match &mut self.journal {
+            Some(journal) => journal.append(entries),
+            None => Err(Message::new("records-page-no-thread")),
         }
     }
 

@@ -151,7 +151,26 @@ impl RecordsPage {
                 Err(problem) => Some(Err(problem.clone())),
             };
         }
+        let corrected: Vec<u64> = {
+            let entries = result.iter().flatten().filter_map(|row| row.entry.as_ref().ok());
+            entries.filter_map(|entry| entry.corrects()).map(|correction| correction.target.number).collect()
+        };
+        // What is chosen is reported as it stands now.
+        for row in result.iter().flatten() {
+            if let Some(chosen) = self.chosen.get_mut(&row.head.number) {
+                chosen.clone_from(row);
+            }
+        }
         self.listing.take_rows(numbers, result);
+        for number in corrected {
+            let is_old = |row: &Arc<RecordRow>| row.corrected_by.is_none();
+            if self.listing.row(number).is_some_and(is_old) {
+                self.listing.forget(number);
+            }
+            if self.chosen.get(&number).is_some_and(is_old) {
+                self.chosen.remove(&number);
+            }
+        }
     }
 
     /// Moves the cursor. One that is not in the list counts as before its first row.
@@ -195,7 +214,11 @@ impl RecordsPage {
 fn standing(row: &RecordRow) -> Option<(u64, Arc<Record>)> {
     let check = row.entry.as_ref().ok()?.check().filter(|_| row.corrected_by.is_none())?;
     match &check.what {
-        Checked::Size(record) => Some((row.head.number, Arc::clone(record))),
+        Checked::Size(record) => {
+            let part = &row.entry.as_ref().ok()?.about.part;
+            let named = if record.id.is_empty() { record.called(part) } else { Arc::clone(record) };
+            Some((row.head.number, named))
+        }
         Checked::Cycle(_) => None,
     }
 }

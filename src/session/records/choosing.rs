@@ -40,9 +40,14 @@ enum Use {
 fn use_of(row: &RecordRow) -> Use {
     let Ok(entry) = &row.entry else { return Use::Unread };
     let Some(check) = entry.check().filter(|_| row.corrected_by.is_none()) else { return Use::Replaced };
+    // The record's own name is what its file or field called it; the entry says which part it is.
+    let named = |record: &Arc<Record>| match entry.about.name() {
+        name if name.is_empty() => Arc::clone(record),
+        name => record.called(&name),
+    };
     match &check.what {
-        Checked::Size(record) if check.is_simulated() => Use::Simulated(Arc::clone(record)),
-        Checked::Size(record) => Use::Reported(Arc::clone(record)),
+        Checked::Size(record) if check.is_simulated() => Use::Simulated(named(record)),
+        Checked::Size(record) => Use::Reported(named(record)),
         Checked::Cycle(_) => Use::Cycle,
     }
 }

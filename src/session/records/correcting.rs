@@ -145,6 +145,7 @@ impl RecordsPage {
                 self.correct(false);
                 if let Some(old) = old {
                     self.listing.forget(old);
+                    self.chosen.remove(&old);
                 }
                 self.ask(shared, false);
                 let effects = self.open(number);

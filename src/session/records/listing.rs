@@ -72,6 +72,10 @@ impl Listing {
         if std::mem::take(&mut self.is_stale) {
             self.numbers = Numbers::default();
             self.seen = 0;
+            // Another program may have corrected what was read.
+            self.rows.clear();
+            self.pages.clear();
+            self.asked.clear();
         }
         self.is_whole = found.is_end;
         match (&mut self.numbers, found.numbers) {

@@ -66,6 +66,12 @@ impl Anchors {
 
     /// Keeps the last entry of a journal, unless a later one of the same chain is kept already.
     pub(super) fn keep(path: &Path, anchor: &Anchor) -> Result<(), String> {
+        let folder = path.parent().unwrap_or(path);
+        std::fs::create_dir_all(folder).map_err(|error| error.to_string())?;
+        // Two programs with two journals must not take each other's line away.
+        let lock = std::fs::File::options().create(true).append(true).open(path.with_extension("lock"));
+        let lock = lock.map_err(|error| error.to_string())?;
+        lock.lock().map_err(|error| error.to_string())?;
         let mut anchors = Self::read(path)?;
         let anchor = Anchor { file: whole(&anchor.file), ..anchor.clone() };
         let is_later = |other: &Anchor| other.chain == anchor.chain && anchor.head.number < other.head.number;
@@ -74,8 +80,6 @@ impl Anchors {
         }
         anchors.0.retain(|other| other.chain != anchor.chain);
         anchors.0.push(anchor);
-        let folder = path.parent().unwrap_or(path);
-        std::fs::create_dir_all(folder).map_err(|error| error.to_string())?;
         let lines = anchors
             .0
             .iter()

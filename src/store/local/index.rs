@@ -54,6 +54,15 @@ pub(super) fn all_from(connection: &Connection, indexed: i64, last: i64) -> rusq
     connection.execute("UPDATE indexed SET number = ?1", [last]).map(drop)
 }
 
+/// The newest entry that corrects another one.
+pub(super) fn corrected_by(connection: &Connection, number: u64) -> rusqlite::Result<Option<u64>> {
+    if let Some(by) = Waiting::of(connection)?.corrections().get(&number) {
+        return Ok(Some(*by));
+    }
+    let mut newest = connection.prepare_cached("SELECT max(number) FROM find WHERE corrects = ?1")?;
+    Ok(newest.query_row([integer(number)], |row| row.get::<_, Option<i64>>(0))?.map(natural))
+}
+
 /// The entries that wait, newest first.
 pub(super) struct Waiting(Vec<(u64, Vec<u8>)>);
 

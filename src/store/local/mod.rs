@@ -42,7 +42,7 @@ pub use self::verify::{Finding, Verified, verify};
 use super::error::{StoreError, StoreRemark};
 use crate::journal::body;
 use crate::journal::chain::{ChainId, Hash, Head, entry_hash};
-use crate::journal::entry::{About, Begin, Content, Entry, Kept, Moment};
+use crate::journal::entry::{About, Begin, Content, Correction, Entry, Kept, Moment};
 
 /// The name of the file in the user's data folder.
 pub const FILE: &str = "journal.sqlite";
@@ -76,6 +76,8 @@ impl Opening {
 #[derive(Debug)]
 pub struct Journal {
     path: PathBuf,
+    /// Which file it is, wherever it is moved.
+    file: Option<FileId>,
     connection: Connection,
     chain: ChainId,
     opening: Opening,
@@ -160,8 +162,11 @@ impl Journal {
         if let Some(known) = known {
             remarks.extend(anchor::compare(&connection, path, (chain, head), known).map_err(failed)?);
         }
-        let mut journal =
-            Self { path: path.to_owned(), connection, chain, opening: opening.clone(), head, anchored: 0, remarks };
+        if head.number == 0 {
+            return Err(StoreError::NoBeginning { path: path.to_owned() });
+        }
+        let (path, file, opening) = (path.to_owned(), file_id(path), opening.clone());
+        let mut journal = Self { path, file, connection, chain, opening, head, anchored: 0, remarks };
         journal.keep_head();
         Ok(journal)
     }
@@ -173,6 +178,9 @@ impl Journal {
     /// # Errors
     /// [`StoreError`] where nothing was added.
     pub fn append(&mut self, entries: &[Entry]) -> Result<Vec<Kept>, StoreError> {
+        if file_id(&self.path) != self.file {
+            return Err(StoreError::Moved { path: self.path.clone() });
+        }
         let Self { path, connection, chain, .. } = self;
         // Written as bytes before the file is locked.
         let bodies: Vec<Vec<u8>> =
@@ -180,6 +188,9 @@ impl Journal {
         let failed = |error: rusqlite::Error| StoreError::of(path, &error);
         let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate).map_err(failed)?;
         let mut head = head_of(&transaction).map_err(failed)?;
+        for correction in entries.iter().filter_map(Entry::corrects) {
+            may_correct(&transaction, path, correction)?;
+        }
         let mut kept = Vec::with_capacity(bodies.len());
         for body in bodies {
             head = add(&transaction, path, (*chain, head), &body)?;
@@ -194,6 +205,10 @@ impl Journal {
             if !is_there || !lasts() {
                 return Err(error);
             }
+        }
+        if file_id(&self.path) != self.file {
+            // It is in a file that nobody looks for: it counts as not recorded.
+            return Err(StoreError::Moved { path: self.path.clone() });
         }
         // A file of its own for each entry would cost more than the entry.
         let is_due = self.anchored + ANCHOR_EVERY <= head.number;
@@ -274,6 +289,38 @@ fn head_of(connection: &Connection) -> rusqlite::Result<Head> {
     Ok(head.unwrap_or_default())
 }
 
+/// A device and a number on it.
+type FileId = (u64, u64);
+
+/// Which file lies at a path; `None` where systems do not tell. There a file that is in use cannot be moved.
+#[cfg(unix)]
+fn file_id(path: &Path) -> Option<FileId> {
+    use std::os::unix::fs::MetadataExt as _;
+    std::fs::metadata(path).ok().map(|found| (found.dev(), found.ino()))
+}
+
+/// Which file lies at a path; `None` where systems do not tell. There a file that is in use cannot be moved.
+#[cfg(not(unix))]
+fn file_id(_path: &Path) -> Option<FileId> {
+    None
+}
+
+/// Whether an entry may be corrected: it is the one that was meant, and nothing has corrected it meanwhile.
+fn may_correct(connection: &Connection, path: &Path, correction: &Correction) -> Result<(), StoreError> {
+    let failed = |error: rusqlite::Error| StoreError::of(path, &error);
+    let Head { number, hash } = correction.target;
+    let mut there = connection.prepare_cached("SELECT hash FROM entry WHERE number = ?1").map_err(failed)?;
+    let found: Option<[u8; 32]> =
+        there.query_row([reader::integer(number)], |row| row.get(0)).optional().map_err(failed)?;
+    if found != Some(hash.0) {
+        return Err(StoreError::OtherTarget { number });
+    }
+    match index::corrected_by(connection, number).map_err(failed)? {
+        Some(by) => Err(StoreError::Corrected { number, by }),
+        None => Ok(()),
+    }
+}
+
 /// Adds an entry behind another one.
 fn add(
     connection: &Connection,
@@ -286,10 +333,14 @@ fn add(
     let hash = entry_hash(chain, before, body).ok_or_else(too_long)?;
     let number = before.number.saturating_add(1);
     let row = i64::try_from(number).map_err(|_above| too_long())?;
-    connection
+    let added = connection
         .prepare_cached("INSERT INTO entry(number, body, hash) VALUES (?1, ?2, ?3)")
         .and_then(|mut insert| insert.execute(params![row, body, hash.0]))
         .map_err(failed)?;
+    // Somebody's trigger may have swallowed it.
+    if added != 1 || head_of(connection).map_err(failed)? != (Head { number, hash }) {
+        return Err(StoreError::Altered { path: path.to_owned(), name: "entry".to_owned() });
+    }
     Ok(Head { number, hash })
 }
 

@@ -1,6 +1,5 @@
 //! What is looked at before a file is used, and what a connection is set to.
 
-use std::io::Read as _;
 use std::path::Path;
 use std::time::Duration;
 
@@ -12,8 +11,9 @@ use crate::store::error::StoreError;
 
 /// How long a reader waits where a journal is just being made, or its log is played in after a fall.
 const PATIENCE: Duration = Duration::from_secs(10);
-/// What every file of SQLite begins with.
-const MAGIC: &[u8; 16] = b"SQLite format 3\0";
+
+/// The smallest page of a file of SQLite, bytes.
+const SMALLEST: u64 = 512;
 
 /// What a file is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -32,6 +32,8 @@ pub(super) fn look(path: &Path) -> Result<State, StoreError> {
     match std::fs::metadata(path) {
         Ok(found) if !found.is_file() => return Err(StoreError::NotAFile { path: path.to_owned() }),
         Ok(found) if found.len() == 0 => return Ok(State::Empty),
+        // SQLite takes less than its smallest page for nothing, and would write over it.
+        Ok(found) if found.len() < SMALLEST => return Err(StoreError::NotAJournal { path: path.to_owned() }),
         Ok(_file) => {}
         Err(error) if error.kind() == std::io::ErrorKind::NotFound => {
             // A log without its file would be played into a new one.
@@ -54,28 +56,30 @@ pub(super) fn look(path: &Path) -> Result<State, StoreError> {
     }
 }
 
-/// Reads the first bytes of a file as they lie, so that what is not ours is not even opened.
+/// Looks at what a file says it is as it lies, without its log, so that nothing is left beside a file that is not ours.
+///
+/// Through SQLite: a file that is opened and closed beside it in one program takes away the locks that the program holds on it
+/// (<https://sqlite.org/howtocorrupt.html>, section 2.2), and others would take it for unused.
 fn head(path: &Path) -> Result<(), StoreError> {
-    let not_ours = || StoreError::NotAJournal { path: path.to_owned() };
-    let mut start = [0; 100];
-    match std::fs::File::open(path).and_then(|mut file| file.read_exact(&mut start)) {
-        Ok(()) => {}
-        Err(error) if error.kind() == std::io::ErrorKind::UnexpectedEof => return Err(not_ours()),
-        Err(error) => return Err(StoreError::system(path, &error)),
+    match as_it_lies(path).and_then(|connection| version(&connection)) {
+        Ok((APPLICATION, version)) if VERSION < version => {
+            Err(StoreError::Newer { path: path.to_owned(), version, known: VERSION })
+        }
+        Ok((APPLICATION | 0, _)) => Ok(()),
+        Ok(_) => Err(StoreError::NotAJournal { path: path.to_owned() }),
+        Err(error) => match StoreError::of(path, &error) {
+            error @ StoreError::NotAJournal { .. } => Err(error),
+            // What is in its log may make it whole.
+            _ => Ok(()),
+        },
     }
-    // <https://sqlite.org/fileformat.html>, section 1.3: user version and application id.
-    let number = |at: usize| {
-        let bytes = start.get(at..).and_then(|rest| rest.first_chunk()).copied().unwrap_or_default();
-        i64::from(u32::from_be_bytes(bytes))
-    };
-    let (version, application) = (number(60), number(68));
-    if !start.starts_with(MAGIC) || (application != APPLICATION && application != 0) {
-        return Err(not_ours());
-    }
-    if application == APPLICATION && VERSION < version {
-        return Err(StoreError::Newer { path: path.to_owned(), version, known: VERSION });
-    }
-    Ok(())
+}
+
+/// A file without its log, and without a lock.
+fn as_it_lies(path: &Path) -> rusqlite::Result<Connection> {
+    let address = format!("file:{}?immutable=1", escaped(path));
+    let flags = OpenFlags::SQLITE_OPEN_READ_ONLY | OpenFlags::SQLITE_OPEN_URI | OpenFlags::SQLITE_OPEN_NO_MUTEX;
+    Connection::open_with_flags(address, flags)
 }
 
 fn name(path: &Path) -> String {
@@ -121,13 +125,18 @@ pub(super) fn to_write(path: &Path, patience: Duration) -> Result<Connection, St
     Ok(connection)
 }
 
-/// Why a file cannot be opened to write, which SQLite does not tell.
+/// Why a file cannot be opened to write, which SQLite does not tell. The file is not opened for that: see [`head`].
+#[cfg(target_os = "linux")]
 fn told_by_the_system(path: &Path) -> Option<StoreError> {
-    let opened = std::fs::OpenOptions::new().append(true).open(path);
-    opened
-        .err()
-        .filter(|error| error.kind() != std::io::ErrorKind::NotFound)
-        .map(|error| StoreError::system(path, &error))
+    let asked = rustix::fs::access(path, rustix::fs::Access::WRITE_OK).err()?;
+    let error = std::io::Error::from_raw_os_error(asked.raw_os_error());
+    (error.kind() != std::io::ErrorKind::NotFound).then(|| StoreError::system(path, &error))
+}
+
+/// Other systems are not asked.
+#[cfg(not(target_os = "linux"))]
+const fn told_by_the_system(_path: &Path) -> Option<StoreError> {
+    None
 }
 
 /// A connection that only reads. In a folder that may not be written to, a journal that nobody uses is read as it lies.

@@ -3,7 +3,7 @@
 //! `entry` is the truth and never changes its form: what was written stays as it was. Everything else is derived from it, serves
 //! questions, and is made anew by every newer version ([`rebuild`]).
 
-use rusqlite::{Connection, Transaction};
+use rusqlite::{Connection, OptionalExtension as _, Transaction};
 
 use super::index;
 
@@ -91,7 +91,7 @@ pub(super) fn rebuild(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
     transaction.pragma_update(None, "user_version", VERSION)
 }
 
-/// What keeps the entries is missing, or is not what it should be; `None` where everything is there.
+/// What keeps the entries is missing or not what it should be, or something else is there that acts; `None` where all is as it was made.
 pub(super) fn altered(connection: &Connection) -> rusqlite::Result<Option<String>> {
     let mut there = connection.prepare_cached("SELECT sql FROM sqlite_schema WHERE name = ?1")?;
     for (name, expected) in ENTRY {
@@ -104,5 +104,10 @@ pub(super) fn altered(connection: &Connection) -> rusqlite::Result<Option<String
             return Ok(Some(name.to_owned()));
         }
     }
-    Ok(None)
+    // Nothing else may act when an entry is added.
+    let mut others = connection.prepare_cached(
+        "SELECT name FROM sqlite_schema WHERE (type = 'trigger' OR type = 'view') \
+         AND name NOT IN ('entry_keeps', 'entry_stays', 'entry_follows') LIMIT 1",
+    )?;
+    others.query_row([], |row| row.get(0)).optional()
 }

@@ -52,6 +52,13 @@ pub enum Finding {
         /// The trigger or table.
         name: String,
     },
+    /// There is no first entry that tells its chain.
+    NoBeginning,
+    /// An index of questions does not agree with its table.
+    Index {
+        /// What the database says.
+        reason: String,
+    },
     /// Questions find entries by something else than what they say, or do not find them.
     NotFound {
         /// How many entries.
@@ -93,6 +100,7 @@ pub fn verify(
     if walked.is_break() {
         return Err(StoreError::Interrupted);
     }
+    findings.extend(indexes(&connection).map_err(failed)?.map(|reason| Finding::Index { reason }));
     findings.extend((0 < not_found).then_some(Finding::NotFound { entries: not_found }));
     Ok(Verified { chain, inspected: inspection.finish(), findings })
 }
@@ -167,6 +175,12 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
     Ok(wrong.saturating_add(reader::natural(more)))
 }
 
+/// What is wrong with the indexes of questions, by the database's own look at them; entries are looked at by their hashes.
+fn indexes(connection: &Connection) -> rusqlite::Result<Option<String>> {
+    let said: String = connection.query_row("PRAGMA integrity_check('find')", [], |row| row.get(0))?;
+    Ok((said != "ok").then_some(said))
+}
+
 /// The classes of callouts that were met: a shop has few.
 #[derive(Default)]
 struct Classes(HashMap<String, String>);
@@ -195,11 +209,17 @@ fn chain_of(connection: &Connection, path: &Path, findings: &mut Vec<Finding>) -
         .query_row("SELECT number, body, hash FROM entry WHERE number = 1", [], reader::kept)
         .optional()
         .map_err(failed)?;
-    let Some(Kept { head: Head { hash, .. }, body }) = first else { return Ok(told) };
+    let Some(Kept { head: Head { hash, .. }, body }) = first else {
+        findings.push(Finding::NoBeginning);
+        return Ok(told);
+    };
     let begins = |chain: ChainId, hash: Hash| entry_hash(chain, Head::default(), &body) == Some(hash);
     let own = match body::read(&body).map(|entry| entry.content) {
         Ok(crate::journal::entry::Content::Begin(begin)) => begin.chain,
-        _ => told,
+        _ => {
+            findings.push(Finding::NoBeginning);
+            told
+        }
     };
     if own != told && begins(own, hash) {
         findings.push(Finding::Altered { name: "chain".to_owned() });

@@ -193,7 +193,10 @@ fn first_digits(hash: &Hash) -> Arg {
 impl ShopError {
     /// Whether it may pass by itself, so that asking again later helps.
     pub const fn is_passing(&self) -> bool {
-        matches!(self, Self::Unreachable { .. } | Self::Lost { .. } | Self::Full | Self::Busy { .. })
+        matches!(
+            self,
+            Self::Unreachable { .. } | Self::Lost { .. } | Self::Full | Self::Busy { .. } | Self::NotMade { .. }
+        )
     }
 
     /// What a source of entries says.
