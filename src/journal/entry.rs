@@ -67,7 +67,7 @@ impl About {
 
     /// Part, serial number and feature as one name; empty where nobody said any of them.
     pub fn name(&self) -> String {
-        let texts = [&self.part, &self.serial, &self.feature].into_iter().map(|text| text.as_str());
+        let texts = [&self.part, &self.serial, &self.feature].into_iter().map(String::as_str);
         texts.filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" ")
     }
 }

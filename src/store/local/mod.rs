@@ -271,6 +271,10 @@ impl Journal {
 
 impl Drop for Journal {
     fn drop(&mut self) {
+        if file_id(&self.path) != self.file {
+            // What is known of the file at this path is another journal's.
+            return;
+        }
         self.keep_head();
         // Costs nothing where nothing has changed; what it says is of no use to anybody any more.
         let _optimized = self.connection.execute_batch("PRAGMA optimize");

@@ -13,7 +13,7 @@ use rusqlite::{Connection, OptionalExtension as _};
 use super::{finding, index, opening, reader, schema};
 use crate::journal::body;
 use crate::journal::chain::{ChainId, Hash, Head, entry_hash};
-use crate::journal::entry::Kept;
+use crate::journal::entry::{Content, Kept};
 use crate::journal::found::Found;
 use crate::journal::inspection::{Inspected, Inspection};
 use crate::message::Say;
@@ -214,12 +214,11 @@ fn chain_of(connection: &Connection, path: &Path, findings: &mut Vec<Finding>) -
         return Ok(told);
     };
     let begins = |chain: ChainId, hash: Hash| entry_hash(chain, Head::default(), &body) == Some(hash);
-    let own = match body::read(&body).map(|entry| entry.content) {
-        Ok(crate::journal::entry::Content::Begin(begin)) => begin.chain,
-        _ => {
-            findings.push(Finding::NoBeginning);
-            told
-        }
+    let own = if let Ok(Content::Begin(begin)) = body::read(&body).map(|entry| entry.content) {
+        begin.chain
+    } else {
+        findings.push(Finding::NoBeginning);
+        told
     };
     if own != told && begins(own, hash) {
         findings.push(Finding::Altered { name: "chain".to_owned() });
