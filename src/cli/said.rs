@@ -118,6 +118,8 @@ pub(super) enum CliRemark {
     /// Entries on a server that this version cannot read.
     #[cfg(feature = "shop")]
     Unread { entries: usize },
+    /// A question that nothing answers, as it was read.
+    NothingFound { question: String },
     /// Nothing is known elsewhere of a journal.
     NoHeadKnown,
     /// A default was used for the clearance height.

@@ -200,7 +200,7 @@ cli-recorded-not-sent = not sent to the server yet: { $error }; what is recorded
 cli-no-journal-folder = this system has no folder for your data: name a journal with --journal FILE
 cli-no-entry = there is no entry { $number } in { $path }: the last one is { $last }
 cli-no-check = entry { $number } is not a check
-cli-already-corrected-by = entry { $number } is corrected or withdrawn by entry { $by } already: correct that one
+cli-already-corrected-by = entry { $number } is corrected or withdrawn by entry { $by } already: correct that one, unless it is a withdrawal
 cli-not-typed = the value of entry { $number } was not typed: measure again, or withdraw the check
 cli-nothing-corrected = a correction changes something: give --measured, --who, --part, --serial, --feature-name, --remark or --withdraw
 cli-remark-sent = { $entries ->
@@ -208,6 +208,7 @@ cli-remark-sent = { $entries ->
     [one] 1 entry was sent
    *[other] { $entries } entries were sent
 } to { $server }, which has this journal up to entry { $number }
+cli-remark-nothing-found = no check is found by { $question }
 cli-remark-unread = { $entries ->
     [one] 1 entry is
    *[other] { $entries } entries are

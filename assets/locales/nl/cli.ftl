@@ -200,7 +200,7 @@ cli-recorded-not-sent = nog niet naar de server gestuurd: { $error }; wat hier i
 cli-no-journal-folder = dit systeem heeft geen map voor eigen gegevens: noem een logboek met --journal FILE
 cli-no-entry = in { $path } is geen vermelding { $number }: de laatste is { $last }
 cli-no-check = vermelding { $number } is geen controle
-cli-already-corrected-by = vermelding { $number } is al gecorrigeerd of ingetrokken door vermelding { $by }: corrigeer die
+cli-already-corrected-by = vermelding { $number } is al gecorrigeerd of ingetrokken door vermelding { $by }: corrigeer die, tenzij het een intrekking is
 cli-not-typed = de waarde van vermelding { $number } is niet getypt: meet opnieuw, of trek de controle in
 cli-nothing-corrected = een correctie verandert iets: geef --measured, --who, --part, --serial, --feature-name, --remark of --withdraw
 cli-remark-sent = { $entries ->
@@ -208,6 +208,7 @@ cli-remark-sent = { $entries ->
     [one] 1 vermelding is gestuurd
    *[other] { $entries } vermeldingen zijn gestuurd
 } naar { $server }, die dit logboek heeft tot en met vermelding { $number }
+cli-remark-nothing-found = er is geen controle gevonden met { $question }
 cli-remark-unread = { $entries ->
     [one] 1 vermelding is
    *[other] { $entries } vermeldingen zijn

@@ -5,6 +5,7 @@ use super::{
     CliError, CliRemark, Format, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, heard_or_not, server,
 };
 use crate::cli::record::Place;
+use crate::journal::ask::Question;
 use crate::journal::entry::{Content, Entry};
 use crate::report::csv;
 use crate::store::local::{Reader, Row};
@@ -74,6 +75,10 @@ impl Args {
                 }
             }
             Format::Json => io.json(&rows.iter().map(row::object).collect::<Vec<_>>())?,
+        }
+        // A blank in the wrong place asks for another name.
+        if rows.is_empty() && question != Question::default() {
+            io.remark(&CliRemark::NothingFound { question: question.text(&super::here()) });
         }
         if are_more {
             io.remark(&CliRemark::MoreEntries { limit: self.limit });

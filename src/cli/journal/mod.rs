@@ -82,9 +82,13 @@ impl QuestionArgs {
     fn read(&self) -> Result<Question, CliError> {
         let words: Vec<String> = self.question.iter().map(|word| as_given(word)).collect();
         let text = words.join(" ");
-        let here = Here { now: Timestamp::now(), zone: TimeZone::system() };
-        Question::read(&text, &here).about(&text)
+        Question::read(&text, &here()).about(&text)
     }
+}
+
+/// Now, in the time zone of this computer.
+fn here() -> Here {
+    Here { now: Timestamp::now(), zone: TimeZone::system() }
 }
 
 /// An argument as a word of a question: the shell has taken its quotation marks away.

@@ -152,7 +152,7 @@ pub fn read(bytes: &[u8]) -> Result<Entry, BodyError> {
     if VERSION < version {
         return Err(BodyError::Newer { version });
     }
-    if version != VERSION {
+    if version == 0 {
         return Err(BodyError::value("v", version));
     }
     read::entry(serde_json::from_slice(bytes).map_err(|error| BodyError::json(&error))?)
