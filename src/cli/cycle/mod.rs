@@ -2,6 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
+//! | `source` | where the contacts come from |
 //! | `list` | the declaration of a cycle |
 //! | `json` | a JSON object, with names that occur twice |
 //! | `answer` | what the cycle found, for programs |
@@ -12,10 +13,14 @@ pub(super) mod answer;
 mod json;
 mod list;
 mod log;
+mod source;
 mod text;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
+
+pub(super) use source::{Source, read_workpiece};
+use source::{remark_on_moves, warn_of_unused};
 
 use super::args::dialogue;
 use super::record::RecordArgs;
@@ -26,14 +31,14 @@ use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
 use crate::control::tool_table::{Changed, ToolChange};
 use crate::exchange::contacts;
-use crate::journal::entry::{CycleCheck, CycleOrigin, FileRole};
+use crate::journal::entry::CycleCheck;
 use crate::length::Length;
 use crate::message::Located;
 use crate::nc::machine::Remark;
-use crate::probing::cycle::{Control, Cycle, CycleResult, Inputs, Key, Move, Phase, Value};
+use crate::probing::cycle::{Control, Cycle, CycleResult, Inputs, Key, Value};
 use crate::probing::cycles::{CYCLES, cycle_named};
-use crate::probing::simulated::{Part, Shape};
-use crate::probing::{self, Contact, Prober, Recorded, SourceError, TouchProbe};
+use crate::probing::simulated::Shape;
+use crate::probing::{self, Prober, Recorded, SourceError, TouchProbe};
 use crate::words::Dialogue;
 
 /// The examples and a description of the files; the names of logs and workpieces come from the declarations.
@@ -119,28 +124,6 @@ pub(super) struct Args {
     /// Format of the result
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
-}
-
-/// Where the contacts come from.
-#[derive(Debug)]
-pub(super) enum Source {
-    /// A workpiece without faults and a point as the probe.
-    Perfect,
-    /// A file of a simulated workpiece.
-    Workpiece { file: String, part: Part },
-    /// A file of contacts.
-    Contacts { file: String, contacts: Vec<Contact>, has_heights: bool },
-}
-
-impl Source {
-    /// The same as a journal keeps it.
-    pub(super) fn origin(&self) -> CycleOrigin {
-        match self {
-            Self::Perfect => CycleOrigin::Perfect,
-            Self::Workpiece { file, part } => CycleOrigin::Workpiece { file: file.as_str().into(), seed: part.seed },
-            Self::Contacts { file, .. } => CycleOrigin::Contacts { file: file.as_str().into() },
-        }
-    }
 }
 
 /// Everything that is printed.
@@ -373,38 +356,6 @@ pub(super) fn probe_table(path: Option<&Path>, io: &mut Io<'_>) -> Result<ProbeT
         io.warn(warning);
     }
     Ok(table)
-}
-
-/// A file of a simulated workpiece, and its name.
-pub(super) fn read_workpiece(path: &Path, io: &mut Io<'_>) -> Result<(String, Part), CliError> {
-    let (file, bytes) = read_input(path, io)?;
-    io.used(FileRole::Workpiece, &file, &bytes);
-    let part = Part::read(&decode(&bytes)).about(&file)?;
-    Ok((file, part))
-}
-
-/// Remarks on the first move between contacts that would touch a feature of a simulated part.
-fn remark_on_moves(source: &Source, inputs: &Inputs, path: &[Move], io: &mut Io<'_>) {
-    let Source::Workpiece { part, .. } = source else { return };
-    let Ok(machine) = part.machine().map(|machine| machine.calibrated(inputs.probe())) else { return };
-    let features = machine.unchecked().join(", ");
-    if !features.is_empty() {
-        io.remark(&Remark::Unchecked { features });
-    }
-    let mut between = path.iter().filter(|step| matches!(step.phase, Phase::PrePosition | Phase::Leave));
-    if let Some(found) = between.find_map(|step| machine.collision(step.from, step.to, step.about)) {
-        io.remark(&Remark::from(found));
-    }
-}
-
-/// Warns of contacts that the cycle did not ask for.
-fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) {
-    let Source::Contacts { file, contacts, has_heights } = source else { return };
-    let (count, unused) =
-        (contacts.len(), probing::Source::Recorded { contacts, has_heights: *has_heights }.unused(path));
-    if 0 < unused {
-        io.warn_about(file, &CliWarning::ContactsLeft { used: count - unused, count });
-    }
 }
 
 pub(super) fn pairs(texts: &[String]) -> Result<Vec<(&str, &str)>, CliError> {

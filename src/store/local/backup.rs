@@ -17,10 +17,7 @@ pub fn backup(path: &Path, to: &Path) -> Result<Head, StoreError> {
     if to.exists() {
         return Err(StoreError::File(FileError::Exists { path: to.to_owned() }));
     }
-    if opening::look(path)? == opening::State::Empty {
-        let path = path.to_owned();
-        return Err(if path.exists() { StoreError::NotAJournal { path } } else { StoreError::Missing { path } });
-    }
+    let _which_version = opening::look_to_read(path)?;
     let connection = opening::to_read(path)?;
     let beside = with_ending(to, ".part");
     let made = copy(&connection, path, &beside).and_then(|()| {

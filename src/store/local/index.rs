@@ -1,7 +1,6 @@
 //! What entries are found by is indexed some hundreds of entries later.
 //!
-//! To index each entry when it is added would take longer than adding it: each of the nine indexes is another page that has to be on the
-//! disk. So entries wait, and whoever asks looks at the waiting ones themselves.
+//! To index each entry when it is added would take longer than adding it: each of its indexes is another page that has to be on the disk. So entries wait, and whoever asks looks at the waiting ones themselves.
 
 use std::collections::BTreeMap;
 
@@ -54,13 +53,25 @@ pub(super) fn all_from(connection: &Connection, indexed: i64, last: i64) -> rusq
     connection.execute("UPDATE indexed SET number = ?1", [last]).map(drop)
 }
 
-/// The newest entry that corrects another one.
-pub(super) fn corrected_by(connection: &Connection, number: u64) -> rusqlite::Result<Option<u64>> {
-    if let Some(by) = Waiting::of(connection)?.corrections().get(&number) {
-        return Ok(Some(*by));
+/// Which entries are corrected: by those that wait, or else by indexed ones.
+pub(super) struct Corrections<'a> {
+    connection: &'a Connection,
+    waiting: BTreeMap<u64, u64>,
+}
+
+impl<'a> Corrections<'a> {
+    pub(super) fn of(connection: &'a Connection) -> rusqlite::Result<Self> {
+        Ok(Self { connection, waiting: Waiting::of(connection)?.corrections() })
     }
-    let mut newest = connection.prepare_cached("SELECT max(number) FROM find WHERE corrects = ?1")?;
-    Ok(newest.query_row([integer(number)], |row| row.get::<_, Option<i64>>(0))?.map(natural))
+
+    /// The newest entry that corrects another one.
+    pub(super) fn newest(&self, number: u64) -> rusqlite::Result<Option<u64>> {
+        if let Some(by) = self.waiting.get(&number) {
+            return Ok(Some(*by));
+        }
+        let mut newest = self.connection.prepare_cached("SELECT max(number) FROM find WHERE corrects = ?1")?;
+        Ok(newest.query_row([integer(number)], |row| row.get::<_, Option<i64>>(0))?.map(natural))
+    }
 }
 
 /// The entries that wait, newest first.

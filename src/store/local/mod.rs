@@ -110,15 +110,14 @@ impl Journal {
             Err(error) if aside::is_damage(&error, known.as_ref()) => {
                 let folder = aside::set_aside(path, &opening.time)?;
                 remarks.push(StoreRemark::SetAside { path: path.to_owned(), folder });
-                let mut journal = Self::open_whole(path, opening, known.as_ref())?;
-                journal.remarks.splice(0..0, remarks);
-                Ok(journal)
+                Self::open_whole(path, opening, known.as_ref())
             }
-            opened => opened.map(|mut journal| {
-                journal.remarks.splice(0..0, remarks);
-                journal
-            }),
+            opened => opened,
         }
+        .map(|mut journal| {
+            journal.remarks.splice(0..0, remarks);
+            journal
+        })
     }
 
     fn open_whole(path: &Path, opening: &Opening, known: Option<&Anchor>) -> Result<Self, StoreError> {
@@ -140,10 +139,7 @@ impl Journal {
             }
             opening::State::Older => {
                 let copy = backup::before_migration(path, &connection)?;
-                let transaction =
-                    connection.transaction_with_behavior(TransactionBehavior::Immediate).map_err(failed)?;
-                schema::rebuild(&transaction).map_err(failed)?;
-                transaction.commit().map_err(failed)?;
+                schema::rebuild(&mut connection).map_err(failed)?;
                 remarks.push(StoreRemark::Migrated { path: path.to_owned(), copy });
             }
             opening::State::Current => {}
@@ -155,9 +151,7 @@ impl Journal {
         let head = head_of(&connection).map_err(failed)?;
         if reader::integer(head.number) < index::indexed(&connection).map_err(failed)? {
             // Entries were cut off: what is added now has numbers that were indexed already.
-            let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate).map_err(failed)?;
-            schema::rebuild(&transaction).map_err(failed)?;
-            transaction.commit().map_err(failed)?;
+            schema::rebuild(&mut connection).map_err(failed)?;
         }
         if let Some(known) = known {
             remarks.extend(anchor::compare(&connection, path, (chain, head), known).map_err(failed)?);
@@ -319,7 +313,7 @@ fn may_correct(connection: &Connection, path: &Path, correction: &Correction) ->
     if found != Some(hash.0) {
         return Err(StoreError::OtherTarget { number });
     }
-    match index::corrected_by(connection, number).map_err(failed)? {
+    match index::Corrections::of(connection).and_then(|all| all.newest(number)).map_err(failed)? {
         Some(by) => Err(StoreError::Corrected { number, by }),
         None => Ok(()),
     }

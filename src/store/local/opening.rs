@@ -56,6 +56,15 @@ pub(super) fn look(path: &Path) -> Result<State, StoreError> {
     }
 }
 
+/// Looks at a journal that is only read: where there is none, that is an error.
+pub(super) fn look_to_read(path: &Path) -> Result<State, StoreError> {
+    match look(path)? {
+        State::Empty if path.exists() => Err(StoreError::NotAJournal { path: path.to_owned() }),
+        State::Empty => Err(StoreError::Missing { path: path.to_owned() }),
+        state => Ok(state),
+    }
+}
+
 /// Looks at what a file says it is as it lies, without its log, so that nothing is left beside a file that is not ours.
 ///
 /// Through SQLite: a file that is opened and closed beside it in one program takes away the locks that the program holds on it

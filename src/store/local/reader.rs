@@ -8,7 +8,7 @@ use rusqlite::types::Value;
 use rusqlite::{Connection, InterruptHandle, OptionalExtension as _, params_from_iter};
 
 use super::finding::Conditions;
-use super::index::{self, Waiting};
+use super::index::{self, Corrections, Waiting};
 use super::{head_of, opening, words};
 use crate::journal::ask::Question;
 use crate::journal::body::{self, BodyError};
@@ -57,11 +57,8 @@ impl Reader {
     /// # Errors
     /// [`StoreError`] where there is none, or it is none that this program knows.
     pub fn open(path: &Path) -> Result<Self, StoreError> {
-        match opening::look(path)? {
-            opening::State::Empty if !path.exists() => return Err(StoreError::Missing { path: path.to_owned() }),
-            opening::State::Empty => return Err(StoreError::NotAJournal { path: path.to_owned() }),
-            opening::State::Older => return Err(StoreError::Older { path: path.to_owned() }),
-            opening::State::Current => {}
+        if opening::look_to_read(path)? == opening::State::Older {
+            return Err(StoreError::Older { path: path.to_owned() });
         }
         let connection = opening::to_read(path)?;
         let chain = chain_of(&connection, path)?;
@@ -167,15 +164,11 @@ impl Reader {
         let read = || -> rusqlite::Result<Vec<Row>> {
             let transaction = self.connection.unchecked_transaction()?;
             let mut entries = transaction.prepare_cached("SELECT number, body, hash FROM entry WHERE number = ?1")?;
-            let mut newest = transaction.prepare_cached("SELECT max(number) FROM find WHERE corrects = ?1")?;
-            let corrections = Waiting::of(&transaction)?.corrections();
+            let corrections = Corrections::of(&transaction)?;
             let mut rows = Vec::with_capacity(numbers.len());
             for number in numbers {
                 let Some(kept) = entries.query_row([integer(*number)], kept).optional()? else { continue };
-                let corrected_by = match corrections.get(number) {
-                    Some(by) => Some(*by),
-                    None => newest.query_row([integer(*number)], |row| row.get::<_, Option<i64>>(0))?.map(natural),
-                };
+                let corrected_by = corrections.newest(*number)?;
                 rows.push(Row { entry: body::read(&kept.body), kept, corrected_by });
             }
             Ok(rows)

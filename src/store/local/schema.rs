@@ -3,7 +3,7 @@
 //! `entry` is the truth and never changes its form: what was written stays as it was. Everything else is derived from it, serves
 //! questions, and is made anew by every newer version ([`rebuild`]).
 
-use rusqlite::{Connection, OptionalExtension as _, Transaction};
+use rusqlite::{Connection, OptionalExtension as _, Transaction, TransactionBehavior};
 
 use super::index;
 
@@ -77,7 +77,8 @@ pub(super) fn make(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
 }
 
 /// Makes the derived tables anew from the entries: how every older version is brought to this one.
-pub(super) fn rebuild(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
+pub(super) fn rebuild(connection: &mut Connection) -> rusqlite::Result<()> {
+    let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate)?;
     let derived: Vec<String> = transaction
         .prepare("SELECT name FROM sqlite_schema WHERE type = 'table' AND name IN ('find', 'words', 'indexed')")?
         .query_map([], |row| row.get(0))?
@@ -87,8 +88,9 @@ pub(super) fn rebuild(transaction: &Transaction<'_>) -> rusqlite::Result<()> {
     }
     transaction.execute_batch(FIND)?;
     let last = transaction.query_row("SELECT coalesce(max(number), 0) FROM entry", [], |row| row.get(0))?;
-    index::all_from(transaction, 0, last)?;
-    transaction.pragma_update(None, "user_version", VERSION)
+    index::all_from(&transaction, 0, last)?;
+    transaction.pragma_update(None, "user_version", VERSION)?;
+    transaction.commit()
 }
 
 /// What keeps the entries is missing or not what it should be, or something else is there that acts; `None` where all is as it was made.

@@ -1,6 +1,6 @@
 //! Whether every entry of a journal is the one that was written, and is found as it says.
 //!
-//! One thread reads and hashes, another one compares what entries are found by: both take about as long.
+//! One thread reads and hashes, another one compares what entries are found by, a third looks at the indexes: each takes about as long.
 
 use std::collections::HashMap;
 use std::ops::ControlFlow;
@@ -76,10 +76,7 @@ pub fn verify(
     known: &[Head],
     progress: &mut dyn FnMut(u64, u64) -> ControlFlow<()>,
 ) -> Result<Verified, StoreError> {
-    if opening::look(path)? == opening::State::Empty {
-        let path = path.to_owned();
-        return Err(if path.exists() { StoreError::NotAJournal { path } } else { StoreError::Missing { path } });
-    }
+    let _which_version = opening::look_to_read(path)?;
     let (connection, finds) = (opening::to_read(path)?, opening::to_read(path)?);
     let failed = |error: rusqlite::Error| StoreError::of(path, &error);
     let mut findings = Vec::new();
@@ -87,20 +84,27 @@ pub fn verify(
     let chain = chain_of(&connection, path, &mut findings)?;
     let mut inspection = Inspection::new(chain, known);
     let (sender, receiver) = sync_channel(AHEAD);
-    let (walked, not_found) = thread::scope(|scope| {
-        let comparing = thread::Builder::new()
-            .name("verify".to_owned())
-            .spawn_scoped(scope, move || compared(&finds, &receiver))
-            .map_err(|error| StoreError::system(path, &error))?;
+    let checked = opening::to_read(path)?;
+    let no_more = checked.get_interrupt_handle();
+    let (not_found, index) = thread::scope(|scope| {
+        let thread = |name: &str| thread::Builder::new().name(name.to_owned());
+        let no_thread = |error: std::io::Error| StoreError::system(path, &error);
+        let comparing =
+            thread("compare").spawn_scoped(scope, move || compared(&finds, &receiver)).map_err(no_thread)?;
+        let checking = thread("indexes").spawn_scoped(scope, move || indexes(&checked)).map_err(no_thread)?;
         let walked = walk(&connection, &mut inspection, &sender, progress).map_err(failed);
         drop(sender);
+        if !matches!(walked, Ok(ControlFlow::Continue(()))) {
+            no_more.interrupt();
+        }
         let not_found = comparing.join().map_err(|_panicked| StoreError::Interrupted)?.map_err(failed);
-        Ok::<_, StoreError>((walked?, not_found?))
+        let index = checking.join().map_err(|_panicked| StoreError::Interrupted)?.map_err(failed);
+        if walked?.is_break() {
+            return Err(StoreError::Interrupted);
+        }
+        Ok((not_found?, index?))
     })?;
-    if walked.is_break() {
-        return Err(StoreError::Interrupted);
-    }
-    findings.extend(indexes(&connection).map_err(failed)?.map(|reason| Finding::Index { reason }));
+    findings.extend(index.map(|reason| Finding::Index { reason }));
     findings.extend((0 < not_found).then_some(Finding::NotFound { entries: not_found }));
     Ok(Verified { chain, inspected: inspection.finish(), findings })
 }

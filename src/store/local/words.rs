@@ -13,7 +13,7 @@ use crate::journal::body;
 /// So many entries are looked at before the index is asked.
 const LOOK: i64 = 2_000;
 
-/// The numbers of entries that have words, newest first: those of the newest that conditions allow, and then those of the index. Only what is indexed is
+/// The numbers of indexed entries that have words, newest first: the newest that conditions allow are looked at, and then the index is
 /// asked.
 pub(super) fn numbers(
     connection: &Connection,
