@@ -2,6 +2,7 @@
 //!
 //! Used at the edges (command line, window). Errors name what happened and, last, the path.
 
+mod beside;
 mod folder;
 mod folders;
 mod listing;
@@ -14,6 +15,7 @@ mod whole;
 use std::io::{Read as _, Write};
 use std::path::{Path, PathBuf};
 
+pub use beside::beside;
 pub use folder::{make_folder, no_half_set, write_folder, write_into};
 pub use folders::Folders;
 pub use listing::{Entry, Listing, MOST_ENTRIES, list, list_up_to};
@@ -53,6 +55,11 @@ pub enum FileError {
         /// The folder with the files that still have to be moved.
         path: PathBuf,
     },
+    /// A file that is read several times is another one than at first.
+    Changed {
+        /// The path.
+        path: PathBuf,
+    },
     /// The file is larger than [`LARGEST`].
     #[say(args(limit = LARGEST >> 20))]
     TooLarge {
@@ -88,7 +95,11 @@ pub fn read(path: &Path) -> Result<Vec<u8>, FileError> {
     if LARGEST < metadata.len() {
         return Err(FileError::TooLarge { path: path.to_owned() });
     }
-    let file = std::fs::File::open(path).map_err(|error| system(path, &error))?;
+    read_opened(std::fs::File::open(path).map_err(|error| system(path, &error))?, path)
+}
+
+/// The bytes of a file that is open, at most [`LARGEST`].
+pub fn read_opened(file: std::fs::File, path: &Path) -> Result<Vec<u8>, FileError> {
     let mut bytes = Vec::new();
     // A pipe or a growing file has no length beforehand: read one byte more than allowed to find out.
     file.take(LARGEST + 1).read_to_end(&mut bytes).map_err(|error| system(path, &error))?;

@@ -7,6 +7,7 @@
 mod decimal;
 mod line;
 mod plain;
+mod rounded;
 
 use std::fmt;
 use std::str::FromStr;

@@ -12,11 +12,13 @@
 //! | [`pairing`] | which measured holes go with which measured shafts |
 //! | [`budget`] | how sure a measured value is |
 //! | [`control`] | the control's tables, masks and logs |
+//! | [`part`] | whole parts: plans of features |
 //! | [`nc`] | NC programs: read, written, run |
 //! | [`exchange`] | files of other tools |
 //! | [`journal`] | what was checked, when, by which rule |
 //! | [`report`] | inspection reports |
 //! | [`store`] | where records are kept: a file of one station, the server of a shop |
+//! | [`watch`] | a folder that files are dropped into |
 //! | `gui` | the window, with the feature `gui` |
 //! | [`session`] | the state of the application |
 //! | [`cli`] | the command line |
@@ -35,6 +37,7 @@ pub mod length;
 pub mod message;
 pub mod nc;
 pub mod pairing;
+pub mod part;
 pub mod probing;
 pub mod report;
 pub mod session;
@@ -42,4 +45,5 @@ pub mod shipped;
 pub mod store;
 pub mod tolerance;
 pub mod verdict;
+pub mod watch;
 pub mod words;

@@ -9,6 +9,7 @@ use flate2::write::GzEncoder;
 
 use crate::exchange::ImportErrorKind;
 use crate::exchange::batch::{BLOCK, HEAD, Layout, read};
+use crate::exchange::pieces;
 
 /// The largest window of a Zstandard stream, 2^23 bytes: up to level 19 none is larger, and each takes memory.
 const WINDOW_LOG: u32 = 23;
@@ -111,18 +112,10 @@ impl<'a> Stream<'a> {
             }
         };
         let head = beginning(&mut text)?;
-        let encoding = match head.as_slice() {
-            [0xff, 0xfe, ..] => Some(encoding_rs::UTF_16LE),
-            [0xfe, 0xff, ..] => Some(encoding_rs::UTF_16BE),
-            _ => None,
-        };
+        let encoding = pieces::utf16(&head);
         let input: Box<dyn Read + Send + 'a> = match encoding {
             None => Box::new(Cursor::new(head).chain(text)),
-            Some(encoding) => Box::new(
-                encoding_rs_io::DecodeReaderBytesBuilder::new()
-                    .encoding(Some(encoding))
-                    .build(Cursor::new(head).chain(text)),
-            ),
+            Some(encoding) => Box::new(pieces::as_utf8(encoding, Cursor::new(head).chain(text))),
         };
         Ok(Self { input, head: Vec::new(), packing, is_utf16: encoding.is_some(), is_all: false, is_parquet })
     }

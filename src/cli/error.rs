@@ -108,6 +108,8 @@ pub(super) enum CliError {
     NotANumber,
     /// A folder that does not exist.
     NoFolder { path: PathBuf },
+    /// Not a time in seconds.
+    NotSeconds { given: String },
     /// A program that is neither in a file nor built in.
     NoProgram { error: FileError, names: String },
 

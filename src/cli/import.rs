@@ -1,5 +1,6 @@
 //! `fitcheck import`: measurements from files, with a verdict for each.
 
+mod columns;
 mod keeping;
 mod print;
 mod row;
@@ -8,16 +9,20 @@ use std::path::{Path, PathBuf};
 
 use jiff::civil::DateTime;
 
-use super::judging::JudgeArgs;
+use super::judging::{Judge, JudgeArgs};
+use super::measured::{Hashing, Measured};
 use super::record::RecordArgs;
-use super::{CliError, Format, Io, Outcome, TableArgs, said};
-use crate::exchange::{FORMATS, Item, import_each};
+use super::said::CliWarning;
+use super::{CliError, Format, Io, Outcome, Refused as _, TableArgs, said};
+use crate::control::mask::Mask;
+use crate::exchange::{Body, ByPlan, FORMATS, Given, Item, MOST_ROWS, WHOLE, import_from};
 use crate::files;
+use crate::journal::chain::Hash;
 use crate::report::columns::names;
 use crate::verdict::Status;
 use keeping::Keeping;
-use print::Printer;
-use row::{Row, Rows};
+pub(super) use print::Printer;
+pub(super) use row::{Row, Rows};
 
 /// Read measurements from files of any known format and judge each
 #[derive(Debug, clap::Args)]
@@ -31,9 +36,25 @@ pub(super) struct Args {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 
+    /// Mask (.a) whose FN 16 output the files are; can be repeated, and the one that fits is taken
+    #[arg(long = "mask", value_name = "FILE")]
+    masks: Vec<PathBuf>,
+
+    /// Which column of a CSV is which, by number or name, such as measured=3,callout=Passung; or a .toml file with the same
+    #[arg(long, value_name = "LIST|FILE", conflicts_with = "masks")]
+    columns: Option<String>,
+
+    /// Show what the columns of the files are taken for, and read nothing
+    #[arg(long, conflicts_with_all = ["masks", "record"])]
+    show_columns: bool,
+
     /// Date and time of measurements whose file has none; default: now
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
     time: Option<DateTime>,
+
+    /// Judge by a part plan: each value finds its feature by name, number or place, and the plan's limits and rule decide
+    #[arg(long, value_name = "PLAN")]
+    plan: Option<PathBuf>,
 
     #[command(flatten)]
     tables: TableArgs,
@@ -50,7 +71,7 @@ fn help() -> String {
         let endings: Vec<String> = format.endings.iter().map(|ending| format!(".{ending}")).collect();
         format!("  {:<14}{} ({})\n", format.name, format, endings.join(" "))
     });
-    let largest = files::LARGEST >> 20;
+    let largest = WHOLE >> 20;
     format!(
         "\
 Formats, told by content:
@@ -58,7 +79,10 @@ Formats, told by content:
 A CSV needs a column of callouts (or of nominal sizes and classes) and one of measured values. \
 A header in English, Dutch, German or Italian tells them apart; without one their content does. \
 Comma, semicolon, tab and pipe separate; point or comma is the decimal sign. \
-A unit may stand in the header: measured [mm], measured_um, Istmaß (inch).
+A unit may stand in the header: measured [mm], measured_um, Istmaß (inch). \
+--columns says it where none of that does: name, number, part, serial, who, callout, nominal, measured, time, simulated, x, y and z \
+are columns; separator (semicolon, comma, tab, pipe), decimal (point, comma), unit (mm, um, inch) and first-row (a line) are said \
+likewise, and - is no column. --show-columns prints what would be taken, also as the TOML that --columns reads with --format json.
 
 Columns of --format csv, and names in JSON:
   {}
@@ -69,10 +93,16 @@ Examples:
   fitcheck import bores.csv
   fitcheck import TCHPR421.TXT TCHPR422.TXT --format csv > verdicts.csv
   fitcheck import --tables my_tables --format json measurements.csv
+  fitcheck import --plan flange.toml TCHPR421.TXT bores.csv
+  fitcheck import --mask fit_list.a fit_list.txt
+  fitcheck import --show-columns parts.csv
+  fitcheck import --columns measured=3,callout=2,decimal=comma parts.csv
   fitcheck import bores.csv --rule iso14253-2017 --u 1.2 --format csv
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
-it is 1 where any row or file could not be used or not be judged. Files are read up to {largest} MiB.",
+it is 1 where any row or file could not be used or not be judged. \
+CSV and measuring logs may be of any size, files of other formats and pipes of up to {largest} MiB. \
+With --record, up to {MOST_ROWS} rows of a file are read.",
         formats.collect::<String>(),
         names(&row::COLUMNS).join(","),
     )
@@ -88,61 +118,162 @@ struct Tally {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
+        let masks = self.masks.iter().map(|path| mask(path, io)).collect::<Result<Vec<_>, _>>()?;
+        let mapping = self.columns.as_deref().map(columns::mapping).transpose()?;
+        if self.show_columns {
+            return columns::show(&self.files, mapping.as_ref(), self.format, io);
+        }
         let now = self.time.unwrap_or_else(super::now);
         let recorder = self.record.recorder(io)?;
+        let plan = self.plan.as_ref().map(|path| super::plan::read_plan(path, &sources, io)).transpose()?;
         let judge = self.by.judge(io)?;
         judge.tell(io);
         judge.tell_rule(io);
-        let mut printer = Printer::new(self.format, judge.more(), io)?;
-        let mut tally = Tally::default();
-        let mut keeping = recorder.map(|recorder| Keeping::new(recorder, io));
-        // After an error of the stream nobody reads on, and what is recorded is recorded all the same.
-        let mut printed = Ok(());
+        let mut import = Import {
+            printer: Printer::new(self.format, judge.more(), io)?,
+            judge: &judge,
+            tally: Tally::default(),
+            keeping: recorder.map(|recorder| match &plan {
+                Some(plan) => Keeping::new(recorder.of_plan(&plan.head.part), io),
+                None => Keeping::new(recorder, io),
+            }),
+            by_plan: plan.as_ref().map(ByPlan::new),
+            printed: Ok(()),
+        };
         super::io::warn_of_repeats(&self.files, io);
+        // What is recorded waits in memory until the end.
+        let most_rows = if import.keeping.is_some() { MOST_ROWS } else { usize::MAX };
         for path in &self.files {
-            match files::read(path) {
-                Ok(bytes) => {
-                    let name = path.file_name().unwrap_or_default().to_string_lossy();
-                    let mut rows = Rows::of(path, &judge, keeping.is_some());
-                    if let Some(keeping) = &mut keeping {
-                        keeping.reads(&name, &bytes);
-                    }
-                    import_each(&name, &bytes, &sources, now, &mut |item| {
-                        warn(path, &item, io);
-                        if (printed.is_ok() || keeping.is_some())
-                            && let Some(row) = rows.row(item)
-                        {
-                            tally.count(&row);
-                            if let Some(keeping) = &mut keeping {
-                                keeping.see(&row);
-                            }
-                            if printed.is_ok() {
-                                printed = printer.row(&row, io);
-                            }
-                        }
-                    });
+            match Measured::open(path) {
+                Ok(file) => {
+                    let beside = |ending: &str| files::beside(path, ending);
+                    let (masks, mapping) = (masks.as_slice(), mapping.as_ref());
+                    let given = Given { beside: &beside, masks, mapping, most_rows, ..Given::new(&sources, now) };
+                    import.file(path, &file, given, io)?;
                 }
                 Err(error) => {
                     io.fail(&error);
-                    let row = Row::of_file(path, error.to_string());
-                    tally.count(&row);
-                    if printed.is_ok() {
-                        printed = printer.row(&row, io);
-                    }
+                    import.row(&Row::of_file(path, error.to_string()), io);
                 }
             }
         }
-        let printed = printed.and_then(|()| printer.end(io));
-        if let Some(keeping) = keeping {
-            tally.bad |= keeping.end(io)?;
+        import.end(io)
+    }
+}
+
+/// One import of several files.
+struct Import<'a> {
+    judge: &'a Judge,
+    printer: Printer,
+    tally: Tally,
+    keeping: Option<Keeping>,
+    by_plan: Option<ByPlan<'a>>,
+    /// After an error of the stream nobody reads on, and what is recorded is recorded all the same.
+    printed: Result<(), CliError>,
+}
+
+impl Import<'_> {
+    fn file(&mut self, path: &Path, file: &Measured, given: Given<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
+        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let mut rows = Rows::of(path, self.judge, self.keeping.is_some());
+        if let Some(keeping) = &mut self.keeping {
+            keeping.reads(&name);
+        }
+        let is_kept = self.keeping.is_some();
+        // The plan is asked while its answers are taken.
+        let mut by_plan = self.by_plan.take();
+        let mut take_one = |item: Item| {
+            warn(path, &item, io);
+            if (self.printed.is_ok() || is_kept)
+                && let Some(row) = rows.row(item)
+            {
+                if let Some(keeping) = &mut self.keeping {
+                    keeping.see(&row);
+                }
+                self.row(&row, io);
+            }
+        };
+        let mut take = |item: Item| match &mut by_plan {
+            Some(by_plan) => by_plan.item(item, &mut take_one),
+            None => take_one(item),
+        };
+        let hash = file.read(|body| read(body, &name, given, is_kept, &mut take));
+        self.by_plan = by_plan;
+        if let (Some(hash), Some(keeping)) = (hash, &mut self.keeping) {
+            keeping.has_read(hash.map_err(|error| files::system(path, &error))?);
+        }
+        Ok(())
+    }
+
+    /// Counts a row and prints it.
+    fn row(&mut self, row: &Row, io: &mut Io<'_>) {
+        self.tally.count(row);
+        if self.printed.is_ok() {
+            self.printed = self.printer.row(row, io);
+        }
+    }
+
+    fn end(mut self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let printed = self.printed.and_then(|()| self.printer.end(io));
+        if let Some(by_plan) = &self.by_plan {
+            tell_missing(by_plan, io);
+        }
+        if let Some(keeping) = self.keeping {
+            self.tally.bad |= keeping.end(io)?;
         }
         printed?;
-        Ok(match tally.worst {
-            _ if tally.bad => Outcome::BadData,
+        Ok(match self.tally.worst {
+            _ if self.tally.bad => Outcome::BadData,
             Some(worst) => Outcome::Judged(worst),
             None => Outcome::Done,
         })
     }
+}
+
+/// Says which features of which parts have no value.
+fn tell_missing(by_plan: &ByPlan<'_>, io: &mut Io<'_>) {
+    for (part, walk) in by_plan.parts() {
+        let missing = by_plan.missing(walk);
+        if !missing.is_empty() {
+            let who: Vec<&str> = [part, &walk.serial].into_iter().filter(|text| !text.is_empty()).collect();
+            let (who, names) = (who.join(" "), missing.join(", "));
+            if who.is_empty() {
+                io.warn(&CliWarning::PlanMissing { names });
+            } else {
+                io.warn(&CliWarning::PlanMissingOf { who, names });
+            }
+        }
+    }
+    if by_plan.has_more() {
+        io.warn(&CliWarning::PlanMoreParts { most: by_plan.parts().count() });
+    }
+}
+
+/// Reads a mask, and gives its name without its folder.
+pub(super) fn mask(path: &Path, io: &mut Io<'_>) -> Result<(String, Mask), CliError> {
+    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let (mask, warnings) = Mask::read(&files::read(path)?).about(&*name)?;
+    for warning in &warnings {
+        io.warn_about(&*name, warning);
+    }
+    Ok((name.into_owned(), mask))
+}
+
+/// Reads a file; the hash of what was read, where it is wanted.
+fn read(
+    body: &mut dyn Body,
+    name: &str,
+    given: Given<'_>,
+    wants_hash: bool,
+    take: &mut dyn FnMut(Item),
+) -> Option<std::io::Result<Hash>> {
+    if !wants_hash {
+        import_from(name, body, given, take);
+        return None;
+    }
+    let mut hashing = Hashing::new(body);
+    import_from(name, &mut hashing, given, take);
+    Some(hashing.end())
 }
 
 /// Warns about the whole file; warnings about a row are beside the row.

@@ -85,7 +85,10 @@ impl Judge {
             }
             None => record,
         };
-        let Some(ByBudget { name, budget, rule }) = &self.budget else { return Ok(record.by(self.rule)) };
+        let Some(ByBudget { name, budget, rule }) = &self.budget else {
+            // The rule of a plan counts where no other one was asked for.
+            return Ok(if self.rule.is_plain() { record } else { record.by(self.rule) });
+        };
         let (found, uncertainty) = record.assess(budget.clone()).about(name)?;
         let rule = rule.rule_with(Some(uncertainty))?;
         Ok(record.by_budget(rule, Arc::new(found.provenance())))

@@ -52,8 +52,10 @@ mod journal;
 mod judging;
 mod limits;
 mod material;
+mod measured;
 mod nc;
 mod pair;
+mod plan;
 mod record;
 mod report;
 mod rule;
@@ -63,6 +65,7 @@ mod sql;
 mod start;
 mod table;
 mod tools;
+mod watch;
 
 use std::process::ExitCode;
 
@@ -103,10 +106,12 @@ subcommands! {
     Journal(journal::Args),
     Nc(nc::Args),
     Pair(pair::Args),
+    Plan(plan::Args),
     Report(report::Args),
     Run(run::Args),
     Sql(sql::Args),
     Table(table::Args),
+    Watch(watch::Args),
 }
 
 /// How a subcommand ended.

@@ -5,13 +5,12 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::args::dialogue;
-use super::{CliError, CliRemark, Io, Outcome, Refused as _, TableArgs, What, read_input};
+use super::plan::{is_plan_file, read_named, whole};
+use super::{CliError, CliRemark, Io, Outcome, Refused as _, TableArgs};
 use crate::files;
-use crate::length::{Length, LengthError};
-use crate::nc::sets::{
-    Control, ControlFolder, DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, KindCells, NcFeature, NcPlan, NcSet, SetError,
-    Target,
-};
+use crate::nc::sets::{Control, ControlFolder, FeatureFault, NcSet, SetError, Target};
+use crate::part::{Column, DEFAULT_CLEARANCE_HEIGHT, Document, Draft, Plan, Row};
+use crate::tolerance::{Callout, Sources, Tolerance};
 use crate::words::Dialogue;
 
 const EXAMPLES: &str = "\
@@ -124,8 +123,8 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
         let target = self.target()?;
-        let plan = self.plan(io)?;
-        let set = self.named(NcSet::make(&plan, &target, &sources))?;
+        let (name, plan) = self.plan(&sources, io)?;
+        let set = named(NcSet::make(&plan, &target, &sources), name.as_deref())?;
         for remark in &set.remarks {
             io.remark(remark);
         }
@@ -138,8 +137,7 @@ impl Args {
         }
         self.save(&set, io)?;
         if let Some(path) = &self.workpiece_out {
-            let part = plan.workpiece(&sources).map_err(SetError::Plan).said()?;
-            let text = part.write().map_err(|error| SetError::Workpiece { reason: error.to_string() });
+            let text = plan.workpiece().write().map_err(|error| SetError::Workpiece { reason: error.to_string() });
             self.write_one(path, text.said()?.as_bytes())?;
             io.tell(CliRemark::Wrote { path: path.display().to_string() });
         }
@@ -147,8 +145,7 @@ impl Args {
     }
 
     fn is_plan(&self) -> bool {
-        let is_csv = Path::new(&self.what).extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
-        is_csv || self.what == "-"
+        is_plan_file(Path::new(&self.what))
     }
 
     fn target(&self) -> Result<Target, CliError> {
@@ -158,24 +155,17 @@ impl Args {
         Ok(Target { folder, ..usual })
     }
 
-    fn plan(&self, io: &mut Io<'_>) -> Result<NcPlan, CliError> {
+    fn plan(&self, sources: &Sources, io: &mut Io<'_>) -> Result<(Option<String>, Plan), CliError> {
         if self.is_plan() {
             if let Some(option) = self.position.given() {
                 return Err(CliError::OptionBesidePlan { option });
             }
-            let (name, bytes) = read_input(Path::new(&self.what), io)?;
-            return NcPlan::read(&bytes).about(&name);
+            let (name, plan) = read_named(Path::new(&self.what), sources, io)?;
+            return Ok((Some(name), plan));
         }
-        let feature = self.position.feature(&self.what)?;
-        NcPlan::new(vec![feature]).said()
-    }
-
-    /// Adds the plan's file to its errors.
-    fn named(&self, set: Result<NcSet, SetError>) -> Result<NcSet, CliError> {
-        match set {
-            Err(SetError::Plan(error)) if self.is_plan() => Err(error).about(&self.what),
-            set => set.said(),
-        }
+        self.position.refuse_without_class(&self.what)?;
+        let draft = Draft::of(vec![self.position.row(&self.what)?]);
+        Ok((None, whole(&Document::of(draft), None, sources, io)?))
     }
 
     fn hint(&self, error: files::FileError) -> CliError {
@@ -207,6 +197,14 @@ impl Args {
     }
 }
 
+/// Adds the plan's file to its errors.
+fn named(set: Result<NcSet, SetError>, name: Option<&str>) -> Result<NcSet, CliError> {
+    match (set, name) {
+        (Err(SetError::Feature(error)), Some(name)) => Err(error).about(name),
+        (set, _) => set.said(),
+    }
+}
+
 impl Position {
     /// The first option that was given.
     fn given(&self) -> Option<&'static str> {
@@ -225,26 +223,38 @@ impl Position {
         all.into_iter().find(|(_, given)| given.is_some()).map(|(name, _)| name)
     }
 
-    fn feature(&self, callout: &str) -> Result<NcFeature, CliError> {
-        let (kind, axis, second) = (self.kind.as_deref(), self.axis.as_deref(), self.callout2.as_deref());
-        let kind = KindCells { kind, axis, callout, second }.read().said()?;
-        let place = [needed("x", self.x.as_ref())?, needed("y", self.y.as_ref())?, needed("z", self.z.as_ref())?];
-        let usual = NcFeature::of_kind(kind, place);
-        Ok(NcFeature {
-            name: self.name.clone().unwrap_or_default(),
-            angle: optional("angle", self.angle.as_ref())?.unwrap_or_default(),
-            clearance: optional("clearance", self.clearance.as_ref())?.unwrap_or(DEFAULT_CLEARANCE),
-            clearance_height: optional("clearance-height", self.clearance_height.as_ref())?
-                .unwrap_or(DEFAULT_CLEARANCE_HEIGHT),
-            ..usual
-        })
+    /// A single callout without a class is refused as what it is: no option says hole or shaft.
+    fn refuse_without_class(&self, callout: &str) -> Result<(), CliError> {
+        let is_point = self.kind.as_ref().is_some_and(|kind| kind.eq_ignore_ascii_case("point"));
+        match callout.parse::<Callout>() {
+            Ok(callout) if !is_point && !matches!(callout.tolerance(), Tolerance::Class(_) | Tolerance::Fit { .. }) => {
+                Err(FeatureFault::NoClass { callout }).said()
+            }
+            Err(error) if !is_point => Err(error).about(callout),
+            _ => Ok(()),
+        }
     }
-}
 
-fn needed(name: &'static str, text: Option<&String>) -> Result<Length, CliError> {
-    optional(name, text)?.ok_or(CliError::OptionMissing { option: name })
-}
-
-fn optional<T: std::str::FromStr<Err = LengthError>>(name: &str, text: Option<&String>) -> Result<Option<T>, CliError> {
-    text.map(|text| text.parse().about(&What::Option { name })).transpose()
+    /// The feature as a row of a plan. A program moves to its place, so that is needed.
+    fn row(&self, callout: &str) -> Result<Row, CliError> {
+        for (option, given) in [("x", &self.x), ("y", &self.y), ("z", &self.z)] {
+            if given.is_none() {
+                return Err(CliError::OptionMissing { option });
+            }
+        }
+        let cells = [
+            (Column::X, &self.x),
+            (Column::Y, &self.y),
+            (Column::Z, &self.z),
+            (Column::Angle, &self.angle),
+            (Column::Clearance, &self.clearance),
+            (Column::ClearanceHeight, &self.clearance_height),
+            (Column::Kind, &self.kind),
+            (Column::Axis, &self.axis),
+            (Column::SecondCallout, &self.callout2),
+            (Column::Name, &self.name),
+        ];
+        let given = cells.into_iter().filter_map(|(column, text)| Some((column, text.clone()?)));
+        Ok(Row::of(given.chain([(Column::Callout, callout.to_owned())])))
+    }
 }

@@ -6,11 +6,13 @@ use std::sync::Arc;
 use super::journal::server;
 use super::said::Recorded;
 use super::{CliError, Io};
+use crate::exchange::Labels;
 use crate::journal::Record;
 use crate::journal::body;
-use crate::journal::entry::{About, Check, Checked, Content, CycleCheck, Entry, UsedFile};
+use crate::journal::chain::Hash;
+use crate::journal::entry::{About, Check, Checked, Content, CycleCheck, Entry, Kept, UsedFile};
 use crate::message::Say as _;
-use crate::store::local::{self, Journal, Opening};
+use crate::store::local::{self, Journal, Opening, Reader};
 use crate::store::{StoreError, StoreRemark, here, is_server};
 
 const JOURNAL: &str =
@@ -50,6 +52,41 @@ pub(super) struct RecordArgs {
     /// The station; default: the name of the computer
     #[arg(long, value_name = "NAME", requires = "record")]
     station: Option<String>,
+}
+
+/// The same for what records always, as long as it runs.
+#[derive(Debug, Clone, clap::Args)]
+#[command(next_help_heading = "Record")]
+pub(super) struct StreamArgs {
+    /// Every verdict is kept in the journal, with or without this
+    #[arg(long, hide = true)]
+    record: bool,
+    #[command(flatten)]
+    journal: JournalArgs,
+    /// Who measures, where the files do not say it
+    #[arg(long, value_name = "NAME")]
+    who: Option<String>,
+    /// The part, in place of the plan's
+    #[arg(long, value_name = "NAME")]
+    part: Option<String>,
+    /// Its serial number, where the files do not say it
+    #[arg(long, value_name = "NO")]
+    serial: Option<String>,
+    /// Anything else that is worth keeping
+    #[arg(long, value_name = "TEXT")]
+    remark: Option<String>,
+    /// The station; default: the name of the computer
+    #[arg(long, value_name = "NAME")]
+    station: Option<String>,
+}
+
+/// Records as long as it runs.
+pub(super) struct Stream {
+    recorder: Recorder,
+    file: PathBuf,
+    journal: Journal,
+    /// Whether entries were added that the server does not have yet.
+    is_new: bool,
 }
 
 /// Where a journal is.
@@ -96,6 +133,8 @@ impl JournalArgs {
 pub(super) struct Recorder {
     place: Place,
     about: About,
+    /// Whether a plan names the features: what a value is called is never the part then.
+    has_plan: bool,
     entries: Vec<Entry>,
 }
 
@@ -106,24 +145,48 @@ impl RecordArgs {
             return Ok(None);
         }
         io.remember();
-        let text = |given: &Option<String>| given.clone().unwrap_or_default();
-        let about = About {
-            station: self.station.clone().unwrap_or_else(here::computer),
-            time: here::moment(),
-            who: text(&self.who),
-            part: text(&self.part),
-            serial: text(&self.serial),
-            feature: text(&self.feature_name),
-            remark: text(&self.remark),
-        };
-        Ok(Some(Recorder { place: Place::of(self.journal.as_deref())?, about, entries: Vec::new() }))
+        let (station, part, serial) = (self.station.as_ref(), self.part.as_ref(), self.serial.as_ref());
+        let about = about(station, [self.who.as_ref(), part, serial, self.feature_name.as_ref(), self.remark.as_ref()]);
+        Ok(Some(Recorder { place: Place::of(self.journal.as_deref())?, about, has_plan: false, entries: Vec::new() }))
+    }
+}
+
+/// What is told of every check, at this moment: who, part, serial number, feature and remark.
+fn about(station: Option<&String>, given: [Option<&String>; 5]) -> About {
+    let [who, part, serial, feature, remark] = given.map(|text| text.cloned().unwrap_or_default());
+    About {
+        station: station.cloned().unwrap_or_else(here::computer),
+        time: here::moment(),
+        who,
+        part,
+        serial,
+        feature,
+        remark,
     }
 }
 
 impl Recorder {
+    /// The same for the features of a plan, and the part that it is of.
+    pub(super) fn of_plan(mut self, part: &str) -> Self {
+        if self.about.part.is_empty() {
+            part.clone_into(&mut self.about.part);
+        }
+        Self { has_plan: true, ..self }
+    }
+
     /// A record. What its file or field calls it is the part, where none is named; otherwise the feature.
     pub(super) fn size(&mut self, record: Arc<Record>, files: Vec<UsedFile>) -> Result<(), CliError> {
-        let about = self.about(&record.id);
+        self.size_of(record, &Labels::default(), files)
+    }
+
+    /// The same with what its file says of part, serial number and operator, where no option says it.
+    pub(super) fn size_of(
+        &mut self,
+        record: Arc<Record>,
+        labels: &Labels,
+        files: Vec<UsedFile>,
+    ) -> Result<(), CliError> {
+        let about = self.about(&record.id, labels);
         self.add(about, Checked::Size(record), files)
     }
 
@@ -133,9 +196,18 @@ impl Recorder {
         self.add(about, Checked::Cycle(Box::new(cycle)), files)
     }
 
-    fn about(&self, id: &str) -> About {
+    fn about(&self, id: &str, labels: &Labels) -> About {
         let mut about = self.about.clone();
-        if about.part.is_empty() {
+        let of_file =
+            [(&mut about.part, &labels.part), (&mut about.serial, &labels.serial), (&mut about.who, &labels.who)];
+        for (text, given) in of_file {
+            if text.is_empty() {
+                text.clone_from(given);
+            }
+        }
+        if self.has_plan {
+            id.clone_into(&mut about.feature);
+        } else if about.part.is_empty() {
             id.clone_into(&mut about.part);
         } else if about.feature.is_empty() {
             id.clone_into(&mut about.feature);
@@ -152,9 +224,25 @@ impl Recorder {
         Ok(())
     }
 
+    /// How many were kept so far.
+    pub(super) const fn count(&self) -> usize {
+        self.entries.len()
+    }
+
+    /// Gives the hash of the last file of all checks from one on, as it is known once the file is read.
+    pub(super) fn hash_last_file(&mut self, first: usize, sha256: Hash) {
+        for entry in self.entries.iter_mut().skip(first) {
+            if let Content::Check(check) = &mut entry.content
+                && let Some(file) = check.files.last_mut()
+            {
+                file.sha256 = sha256;
+            }
+        }
+    }
+
     /// Keeps all of them or none, and says so.
     pub(super) fn keep(self, io: &mut Io<'_>) -> Result<(), CliError> {
-        let Self { place, about, entries } = self;
+        let Self { place, about, entries, .. } = self;
         if entries.is_empty() {
             io.remark(&Recorded::Nothing);
             return Ok(());
@@ -176,23 +264,105 @@ impl Recorder {
 
 /// Adds entries to a journal, all of them or none, and says so.
 pub(super) fn keep(file: &Path, about: &About, entries: &[Entry], io: &mut Io<'_>) -> Result<(), CliError> {
-    let refused = |error: StoreError| CliError::NotRecorded { error: error.message() };
     let mut journal = Journal::open(file, &Opening::new(&about.station, about.time.clone())).map_err(refused)?;
     let kept = journal.append(entries);
     journal.keep_head();
+    tell_remarks(&journal, io);
+    tell_kept(file, &kept.map_err(refused)?, io);
+    Ok(())
+}
+
+#[expect(clippy::needless_pass_by_value, reason = "map_err hands over the error")]
+fn refused(error: StoreError) -> CliError {
+    CliError::NotRecorded { error: error.message() }
+}
+
+fn tell_remarks(journal: &Journal, io: &mut Io<'_>) {
     for remark in journal.remarks() {
         match remark {
             StoreRemark::Begun { .. } | StoreRemark::Migrated { .. } => io.remark(remark),
             _ => io.warn(remark),
         }
     }
-    let kept = kept.map_err(refused)?;
-    let (Some(first), Some(last)) = (kept.first(), kept.last()) else { return Ok(()) };
+}
+
+fn tell_kept(file: &Path, kept: &[Kept], io: &mut Io<'_>) {
+    let (Some(first), Some(last)) = (kept.first(), kept.last()) else { return };
     let (file, hash) = (file.display().to_string(), last.head.hash.to_string());
     io.tell(if first.head == last.head {
         Recorded::Entry { number: last.head.number, file, hash }
     } else {
         Recorded::Entries { first: first.head.number, last: last.head.number, file, hash }
     });
-    Ok(())
+}
+
+impl StreamArgs {
+    /// Opens the journal; `plan` is the part of a plan that names the features.
+    pub(super) fn stream(&self, plan: Option<&str>, io: &mut Io<'_>) -> Result<Stream, CliError> {
+        let (part, serial) = (self.part.as_ref(), self.serial.as_ref());
+        let about = about(self.station.as_ref(), [self.who.as_ref(), part, serial, None, self.remark.as_ref()]);
+        let opening = Opening::new(&about.station, about.time.clone());
+        let recorder = Recorder { place: self.journal.place()?, about, has_plan: false, entries: Vec::new() };
+        let recorder = match plan {
+            Some(part) => recorder.of_plan(part),
+            None => recorder,
+        };
+        let file = match &recorder.place {
+            Place::File(file) => file.clone(),
+            Place::Server(_) => own()?,
+        };
+        let journal = Journal::open(&file, &opening).map_err(refused)?;
+        tell_remarks(&journal, io);
+        Ok(Stream { recorder, file, journal, is_new: false })
+    }
+}
+
+impl Stream {
+    /// The bodies of all entries so far.
+    pub(super) fn each(&self, see: &mut dyn FnMut(&[u8])) -> Result<(), CliError> {
+        let reader = Reader::open(&self.file).map_err(refused)?;
+        let mut from = 1;
+        loop {
+            let entries = reader.entries(from, 1_000).map_err(refused)?;
+            let Some(last) = entries.last() else { return Ok(()) };
+            from = last.head.number + 1;
+            for kept in &entries {
+                see(&kept.body);
+            }
+        }
+    }
+
+    /// A check that is to be recorded, now.
+    pub(super) fn size_of(&mut self, record: Arc<Record>, labels: &Labels, file: UsedFile) -> Result<(), CliError> {
+        self.recorder.about.time = here::moment();
+        self.recorder.size_of(record, labels, vec![file])
+    }
+
+    /// Records what was collected, all of it or none.
+    pub(super) fn keep(&mut self, io: &mut Io<'_>) -> Result<(), CliError> {
+        let entries = std::mem::take(&mut self.recorder.entries);
+        if entries.is_empty() {
+            return Ok(());
+        }
+        let kept = self.journal.append(&entries).map_err(refused)?;
+        self.is_new = true;
+        tell_kept(&self.file, &kept, io);
+        Ok(())
+    }
+
+    /// In a quiet moment: the server gets what it does not have, and the journal is put in order.
+    pub(super) fn rest(&mut self, io: &mut Io<'_>) {
+        if !std::mem::take(&mut self.is_new) {
+            return;
+        }
+        self.journal.keep_head();
+        if let Err(error) = self.journal.tidy() {
+            io.warn(&error);
+        }
+        if let Place::Server(address) = &self.recorder.place
+            && let Err(error) = server::send(address, &self.file, &self.recorder.about.station, io)
+        {
+            io.warn(&Recorded::NotSent { error: error.message() });
+        }
+    }
 }

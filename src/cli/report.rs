@@ -7,9 +7,10 @@ use jiff::civil::DateTime;
 
 use super::args::one_of;
 use super::judging::{Judge, JudgeArgs, Warned};
+use super::measured::Measured;
 use super::{CliError, CliWarning, Io, Outcome, TableArgs};
-use crate::exchange::{Item, import_each};
-use crate::files;
+use crate::exchange::{self, Item, import_from};
+use crate::files::{self, FileError};
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say};
@@ -129,12 +130,10 @@ fn output(text: &str) -> Result<Output, EndingError> {
 /// The most notes on a report; all of them are on standard error.
 const MOST_NOTES: usize = 1_000;
 
-/// The checks of files and options. The files are read again for every look at the checks: their bytes take less memory
-/// than the checks in them.
+/// The checks of files and options. The files are read again for every look at the checks, so that they may be of any size.
 #[derive(Debug)]
 struct Given {
-    /// Names without folders, and bytes.
-    files: Vec<(String, Vec<u8>)>,
+    files: Vec<(PathBuf, Measured)>,
     /// From options.
     typed: Vec<Record>,
     sources: Sources,
@@ -142,11 +141,24 @@ struct Given {
     judge: Judge,
 }
 
+impl Given {
+    fn read(&self, path: &Path, file: &Measured, take: &mut dyn FnMut(Item)) {
+        let beside = |ending: &str| files::beside(path, ending);
+        let given = exchange::Given { beside: &beside, ..exchange::Given::new(&self.sources, self.now) };
+        file.read(|body| import_from(&name(path), body, given, take));
+    }
+}
+
+/// The name of a file without its folder.
+fn name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
 impl Checks for Given {
     fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
-        for (name, bytes) in &self.files {
+        for (path, file) in &self.files {
             let mut seen = Ok(());
-            import_each(name, bytes, &self.sources, self.now, &mut |item| {
+            self.read(path, file, &mut |item| {
                 // What cannot be judged was noted at the first look.
                 if seen.is_ok()
                     && let Item::Record { record, .. } = item
@@ -156,6 +168,9 @@ impl Checks for Given {
                 }
             });
             seen?;
+            if !file.is_unchanged() {
+                return Err(io::Error::other(FileError::Changed { path: path.clone() }.to_string()));
+            }
         }
         self.typed.iter().try_for_each(see)
     }
@@ -188,13 +203,14 @@ impl Args {
         given.judge.tell(io);
         super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {
-            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-            match files::read(path) {
-                Ok(bytes) => {
-                    collected.file(&name, &bytes, &given, io);
-                    given.files.push((name, bytes));
+            match Measured::open(path) {
+                Ok(file) => {
+                    collected.file(path, &file, &given, io);
+                    given.files.push((path.clone(), file));
                 }
-                Err(error) => collected.refuse(Message::new("report-note").text("place", &name), error.message(), io),
+                Err(error) => {
+                    collected.refuse(Message::new("report-note").text("place", name(path)), error.message(), io);
+                }
             }
         }
         for text in &self.checks {
@@ -260,10 +276,11 @@ impl Args {
 
 impl Collected {
     /// Looks at a file of measurements.
-    fn file(&mut self, name: &str, bytes: &[u8], given: &Given, io: &mut Io<'_>) {
+    fn file(&mut self, path: &Path, file: &Measured, given: &Given, io: &mut Io<'_>) {
+        let name = &name(path);
         let line = |line: usize| Message::new("report-note-line").text("place", name).text("line", line);
-        import_each(name, bytes, &given.sources, given.now, &mut |item| match item {
-            Item::Record { record, line: at } => match given.judge.judged(*record) {
+        given.read(path, file, &mut |item| match item {
+            Item::Record { record, line: at, .. } => match given.judge.judged(*record) {
                 Ok(record) => self.see(&record, io),
                 Err(error) => self.refuse(line(at), error.message(), io),
             },

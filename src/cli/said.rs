@@ -16,6 +16,14 @@ pub(super) enum CliRemark {
     Wrote { path: String },
     /// A file of several files is written.
     WroteFiles { path: String, count: usize },
+    /// A folder is looked at, and so many files were taken before.
+    Watching { folder: String, known: usize },
+    /// A plan without a fault.
+    PlanHas { count: usize },
+    /// A plan was begun without a callout.
+    PlanExample,
+    /// A plan is written as CSV, which has no place for what it says of the part.
+    PlanHeadLeft,
     /// Nobody measured.
     Simulated,
     /// A measured value that was brought to 20 °C.
@@ -158,6 +166,16 @@ pub(super) enum Recorded {
 #[derive(Debug, Say)]
 #[say(prefix = "cli-warning")]
 pub(super) enum CliWarning<'a> {
+    /// Features of a plan without a value.
+    PlanMissing { names: String },
+    /// The same of one part among several.
+    PlanMissingOf { who: String, names: String },
+    /// A file whose content was taken before under another name: nothing of it is recorded again.
+    SameContent { known: String },
+    /// What could not be used of a file is written beside it, in a file with this ending.
+    SeeNote { note: &'static str },
+    /// More parts than are known one by one.
+    PlanMoreParts { most: usize },
     /// A skipped column of a file of contacts.
     ColumnNotUsed { column: &'a str },
     /// A coefficient of expansion that no document confirms.

@@ -20,6 +20,16 @@ pub fn status_word(status: Status, dialogue: Dialogue) -> &'static str {
     }
 }
 
+/// The status that a word means, in any dialogue language or as machines write it.
+pub fn status_of(word: &str) -> Option<Status> {
+    let small = word.trim().to_lowercase();
+    let is = |known: &str| known.to_lowercase() == small;
+    let means = |status: &Status| {
+        is(status.word()) || Dialogue::ALL.into_iter().any(|dialogue| is(status_word(*status, dialogue)))
+    };
+    Status::ALL.into_iter().find(means)
+}
+
 /// A length in micrometres. The decimal text is exact, the product of a float and 1000 is not: 0.5015 mm would be
 /// 501.49999999999994 µm.
 pub(crate) fn micrometres(length: Length) -> Value {

@@ -32,14 +32,22 @@ pub(crate) fn cut(text: &str, most: usize) -> String {
     }
 }
 
+/// What ends a line; CR LF is one end.
+pub const LINE_ENDS: [char; 3] = ['\n', '\r', '\0'];
+
 /// The lines of a text, numbered from 1, without their ends: LF, CRLF, CR or byte 0.
 pub fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    lines_from(text, 1)
+}
+
+/// The same for a text whose first line has this number.
+pub fn lines_from(text: &str, first: usize) -> impl Iterator<Item = (usize, &str)> {
     let mut rest = Some(text);
-    let mut number = 0;
+    let mut number = first.saturating_sub(1);
     std::iter::from_fn(move || {
         let text = rest.filter(|text| !text.is_empty())?;
         number += 1;
-        let (line, after) = match text.find(['\n', '\r', '\0']) {
+        let (line, after) = match text.find(LINE_ENDS) {
             Some(end) => {
                 let (line, after) = text.split_at_checked(end)?;
                 (line, after.strip_prefix("\r\n").or_else(|| after.get(1..)).unwrap_or_default())

@@ -16,7 +16,10 @@ use super::words::{self, Rank};
 use crate::length::Unit;
 
 /// How many rows are examined to find out what a file is.
-const SAMPLE: usize = 200;
+pub(super) const SAMPLE: usize = 200;
+
+/// The separator of cells that need none: no cell is one half of another.
+pub(super) const NO_SEPARATOR: u8 = b'\t';
 
 /// How many bytes of them, 512 KiB: every cell takes memory, and two ways to split them are compared.
 const SAMPLE_BYTES: usize = 512 << 10;
@@ -61,6 +64,45 @@ pub(super) struct Columns {
     pub(super) fewest_decimals: Option<usize>,
     /// What a file of Fitcheck says of its values.
     pub(super) own: OwnColumns,
+    /// What is said of a value besides its name.
+    pub(super) labels: LabelColumns,
+    /// The line of the first row, where the user has said it.
+    pub(super) first: Option<usize>,
+}
+
+/// The columns of [`Labels`](super::Labels).
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct LabelColumns {
+    pub(super) number: Option<usize>,
+    pub(super) part: Option<usize>,
+    pub(super) serial: Option<usize>,
+    pub(super) who: Option<usize>,
+    pub(super) place: [Option<LengthColumn>; 3],
+}
+
+impl LabelColumns {
+    /// Those of a header beside the columns that are used otherwise.
+    fn of(header: &StringRecord, used: &[usize]) -> Self {
+        let labels: Vec<_> = (0..).zip(header).filter(|(at, _)| !used.contains(at)).collect();
+        let at = |role: Role| labels.iter().find(|(_, name)| words::label(name) == Some(role)).map(|(at, _)| *at);
+        let place = |role: Role| {
+            let at = at(role)?;
+            Some(LengthColumn { at, unit: unit_of(header.get(at).unwrap_or_default()).ok()? })
+        };
+        Self {
+            number: at(Role::Number),
+            part: at(Role::Part),
+            serial: at(Role::Serial),
+            who: at(Role::Who),
+            place: [Role::X, Role::Y, Role::Z].map(place),
+        }
+    }
+
+    /// The columns.
+    pub(super) fn iter(&self) -> impl Iterator<Item = usize> {
+        let texts = [self.number, self.part, self.serial, self.who].into_iter().flatten();
+        texts.chain(self.place.iter().flatten().map(|column| column.at))
+    }
 }
 
 impl Columns {
@@ -78,12 +120,14 @@ impl Columns {
 /// The first rows of a text, split at one separator.
 pub(super) struct Sample {
     pub(super) separator: u8,
-    rows: Vec<(usize, StringRecord)>,
-    header: Option<usize>,
+    pub(super) rows: Vec<(usize, StringRecord)>,
+    pub(super) header: Option<usize>,
     /// How many rows come before the measurements.
-    above: usize,
+    pub(super) above: usize,
     /// Whether the last of the rows ends the text, without a line end.
     is_last_open: bool,
+    /// The column of measured values, where the user has said it.
+    pub(super) measured: Option<usize>,
 }
 
 impl Sample {
@@ -93,7 +137,14 @@ impl Sample {
         let samples = tried.iter().map(|&separator| Self::split(text, first_line, separator));
         // The first of equals: the separators are in order of trust.
         let best = samples.reduce(|best, other| if best.sense() < other.sense() { other } else { best });
-        best.unwrap_or(Self { separator: b';', rows: Vec::new(), header: None, above: 0, is_last_open: false })
+        best.unwrap_or(Self {
+            separator: b';',
+            rows: Vec::new(),
+            header: None,
+            above: 0,
+            is_last_open: false,
+            measured: None,
+        })
     }
 
     fn split(text: &str, first_line: usize, separator: u8) -> Self {
@@ -115,12 +166,21 @@ impl Sample {
             sample.push(row);
         }
         let is_last_open = !text.ends_with(['\n', '\r']) && rows.next().is_none();
-        let rows = sample;
+        Self { is_last_open, ..Self::of_rows(sample, separator) }
+    }
+
+    /// The first rows of a file that has cells as such, without those that are blank or comments.
+    pub(super) fn of_cells(rows: impl Iterator<Item = (usize, StringRecord)>) -> Self {
+        let rows = rows.filter(|(_, cells)| !is_blank(cells) && !is_comment(cells));
+        Self::of_rows(rows.take(SAMPLE).collect(), NO_SEPARATOR)
+    }
+
+    fn of_rows(rows: Vec<(usize, StringRecord)>, separator: u8) -> Self {
         let header = header(&rows);
         // Unknown names are not a measurement either.
         let unknown = rows.first().is_some_and(|(_, cells)| may_be_names(cells));
         let above = header.map_or(usize::from(unknown), |header| header + 1);
-        Self { separator, rows, header, above, is_last_open }
+        Self { separator, rows, header, above, is_last_open: false, measured: None }
     }
 
     /// How many columns the header names, how many rows hold a callout and a number, and how many rows have cells.
@@ -129,6 +189,11 @@ impl Sample {
         let data = self.rows.iter().filter(|(_, cells)| is_data(cells)).count();
         let split = self.rows.iter().filter(|(_, cells)| 1 < cells.len()).count();
         (named, data, split)
+    }
+
+    /// Whether it has rows below what comes before the measurements.
+    pub(super) fn has_data(&self) -> bool {
+        self.above < self.rows.len()
     }
 
     /// What the columns are.
@@ -149,10 +214,16 @@ impl Sample {
             }
             columns
         };
-        columns.decimal_sign = cells::decimal_sign(self.cells(columns.measured.at));
-        columns.behind = self.behind(columns.measured.at);
-        columns.fewest_decimals = self.fewest_decimals(columns.measured.at);
+        self.look_at_values(&mut columns);
         Ok(columns)
+    }
+
+    /// What the first measured values look like.
+    pub(super) fn look_at_values(&self, columns: &mut Columns) {
+        let at = columns.measured.at;
+        columns.decimal_sign = cells::decimal_sign(self.cells(at));
+        columns.behind = self.behind(at);
+        columns.fewest_decimals = self.fewest_decimals(at);
     }
 
     /// The cells of a column below the header.
@@ -183,7 +254,7 @@ impl Sample {
             Ok(None)
         };
         let sure = [Rank::Exact, Rank::Contained];
-        let measured = best(Role::Measured, &sure)?;
+        let measured = self.measured.map_or_else(|| best(Role::Measured, &sure), |at| Ok(Some(at)))?;
         // "diameter" is the measured value where no other column is; otherwise it may be the nominal size.
         let measured_at = match measured {
             Some(at) => at,
@@ -198,6 +269,11 @@ impl Sample {
         let time: Vec<usize> =
             (0..).zip(&roles).filter(|(_, r)| matches!(r, Some((Role::Time, _)))).map(|(at, _)| at).take(2).collect();
         let id = best(Role::Id, &sure)?;
+        // A part, a serial number or a number names a value where nothing else does.
+        let is_id = |at: &usize| matches!(roles.get(*at), Some(Some((Role::Id, _))));
+        let names_more = |at: &usize| header.get(*at).is_none_or(|name| words::label(name).is_none());
+        let id =
+            (0..header.len()).filter(is_id).find(names_more).filter(|_| id.is_some_and(|at| !names_more(&at))).or(id);
         let simulated = best(Role::Simulated, &sure)?;
         let column = |at: usize| -> Result<LengthColumn, ImportErrorKind> {
             Ok(LengthColumn { at, unit: unit_of(header.get(at).unwrap_or_default())? })
@@ -209,6 +285,8 @@ impl Sample {
             .chain(time.iter().copied())
             .chain(own.of_correction())
             .collect();
+        let labels = LabelColumns::of(header, &used);
+        let used: Vec<usize> = used.into_iter().chain(labels.iter()).collect();
         let ignored = (0..).zip(header).filter(|(at, name)| !used.contains(at) && !name.trim().is_empty());
         Ok(Columns {
             id,
@@ -225,6 +303,8 @@ impl Sample {
             behind: None,
             fewest_decimals: None,
             own,
+            labels,
+            first: None,
         })
     }
 
@@ -257,6 +337,7 @@ impl Sample {
         let behind: Vec<usize> =
             free.iter().copied().filter(|at| tolerance.is_some_and(|before| before < *at)).collect();
         let measured = match (behind.as_slice(), free.as_slice()) {
+            _ if self.measured.is_some() => self.measured.unwrap_or_default(),
             // Of two numbers before a class, either may be the nominal size.
             ([], [_, ..]) if nominal.is_some() => {
                 let before: Vec<usize> = free.iter().copied().chain(nominal).collect();
@@ -288,6 +369,8 @@ impl Sample {
             behind: None,
             fewest_decimals: None,
             own: OwnColumns::default(),
+            labels: LabelColumns::default(),
+            first: None,
         })
     }
 
@@ -330,7 +413,9 @@ pub(super) fn are_contacts(text: &str) -> bool {
         let names: Vec<String> = first.iter().map(words::bare).collect();
         let has = |name: &str| names.iter().any(|given| given == name);
         if has("x") && has("y") {
-            return true;
+            // Beside a callout and a measured value they are the place of a feature.
+            let names = |role: Role| first.iter().any(|name| words::role(name).is_some_and(|(named, _)| named == role));
+            return !(names(Role::Measured) && names(Role::Tolerance));
         }
         let is_contact = |cells: &StringRecord| {
             matches!(cells.len(), 2..=3)
@@ -361,7 +446,7 @@ fn named(cells: &StringRecord) -> usize {
     cells.iter().filter(|cell| words::role(cell).is_some()).count()
 }
 
-fn several(role: Role, header: &StringRecord, columns: &[usize]) -> ImportErrorKind {
+pub(super) fn several(role: Role, header: &StringRecord, columns: &[usize]) -> ImportErrorKind {
     let columns = columns.iter().take(NAMED + 1);
     let names: Vec<String> = columns.map(|&at| name_of(at, header.get(at).unwrap_or_default())).collect();
     ImportErrorKind::SeveralColumns { role, columns: listed(&names) }
@@ -377,13 +462,13 @@ pub(super) fn listed(names: &[String]) -> String {
 }
 
 /// The unit that a column's name says; millimetres where it says none.
-fn unit_of(name: &str) -> Result<Unit, ImportErrorKind> {
+pub(super) fn unit_of(name: &str) -> Result<Unit, ImportErrorKind> {
     let unit = units::unit(name).map_err(|unit| ImportErrorKind::Unit { unit: super::error::shorten(&unit) })?;
     Ok(unit.unwrap_or(Unit::Millimetre))
 }
 
 /// The number of a column, and its name where it has one.
-fn name_of(at: usize, name: &str) -> String {
+pub(super) fn name_of(at: usize, name: &str) -> String {
     let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
     if name.is_empty() { (at + 1).to_string() } else { format!("{} ({})", at + 1, super::error::shorten(&name)) }
 }

@@ -67,6 +67,21 @@ impl<'a> Rows<'a> {
         Self { text, separator, at: 0, line, is_first: true, waiting: None, reader: None }
     }
 
+    /// The rows of a text that comes after other rows, so that none of them is a header.
+    pub(super) fn after(text: &'a str, line: usize, separator: u8) -> Self {
+        Self { is_first: false, ..Self::new(text, line, separator) }
+    }
+
+    /// The number of the line after the text, once all rows were read.
+    pub(super) const fn next_line(&self) -> usize {
+        self.line
+    }
+
+    /// Whether the text does not end where a line ends.
+    pub(super) fn is_open(&self) -> bool {
+        !self.text.ends_with(['\n', '\r'])
+    }
+
     /// Looks at lines up to one that is not a row, or far enough: the lines before it are for the reader.
     fn look_ahead(&mut self) {
         let (start, first) = (self.at, self.line);

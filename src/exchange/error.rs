@@ -1,14 +1,18 @@
-//! Errors and warnings of a file or a row: what is wrong, and what was given.
+//! Errors of a file or a row: what is wrong, and what was given.
 
+use super::aqdef::AqdefFault;
+use super::calypso::CalypsoFault;
 use super::contacts::ContactsError;
-use crate::control::log::{LogFault, LogWarningKind};
+use crate::control::log::LogFault;
 use crate::control::point_log::PointFault;
 use crate::length::{Length, LengthError};
 use crate::message::{Located, Message, Say, shortened};
 use crate::tolerance::{Callout, CalloutError, Feature, LimitsError};
 
+pub use super::warning::{ImportWarning, ImportWarningKind};
+
 /// A row that could not be used. Its place has its line, or 1 for the whole file; the column is the number of the cell
-/// in its row or, in a log, the character in its line.
+/// in its row or, in a log or in XML, the character in its line.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ImportError {
     /// What is wrong.
@@ -38,6 +42,16 @@ pub enum ImportErrorKind {
     Correction,
     /// There is nothing in the file.
     Empty,
+    /// The system cannot read on.
+    Read {
+        /// What it says.
+        reason: String,
+    },
+    /// Larger than a file of its format may be, which is read whole.
+    TooLarge {
+        /// The most, MiB.
+        most: u64,
+    },
     /// No format recognises the file.
     NotRecognised,
     /// Another format than the one that was expected.
@@ -62,17 +76,196 @@ pub enum ImportErrorKind {
     /// A comment that holds a measurement: a row that somebody has put aside, or one whose name begins with `#`.
     #[say(id = "exchange-warning-comment")]
     Comment,
+    /// A mask whose print cannot be read back.
+    MaskBackwards {
+        /// The mask's file.
+        mask: String,
+        /// Why not.
+        reason: Message,
+    },
+    /// No mask prints such a file.
+    MaskNone {
+        /// The files of the masks.
+        masks: String,
+    },
+    /// Several masks print such a file.
+    MaskSeveral {
+        /// Their files.
+        masks: String,
+    },
+    /// A mask that prints no measured value.
+    MaskNoMeasured {
+        /// The mask's file.
+        mask: String,
+    },
+    /// A mask of which several numbers could be the measured value.
+    MaskMeasured {
+        /// The mask's file.
+        mask: String,
+        /// The fields.
+        fields: String,
+    },
+    /// A record of a mask that can be read in several ways.
+    PrintAmbiguous,
+    /// A record of a mask that ends too early.
+    PrintBroken {
+        /// The line of the mask whose text was expected.
+        line: usize,
+    },
     /// Only a header, comments or blank lines.
     NoRows,
     /// A log that cannot be used.
     #[say(transparent)]
     Log(LogFault),
+    /// A file of AQDEF, or a line of one.
+    #[say(transparent)]
+    Aqdef(Box<AqdefFault>),
+    /// A table of CALYPSO, or a row of one.
+    #[say(transparent)]
+    Calypso(CalypsoFault),
     /// A measurement of cycle 444 that cannot be used.
     #[say(transparent)]
     Point(PointFault),
     /// Contacts that cannot be used.
     #[say(transparent)]
     Contacts(Box<Located<ContactsError>>),
+    /// XML that is not well-formed.
+    Xml {
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A document type: a file could make much of little with it, and none that is read here has one.
+    XmlDoctype,
+    /// An entity beyond the five that XML has by itself.
+    XmlEntity {
+        /// Its name.
+        name: String,
+    },
+    /// Elements within one another, too deep.
+    XmlDepth {
+        /// The most.
+        most: usize,
+    },
+    /// A tag or a text that is too long.
+    XmlLong {
+        /// The most, KiB.
+        most: usize,
+    },
+    /// The file ends within an element.
+    XmlCutOff,
+    /// An encoding that is not known.
+    XmlEncoding {
+        /// What was given.
+        given: String,
+    },
+    /// Bytes that are none in the encoding of the file.
+    XmlBytes,
+    /// Something wrong at a place, where a reader has one error alone.
+    #[say(transparent)]
+    Located(Box<Located<Self>>),
+    /// A unit of length of a QIF file that is not known, or contradicts itself.
+    QifUnit {
+        /// What was given.
+        unit: String,
+    },
+    /// A QIF file that names no unit of length.
+    QifNoUnit,
+    /// Something that a QIF file refers to, and does not have.
+    QifReference {
+        /// What it should be.
+        what: String,
+        /// Its number.
+        id: String,
+    },
+    /// More things of a kind than are kept.
+    QifTooMany {
+        /// The kind.
+        what: String,
+        /// The most.
+        most: usize,
+    },
+    /// A measurement without a value.
+    QifNoValue {
+        /// The status that the file gives it.
+        status: String,
+    },
+    /// A limit or nominal size of a QIF file that cannot be read.
+    QifLimit(#[say(name = "reason")] LengthError),
+    /// Deviations without a nominal size.
+    QifNoNominal,
+    /// A tolerance class of a hole for a shaft, or the other way round.
+    QifZone {
+        /// The class.
+        class: String,
+        /// `HOLE` or `SHAFT`.
+        zone: String,
+    },
+    /// A QIF file without measured values, such as a plan.
+    QifNoResults,
+    /// A workbook that cannot be read.
+    Workbook {
+        /// What is wrong with it.
+        reason: String,
+    },
+    /// A ZIP file that is not a workbook.
+    NotAWorkbook,
+    /// A workbook of another kind.
+    OldWorkbook {
+        /// The kind, by its ending.
+        format: &'static str,
+    },
+    /// A workbook with a password.
+    WorkbookPassword,
+    /// A ZIP file without its end, where its list of members is.
+    ZipCutOff,
+    /// A ZIP file with too many members.
+    ZipMembers {
+        /// The most.
+        most: usize,
+    },
+    /// A member that unpacks to more than is read, or is packed too densely to be meant well.
+    ZipBomb {
+        /// Its name.
+        member: String,
+        /// The most, MiB.
+        most: u64,
+    },
+    /// More texts than are kept.
+    ZipTexts {
+        /// The most.
+        most: usize,
+    },
+    /// A cell further to the right than columns are read.
+    SheetWide {
+        /// The cell.
+        cell: String,
+        /// The most columns.
+        most: usize,
+    },
+    /// More cells than are taken as texts.
+    TooManyCells {
+        /// The most.
+        most: usize,
+    },
+    /// Something wrong with a sheet or a cell.
+    Cell {
+        /// The sheet and the cell.
+        cell: String,
+        /// What it is.
+        reason: Box<Self>,
+    },
+    /// A formula that was never calculated.
+    FormulaWithoutValue {
+        /// The formula.
+        formula: String,
+    },
+    /// A formula that has no value.
+    CellError {
+        /// What the cell shows.
+        error: String,
+    },
+    /// A QIF file without characteristics.
+    QifNoCharacteristics,
     /// No column holds the measured values.
     NoMeasuredColumn,
     /// Several columns could have the same role.
@@ -81,6 +274,24 @@ pub enum ImportErrorKind {
         role: Role,
         /// The columns, by number or name.
         columns: String,
+    },
+    /// A column that was given and that the file does not have.
+    NoColumn {
+        /// What it should hold.
+        role: Role,
+        /// Its number or name, as given.
+        given: String,
+        /// The columns that the file has.
+        columns: String,
+    },
+    /// A column that was given for two things.
+    ColumnTwice {
+        /// The column.
+        column: String,
+        /// The first thing.
+        first: Role,
+        /// The second one.
+        second: Role,
     },
     /// The header names an unsupported unit.
     Unit {
@@ -162,7 +373,7 @@ pub enum ImportErrorKind {
     NotASize(#[say(name = "what")] Message),
     /// Contacts where sizes are needed.
     ContactsNotSizes,
-    /// More rows than [`MOST_ROWS`](super::imported::MOST_ROWS).
+    /// More rows than are kept in memory, [`MOST_ROWS`](super::imported::MOST_ROWS).
     TooManyRows {
         /// How many.
         most: usize,
@@ -170,7 +381,7 @@ pub enum ImportErrorKind {
 }
 
 /// What a column can be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Say)]
 #[say(prefix = "exchange-role")]
 pub enum Role {
     /// Name of the part or feature.
@@ -185,76 +396,20 @@ pub enum Role {
     Time,
     /// Whether nobody measured.
     Simulated,
-}
-
-/// A warning about a file or row that was still used.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct ImportWarning {
-    /// The line of the record or unjudged measurement that it belongs to; `None` where it is about the file.
-    pub row: Option<usize>,
-    /// What it says.
-    pub kind: ImportWarningKind,
-}
-
-impl Say for ImportWarning {
-    fn message(&self) -> Message {
-        self.kind.message()
-    }
-}
-
-/// What a warning says, without its place.
-#[derive(Debug, Clone, PartialEq, Eq, Say)]
-#[say(prefix = "exchange-warning")]
-pub enum ImportWarningKind {
-    /// A warning about a log.
-    #[say(transparent)]
-    Log(LogWarningKind),
-    /// Values that a file of Fitcheck says to be at 20 °C already.
-    Corrected,
-    /// A file of Fitcheck whose verdicts may be by another rule.
-    OtherRule,
-    /// Skipped columns.
-    IgnoredColumns {
-        /// Their names or numbers.
-        columns: String,
-    },
-    /// A skipped line above the measurements.
-    NotUsed {
-        /// The line's text.
-        text: String,
-    },
-    /// A comment above the header that holds a measurement.
-    Comment,
-    /// A row that runs over several lines, within quotation marks.
-    SeveralLines {
-        /// How many.
-        lines: usize,
-    },
-    /// The time cannot be read, so the time of import is used.
-    Time {
-        /// What was given.
-        given: String,
-    },
-    /// There is a column for the time, and the row has none.
-    NoTime,
-    /// A time with an offset from UTC, which no record has.
-    Offset {
-        /// What was given.
-        given: String,
-    },
-    /// The measured value ends the file, and may have had more decimals.
-    CutOff {
-        /// What is left of it.
-        given: String,
-    },
-}
-
-impl ImportWarningKind {
-    /// That the cells of a line above the measurements are not used.
-    pub(super) fn not_used(cells: &csv::StringRecord) -> Self {
-        let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
-        Self::NotUsed { text: shorten(&text) }
-    }
+    /// Number of the characteristic.
+    Number,
+    /// The part, such as its drawing number.
+    Part,
+    /// The part's serial number.
+    Serial,
+    /// Who measured.
+    Who,
+    /// Where the feature is.
+    X,
+    /// As above.
+    Y,
+    /// As above.
+    Z,
 }
 
 /// The longest text that errors repeat, in characters.

@@ -6,12 +6,13 @@ use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKin
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Located, Place, Say};
-use crate::probing::Contact;
+use crate::part::NotFound;
 use crate::probing::cycle::FoundName;
+use crate::probing::{Contact, Origin};
 use crate::tolerance::Limits;
 use crate::verdict::{PositionVerdict, Removal, SizeVerdict, Status, judge_size};
 
-/// The most rows that are read from one file: a record takes some hundred bytes, so this bounds the memory.
+/// The most rows of a file that are kept in memory: a record takes some hundred bytes.
 pub const MOST_ROWS: usize = 500_000;
 
 /// What was read from a file.
@@ -33,6 +34,29 @@ pub struct Imported {
     pub rows: usize,
 }
 
+/// What a file says of a value besides its name: which part it is of, who measured it, and where it lies.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Labels {
+    /// The number of the characteristic; empty where it has none.
+    pub number: String,
+    /// The part, such as its drawing number; empty where the file names none.
+    pub part: String,
+    /// The part's serial number; empty where the file has none.
+    pub serial: String,
+    /// Who measured; empty where the file does not say.
+    pub who: String,
+    /// The batch; empty where the file has none.
+    pub batch: String,
+    /// The machine that made the part; empty where the file does not say.
+    pub machine: String,
+    /// What it was measured with; empty where the file does not say.
+    pub gauge: String,
+    /// Where the feature should lie, or else where it was found, as far as the file says: X, Y, Z.
+    pub place: [Option<Length>; 3],
+    /// Which of the two sides of a pocket or boss it is, from 0, where the file says so.
+    pub side: Option<usize>,
+}
+
 /// A measurement that makes no record.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Unjudged {
@@ -40,10 +64,14 @@ pub struct Unjudged {
     pub line: usize,
     /// Name of the feature or part, where there is one.
     pub id: String,
+    /// What else the file says of it.
+    pub labels: Labels,
     /// When it was measured, or imported.
     pub time: DateTime,
     /// The measured diameter or coordinate; `None` for contacts.
     pub measured: Option<Length>,
+    /// Where the value comes from: a simulated one stays simulated.
+    pub origin: Origin,
     /// The centre's position, where the control monitored it.
     pub position: Option<PositionVerdict>,
     /// Why it makes no record.
@@ -85,6 +113,52 @@ pub enum WhyUnjudged {
     Point(#[say(skip)] Coordinate),
     /// Such a point without a tolerance.
     PointWithoutTolerance,
+    /// Its limits are known, but not whether it is a hole or a shaft: beyond them it could be rework or scrap.
+    NoFeature {
+        /// The smallest permitted value.
+        minimum: Length,
+        /// The largest permitted value.
+        maximum: Length,
+    },
+    /// A size with one limit alone.
+    OneLimit,
+    /// A characteristic without limits.
+    NoTolerance,
+    /// Limits of which the smaller one is the larger one.
+    SwappedLimits {
+        /// What the file calls the smallest permitted value.
+        minimum: Length,
+        /// What it calls the largest one.
+        maximum: Length,
+    },
+    /// A characteristic that is no size of a hole or shaft, such as a position or a roundness.
+    NotASize {
+        /// What the file calls it.
+        what: String,
+    },
+    /// The plan that it should be judged by has no feature for it, or not one alone.
+    #[say(transparent)]
+    NotInPlan(NotFound),
+    /// A characteristic of AQDEF with another quantity than a diameter.
+    Quantity {
+        /// Its number, K2009.
+        quantity: u32,
+    },
+    /// A characteristic of AQDEF that is not measured: parts or errors are counted.
+    Kind {
+        /// Its number, K2004.
+        kind: u32,
+    },
+    /// A value of AQDEF with a mark whose meaning is not known.
+    Attribute {
+        /// The mark, K0002.
+        given: String,
+    },
+    /// A characteristic with a declaration that cannot be used, which is an error of its own.
+    Declaration {
+        /// The line of the declaration.
+        declaration: usize,
+    },
     /// Contacts, and nothing else.
     Contacts {
         /// How many.
@@ -126,6 +200,8 @@ pub enum Item {
         line: usize,
         /// The check.
         record: Box<Record>,
+        /// What else the file says of it.
+        labels: Labels,
     },
     /// A measurement that makes no record.
     Unjudged(Box<Unjudged>),
@@ -142,7 +218,7 @@ impl Imported {
     pub(super) fn keep(&mut self, item: Item) {
         self.rows += usize::from(!matches!(item, Item::Warning(_) | Item::Contacts(_)));
         match item {
-            Item::Record { line, record } => {
+            Item::Record { line, record, .. } => {
                 self.records.push(*record);
                 self.lines.push(line);
             }
@@ -158,12 +234,20 @@ impl Imported {
 pub(super) struct Sink<'a> {
     /// How many rows or logs there were: records, unjudged measurements and errors together.
     rows: usize,
+    /// The most of them.
+    most: usize,
     take: &'a mut dyn FnMut(Item),
 }
 
 impl<'a> Sink<'a> {
+    /// As many rows as there are.
     pub(super) const fn new(take: &'a mut dyn FnMut(Item)) -> Self {
-        Self { rows: 0, take }
+        Self::up_to(usize::MAX, take)
+    }
+
+    /// At most so many rows; an error says that there are more.
+    pub(super) const fn up_to(most: usize, take: &'a mut dyn FnMut(Item)) -> Self {
+        Self { rows: 0, most, take }
     }
 
     pub(super) const fn rows(&self) -> usize {
@@ -177,9 +261,9 @@ impl<'a> Sink<'a> {
 
     /// Whether no more is read, after an error that says so.
     pub(super) fn is_full(&mut self, line: usize) -> bool {
-        let is_full = MOST_ROWS <= self.rows;
+        let is_full = self.most <= self.rows;
         if is_full {
-            self.refuse(Place::line(line), ImportErrorKind::TooManyRows { most: MOST_ROWS }, String::new());
+            self.refuse(Place::line(line), ImportErrorKind::TooManyRows { most: self.most }, String::new());
         }
         is_full
     }
@@ -189,13 +273,32 @@ impl<'a> Sink<'a> {
         (self.take)(item);
     }
 
+    /// How many more rows are read.
+    pub(super) const fn left(&self) -> usize {
+        self.most.saturating_sub(self.rows)
+    }
+
+    /// Passes on what another reader has read.
+    pub(super) fn pass(&mut self, item: Item) {
+        self.rows += usize::from(!matches!(item, Item::Warning(_) | Item::Contacts(_)));
+        (self.take)(item);
+    }
+
     /// A file that could not be used at all.
     pub(super) fn fail(&mut self, kind: ImportErrorKind) {
         self.refuse(Place::line(1), kind, String::new());
     }
 
-    pub(super) fn keep(&mut self, line: usize, record: Record) {
-        self.row(Item::Record { line, record: Box::new(record) });
+    /// What another sink took.
+    pub(super) fn pass_on(&mut self, item: Item) {
+        match item {
+            Item::Warning(_) | Item::Contacts(_) => (self.take)(item),
+            Item::Record { .. } | Item::Unjudged(_) | Item::Error(_) => self.row(item),
+        }
+    }
+
+    pub(super) fn keep(&mut self, line: usize, record: Record, labels: Labels) {
+        self.row(Item::Record { line, record: Box::new(record), labels });
     }
 
     pub(super) fn set_aside(&mut self, unjudged: Unjudged) {

@@ -10,46 +10,77 @@ use jiff::civil::DateTime;
 
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::imported::{Coordinate, Sink, Unjudged, WhyUnjudged};
-use super::{Format, Source};
-use crate::control::log::{self, Figure, LimitPair, Log, layout};
+use super::source::{Beginning, Context, Source};
+use super::{Format, Labels};
+use crate::control::log::{self, Figure, LimitPair, Log, LogError, Logs, layout};
 use crate::control::text;
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::message::Place;
-use crate::probing::cycle::{Cycle, FigureKind, FoundName, Meaning, TextLog};
+use crate::probing::cycle::{Axis, Cycle, FigureKind, FoundName, Meaning, TextLog};
 use crate::probing::cycles::cycle;
 use crate::probing::{Measurement, Origin};
 use crate::tolerance::{Deviations, Feature, Limits, Source as LimitSource};
 use crate::verdict::{AxisPosition, PositionVerdict};
 
-pub(super) const FORMAT: Format =
-    Format { name: "log", endings: &["txt"], description: "exchange-format-logs", recognises, read };
+pub(super) const FORMAT: Format = Format {
+    name: "log",
+    endings: &["txt"],
+    description: "exchange-format-logs",
+    recognises,
+    read,
+    plan: None,
+    grows: true,
+    has_marks: true,
+    is_closed: false,
+};
 
 /// The control's fixed names, `TCHPR421.TXT`, or a text with the shape of a log.
-fn recognises(source: &Source<'_>) -> bool {
-    let name = source.file.to_ascii_uppercase();
+fn recognises(beginning: &Beginning<'_>) -> bool {
+    let name = beginning.file.to_ascii_uppercase();
     name.starts_with("TCHPR4") && Path::new(&name).extension().is_some_and(|ending| ending == "TXT")
-        || log::is_log(&source.head())
+        || log::is_log(&beginning.text())
 }
 
-fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
-    let text = text::decode(source.bytes);
-    for log in log::each(&text) {
-        let line = log.as_ref().map_or_else(|error| error.place.line.unwrap_or(1), |log| log.line);
-        if sink.is_full(line) {
-            break;
-        }
-        match log {
-            Ok(log) => add(sink, log, source),
-            Err(error) => {
-                let given = error.what.given();
-                sink.refuse(error.place, ImportErrorKind::Log(error.what), given);
+fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
+    let context = source.context.clone();
+    let mut pieces = source.pieces(b"\n\r\0")?;
+    let mut logs = Logs::default();
+    let (mut line, mut is_unfinished) = (1, false);
+    while let Some(piece) = pieces.next()? {
+        for (number, text) in text::lines_from(&piece, line) {
+            line = number + 1;
+            if let Some(log) = logs.line(number, text)
+                && !take(sink, log, &context)
+            {
+                return Ok(());
             }
         }
+        is_unfinished = !piece.ends_with(text::LINE_ENDS);
     }
+    if let Some(log) = logs.end(is_unfinished) {
+        take(sink, log, &context);
+    }
+    Ok(())
 }
 
-fn add(sink: &mut Sink<'_>, log: Log, source: &Source<'_>) {
+/// Takes a log; `false` where no more are wanted.
+fn take(sink: &mut Sink<'_>, log: Result<Log, LogError>, context: &Context<'_>) -> bool {
+    let line = log.as_ref().map_or_else(|error| error.place.line.unwrap_or(1), |log| log.line);
+    if sink.is_full(line) {
+        return false;
+    }
+    match log {
+        Ok(log) => add(sink, log, context),
+        Err(error) => {
+            let given = error.what.given();
+            sink.refuse(error.place, ImportErrorKind::Log(error.what), given);
+        }
+    }
+    true
+}
+
+fn add(sink: &mut Sink<'_>, log: Log, source: &Context<'_>) {
     // The reader knows the cycle of every log that it has read.
     let Some((cycle, layout)) = cycle(log.cycle).zip(layout(log.cycle)) else { return };
     let read = Read {
@@ -59,19 +90,24 @@ fn add(sink: &mut Sink<'_>, log: Log, source: &Source<'_>) {
         id: id(&source.file),
         position: position(layout, &log.figures),
         centre: centre(layout, &log.figures),
+        labels: labels(layout, &log.figures),
+        origin: Origin::Imported { file: Arc::clone(&source.file) },
     };
     for warning in log.warnings {
         sink.warn(warning.place, Some(log.line), ImportWarningKind::Log(warning.what));
     }
     let mut sizes = layout.figures.iter().zip(&log.figures).filter_map(|(of, figure)| match of.kind {
-        FigureKind::Size(Meaning::Diameter) => Some(read.diameter(figure, source)),
-        FigureKind::Size(_) | FigureKind::Coordinate => Some(read.size(of.what, of.kind, figure, source)),
+        FigureKind::Size(Meaning::Diameter) => Some((None, read.diameter(figure, source))),
+        FigureKind::Size(Meaning::Side(axis)) => {
+            Some((Some(usize::from(axis != Axis::First)), read.size(of.what, of.kind, figure, source)))
+        }
+        FigureKind::Size(_) | FigureKind::Coordinate => Some((None, read.size(of.what, of.kind, figure, source))),
         FigureKind::Centre(_) | FigureKind::Information => None,
     });
     // The centre is reported with the first size.
-    let Some(first) = sizes.next() else { return };
-    first.add(sink, &read, read.position);
-    sizes.for_each(|other| other.add(sink, &read, None));
+    let Some((side, first)) = sizes.next() else { return };
+    first.add(sink, &read, side, read.position);
+    sizes.for_each(|(side, other)| other.add(sink, &read, side, None));
 }
 
 /// What all sizes of a log share.
@@ -82,6 +118,8 @@ struct Read {
     id: String,
     position: Option<PositionVerdict>,
     centre: Option<[Length; 2]>,
+    labels: Labels,
+    origin: Origin,
 }
 
 /// What a size of a log becomes.
@@ -92,12 +130,14 @@ enum Made {
 }
 
 impl Made {
-    fn add(self, sink: &mut Sink<'_>, read: &Read, position: Option<PositionVerdict>) {
+    fn add(self, sink: &mut Sink<'_>, read: &Read, side: Option<usize>, position: Option<PositionVerdict>) {
         let (line, time, id) = (read.line, read.time, read.id.clone());
+        let labels = Labels { side, ..read.labels.clone() };
         match self {
-            Self::Record(record) => sink.keep(line, *record),
+            Self::Record(record) => sink.keep(line, *record, labels),
             Self::Unjudged { measured, why } => {
-                sink.set_aside(Unjudged { line, id, time, measured: Some(measured), position, why });
+                let (measured, origin) = (Some(measured), read.origin.clone());
+                sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position, why });
             }
             Self::Refused { reason, given } => sink.refuse(Place::line(line), reason, given),
         }
@@ -106,7 +146,7 @@ impl Made {
 
 impl Read {
     /// A diameter makes a record, with the centre's position.
-    fn diameter(&self, figure: &Figure, source: &Source<'_>) -> Made {
+    fn diameter(&self, figure: &Figure, source: &Context<'_>) -> Made {
         let (measured, nominal) = (figure.actual, figure.nominal.unwrap_or_default());
         let Some(pair) = figure.limits else {
             return Made::Unjudged { measured, why: WhyUnjudged::NoLimits { nominal } };
@@ -122,7 +162,7 @@ impl Read {
     }
 
     /// Any other size, or a coordinate: its status, and no record.
-    fn size(&self, what: FoundName, kind: FigureKind, figure: &Figure, source: &Source<'_>) -> Made {
+    fn size(&self, what: FoundName, kind: FigureKind, figure: &Figure, source: &Context<'_>) -> Made {
         let (measured, is_coordinate) = (figure.actual, kind == FigureKind::Coordinate);
         let Some(pair) = figure.limits else {
             // As in the cycle itself, limits of 0 mean that nothing is monitored.
@@ -163,6 +203,13 @@ fn limits(feature: Feature, nominal: Length, pair: LimitPair, file: &Arc<str>) -
 /// The measured centre.
 fn centre(layout: &TextLog, figures: &[Figure]) -> Option<[Length; 2]> {
     centre_figures(layout, figures).map(|figure| figure.actual).collect::<Vec<_>>().try_into().ok()
+}
+
+/// Where the centre should be.
+fn labels(layout: &TextLog, figures: &[Figure]) -> Labels {
+    let mut nominal = centre_figures(layout, figures).map(|figure| figure.nominal);
+    let mut axis = || nominal.next().flatten();
+    Labels { place: [axis(), axis(), None], ..Labels::default() }
 }
 
 /// The centre by the log's own limits: a tolerance of 0 means that the axis is not monitored.

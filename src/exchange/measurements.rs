@@ -1,7 +1,7 @@
 //! CSV of id, callout and measured value, with or without a header.
 //!
-//! Separator, decimal sign and columns are detected; what could be meant in two ways is refused. The whole file is in
-//! memory, so the caller bounds its size ([`crate::files::LARGEST`]); the number of rows is bounded here.
+//! Separator, decimal sign and columns are detected by the first rows; what could be meant in two ways is refused. The text is read in
+//! pieces of whole lines, because a row never spans lines beyond the header: a file of any size takes the memory of one piece.
 
 use std::sync::Arc;
 
@@ -13,10 +13,14 @@ use super::columns::{self, Columns, Sample};
 use super::delimited::{Item, LONGEST_ROW, Rows, without_separator_line};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
 use super::imported::{Sink, Unjudged, WhyUnjudged};
+use super::mapping::Mapping;
+use super::pieces::Pieces;
 use super::rules::{Cell, Found, Refused, Rules};
 use super::sizes::{Size, SizesOf};
-use super::{Format, Source};
+use super::source::{Context, Source, WHOLE};
+use super::{Format, Labels};
 use crate::journal::Record;
+use crate::length::Length;
 use crate::message::Place;
 use crate::probing::{Measurement, Origin};
 
@@ -24,8 +28,12 @@ pub(super) const FORMAT: Format = Format {
     name: "measurements",
     endings: &["csv", "tsv", "txt"],
     description: "exchange-format-measurements",
-    recognises: |source| is_text(&source.head()),
+    recognises: |beginning| is_text(&beginning.text()),
     read,
+    plan: None,
+    grows: true,
+    has_marks: false,
+    is_closed: false,
 };
 
 /// Text, not arbitrary bytes: at most one of fifty characters is a control character.
@@ -34,52 +42,100 @@ fn is_text(head: &str) -> bool {
     odd * 50 <= head.chars().count()
 }
 
-fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
-    read_rows(source, sink, None);
+fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
+    read_rows(source, sink, None)
 }
 
 /// Reads the measured sizes alone: limits are not looked up.
-pub(super) fn read_sizes(source: &Source<'_>, sink: &mut Sink<'_>, sizes: SizesOf<'_>) {
-    read_rows(source, sink, Some(sizes));
+pub(super) fn read_sizes(
+    source: &mut Source<'_>,
+    sink: &mut Sink<'_>,
+    sizes: SizesOf<'_>,
+) -> Result<(), ImportErrorKind> {
+    read_rows(source, sink, Some(sizes))
 }
 
-fn read_rows(source: &Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>) {
-    let text = source.text();
-    let (text, first_line, separator) = without_separator_line(&text);
-    let sample = Sample::of(text, first_line, separator);
-    let columns = match sample.columns() {
-        Ok(columns) => columns,
-        Err(reason) => return sink.fail(reason),
-    };
+fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>) -> Result<(), ImportErrorKind> {
+    let context = source.context.clone();
+    let (mapping, detects) = (source.given.mapping, Mapping::default());
+    let mut pieces = source.pieces(b"\n\r")?;
+    let head = head(&mut pieces)?;
+    let (text, first_line, separator) = without_separator_line(&head);
+    let mapping = mapping.unwrap_or(&detects);
+    let mut sample = Sample::of(text, first_line, mapping.separator().or(separator));
     let separator = sample.separator;
+    let columns = mapping.columns(&mut sample)?;
     // The first rows are read once more with the rest.
     drop(sample);
-    let mut reader = Reader { source, columns: &columns, separator, sink, is_open: false, sizes };
+    let mut reader = Reader { source: &context, columns: &columns, separator, sink, is_open: false, sizes };
     reader.warn_of_columns(first_line);
-    let nothing = Cell { at: None, text: "" };
-    let has_end = text.ends_with(['\n', '\r']);
-    let mut rows = Rows::new(text, first_line, separator).peekable();
-    while let Some(item) = rows.next() {
-        if reader.sink.is_full(item.line()) {
-            break;
-        }
-        reader.is_open = !has_end && rows.peek().is_none();
-        match item {
-            Item::Row { line, cells } => reader.row(line, &cells),
-            Item::OpenQuote { line, text } => reader.refuse(line, Cell { at: None, text }, ImportErrorKind::OpenQuote),
-            Item::TooLong { line } => {
-                reader.refuse(line, nothing, ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 });
-            }
-        }
+    let mut rows = Rows::new(text, first_line, separator);
+    let mut line = reader.rows(&mut rows);
+    drop(head);
+    while let Some(next) = line
+        && let Some(piece) = pieces.next()?
+    {
+        line = reader.rows(&mut Rows::after(&piece, next, separator));
     }
     if reader.sink.rows() == 0 {
-        reader.refuse(first_line, nothing, ImportErrorKind::NoRows);
+        reader.refuse(first_line, NOTHING, ImportErrorKind::NoRows);
+    }
+    Ok(())
+}
+
+/// Reads the rows of a file that has cells as such; a row is not known to be the last one.
+pub(super) struct Cells<'a, 's, 'z>(Reader<'a, 's, 'z>);
+
+impl<'a, 's, 'z> Cells<'a, 's, 'z> {
+    pub(super) fn new(
+        source: &'a Context<'a>,
+        columns: &'a Columns,
+        sink: &'a mut Sink<'s>,
+        sizes: Option<SizesOf<'z>>,
+    ) -> Self {
+        let separator = columns::NO_SEPARATOR;
+        let mut reader = Reader { source, columns, separator, sink, is_open: false, sizes };
+        reader.warn_of_columns(1);
+        Self(reader)
+    }
+
+    /// Reads a row; `false` where no more are wanted.
+    pub(super) fn row(&mut self, line: usize, cells: &StringRecord) -> bool {
+        if self.0.sink.is_full(line) {
+            return false;
+        }
+        self.0.row(line, cells);
+        true
+    }
+
+    /// Tells it where no row held anything.
+    pub(super) fn end(mut self) {
+        if self.0.sink.rows() == 0 {
+            self.0.refuse(1, NOTHING, ImportErrorKind::NoRows);
+        }
     }
 }
+
+/// The beginning of a text, by which its columns are known: down to rows below comments and header.
+fn head(pieces: &mut Pieces<'_>) -> Result<String, ImportErrorKind> {
+    let most = WHOLE.try_into().unwrap_or(usize::MAX);
+    let mut head = String::new();
+    while let Some(piece) = pieces.next()? {
+        head.push_str(&piece);
+        let (text, first_line, separator) = without_separator_line(&head);
+        if most < head.len() || Sample::of(text, first_line, separator).has_data() {
+            break;
+        }
+    }
+    Ok(head)
+}
+
+/// No cell.
+const NOTHING: Cell<'_> = Cell { at: None, text: "" };
 
 /// Reads a single row whose columns are known, as one of a whole file.
 pub(super) fn read_row(
-    source: &Source<'_>,
+    source: &Context<'_>,
     (columns, separator): (&Columns, u8),
     (line, cells): (usize, &StringRecord),
     sink: &mut Sink<'_>,
@@ -91,7 +147,7 @@ pub(super) fn read_row(
 }
 
 struct Reader<'a, 's, 'z> {
-    source: &'a Source<'a>,
+    source: &'a Context<'a>,
     columns: &'a Columns,
     separator: u8,
     sink: &'a mut Sink<'s>,
@@ -102,6 +158,28 @@ struct Reader<'a, 's, 'z> {
 }
 
 impl<'a> Reader<'a, '_, '_> {
+    /// Reads some rows, and gives the number of the line after them; `None` where no more are wanted.
+    fn rows(&mut self, rows: &mut Rows<'_>) -> Option<usize> {
+        let mut next = rows.next();
+        while let Some(item) = next {
+            if self.sink.is_full(item.line()) {
+                return None;
+            }
+            next = rows.next();
+            self.is_open = next.is_none() && rows.is_open();
+            match item {
+                Item::Row { line, cells } => self.row(line, &cells),
+                Item::OpenQuote { line, text } => {
+                    self.refuse(line, Cell { at: None, text }, ImportErrorKind::OpenQuote);
+                }
+                Item::TooLong { line } => {
+                    self.refuse(line, NOTHING, ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 });
+                }
+            }
+        }
+        Some(rows.next_line())
+    }
+
     fn warn_of_columns(&mut self, first_line: usize) {
         let line = self.columns.header.unwrap_or(first_line);
         if self.columns.own.are_corrected() {
@@ -147,6 +225,9 @@ impl<'a> Reader<'a, '_, '_> {
         match self.columns.header {
             Some(header) if line == header && self.columns.names_known => return,
             Some(header) if line <= header => return self.warn(line, ImportWarningKind::not_used(cells)),
+            _ if self.columns.first.is_some_and(|first| line < first) => {
+                return self.warn(line, ImportWarningKind::not_used(cells));
+            }
             _ => {}
         }
         let read = if self.sizes.is_some() { self.size(line, cells) } else { self.measurement(line, cells) };
@@ -179,18 +260,45 @@ impl<'a> Reader<'a, '_, '_> {
             self.sink.warn(Place::line(line), Some(line), reason);
         }
         let time = self.time(line, cells);
-        let Some((callout, limits)) = asked else {
-            let why = WhyUnjudged::NoCallout;
-            self.sink.set_aside(Unjudged { line, id, time, measured: Some(measured), position: None, why });
-            return Ok(());
-        };
         let file = Arc::clone(&self.source.file);
         let origin = if is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } };
+        let Some((callout, limits)) = asked else {
+            let (why, measured) = (WhyUnjudged::NoCallout, Some(measured));
+            let labels = self.labels(line, cells);
+            self.sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position: None, why });
+            return Ok(());
+        };
         let measurement = Measurement::of_diameter(measured, origin);
         let correction = self.columns.own.correction(cells, measured)?;
         let record = Record::judged(time, id, Some(callout), limits, measurement, None);
-        self.sink.keep(line, Record { correction, ..record });
+        let labels = self.labels(line, cells);
+        self.sink.keep(line, Record { correction, ..record }, labels);
         Ok(())
+    }
+
+    /// What else a row says of its value.
+    fn labels(&mut self, line: usize, cells: &StringRecord) -> Labels {
+        let columns = &self.columns.labels;
+        let text = |at: usize| cells.get(at).unwrap_or_default().trim();
+        let label = |at: Option<usize>| at.map(text).unwrap_or_default().to_owned();
+        let place = columns.place.map(|column| {
+            let column = column.filter(|column| !text(column.at).is_empty())?;
+            let given = shorten(text(column.at));
+            let length = Length::parse_in(&given, column.unit).ok();
+            if length.is_none() {
+                let place = Place::in_line(line, column.at + 1);
+                self.sink.warn(place, Some(line), ImportWarningKind::Place { given });
+            }
+            length
+        });
+        Labels {
+            number: label(columns.number),
+            part: label(columns.part),
+            serial: label(columns.serial),
+            who: label(columns.who),
+            place,
+            ..Labels::default()
+        }
     }
 
     /// The time of a row, or the time of import with a warning.

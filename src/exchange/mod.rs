@@ -2,14 +2,28 @@
 //!
 //! | file | what |
 //! |---|---|
+//! | `source` | a file that is read, piece by piece or whole |
+//! | `pieces` | the text of a file in pieces of whole lines |
 //! | `imported` | what was read from a file: records, and everything that did not become one |
-//! | `error` | errors and warnings, with their places |
+//! | `by_plan` | values judged by a plan: each finds its feature |
+//! | `characteristic` | what files of other tools declare: a name, a nominal size, limits; its values judged by them |
+//! | `error`, `warning` | errors and warnings, with their places |
 //! | `logs` | HEIDENHAIN measuring logs as records |
+//! | `plans` | part plans from files of other tools |
 //! | `point_log` | logs of points as deviations along the normal |
+//! | `aqdef` | AQDEF of Q-DAS: `.dfq`, or `.dfd` and `.dfx` |
+//! | `calypso` | tables of characteristics of CALYPSO |
+//! | `qif` | QIF 3.0: results and plans of measuring software |
+//! | `xlsx` | workbooks of spreadsheets, read as rows of CSV |
+//! | `gauge` | what a gauge types |
+//! | `guarded` | a panic of a decoder as an error |
+//! | `xml` | XML piece by piece, with lines and columns |
+//! | `fn16` | what a control printed, read back through the mask that printed it |
 //! | `contacts` | CSV of x, y and optionally z |
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
 //! | `sizes` | what was measured alone, of holes or of shafts |
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
+//! | `mapping` | which column is which as the user says |
 //! | `own` | what a CSV of Fitcheck says of its values beside them |
 //! | `cells` | what a cell or a row of a CSV seems to hold |
 //! | `tables` | tables of deviations for controls and other tools |
@@ -21,38 +35,59 @@
 //! A new format is one file here, its `mod` line and one in [`FORMATS`]; command line, dialogs and README follow from the list.
 //! Nothing here opens a file: a name, bytes, tables and the time come in as arguments.
 
+pub mod aqdef;
 pub mod batch;
+mod by_plan;
+pub mod calypso;
 mod cells;
+mod characteristic;
 mod columns;
 pub mod contacts;
 mod delimited;
 pub mod error;
+mod fn16;
+pub mod gauge;
+mod guarded;
 pub mod imported;
 mod logs;
+mod mapping;
 mod measurements;
 mod own;
 #[cfg(feature = "parquet")]
 pub mod parquet;
+pub(crate) mod pieces;
+mod plans;
 mod point_log;
+mod qif;
 mod rules;
 mod sizes;
+mod source;
 pub mod sql;
 pub mod tables;
 mod units;
+mod warning;
 mod words;
+mod xlsx;
+mod xml;
 
-use std::borrow::Cow;
+use std::io::Read as _;
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
+pub use by_plan::ByPlan;
+use characteristic::Characteristic;
+pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, Role};
 use imported::Sink;
-pub use imported::{Coordinate, Imported, Item, Unjudged, WhyUnjudged};
+pub use imported::{Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged};
+pub use mapping::{Detected, Mapping, MappingError};
+pub use plans::{PLAN_ENDINGS, read_plan};
 pub use sizes::{Size, Sizes, SizesWarning, sizes};
+use source::{Beginning, Source};
+pub use source::{Body, Given, WHOLE};
 
-use crate::control::text;
 use crate::message::{Message, Say, display};
+use crate::probing::Origin;
 use crate::tolerance::Sources;
 
 /// A format that measurements are read from.
@@ -64,32 +99,52 @@ pub struct Format {
     pub endings: &'static [&'static str],
     /// The id of its one-line description.
     description: &'static str,
-    recognises: fn(&Source<'_>) -> bool,
-    read: fn(&Source<'_>, &mut Sink<'_>),
+    recognises: fn(&Beginning<'_>) -> bool,
+    /// Reads all of a file; an error is that of the whole file, and what was read before it counts.
+    read: fn(&mut Source<'_>, &mut Sink<'_>) -> Result<(), ImportErrorKind>,
+    /// The characteristics that a file of the format declares: the features of a plan.
+    plan: Option<Declares>,
+    /// Whether a file may grow: what stands in its lines stays there, and more lines come behind them.
+    pub grows: bool,
+    /// Whether a file says by its content what it is; any text could be a table or contacts.
+    pub has_marks: bool,
+    /// Whether a file shows that it is complete: one that is cut off cannot be read.
+    pub is_closed: bool,
 }
 
+/// Reads the characteristics that a file declares, with their lines.
+type Declares = fn(&mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportErrorKind>;
+
 /// Every format, in the order in which they are asked whether they know a file.
-pub const FORMATS: &[Format] = &[point_log::FORMAT, logs::FORMAT, CONTACTS, measurements::FORMAT];
+pub const FORMATS: &[Format] = &[
+    fn16::FORMAT,
+    xlsx::FORMAT,
+    point_log::FORMAT,
+    qif::FORMAT,
+    aqdef::FORMAT,
+    calypso::FORMAT,
+    logs::FORMAT,
+    CONTACTS,
+    measurements::FORMAT,
+];
 
 /// Contacts of a probe: recognised here, read by their own file.
 const CONTACTS: Format = Format {
     name: "contacts",
     endings: &["csv", "txt"],
     description: "exchange-format-contacts",
-    recognises: |source| columns::are_contacts(&source.head()),
+    recognises: |beginning| columns::are_contacts(&beginning.text()),
     read: read_contacts,
+    plan: None,
+    grows: false,
+    has_marks: false,
+    is_closed: false,
 };
 
 impl Format {
     /// Whether the file seems to be of this format, by its first 64 KiB and its name.
     pub fn recognises(&self, bytes: &[u8], file_name: &str) -> bool {
-        let sources = Sources::default();
-        (self.recognises)(&Source {
-            file: file_name.into(),
-            bytes,
-            sources: &sources,
-            now: DateTime::constant(1, 1, 1, 0, 0, 0, 0),
-        })
+        (self.recognises)(&Beginning::new(file_name, bytes))
     }
 }
 
@@ -101,44 +156,11 @@ impl Say for Format {
 
 display!(Format);
 
-/// A file and what is needed to judge its contents.
-struct Source<'a> {
-    /// The file's name without its folder.
-    file: Arc<str>,
-    bytes: &'a [u8],
-    sources: &'a Sources,
-    now: DateTime,
-}
-
-/// How much of a file is examined to recognise it.
-const HEAD: usize = 64 << 10;
-
-impl Source<'_> {
-    /// The text of the whole file: UTF-16 with a byte order mark, UTF-8, else Windows-1252.
-    fn text(&self) -> Cow<'_, str> {
-        decode(self.bytes)
-    }
-
-    /// The text of the file's beginning, in whole lines.
-    fn head(&self) -> Cow<'_, str> {
-        let Some(head) = self.bytes.get(..HEAD) else { return decode(self.bytes) };
-        let end = head.iter().rposition(|&byte| byte == b'\n').map_or(HEAD, |end| end + 1);
-        decode(head.get(..end).unwrap_or(head))
-    }
-}
-
-fn decode(bytes: &[u8]) -> Cow<'_, str> {
-    match encoding_rs::Encoding::for_bom(bytes) {
-        // Spreadsheets save "Unicode text" this way.
-        Some((encoding, _)) if encoding != encoding_rs::UTF_8 => encoding.decode(bytes).0,
-        _ => text::decode(bytes),
-    }
-}
-
 /// Reads measurements from a file of any known format and judges them.
 ///
 /// Good rows become records; what cannot be used becomes an error with its line, and what cannot be judged is kept
-/// apart: `rows` is the sum of the three, so nothing is lost. `now` is the time of records whose file has none.
+/// apart: `rows` is the sum of the three, so nothing is lost. `now` is the time of records whose file has none. All of it is kept in
+/// memory, so no more than [`MOST_ROWS`] rows are read; an error says so.
 ///
 /// ```
 /// use fitcheck::tolerance::Sources;
@@ -150,41 +172,82 @@ fn decode(bytes: &[u8]) -> Cow<'_, str> {
 /// assert_eq!(error.as_deref(), Some("line 2, column 3: measured: 25,0l2 is not a number"));
 /// ```
 pub fn import(file_name: &str, bytes: &[u8], sources: &Sources, now: DateTime) -> Imported {
+    import_given(file_name, &mut std::io::Cursor::new(bytes), Given::new(sources, now))
+}
+
+/// The same of a file that may have another one beside it.
+pub fn import_given(file_name: &str, body: &mut dyn Body, given: Given<'_>) -> Imported {
     let mut imported = Imported::default();
-    import_each(file_name, bytes, sources, now, &mut |item| imported.keep(item));
+    let given = Given { most_rows: MOST_ROWS, ..given };
+    import_from(file_name, body, given, &mut |item| imported.keep(item));
     imported
 }
 
 /// The same one by one, in the order of the file: memory stays the same however many rows there are.
 pub fn import_each(file_name: &str, bytes: &[u8], sources: &Sources, now: DateTime, take: &mut dyn FnMut(Item)) {
-    let source = Source { file: file_name.into(), bytes, sources, now };
-    let mut sink = Sink::new(take);
-    if source.head().trim().is_empty() && bytes.len() <= HEAD {
-        return sink.fail(ImportErrorKind::Empty);
-    }
-    match FORMATS.iter().find(|format| (format.recognises)(&source)) {
-        Some(format) => (format.read)(&source, &mut sink),
-        None => sink.fail(ImportErrorKind::NotRecognised),
+    import_from(file_name, &mut std::io::Cursor::new(bytes), Given::new(sources, now), take);
+}
+
+/// The same from a file that is read piece by piece, where its format allows it.
+pub fn import_from(file_name: &str, body: &mut dyn Body, given: Given<'_>, take: &mut dyn FnMut(Item)) {
+    let mut sink = Sink::up_to(given.most_rows, take);
+    let read = Source::new(file_name, body, given).and_then(|mut source| {
+        if source.is_blank() {
+            return Err(ImportErrorKind::Empty);
+        }
+        let format = match given.masks {
+            [] if given.mapping.is_some() => {
+                let of_columns = [&xlsx::FORMAT, &measurements::FORMAT];
+                of_columns.into_iter().find(|format| (format.recognises)(&source.beginning()))
+            }
+            [] => FORMATS.iter().find(|format| (format.recognises)(&source.beginning())),
+            _ => Some(&fn16::FORMAT),
+        };
+        (format.ok_or(ImportErrorKind::NotRecognised)?.read)(&mut source, &mut sink)
+    });
+    if let Err(kind) = read {
+        sink.fail(kind);
     }
 }
 
-fn read_contacts(source: &Source<'_>, sink: &mut Sink<'_>) {
-    match contacts::read(source.bytes) {
-        Ok(read) => {
-            let count = read.contacts.len();
-            let unjudged = Unjudged {
-                line: 1,
-                id: String::new(),
-                time: source.now,
-                measured: None,
-                position: None,
-                why: WhyUnjudged::Contacts { count },
-            };
-            sink.set_aside(unjudged);
-            sink.contacts(read.contacts);
-        }
-        Err(error) => sink.fail(ImportErrorKind::Contacts(Box::new(error))),
-    }
+/// The cells of the first sheet of a workbook (XLSX) that has any, as texts: each row with its number from 1.
+///
+/// # Errors
+/// Why the bytes are not a workbook, or cannot be read.
+pub fn sheet_rows(bytes: &[u8]) -> Result<Vec<(usize, Vec<String>)>, ImportErrorKind> {
+    let (mut body, sources) = (std::io::Cursor::new(bytes), Sources::default());
+    xlsx::sheet_rows(&mut Source::new("", &mut body, Given::new(&sources, DateTime::MIN))?)
+}
+
+fn read_contacts(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
+    let bytes = source.whole()?;
+    let read = contacts::read(&bytes).map_err(|error| ImportErrorKind::Contacts(Box::new(error)))?;
+    sink.set_aside(Unjudged {
+        line: 1,
+        id: String::new(),
+        labels: Labels::default(),
+        time: source.context.now,
+        measured: None,
+        origin: Origin::Contacts { file: Arc::clone(&source.context.file) },
+        position: None,
+        why: WhyUnjudged::Contacts { count: read.contacts.len() },
+    });
+    sink.contacts(read.contacts);
+    Ok(())
+}
+
+/// The format that a file seems to be of, and whether it may grow; it is at its beginning afterwards. UTF-16 is read as a whole.
+///
+/// # Errors
+/// What the system says.
+pub fn recognised(file_name: &str, body: &mut dyn Body) -> std::io::Result<Option<Format>> {
+    let mut head = Vec::new();
+    body.rewind()?;
+    let most = source::HEAD.try_into().unwrap_or(u64::MAX);
+    body.take(most).read_to_end(&mut head)?;
+    body.rewind()?;
+    let format = FORMATS.iter().find(|format| format.recognises(&head, file_name)).copied();
+    Ok(format.map(|format| Format { grows: format.grows && pieces::utf16(&head).is_none(), ..format }))
 }
 
 /// The endings of all formats, each once, for file dialogs.

@@ -6,11 +6,13 @@ use std::sync::Arc;
 
 use super::error::ImportErrorKind;
 use super::imported::{Coordinate, Sink, Unjudged, WhyUnjudged};
-use super::{Format, Source};
+use super::source::{Context, Source};
+use super::{Format, Labels};
 use crate::control::point_log::{self, Band, PointLog};
 use crate::control::text;
 use crate::length::Length;
 use crate::message::Place;
+use crate::probing::Origin;
 use crate::probing::cycle::Log;
 use crate::probing::cycles::CYCLES;
 use crate::tolerance::{Deviations, Feature, Limits, LimitsError, Source as LimitSource};
@@ -19,28 +21,34 @@ pub(super) const FORMAT: Format = Format {
     name: "log-444",
     endings: &["html", "htm"],
     description: "exchange-format-log-444",
-    recognises: |source| point_log::is_log(&source.head()),
+    recognises: |beginning| point_log::is_log(&beginning.text()),
     read,
+    plan: None,
+    grows: false,
+    has_marks: true,
+    is_closed: true,
 };
 
-fn read(source: &Source<'_>, sink: &mut Sink<'_>) {
-    let page = text::decode(source.bytes);
+fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
+    let bytes = source.whole()?;
+    let page = text::decode(&bytes);
     for answer in point_log::each(&page) {
         let line = answer.as_ref().map_or_else(|error| error.place.line.unwrap_or(1), |(line, _)| *line);
         if sink.is_full(line) {
             break;
         }
         match answer {
-            Ok((line, log)) => add(sink, line, &log, source),
+            Ok((line, log)) => add(sink, line, &log, &source.context),
             Err(error) => {
                 let given = error.what.given();
                 sink.refuse(error.place, ImportErrorKind::Point(error.what), given);
             }
         }
     }
+    Ok(())
 }
 
-fn add(sink: &mut Sink<'_>, line: usize, log: &PointLog, source: &Source<'_>) {
+fn add(sink: &mut Sink<'_>, line: usize, log: &PointLog, source: &Context<'_>) {
     let why = match log.band.map(|band| judged(log, band, source)) {
         None => WhyUnjudged::PointWithoutTolerance,
         Some(Some(coordinate)) => WhyUnjudged::Point(coordinate),
@@ -52,15 +60,17 @@ fn add(sink: &mut Sink<'_>, line: usize, log: &PointLog, source: &Source<'_>) {
     sink.set_aside(Unjudged {
         line,
         id: String::new(),
+        labels: Labels::default(),
         time: log.date_time.unwrap_or(source.now),
         measured: Some(log.deviation),
+        origin: Origin::Imported { file: Arc::clone(&source.file) },
         position: None,
         why,
     });
 }
 
 /// The deviation is judged as a shaft is: oversize can be machined off, undersize cannot be put back.
-fn judged(log: &PointLog, band: Band, source: &Source<'_>) -> Option<Coordinate> {
+fn judged(log: &PointLog, band: Band, source: &Context<'_>) -> Option<Coordinate> {
     let deviations = Deviations::new(band.upper, band.lower).ok()?;
     let from = LimitSource::File(Arc::clone(&source.file));
     let limits = Limits::new(Feature::Shaft, Length::ZERO, deviations, from)?;
@@ -68,6 +78,6 @@ fn judged(log: &PointLog, band: Band, source: &Source<'_>) -> Option<Coordinate>
 }
 
 /// The name of the cycle that writes such logs, as programs know it.
-fn cycle_of_points() -> &'static str {
+pub(super) fn cycle_of_points() -> &'static str {
     CYCLES.iter().find(|cycle| matches!(cycle.log, Log::Points { .. })).map_or("", |cycle| cycle.code)
 }

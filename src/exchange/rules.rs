@@ -43,7 +43,9 @@ impl Rules<'_> {
         self.right_length(cells, self.columns.tolerance)?;
         let measured = self.measured(cells)?;
         let Some((callout, cell)) = self.callout(cells, measured)? else {
-            return Ok(Found { measured, asked: None, is_simulated: false });
+            // A plan may judge it: what a file of Fitcheck says against it counts all the same.
+            self.columns.own.decided_by_size(cells)?;
+            return Ok(Found { measured, asked: None, is_simulated: self.is_simulated(cells)? });
         };
         let limits = self.sources.limits(&callout, None).map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
         let is_simulated = self.is_simulated(cells)?;

@@ -3,12 +3,14 @@
 //! The formats and the columns are those of [`super::import`]. Of a callout only its side counts, hole or shaft.
 
 use std::collections::HashMap;
+use std::io::Cursor;
 
 use jiff::civil::DateTime;
 
 use super::error::{ImportError, ImportErrorKind, ImportWarning};
-use super::imported::{Item, Sink, Unjudged, WhyUnjudged};
-use super::{FORMATS, Source, measurements};
+use super::imported::{Item, MOST_ROWS, Sink, Unjudged, WhyUnjudged};
+use super::source::{Given, Source};
+use super::{FORMATS, measurements, xlsx};
 use crate::length::Length;
 use crate::message::{Located, Place, Say};
 use crate::tolerance::{Feature, Sources};
@@ -65,6 +67,9 @@ pub(super) struct SizesOf<'a> {
     pub(super) take: &'a mut dyn FnMut(Size),
 }
 
+/// Reads sizes alone from a file with columns.
+type Reads = fn(&mut Source<'_>, &mut Sink<'_>, SizesOf<'_>) -> Result<(), ImportErrorKind>;
+
 /// Reads the measured sizes of a file of any known format; `feature` is what the file should hold.
 ///
 /// ```
@@ -76,26 +81,44 @@ pub(super) struct SizesOf<'a> {
 /// ```
 pub fn sizes(file_name: &str, bytes: &[u8], feature: Feature) -> Sizes {
     let sources = Sources::default();
-    // No record comes of it, so nobody sees the time.
-    let source = Source { file: file_name.into(), bytes, sources: &sources, now: DateTime::MIN };
     let mut read = Sizes::default();
-    match FORMATS.iter().find(|format| (format.recognises)(&source)) {
-        _ if bytes.iter().all(u8::is_ascii_whitespace) => read.refuse(1, ImportErrorKind::Empty),
-        None => read.refuse(1, ImportErrorKind::NotRecognised),
-        Some(format) if format.name == measurements::FORMAT.name => {
-            let Sizes { measured, errors, warnings } = &mut read;
-            let mut beside = |item| match item {
-                Item::Error(error) => errors.push(*error),
-                Item::Warning(warning) => warnings.push(warning),
-                // A row of sizes becomes nothing else.
-                Item::Record { .. } | Item::Unjudged(_) | Item::Contacts(_) => {}
-            };
-            let sizes = SizesOf { feature, take: &mut |size| measured.push(size) };
-            measurements::read_sizes(&source, &mut Sink::new(&mut beside), sizes);
-        }
-        Some(format) => (format.read)(&source, &mut Sink::new(&mut |item| read.take(item, feature))),
+    if let Err(reason) = read_sizes(&mut read, file_name, bytes, feature, &sources) {
+        read.refuse(1, reason);
     }
     read
+}
+
+fn read_sizes(
+    read: &mut Sizes,
+    file_name: &str,
+    bytes: &[u8],
+    feature: Feature,
+    sources: &Sources,
+) -> Result<(), ImportErrorKind> {
+    let mut body = Cursor::new(bytes);
+    // No record comes of it, so nobody sees the time.
+    let mut source = Source::new(file_name, &mut body, Given::new(sources, DateTime::MIN))?;
+    if source.is_blank() {
+        return Err(ImportErrorKind::Empty);
+    }
+    let format = FORMATS.iter().find(|format| (format.recognises)(&source.beginning()));
+    let format = format.ok_or(ImportErrorKind::NotRecognised)?;
+    let reads_sizes: Reads = match format.name {
+        name if name == measurements::FORMAT.name => measurements::read_sizes,
+        name if name == xlsx::FORMAT.name => xlsx::read_sizes,
+        _ => {
+            return (format.read)(&mut source, &mut Sink::up_to(MOST_ROWS, &mut |item| read.take(item, feature)));
+        }
+    };
+    let Sizes { measured, errors, warnings } = read;
+    let mut beside = |item| match item {
+        Item::Error(error) => errors.push(*error),
+        Item::Warning(warning) => warnings.push(warning),
+        // A row of sizes becomes nothing else.
+        Item::Record { .. } | Item::Unjudged(_) | Item::Contacts(_) => {}
+    };
+    let sizes = SizesOf { feature, take: &mut |size| measured.push(size) };
+    reads_sizes(&mut source, &mut Sink::up_to(MOST_ROWS, &mut beside), sizes)
 }
 
 impl Sizes {
@@ -128,7 +151,7 @@ impl Sizes {
     /// What a log says of a size.
     fn take(&mut self, item: Item, feature: Feature) {
         match item {
-            Item::Record { line, record } if record.limits.feature == feature => self.add(Size {
+            Item::Record { line, record, .. } if record.limits.feature == feature => self.add(Size {
                 line,
                 id: record.id.clone(),
                 measured: record.measurement.diameter,
@@ -145,11 +168,19 @@ impl Sizes {
 
     fn take_unjudged(&mut self, unjudged: Unjudged) {
         let Unjudged { line, id, measured, why, .. } = unjudged;
-        let is_size = matches!(why, WhyUnjudged::NoCallout | WhyUnjudged::NoLimits { .. });
+        let is_size = matches!(
+            why,
+            WhyUnjudged::NoCallout
+                | WhyUnjudged::NoLimits { .. }
+                | WhyUnjudged::NoFeature { .. }
+                | WhyUnjudged::OneLimit
+                | WhyUnjudged::NoTolerance
+                | WhyUnjudged::SwappedLimits { .. }
+        );
         match measured {
             Some(measured) if is_size => self.add(Size { line, id, measured, is_simulated: false }),
-            None => self.refuse(line, ImportErrorKind::ContactsNotSizes),
-            Some(_) => self.refuse(line, ImportErrorKind::NotASize(why.message())),
+            None if matches!(why, WhyUnjudged::Contacts { .. }) => self.refuse(line, ImportErrorKind::ContactsNotSizes),
+            _ => self.refuse(line, ImportErrorKind::NotASize(why.message())),
         }
     }
 

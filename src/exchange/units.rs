@@ -156,7 +156,7 @@ fn words_of(text: &str) -> Vec<String> {
 }
 
 /// A unit that is read, in four languages.
-fn known(token: &str) -> Option<Unit> {
+pub(super) fn known(token: &str) -> Option<Unit> {
     let token = token.trim_matches(['.', ':']).to_lowercase();
     match token.as_str() {
         "mm" | "millimeter" | "millimeters" | "millimetre" | "millimetres" | "millimetri" | "millimetro" => {

@@ -38,6 +38,37 @@ const TIME: &str = "time|timestamp|time stamp|datetime|date time|date and time|d
 
 const SIMULATED: &str = "simulated|gesimuleerd|simuliert|simulato";
 
+/// Names that say more of a value than what it is of: they count beside a column that names the feature.
+const LABELS: [(Role, &str); 4] = [
+    (
+        Role::Part,
+        "part|part no|part number|part id|teil|teilenummer|teil nr|deel|onderdeel|onderdeelnummer|workpiece|werkstuk|\
+        werkstück|pezzo|drawing|drawing no|drawing number|zeichnung|zeichnungsnummer|tekening|tekeningnummer|disegno|\
+        numero disegno|codice pezzo",
+    ),
+    (
+        Role::Serial,
+        "serial|serial no|serial number|sn|seriennummer|serien nr|serienummer|serienr|matricola|numero di serie|numero seriale",
+    ),
+    (
+        Role::Number,
+        "number|no|nr|nummer|num|numero|characteristic no|characteristic number|merkmalsnummer|merkmal nr|kenmerknummer|balloon|\
+        balloon no|pos|position no|positie nr|positionsnummer",
+    ),
+    (
+        Role::Who,
+        "who|operator|inspector|measured by|checked by|inspected by|prüfer|bediener|gemessen von|geprüft von|operateur|\
+        keurmeester|inspecteur|gemeten door|gekeurd door|operatore|ispettore|collaudatore|misurato da",
+    ),
+];
+
+/// Names of the coordinates of a place.
+const PLACES: [(Role, &str); 3] = [
+    (Role::X, "x|x pos|pos x|x position|position x|x positie|positie x|posizione x|x soll|x nominal"),
+    (Role::Y, "y|y pos|pos y|y position|position y|y positie|positie y|posizione y|y soll|y nominal"),
+    (Role::Z, "z|z pos|pos z|z position|position z|z positie|positie z|posizione z|z soll|z nominal"),
+];
+
 /// Words that give a longer name another meaning: limits, deviations, whoever or whatever measured.
 const OTHER: &str = "deviation|dev|afwijking|abweichung|scostamento|error|fout|fehler|errore|min|max|minimum|maximum|\
     minimaal|maximaal|minimo|massimo|lower|upper|onder|boven|unten|oben|inferiore|superiore|limit|limits|grens|grenze|\
@@ -148,6 +179,13 @@ pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
     }
     let place = name.split(' ').filter_map(|part| KNOWN.within.get(part)).min()?;
     WITHIN.get(*place).map(|(role, _)| (*role, Rank::Contained))
+}
+
+/// What else a column with this name says of a value: the part, who measured, where it is.
+pub(super) fn label(header: &str) -> Option<Role> {
+    let name = bare(header);
+    let lists = LABELS.iter().chain(&PLACES);
+    lists.into_iter().find(|(_, list)| list.split('|').any(|known| known == name)).map(|(role, _)| *role)
 }
 
 /// The name in small letters, without its unit and what stands in brackets, with single blanks between words.

@@ -215,11 +215,12 @@ fn target(folder: &Path, path: &NcPath) -> Result<PathBuf, StoreError> {
 fn of_file(error: FileError, path: &NcPath) -> StoreError {
     let path = path.clone();
     match error {
-        // Nothing here asks for a file that must not exist yet, or writes a set.
+        // Nothing here asks for a file that must not exist yet, writes a set or reads a file twice.
         FileError::IsFolder { .. }
         | FileError::NotAFile { .. }
         | FileError::HalfSet { .. }
-        | FileError::Exists { .. } => StoreError::NoFile { path },
+        | FileError::Exists { .. }
+        | FileError::Changed { .. } => StoreError::NoFile { path },
         FileError::Missing { .. } => StoreError::Missing { path },
         FileError::TooLarge { .. } => StoreError::TooLarge { path, most: LARGEST >> 20 },
         FileError::System { reason, .. } => StoreError::System { path, reason },

@@ -12,7 +12,7 @@ use super::keeping::Keeper;
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{budget, check, cycles, dialogs, field, fit, keys, pairing, program, records, tables, top_bar};
+use super::{budget, check, cycles, dialogs, field, fit, keys, pairing, parts, program, records, tables, top_bar};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Session, Theme};
 use crate::words::{Language, Words};
 
@@ -237,6 +237,7 @@ fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
         Page::Pairing => pairing::pairing_ui(ui, view),
         Page::Budget => budget::budget_ui(ui, view),
         Page::Records => records::records_ui(ui, view),
+        Page::Parts => parts::parts_ui(ui, view),
     }
     dialogs::dialogs_ui(ui, view);
 }

@@ -9,8 +9,10 @@ use super::folder_list::{folder_list_ui, has_room};
 use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
 use crate::message::Message;
+use crate::session::parts::PlanCommand;
 use crate::session::{
-    Action, BudgetCommand, Command, CycleFile, Dialog, FilesCommand, Notice, Page, PairingCommand, Purpose,
+    Action, BudgetCommand, Command, CycleFile, Dialog, FilesCommand, Notice, Page, PairingCommand, PartsCommand,
+    Purpose,
 };
 use crate::tolerance::Feature;
 
@@ -24,6 +26,7 @@ fn dropped(ui: &Ui, view: &mut View<'_>) {
             Page::Cycles => Purpose::OpenCycleFile(cycle_file(file.path())),
             Page::Program => program_file(file.path()),
             Page::Budget => budget_file(view, file.path()),
+            Page::Parts => parts_file(file.path()),
             Page::Pairing => {
                 let Some(feature) = view.session.pairing().side_of_dropped(number) else {
                     let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
@@ -47,6 +50,16 @@ fn program_file(path: &Path) -> Purpose {
             Purpose::OpenCycleFile(CycleFile::Contacts)
         }
         _ => Purpose::OpenProgram,
+    }
+}
+
+/// What a file dropped on the parts page is, by its ending: a plan, its picture, or measurements.
+fn parts_file(path: &Path) -> Purpose {
+    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
+    match ending.as_str() {
+        "toml" => Purpose::OpenPlan,
+        ending if Purpose::OpenPicture.endings().contains(&ending) => Purpose::OpenPicture,
+        _ => Purpose::Import,
     }
 }
 
@@ -80,7 +93,7 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
     let session = view.session;
     if view.session.is_leaving() {
         Modal::new(Id::unique("leaving")).show(ui, |ui| leaving_ui(ui, view));
-    } else if session.budget().is_asking() {
+    } else if session.budget().is_asking() || session.parts().is_asking() {
         Modal::new(Id::unique("discarding")).show(ui, |ui| discarding_ui(ui, view));
     } else if let Some(dialog) = session.dialog() {
         Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, dialog));
@@ -117,23 +130,31 @@ fn leaving_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
 }
 
-/// Another budget takes the place of one with changes.
+/// Another file takes the place of one with changes.
 fn discarding_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let session = view.session;
+    let (texts, name, answer): ([&str; 4], String, fn(bool) -> Command) = if session.budget().is_asking() {
+        let texts = ["budget-page-discard", "budget-page-unsaved", "budget-page-discard-no", "budget-page-discard-yes"];
+        (texts, session.budget().name(), |lose| BudgetCommand::Discard(lose).into())
+    } else {
+        let texts = ["parts-page-discard", "parts-page-unsaved", "parts-page-discard-no", "parts-page-discard-yes"];
+        (texts, session.parts().document().name(), |lose| PartsCommand::Plan(PlanCommand::Discard(lose)).into())
+    };
+    let [head, question, no, yes] = texts;
     ui.set_width(space(110.0));
-    heading(ui, view.text("budget-page-discard"));
-    let name = view.session.budget().name();
-    ui.label(view.words.say(&Message::new("budget-page-unsaved").text("name", name)));
+    heading(ui, view.text(head));
+    ui.label(view.words.say(&Message::new(question).text("name", name)));
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = control(ui);
-        let keep = ui.button(view.text("budget-page-discard-no"));
+        let keep = ui.button(view.text(no));
         if just_opened(ui, Id::unique("discarding")) {
             keep.request_focus();
         }
         if keep.clicked() {
-            view.send(BudgetCommand::Discard(false));
+            view.send(answer(false));
         }
-        if ui.button(view.text("budget-page-discard-yes")).clicked() {
-            view.send(BudgetCommand::Discard(true));
+        if ui.button(view.text(yes)).clicked() {
+            view.send(answer(true));
         }
     });
 }
@@ -141,7 +162,7 @@ fn discarding_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// What a file is asked for, or was read for.
 pub(super) const fn title_id(purpose: Purpose) -> &'static str {
     match purpose {
-        Purpose::Import => "dialog-import",
+        Purpose::Import | Purpose::ImportValues => "dialog-import",
         Purpose::LoadMask => "dialog-mask",
         Purpose::LoadTables => "dialog-tables",
         Purpose::Export(_) | Purpose::ReportRecords(_) => "dialog-export",
@@ -159,6 +180,10 @@ pub(super) const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::SaveTable(_) => "tables-dialog-save",
         Purpose::OpenBudget | Purpose::UseBudget => "budget-page-dialog-open",
         Purpose::SaveBudget => "budget-page-dialog-save",
+        Purpose::OpenPlan => "parts-page-dialog-open",
+        Purpose::WatchFolder => "walk-page-dialog-watch",
+        Purpose::SavePlan(_) => "parts-page-dialog-save",
+        Purpose::OpenPicture => "parts-page-dialog-picture",
         Purpose::OpenReadings => "budget-page-dialog-readings",
         Purpose::OpenParts(Feature::Hole) => "pairing-page-dialog-holes",
         Purpose::OpenParts(Feature::Shaft) => "pairing-page-dialog-shafts",
@@ -194,7 +219,7 @@ fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
 
 /// The typed path, and what is wrong with it.
 fn path_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
-    let name = quiet(ui, view.text(if dialog.purpose == Purpose::LoadTables { "folder-path" } else { "file-path" }));
+    let name = quiet(ui, view.text(if dialog.purpose.is_folder() { "folder-path" } else { "file-path" }));
     let mut path = dialog.path.clone();
     let id = Id::unique("dialog-path");
     let field = ui

@@ -11,14 +11,17 @@ use eframe::egui::{Context, ViewportCommand};
 use jiff::civil::DateTime;
 
 use super::journal::{Desk, Records};
+use super::picture;
 use super::reading::{is_read, read};
 use super::rows::Runs;
+use super::watching::{Watch, Watching};
 use crate::exchange::batch::Part;
 use crate::files;
 use crate::message::Message;
+use crate::session::parts::PlanCommand;
 use crate::session::{
-    Command, Content, Effect, Fate, FilesCommand, Launch, Paired, PairingCommand, Purpose, RecordsCommand, RowsCommand,
-    WorkpieceCommand,
+    Command, Content, Effect, Fate, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose,
+    RecordsCommand, RowsCommand, WorkpieceCommand,
 };
 use crate::tolerance::Sources;
 use crate::words::Words;
@@ -39,12 +42,15 @@ pub(super) type Errand = Box<dyn FnOnce() + Send>;
 #[derive(Debug)]
 pub(super) struct Runner {
     errands: Errands,
+    clock: fn() -> DateTime,
     sender: Sender<Command>,
     receiver: Receiver<Command>,
     /// To the thread that reads and writes files.
     files: Sender<Errand>,
     /// The run over a large file.
     rows: Arc<Runs>,
+    /// The folder that is watched.
+    watching: Watching,
     /// Who keeps and reads records.
     desk: Desk,
 }
@@ -53,6 +59,7 @@ impl Drop for Runner {
     /// A window that is closed waits for no run.
     fn drop(&mut self) {
         self.rows.stop();
+        self.watching.stop();
     }
 }
 
@@ -64,7 +71,7 @@ impl Runner {
             on_thread("files", Box::new(move || queue.into_iter().for_each(|errand| errand())));
         }
         let desk = Desk::new(errands, records, clock, sender.clone());
-        Self { errands, sender, receiver, files, rows: Arc::default(), desk }
+        Self { errands, sender, receiver, files, rows: Arc::default(), watching: Watching::default(), clock, desk }
     }
 
     /// Who keeps and reads records.
@@ -91,18 +98,33 @@ impl Runner {
         let Some(effect) = self.desk.run(ctx, effect) else { return };
         let effect = match effect {
             Effect::Copy(text) => return ctx.copy_text(text),
+            Effect::AskForClipboard => return ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
             Effect::Leave => return ctx.send_viewport_cmd(ViewportCommand::Close),
             Effect::StopRows => return self.rows.stop(),
             Effect::JudgeRows { run, path } => return self.judge_rows(ctx, (run, path), Arc::clone(sources)),
             Effect::ReadRows { run, wanted } => return self.read_rows(ctx, run, wanted),
+            Effect::Watch { run, folder, plan } => {
+                let (known, language) = (self.desk.known(), words.language());
+                let (ctx, answers, clock) = (ctx.clone(), self.sender.clone(), self.clock);
+                let sources = Arc::clone(sources);
+                let watch = Watch { run, folder, plan, sources, language, clock, known, ctx, answers };
+                return self.watching.begin(watch);
+            }
+            Effect::WatchTaken { run, look } => return self.watching.taken(run, look),
+            Effect::StopWatch => return self.watching.stop(),
             effect => effect,
         };
         let (sender, ctx, sources) = (self.sender.clone(), ctx.clone(), Arc::clone(sources));
         let (errands, filters) = (self.errands, Filters::of(effect.errand(), words));
         let may_wait = match effect.errand() {
-            Effect::Browse { .. } | Effect::List(_) | Effect::Launch(..) | Effect::Pair { .. } => true,
+            // A large picture takes a while.
+            Effect::Browse { .. }
+            | Effect::List(_)
+            | Effect::Launch(..)
+            | Effect::Pair { .. }
+            | Effect::ReadPicture(_) => true,
             // What is judged waits for it, and nothing else has to.
-            Effect::Read(purpose, _) => *purpose == Purpose::LoadTables,
+            Effect::Read(purpose, _) => purpose.is_folder(),
             _ => false,
         };
         let errand: Errand = Box::new(move || {
@@ -187,7 +209,7 @@ fn answers(
             let result = files::list(&folder).map(Box::new);
             vec![FilesCommand::Listed { folder, result }.into()]
         }
-        Effect::Read(purpose, path) if purpose != Purpose::LoadTables && path.is_dir() => {
+        Effect::Read(purpose, path) if !purpose.is_folder() && path.is_dir() => {
             vec![FilesCommand::IsFolder(path).into()]
         }
         Effect::Read(purpose, path) => {
@@ -218,7 +240,12 @@ fn answers(
         Effect::Pair { run, asked } => {
             vec![PairingCommand::Paired { run, paired: Arc::new(Paired::of(*asked)) }.into()]
         }
+        Effect::ReadPicture(path) => {
+            let result = picture::read(&path).map(Arc::new);
+            vec![PartsCommand::Plan(PlanCommand::PictureRead { path, result }).into()]
+        }
         Effect::Copy(_)
+        | Effect::AskForClipboard
         | Effect::Focus(_)
         | Effect::Leave
         | Effect::JudgeRows { .. }
@@ -230,6 +257,10 @@ fn answers(
         | Effect::SendAgain
         | Effect::Keep { .. }
         | Effect::AskRecords { .. }
+        | Effect::ReadPart { .. }
+        | Effect::Watch { .. }
+        | Effect::WatchTaken { .. }
+        | Effect::StopWatch
         | Effect::ReadRecords(_)
         | Effect::VerifyRecords { .. }
         | Effect::StopVerify => Vec::new(),
@@ -280,7 +311,7 @@ fn pick(purpose: Purpose, folder: Option<&Path>, name: &str, filters: &Filters) 
     if let Some(folder) = folder {
         dialog = dialog.set_directory(folder);
     }
-    if purpose == Purpose::LoadTables {
+    if purpose.is_folder() {
         return dialog.pick_folder();
     }
     let dialog = dialog.add_filter(&filters.kind, &endings);

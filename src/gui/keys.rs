@@ -5,7 +5,7 @@
 use eframe::egui::{self, Event, EventFilter, Id, KeyboardShortcut, Modifiers, Ui};
 
 use super::view::View;
-use super::{check, fit, pairing, program, records, tables};
+use super::{check, fit, pairing, parts, program, records, tables};
 use crate::session::action::{Action, Held, Key, Part, Shortcut};
 
 /// Does what was pressed in this frame, before anything is drawn: a key that an action takes reaches no widget.
@@ -50,8 +50,8 @@ fn focused_part(ui: &Ui, view: &View<'_>) -> Option<Part> {
     let ids: Vec<_> = on_page.map(|part| (part, id(part, view))).collect();
     ui.memory_mut(|memory| {
         let (part, id) = ids.into_iter().find(|(_, id)| memory.has_focus(*id))?;
-        let horizontal_arrows = matches!(part, Part::Classes | Part::Cells);
-        let arrows = EventFilter { tab: false, horizontal_arrows, vertical_arrows: true, escape: false };
+        let horizontal_arrows = matches!(part, Part::Classes | Part::Cells | Part::Plan);
+        let arrows = EventFilter { tab: part == Part::Plan, horizontal_arrows, vertical_arrows: true, escape: false };
         memory.set_focus_lock_filter(id, arrows);
         Some(part)
     })
@@ -66,6 +66,8 @@ fn id(part: Part, view: &View<'_>) -> Id {
         Part::Rows => check::rows_id(),
         Part::Pairs => pairing::list_id(),
         Part::Records => records::list_id(),
+        Part::Plan => parts::plan_id(),
+        Part::Sizes => parts::sizes_id(),
     }
 }
 

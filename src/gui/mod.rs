@@ -13,6 +13,7 @@
 //! | `who` | who is measuring |
 //! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
+//! | `picture` | pictures of parts become dots |
 //! | `columns` | three columns, and how they fold |
 //! | `class_chooser`, `field`, `keypad`, `limits`, `long_list`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
@@ -37,6 +38,8 @@ mod limits;
 mod long_list;
 mod material;
 mod pairing;
+mod parts;
+mod picture;
 mod popup;
 mod program;
 mod reading;
@@ -50,6 +53,7 @@ mod tools;
 mod top_bar;
 mod verdict_card;
 mod view;
+mod watching;
 mod who;
 
 pub use app::{App, Setup};

@@ -1,5 +1,6 @@
 //! What a file holds, as the command that takes it: read whole, and refused with its reason.
 
+use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -11,18 +12,20 @@ use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
 use crate::control::tool_table::ToolTable;
-use crate::exchange;
 use crate::exchange::contacts::{self, Contacts};
+use crate::exchange::{self, Given, Item, MOST_ROWS};
 use crate::files;
 use crate::journal::chain::Hash;
 use crate::message::{Message, Say as _};
 use crate::nc::program::ProgramWarning;
+use crate::part;
 use crate::probing::simulated::{Part, Simulation};
 use crate::report::pairing::Parts;
+use crate::session::parts::{PlanCommand, WalkCommand};
 use crate::session::program::Document;
 use crate::session::{
-    BothSizes, BudgetCommand, CheckCommand, Command, CycleFile, CyclesCommand, PairingCommand, ProgramCommand, Purpose,
-    RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand, usable,
+    BothSizes, BudgetCommand, CheckCommand, Command, CycleFile, CyclesCommand, PairingCommand, PartsCommand,
+    ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand, usable,
 };
 use crate::tolerance::{DeviationTable, Feature, Sources};
 
@@ -42,6 +45,11 @@ pub(super) const fn is_read(command: &Command) -> bool {
         Command::Tools(ToolsCommand::Read { result, .. }) => result.is_ok(),
         Command::Budget(BudgetCommand::Read { result, .. } | BudgetCommand::UsedRead { result, .. }) => result.is_ok(),
         Command::Budget(BudgetCommand::ReadingsRead { result, .. }) => result.is_ok(),
+        Command::Parts(PartsCommand::Plan(PlanCommand::Read { result, .. })) => result.is_ok(),
+        // Its name is taken now, and its dots are read afterwards.
+        Command::Parts(PartsCommand::Plan(PlanCommand::ChoosePicture(_))) => true,
+        Command::Parts(PartsCommand::Walk(WalkCommand::Imported { result, .. })) => result.is_ok(),
+        Command::Parts(PartsCommand::Walk(WalkCommand::Watch { is_folder, .. })) => *is_folder,
         Command::Pairing(PairingCommand::Read { result, .. }) => result.is_ok(),
         _ => false,
     }
@@ -72,6 +80,12 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: Date
         Purpose::OpenTools => ToolsCommand::Read { name, result: read_tools(&path) }.into(),
         Purpose::OpenBudget => BudgetCommand::Read { result: read_text(&path, &mut seen), path }.into(),
         Purpose::UseBudget => BudgetCommand::UsedRead { result: read_text(&path, &mut seen), path }.into(),
+        Purpose::OpenPlan => PartsCommand::Plan(PlanCommand::Read { result: read_plan(&path, &mut seen), path }).into(),
+        Purpose::OpenPicture => PartsCommand::Plan(PlanCommand::ChoosePicture(path)).into(),
+        Purpose::ImportValues => {
+            WalkCommand::Imported { result: read_items(&path, sources, now, &mut seen), name }.into()
+        }
+        Purpose::WatchFolder => WalkCommand::Watch { is_folder: path.is_dir(), folder: path }.into(),
         Purpose::OpenReadings => BudgetCommand::ReadingsRead { result: read_readings(&path), name }.into(),
         Purpose::OpenParts(feature) => {
             PairingCommand::Read { feature, result: read_parts(&path, &name, feature), path }.into()
@@ -89,6 +103,13 @@ fn bytes_of(path: &Path, seen: &mut Option<Hash>) -> Result<Vec<u8>, Message> {
     Ok(bytes)
 }
 
+fn read_plan(path: &Path, seen: &mut Option<Hash>) -> Result<Box<part::Document>, Message> {
+    let bytes = bytes_of(path, seen)?;
+    let (beside, sources) = (|ending: &str| files::beside(path, ending), Sources::default());
+    let given = Given { beside: &beside, ..Given::new(&sources, DateTime::MIN) };
+    exchange::read_plan(&name(path), &bytes, given).map(Box::new).map_err(|error| error.message())
+}
+
 fn name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
@@ -100,7 +121,19 @@ fn import(
     seen: &mut Option<Hash>,
 ) -> Result<Box<exchange::Imported>, Message> {
     let bytes = bytes_of(path, seen)?;
-    Ok(Box::new(exchange::import(&name(path), &bytes, sources, now)))
+    let beside = |ending: &str| files::beside(path, ending);
+    let given = exchange::Given { beside: &beside, ..exchange::Given::new(sources, now) };
+    Ok(Box::new(exchange::import_given(&name(path), &mut Cursor::new(bytes), given)))
+}
+
+/// Everything that a file holds, one after the other: a plan judges it later.
+fn read_items(path: &Path, sources: &Sources, now: DateTime, seen: &mut Option<Hash>) -> Result<Vec<Item>, Message> {
+    let bytes = bytes_of(path, seen)?;
+    let beside = |ending: &str| files::read_file(&path.with_extension(ending)).ok();
+    let given = Given { beside: &beside, most_rows: MOST_ROWS, ..Given::new(sources, now) };
+    let mut items = Vec::new();
+    exchange::import_from(&name(path), &mut std::io::Cursor::new(bytes), given, &mut |item| items.push(item));
+    Ok(items)
 }
 
 fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {

@@ -104,6 +104,12 @@ impl Memory {
         Removed(removed)
     }
 
+    /// Takes out one record, for good.
+    pub fn take_out(&mut self, id: RecordId) {
+        self.rows.retain(|row| row.id != id);
+        self.arrange();
+    }
+
     /// Puts records back that were taken out.
     pub fn put_back(&mut self, removed: Removed) {
         self.rows.extend(removed.0);

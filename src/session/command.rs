@@ -13,6 +13,7 @@ use super::files::{Content, FilesCommand, Launch};
 use super::fit::FitCommand;
 use super::history::ListCommand;
 use super::pairing::PairingCommand;
+use super::parts::{PartsCommand, WalkCommand};
 use super::program::ProgramCommand;
 use super::records::RecordsCommand;
 use super::rows::RowsCommand;
@@ -25,6 +26,7 @@ use crate::files::FileError;
 use crate::journal::ask::Question;
 use crate::journal::entry::Entry;
 use crate::message::Message;
+use crate::part::Plan;
 use crate::report::pairing::Asked;
 use crate::tolerance::{Base, DeviationTable, Feature, iso286};
 use crate::words::{Dialogue, Language};
@@ -46,6 +48,8 @@ pub enum Command {
     Pairing(PairingCommand),
     /// Does something on the budget page.
     Budget(BudgetCommand),
+    /// Does something on the parts page.
+    Parts(PartsCommand),
     /// Does something on the records page, or with what is recorded.
     Records(RecordsCommand),
     /// Does something with the simulated workpiece or recorded contacts.
@@ -124,13 +128,19 @@ impl From<RowsCommand> for Command {
     }
 }
 
+impl From<WalkCommand> for Command {
+    fn from(command: WalkCommand) -> Self {
+        Self::Parts(PartsCommand::Walk(command))
+    }
+}
+
 impl From<ListCommand> for Command {
     fn from(command: ListCommand) -> Self {
         Self::Check(CheckCommand::List(command))
     }
 }
 
-from_variants!(Command: Pairing(PairingCommand), Budget(BudgetCommand), Records(RecordsCommand));
+from_variants!(Command: Pairing(PairingCommand), Budget(BudgetCommand), Records(RecordsCommand), Parts(PartsCommand));
 from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand), Tools(ToolsCommand), Files(FilesCommand));
 
 /// What a file dialog is for.
@@ -170,6 +180,16 @@ pub enum Purpose {
     UseBudget,
     /// Writing the budget of the budget page.
     SaveBudget,
+    /// Reading a part plan.
+    OpenPlan,
+    /// Reading measurements into the part that is walked through.
+    ImportValues,
+    /// Watching a folder that files are dropped into.
+    WatchFolder,
+    /// Writing the plan: as TOML, or as CSV.
+    SavePlan(usize),
+    /// Choosing the picture of a plan.
+    OpenPicture,
     /// Reading readings of a calibrated piece.
     OpenReadings,
     /// Reading measured holes or shafts for the pairing page.
@@ -181,6 +201,11 @@ pub enum Purpose {
 }
 
 impl Purpose {
+    /// Whether a folder is asked for, and no file.
+    pub const fn is_folder(self) -> bool {
+        matches!(self, Self::LoadTables | Self::WatchFolder)
+    }
+
     /// Whether something is read; otherwise a file is written.
     pub const fn is_reading(self) -> bool {
         match self {
@@ -191,6 +216,7 @@ impl Purpose {
             | Self::SaveCycleLog
             | Self::SaveTools
             | Self::SaveBudget
+            | Self::SavePlan(_)
             | Self::SavePairs(_)
             | Self::ReportRecords(_) => false,
             Self::Import
@@ -202,6 +228,10 @@ impl Purpose {
             | Self::OpenPart
             | Self::OpenTools
             | Self::OpenBudget
+            | Self::OpenPlan
+            | Self::OpenPicture
+            | Self::ImportValues
+            | Self::WatchFolder
             | Self::UseBudget
             | Self::OpenReadings
             | Self::OpenParts(_) => true,
@@ -241,12 +271,23 @@ pub enum Page {
     Budget,
     /// Everything that was recorded.
     Records,
+    /// Plans of whole parts, and the walk through them.
+    Parts,
 }
 
 impl Page {
     /// Every page in the order of the top bar.
-    pub const ALL: [Self; 8] =
-        [Self::Check, Self::Fit, Self::Cycles, Self::Tables, Self::Program, Self::Pairing, Self::Budget, Self::Records];
+    pub const ALL: [Self; 9] = [
+        Self::Check,
+        Self::Fit,
+        Self::Cycles,
+        Self::Tables,
+        Self::Program,
+        Self::Pairing,
+        Self::Budget,
+        Self::Records,
+        Self::Parts,
+    ];
 }
 
 /// Light or dark.
@@ -361,6 +402,34 @@ pub enum Effect {
     },
     /// Read these records and send [`RecordsCommand::Read`].
     ReadRecords(Vec<u64>),
+    /// Read the checks that answer a question from the journal, the oldest first and at most so many, and send
+    /// [`super::parts::WalkCommand::Came`].
+    ReadPart {
+        /// The number of the question.
+        run: u64,
+        /// What is asked.
+        question: Box<Question>,
+        /// How many checks.
+        most: usize,
+    },
+    /// Watch a folder in place of any other, judge by a plan, and send [`super::parts::WalkCommand::Watched`] again and again.
+    Watch {
+        /// The number of the watch.
+        run: u64,
+        /// The folder.
+        folder: PathBuf,
+        /// The plan.
+        plan: Arc<Plan>,
+    },
+    /// What a look of a watch has found is recorded.
+    WatchTaken {
+        /// The number of the watch.
+        run: u64,
+        /// The number of the look.
+        look: u64,
+    },
+    /// End the watch, if there is one.
+    StopWatch,
     /// Walk along the chain and send [`RecordsCommand::Verifying`] now and then, and [`RecordsCommand::Verified`] at the end.
     VerifyRecords {
         /// The number of the walk.
@@ -375,6 +444,12 @@ pub enum Effect {
     WakeSender,
     /// Send at once, whatever went wrong before.
     SendAgain,
+    /// Read the part's picture and send [`PlanCommand::PictureRead`].
+    ///
+    /// [`PlanCommand::PictureRead`]: crate::session::parts::PlanCommand::PictureRead
+    ReadPicture(PathBuf),
+    /// Ask the system for what is on the clipboard; it comes to what has the focus.
+    AskForClipboard,
     /// Close the window.
     Leave,
     /// Put a text on the clipboard.

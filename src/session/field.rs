@@ -10,6 +10,7 @@ use super::command::Command;
 use super::cycles::{CycleField, CyclesCommand, WorkpieceField};
 use super::fit::{FitCommand, FitField};
 use super::pairing::{PairingCommand, PairingField};
+use super::parts::{PartsCommand, PartsField, PlanCommand, PlanField};
 use super::program::{ProgramCommand, ProgramField};
 use super::records::{RecordsCommand, RecordsField};
 use super::tables::{TablesCommand, TablesField};
@@ -35,6 +36,10 @@ pub enum Field {
     Pairing(PairingField),
     /// One of the budget page.
     Budget(BudgetField),
+    /// One of the parts page.
+    Parts(PartsField),
+    /// A text of the plan on that page.
+    Plan(PlanField),
     /// One of the records page.
     Records(RecordsField),
     /// A figure of the simulated workpiece, which the cycles page and the program page share.
@@ -52,6 +57,8 @@ impl Field {
             Self::Program(field) => ProgramCommand::Type(field, text).into(),
             Self::Pairing(field) => PairingCommand::Type(field, text).into(),
             Self::Budget(field) => BudgetCommand::Type(field, text).into(),
+            Self::Parts(field) => PartsCommand::Type(field, text).into(),
+            Self::Plan(field) => PartsCommand::Plan(PlanCommand::Type(field, text)).into(),
             Self::Records(field) => RecordsCommand::Type(field, text).into(),
             Self::Workpiece(field) => WorkpieceCommand::Type(field, text).into(),
         }
@@ -59,8 +66,8 @@ impl Field {
 }
 
 from_variants!(Field: Check(CheckField), Fit(FitField), Cycles(CycleField), Tables(TablesField));
-from_variants!(Field: Pairing(PairingField), Budget(BudgetField), Records(RecordsField));
-from_variants!(Field: Program(ProgramField), Workpiece(WorkpieceField));
+from_variants!(Field: Pairing(PairingField), Budget(BudgetField), Records(RecordsField), Parts(PartsField));
+from_variants!(Field: Program(ProgramField), Plan(PlanField), Workpiece(WorkpieceField));
 
 impl Session {
     /// The text of a field.
@@ -73,6 +80,8 @@ impl Session {
             Field::Program(field) => self.program.text(field),
             Field::Pairing(field) => self.pairing.text(field),
             Field::Budget(field) => self.budget.text(field),
+            Field::Parts(field) => self.parts.text(field),
+            Field::Plan(field) => self.parts.plan_text(field),
             Field::Records(field) => self.records.text(field),
             Field::Workpiece(field) => self.shared.workpiece.form.text(field),
         }
@@ -88,6 +97,9 @@ impl Session {
             Field::Program(field) => self.program.error(field),
             Field::Pairing(field) => self.pairing.error(field),
             Field::Budget(field) => self.budget.error(field),
+            Field::Parts(field) => self.parts.error(field),
+            Field::Plan(PlanField::Head(field)) => self.parts.document().head_error(field),
+            Field::Plan(PlanField::Cell) => None,
             Field::Records(field) => self.records.error(field),
             Field::Workpiece(field) => self.shared.workpiece.form.error(field),
         }
@@ -111,6 +123,9 @@ impl Session {
             // Two points stand between two clearances.
             Field::Pairing(field) => field == PairingField::Wanted,
             Field::Records(field) => field != RecordsField::Measured,
+            Field::Parts(field) => field != PartsField::Value,
+            // A callout, a name and a place are typed into the same field.
+            Field::Plan(_) => true,
             Field::Cycles(_) | Field::Fit(_) | Field::Budget(_) | Field::Workpiece(_) => false,
         }
     }
@@ -126,6 +141,8 @@ impl Session {
             | Field::Program(_)
             | Field::Pairing(_)
             | Field::Budget(_)
+            | Field::Parts(_)
+            | Field::Plan(_)
             | Field::Workpiece(_) => None,
         }
     }

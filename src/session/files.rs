@@ -32,7 +32,7 @@ pub(super) use places::Places;
 pub use places::RecentFile;
 
 use super::Session;
-use super::command::{Effect, Purpose};
+use super::command::{Effect, Page, Purpose};
 use super::shared::{MaskChoice, News, Notice};
 use crate::control::mask::Mask;
 use crate::files::FileError;
@@ -107,6 +107,7 @@ impl Session {
             Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
             Purpose::SaveTools => self.tools().map_or_else(String::new, |tools| tools.name.clone()),
             Purpose::SaveBudget => self.budget.name(),
+            Purpose::SavePlan(_) => names::with_ending(&self.parts.document().name(), ending(purpose)),
             Purpose::SavePairs(_) => {
                 let name = Words::new(self.shared.language).get("pairing-page-file-name");
                 names::dated(&names::allowed(&name), now, ending(purpose))
@@ -168,6 +169,10 @@ impl Session {
 
     /// Reads a file without a dialog, on the page that shows it.
     fn open_file(&mut self, purpose: Purpose, path: PathBuf, now: DateTime) -> Vec<Effect> {
+        // Measurements that are dropped on a part that is being measured are its own.
+        let is_of_walk =
+            purpose == Purpose::Import && self.shared.page == Page::Parts && self.parts.walking().is_begun();
+        let purpose = if is_of_walk { Purpose::ImportValues } else { purpose };
         if let Some(page) = purpose.page(self.shared.page) {
             self.shared.open(page);
         }
@@ -195,6 +200,7 @@ impl Session {
             Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?.into(),
             Purpose::SaveTools => self.tools_bytes()?.into(),
             Purpose::SaveBudget => self.budget.bytes(&path).into(),
+            Purpose::SavePlan(_) => self.parts.bytes(&path).into(),
             Purpose::SaveCycleLog => {
                 let log = self.cycles.log().ok_or_else(|| Message::new("cycles-no-log"))?;
                 log.bytes.clone().into()
@@ -288,6 +294,7 @@ impl Session {
         if result.is_err() {
             self.tables.not_saved(path);
             self.budget.not_saved(path);
+            self.parts.not_saved(path);
         }
         let result = match (result, dialog) {
             // The user is asked, or taken to the folder whose name was typed.
@@ -300,6 +307,7 @@ impl Session {
         }
         self.tables.saved(path);
         self.budget.saved(path, &self.shared);
+        self.parts.saved(path);
         if let Some(purpose) = purpose {
             self.shared.places.used(purpose, path);
         }

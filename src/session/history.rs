@@ -139,6 +139,14 @@ impl History {
         ids
     }
 
+    /// Takes out a check that does not stand any more: it was corrected or withdrawn in the journal. Undo does not bring it back.
+    pub(super) fn take_out(&mut self, id: RecordId) {
+        self.records.take_out(id);
+        self.chosen.remove(&id);
+        self.cursor = self.cursor.filter(|cursor| *cursor != id);
+        self.count_hidden();
+    }
+
     /// The numbers of the checks that undo would take away.
     pub(super) fn taken_by_undo(&self) -> BTreeSet<RecordId> {
         match self.undo.back() {

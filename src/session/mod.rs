@@ -3,7 +3,7 @@
 //! Menu, key, button, file and test send a [`Command`]; [`Session::apply`] changes the state and answers with
 //! [`Effect`]s for the world outside. No file, thread, clock or window is touched here: the time comes in.
 //!
-//! Eight pages of the same shape, each in a folder of its name, as in `gui`: its state, its text fields (`field`), what
+//! Nine pages of the same shape, each in a folder of its name, as in `gui`: its state, its text fields (`field`), what
 //! can be done (`command`) and how (`apply`). A page changes itself and what belongs to all (`shared`).
 //!
 //! | file | what |
@@ -16,6 +16,7 @@
 //! | `pairing` | measured holes against measured shafts |
 //! | `budget` | how sure a measured value is |
 //! | `records` | everything that was recorded |
+//! | `parts` | plans of whole parts, and the walk through them |
 //! | `rows` | the rows of a file that is too large for the history |
 //! | `shared`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
 //! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
@@ -45,6 +46,7 @@ mod fit;
 mod history;
 mod pairing;
 mod part;
+pub mod parts;
 pub mod program;
 mod readers;
 mod recording;
@@ -84,11 +86,12 @@ pub use pairing::{
     Bin, FromMiddle, Marks, PairRow, Paired, PairingCommand, PairingField, PairingPage, PairsPicture, Sight, usable,
 };
 pub use part::{feature_message, shape_id};
+pub use parts::{PartsCommand, PartsField, PartsPage};
 pub use program::{ProgramCommand, ProgramField, ProgramPage};
 pub use recording::{Keeping, MOST_NAMES, Named, OpenJournal, RESTORED, Recorded, Recording};
 pub use records::{RecordRow, RecordsCommand, RecordsField, RecordsPage};
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
-pub use saved::{Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords};
+pub use saved::{Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk};
 pub use shared::{MaskChoice, Notice};
 pub use step::Step;
 pub use tables::{TablesCommand, TablesField, TablesPage};
@@ -114,6 +117,7 @@ pub struct Session {
     pairing: PairingPage,
     budget: BudgetPage,
     records: RecordsPage,
+    parts: PartsPage,
 }
 
 impl Session {
@@ -143,17 +147,20 @@ impl Session {
             pairing: PairingPage::new(&saved.inputs, &shared.sources),
             budget: BudgetPage::new(&saved.inputs, saved.budget.clone()),
             records: RecordsPage::default(),
+            parts: PartsPage::new(&saved.inputs, saved.walk.clone()),
             shared,
         };
         let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));
         let budget = saved.budget.map(|path| Effect::Read(Purpose::UseBudget, path));
-        (session, tables.into_iter().chain(budget).collect())
+        // The plan of a part that was interrupted.
+        let plan = saved.walk.plan.map(|path| Effect::Read(Purpose::OpenPlan, path));
+        (session, tables.into_iter().chain(budget).chain(plan).collect())
     }
 
     /// What survives a restart.
     pub fn saved(&self) -> Saved {
         let texts = self.check.texts().chain(self.fit.texts()).chain(self.tables.texts());
-        let texts = texts.chain(self.pairing.texts()).chain(self.budget.texts());
+        let texts = texts.chain(self.pairing.texts()).chain(self.budget.texts()).chain(self.parts.texts());
         Saved {
             language: self.shared.language,
             theme: self.shared.theme,
@@ -173,6 +180,7 @@ impl Session {
             cycles: self.cycles.saved(),
             files: self.shared.places.saved(),
             records: self.shared.recording.saved(),
+            walk: self.parts.saved_walk(),
             ..Saved::default()
         }
     }
@@ -198,6 +206,10 @@ impl Session {
             Command::Pairing(command) => self.pairing.apply(command, shared, now),
             Command::Budget(command) => self.budget.apply(command, shared, now),
             Command::Records(command) => self.records.apply(command, shared, now),
+            Command::Parts(command) => {
+                shared.worth = self.check.own_worth();
+                self.parts.apply(command, shared, now)
+            }
             command => self.apply_shared(command, now),
         };
         let shared = &mut self.shared;
@@ -210,12 +222,14 @@ impl Session {
             self.pairing.follow(&news, shared);
             self.budget.follow(&news, shared);
             self.records.follow(&news, shared);
+            self.parts.follow(&news, shared);
         }
         let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
         effects.extend(to_read.map(Effect::List));
         effects.extend(self.check.take_errands());
         effects.extend(self.pairing.take_errands());
         effects.extend(self.records.take_errands());
+        effects.extend(self.parts.take_errands());
         effects.extend(shared.recording.take_errands());
         shared.in_order(effects)
     }
@@ -231,7 +245,8 @@ impl Session {
             | Command::Program(_)
             | Command::Pairing(_)
             | Command::Budget(_)
-            | Command::Records(_) => {}
+            | Command::Records(_)
+            | Command::Parts(_) => {}
             // Its answer was taken out of it.
             Command::Answered(..) => return Vec::new(),
             Command::Workpiece(command) => {
@@ -326,6 +341,11 @@ impl Session {
     /// The pairing page.
     pub const fn pairing(&self) -> &PairingPage {
         &self.pairing
+    }
+
+    /// The parts page.
+    pub const fn parts(&self) -> &PartsPage {
+        &self.parts
     }
 
     /// The budget page.

@@ -166,7 +166,8 @@ impl Session {
     /// The names of tables and of a budget with unsaved changes.
     pub fn unsaved(&self) -> Vec<String> {
         let tables = self.tables.unsaved().map(|document| document.title().to_owned());
-        tables.chain(self.budget.is_unsaved().then(|| self.budget.name())).collect()
+        let budget = self.budget.is_unsaved().then(|| self.budget.name());
+        tables.chain(budget).chain(self.parts.is_unsaved().then(|| self.parts.document().name())).collect()
     }
 
     /// The user's own tables that are not open yet: number among [`Sources::own`], and table.

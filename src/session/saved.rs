@@ -45,6 +45,8 @@ pub struct Saved {
     pub files: SavedFiles,
     /// Where checks are recorded, and who measures.
     pub records: SavedRecords,
+    /// The part that is being measured.
+    pub walk: SavedWalk,
 }
 
 /// What is kept of recording.
@@ -61,6 +63,20 @@ pub struct SavedRecords {
     pub names: Vec<String>,
     /// The server of the shop, without a password.
     pub server: Option<String>,
+}
+
+/// What is kept of a part that is being measured; its values are in the journal.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(default)]
+pub struct SavedWalk {
+    /// The file of its plan; `None` where no part is being measured.
+    pub plan: Option<PathBuf>,
+    /// Its serial number.
+    pub serial: String,
+    /// The newest record of the journal when it was begun.
+    pub since: u64,
+    /// The sizes that were left out, with the reasons.
+    pub skipped: BTreeMap<String, String>,
 }
 
 /// What is kept of files.
@@ -125,6 +141,7 @@ impl Default for Saved {
             cycles: SavedCycles::default(),
             files: SavedFiles::default(),
             records: SavedRecords::default(),
+            walk: SavedWalk::default(),
         }
     }
 }

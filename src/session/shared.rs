@@ -10,6 +10,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::budget::OpenBudget;
+use super::check::Worth;
 use super::command::{Density, DialogId, Effect, Page, Purpose, Theme};
 use super::files::{Dialog, Places};
 use super::history::{ChangeId, History};
@@ -88,6 +89,12 @@ pub(super) enum News {
     Tools,
     /// Checks may use another budget's uncertainty, or none any more.
     Budget,
+    /// The record of a number was corrected or withdrawn.
+    TakenBack(u64),
+    /// The journal is open, or cannot be opened.
+    Journal,
+    /// The journal has answered about a batch of checks: whether they are on disk.
+    Kept(u64, bool),
     /// A part of this callout is to be checked.
     Check(String),
     /// What a record asked for is to be measured again.
@@ -139,6 +146,8 @@ pub(super) struct Shared {
     pub workpiece: SimulatedWorkpiece,
     /// The tool table that was opened.
     pub tools: Option<Arc<OpenTools>>,
+    /// How the check page judges the next value, for pages that judge values of their own.
+    pub worth: Worth,
     /// The budget whose uncertainty checks may use.
     pub budget: Option<Arc<OpenBudget>>,
     pub dialog: Option<Dialog>,
@@ -199,7 +208,8 @@ impl Shared {
         if !self.awaits_tables() {
             return effects.into_iter().chain(std::mem::take(&mut self.held)).collect();
         }
-        let is_judged = |effect: &Effect| matches!(effect.errand(), Effect::Read(Purpose::Import, _));
+        let is_judged =
+            |effect: &Effect| matches!(effect.errand(), Effect::Read(Purpose::Import | Purpose::ImportValues, _));
         let (held, others): (Vec<_>, Vec<_>) = effects.into_iter().partition(is_judged);
         self.held.extend(held);
         others

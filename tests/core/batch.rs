@@ -473,7 +473,7 @@ fn imported(text: &[u8]) -> Vec<(usize, String)> {
     let mut all = Vec::new();
     let now = jiff::civil::date(2026, 1, 1).at(0, 0, 0, 0);
     import_each("test.csv", text, &OWN_SOURCES, now, &mut |item| match item {
-        Item::Record { line, record } => {
+        Item::Record { line, record, .. } => {
             let (limits, size) = (&record.limits, record.verdict.size);
             let remove = size.removal.map_or(String::new(), |removal| removal.to_limit.exact(Unit::Micrometre, 0));
             let um = size.deviation.exact(Unit::Micrometre, 0);

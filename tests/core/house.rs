@@ -41,7 +41,7 @@ fn none_names(files: &[(String, String)], words: &[&str]) {
 }
 
 /// The rooms from the ground up, each with the rooms that it may name: an arrow only points down.
-const ROOMS: [(&str, &[&str]); 20] = [
+const ROOMS: [(&str, &[&str]); 22] = [
     ("shipped", &[]),
     ("message", &["shipped"]),
     ("length", &["message"]),
@@ -52,9 +52,10 @@ const ROOMS: [(&str, &[&str]); 20] = [
     ("probing", &["message", "length", "words", "tolerance", "verdict"]),
     ("budget", &["message", "length", "tolerance", "verdict", "probing"]),
     ("control", &["shipped", "message", "length", "words", "tolerance", "verdict", "probing"]),
-    ("nc", &["shipped", "message", "length", "words", "tolerance", "verdict", "probing", "control"]),
+    ("part", &["message", "length", "tolerance", "verdict", "probing", "control"]),
+    ("nc", &["shipped", "message", "length", "words", "tolerance", "verdict", "probing", "control", "part"]),
     ("journal", &["message", "length", "words", "tolerance", "verdict", "probing", "budget", "control"]),
-    ("exchange", &["message", "length", "tolerance", "verdict", "probing", "control", "journal"]),
+    ("exchange", &["message", "length", "tolerance", "verdict", "probing", "control", "part", "journal"]),
     (
         "report",
         &[
@@ -86,6 +87,7 @@ const ROOMS: [(&str, &[&str]); 20] = [
             "probing",
             "budget",
             "control",
+            "part",
             "nc",
             "journal",
             "exchange",
@@ -94,6 +96,7 @@ const ROOMS: [(&str, &[&str]); 20] = [
         ],
     ),
     ("batch", &["length", "tolerance", "exchange"]),
+    ("watch", &["message", "tolerance", "control", "part", "journal", "exchange", "files"]),
     (
         "cli",
         &[
@@ -107,6 +110,7 @@ const ROOMS: [(&str, &[&str]); 20] = [
             "probing",
             "budget",
             "control",
+            "part",
             "nc",
             "journal",
             "exchange",
@@ -114,6 +118,7 @@ const ROOMS: [(&str, &[&str]); 20] = [
             "files",
             "store",
             "batch",
+            "watch",
         ],
     ),
     (
@@ -129,6 +134,7 @@ const ROOMS: [(&str, &[&str]); 20] = [
             "probing",
             "budget",
             "control",
+            "part",
             "nc",
             "journal",
             "exchange",
@@ -136,6 +142,7 @@ const ROOMS: [(&str, &[&str]); 20] = [
             "files",
             "store",
             "batch",
+            "watch",
             "session",
         ],
     ),
@@ -201,7 +208,7 @@ fn only_the_window_knows_egui() {
 #[test]
 fn the_core_touches_no_file_thread_or_clock() {
     let core = |name: &str| {
-        ["length/", "tolerance/", "pairing/", "probing/", "budget/", "report/", "exchange/", "session/"]
+        ["length/", "tolerance/", "pairing/", "probing/", "budget/", "part/", "report/", "exchange/", "session/"]
             .iter()
             .any(|room| name.starts_with(room))
             || name.starts_with("verdict/")

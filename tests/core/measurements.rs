@@ -207,8 +207,8 @@ fn comments_blank_lines_and_what_stands_above_are_told_apart() {
 #[test]
 fn other_columns_are_named_and_times_are_used() {
     check(
-        "id;callout;measured;operator\nb1;25 H7;25.012;A. B.\n",
-        &["2 b1: 25 H7 is 25.012 GOOD", "? line 1: columns skipped: 4 (operator)"],
+        "id;callout;measured;shift\nb1;25 H7;25.012;A. B.\n",
+        &["2 b1: 25 H7 is 25.012 GOOD", "? line 1: columns skipped: 4 (shift)"],
     );
     let time = |text: &str| read(text.as_bytes()).records[0].time.to_string();
     assert_eq!(time("callout;measured;time\n25 H7;25.012;2024-03-14 08:05:09\n"), "2024-03-14T08:05:09");
@@ -254,7 +254,10 @@ fn what_is_no_measurement_says_so() {
     );
     let garbage: Vec<u8> = (0..4096_u32).map(|n| n.wrapping_mul(2_654_435_761).to_le_bytes()[3]).collect();
     assert_eq!(said(&garbage), ["! line 1: not a file of a known format <>"]);
-    assert_eq!(said(b"PK\x03\x04\x14\0\x06\0\x08\0\0\0!\0"), ["! line 1: not a file of a known format <>"]);
+    assert_eq!(
+        said(b"PK\x03\x04\x14\0\x06\0\x08\0\0\0!\0"),
+        ["! line 1: the end of the workbook is missing: it may be cut off <>"]
+    );
 }
 
 #[test]

@@ -1,19 +1,25 @@
 //! Plans of features as CSV, and the folders and controls that they are written for.
 
-use fitcheck::nc::sets::{Control, ControlFolder, NcFeature, NcPlan};
+use fitcheck::nc::sets::{Control, ControlFolder, NcSet, Target};
+use fitcheck::part::PlanFeature;
+use fitcheck::tolerance::Sources;
+use fitcheck::words::Dialogue;
+
+use crate::plans::{plan, read};
 
 #[track_caller]
 fn check(text: &str, expected: &str) {
-    let said = match NcPlan::read(text.as_bytes()) {
+    let said = match read(text, &Sources::default()) {
         Ok(plan) => {
-            let feature = |f: &NcFeature| {
+            let feature = |f: &PlanFeature| {
+                let [x, y, z] = f.place.unwrap();
                 format!(
                     "{} {} {} {} {} {} {} {}",
                     f.name,
                     f.kind.asked(),
-                    f.x,
-                    f.y,
-                    f.z,
+                    x,
+                    y,
+                    z,
                     f.angle,
                     f.clearance,
                     f.clearance_height
@@ -21,7 +27,7 @@ fn check(text: &str, expected: &str) {
             };
             plan.features().iter().map(feature).collect::<Vec<_>>().join("; ")
         }
-        Err(error) => error.to_string(),
+        Err(errors) => errors.join("; "),
     };
     assert_eq!(said, expected, "{text}");
 }
@@ -40,15 +46,14 @@ fn a_feature_a_line_in_any_order_of_columns() {
 fn what_is_wrong_is_told_with_its_line() {
     check("", "the plan has no feature");
     check("callout,x,y,z\n", "the plan has no feature");
-    check("callout,x,y\n25 H7,1,2\n", "line 1: column z is missing");
-    let known = "name, kind, axis, callout, callout2, x, y, z, angle, clearance, clearance_height";
+    let known = "number, name, kind, axis, callout, callout2, feature, x, y, z, angle, clearance, clearance_height, cycle, \
+        parameters, material, rule, u_um, remark, balloon_x, balloon_y";
     check("callout,x,y,z,depth\n", &format!("line 1: unknown column depth: the columns are {known}"));
     check("callout,x,y,z,X\n", "line 1: column x occurs twice");
     check(
         "callout,x,y,z\n25 H7,40,5,30,-8\n",
         "line 2: the row has 5 cells and the header 4: with a decimal comma, separate the columns with semicolons",
     );
-    check("callout,x,y,z\n25 H7,40,30\n", "line 2: z is missing");
     check("callout,x,y,z\n\n,1,2,3\n", "line 3: callout is missing");
     check("callout,x,y,z\n25 H7,a,30,0\n", "line 2: x: a is not a number");
     check(
@@ -58,21 +63,38 @@ fn what_is_wrong_is_told_with_its_line() {
     check("callout,x,y,z,angle\n25 H7,1,30,0,361\n", "line 2: Q325 STARTING ANGLE = 361°: at most 360° either way");
     check("callout,x,y,z\n25 H7,1,30,50\n", "line 2: clearance height 50 mm is not above the measuring height, 50 mm");
     check(
-        "name,callout,x,y,z\na b,25 H7,1,2,3\n",
-        "line 2: name a b: letters A to Z, digits and _ are allowed, at most 20",
-    );
-    check(
         "name,callout,x,y,z\na,25 H7,1,2,3\nA,25 H7,1,2,3\n",
         "line 3: name A occurs twice: file names on a control ignore case",
     );
     check(
         "callout,x,y,z\n12 +0.02 -0.02,1,2,3\n",
-        "line 2: 12 ±0.02 has no tolerance class, such as H7: the programs look up limits by class",
+        "line 2: 12 ±0.02: 12 ±0.02 does not say whether the hole or the shaft is meant",
     );
     check("callout,x,y,z\n25 H7/g6,1,2,3\n", "line 2: 25 H7/g6 is a fit: write the hole and the shaft as two features");
     check(
         "callout,x,y,z\n25 H7x,1,2,3\n",
         "line 2: 25 H7x: H7x is not a tolerance class: write letters and a grade, such as H7 or js13 (character 4)",
+    );
+}
+
+#[test]
+fn what_a_control_cannot_measure_is_told_with_its_line() {
+    let refused = |text: &str| {
+        let made = NcSet::make(&plan(text), &Target::new(Control::Tnc7, Dialogue::En), &Sources::default());
+        made.unwrap_err().to_string()
+    };
+    assert_eq!(refused("callout,x,y\n25 H7,1,2\n"), "line 2: F1 needs x, y and z: a program moves there");
+    assert_eq!(
+        refused("name,callout,x,y,z\na b,25 H7,1,2,3\n"),
+        "line 2: name a b: letters A to Z, digits and _ are allowed, at most 20"
+    );
+    assert_eq!(
+        refused("callout,feature,x,y,z\n25 H7,,0,0,0\n12 +0.02 -0.02,hole,1,2,3\n"),
+        "line 3: 12 ±0.02 has no tolerance class, such as H7: the programs look up limits by class"
+    );
+    assert_eq!(
+        refused("name,callout,x,y,z,parameters\nA,25 H7,1,2,3,Q423=3\n"),
+        "line 2: A names a cycle or parameters of its own, which the called programs have no place for"
     );
 }
 

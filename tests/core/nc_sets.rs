@@ -11,8 +11,9 @@ use fitcheck::journal::{Record, status_window};
 use fitcheck::length::Length;
 use fitcheck::nc::machine::{Contacts, Machine, NcPath, Settings, Step, Store, StoreError};
 use fitcheck::nc::program::{Body, Program, TextExpression, TextOperand};
-use fitcheck::nc::sets::{Control, MOST_FEATURES, NcFeature, NcPlan, NcSet, SetError, SetRemark, Target};
-use fitcheck::probing::cycle::{Angle, Plane, Remark};
+use fitcheck::nc::sets::{Control, NcSet, SetError, SetRemark, Target};
+use fitcheck::part::{Column, Draft, MOST_FEATURES, Plan, PlanFeature, Row};
+use fitcheck::probing::cycle::{Plane, Remark};
 use fitcheck::probing::measure::{ProbePosition, cycle_number, measure};
 use fitcheck::probing::simulated::{Simulation, Surface, Workpiece};
 use fitcheck::probing::{Measurement, Origin};
@@ -23,20 +24,29 @@ use fitcheck::verdict::{Status, judge};
 use fitcheck::words::Dialogue;
 use proptest::prelude::*;
 
+use crate::plans::{of_rows, read};
+
 fn mm(text: &str) -> Length {
     text.parse().unwrap()
 }
 
-fn feature(callout: &str, place: [&str; 3]) -> NcFeature {
-    NcFeature::new(callout.parse().unwrap(), place.map(mm))
+fn feature(callout: &str, [x, y, z]: [&str; 3]) -> Row {
+    Row::of(
+        [(Column::Callout, callout), (Column::X, x), (Column::Y, y), (Column::Z, z)]
+            .map(|(c, text)| (c, text.to_owned())),
+    )
+}
+
+fn limits(row: &Row, sources: &Sources) -> Limits {
+    sources.limits(&row.text(Column::Callout).unwrap().parse().unwrap(), None).unwrap()
 }
 
 fn time() -> jiff::civil::DateTime {
     jiff::civil::date(2026, 3, 7).at(8, 5, 9, 0)
 }
 
-fn make(features: Vec<NcFeature>, control: Control, language: Dialogue) -> NcSet {
-    let plan = NcPlan::new(features).unwrap();
+fn make(features: &[Row], control: Control, language: Dialogue) -> NcSet {
+    let plan = of_rows(features, &Sources::default());
     NcSet::make(&plan, &Target::new(control, language), &Sources::default()).unwrap()
 }
 
@@ -76,12 +86,13 @@ fn run(set: &NcSet, control: Control, language: Dialogue, contacts: Contacts) ->
 }
 
 /// The native measurement of a feature on a workpiece of this diameter.
-fn measured(feature: &NcFeature, limits: &Limits, diameter: Length) -> Measurement {
-    let centre = [feature.x, feature.y].map(Length::to_mm_f64);
+fn measured(feature: &PlanFeature, limits: &Limits, diameter: Length) -> Measurement {
+    let [x, y, z] = feature.place.unwrap();
+    let centre = [x, y].map(Length::to_mm_f64);
     let workpiece = Workpiece::round(limits.feature, centre, diameter.to_mm_f64());
     let position = ProbePosition {
-        centre: [feature.x, feature.y],
-        height: feature.z,
+        centre: [x, y],
+        height: z,
         first_angle: feature.angle,
         clearance: feature.clearance,
         ..ProbePosition::default()
@@ -111,13 +122,13 @@ fn native(callout: Callout, limits: &Limits, measurement: Measurement, language:
 /// Runs a set on one workpiece per feature, compares all results, and returns the statuses.
 #[track_caller]
 fn check(
-    features: &[NcFeature],
+    features: &[Row],
     diameters: &[Length],
     control: Control,
     language: Dialogue,
     sources: &Sources,
 ) -> Vec<Status> {
-    let plan = NcPlan::new(features.to_vec()).unwrap();
+    let plan = of_rows(features, sources);
     let set = NcSet::make(&plan, &Target::new(control, language), sources).unwrap();
     let mut contacts = Vec::new();
     let mut expected = Vec::new();
@@ -143,7 +154,7 @@ fn check(
 }
 
 /// Classes inside, on and outside their zone, one beyond the 47, one beyond 400 mm, half micrometres.
-fn plan() -> Vec<NcFeature> {
+fn plan() -> Vec<Row> {
     let mut features = vec![
         feature("25 H7", ["40", "30", "-8"]),
         feature("25 D10", ["-12.5", "0.0004", "0"]),
@@ -153,10 +164,10 @@ fn plan() -> Vec<NcFeature> {
         feature("24 ZA8", ["-1", "-2", "-3"]),
         feature("500 H7", ["0", "0", "0"]),
     ];
-    features[1].name = "Bore_2".to_owned();
-    features[1].angle = Angle::from_degrees(-45);
-    features[3].clearance_height = mm("120.5");
-    features[3].clearance = mm("0.75");
+    features[1].set(Column::Name, "Bore_2".to_owned());
+    features[1].set(Column::Angle, "-45".to_owned());
+    features[3].set(Column::ClearanceHeight, "120.5".to_owned());
+    features[3].set(Column::Clearance, "0.75".to_owned());
     features
 }
 
@@ -164,8 +175,7 @@ fn plan() -> Vec<NcFeature> {
 fn every_control_and_language_gives_the_native_verdicts() {
     let sources = Sources::default();
     let features = plan();
-    let limits: Vec<Limits> =
-        features.iter().map(|feature| sources.limits(&feature.kind.callouts()[0], None).unwrap()).collect();
+    let limits: Vec<Limits> = features.iter().map(|row| limits(row, &sources)).collect();
     let off = |length: Length, nm: i64| Length::from_nanometres(length.nanometres() + nm).unwrap();
     for control in Control::ALL {
         for language in Dialogue::ALL {
@@ -203,8 +213,8 @@ fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
             [("25 H7", Status::Rework, Status::Scrap), ("25 h7", Status::Scrap, Status::Rework)]
         {
             let one = feature(callout, ["40", "30", "-8"]);
-            let limits = Sources::default().limits(&one.kind.callouts()[0], None).unwrap();
-            let set = make(vec![one], control, Dialogue::En);
+            let limits = limits(&one, &Sources::default());
+            let set = make(&[one], control, Dialogue::En);
             for (diameter, status) in [
                 (limits.minimum().saturating_sub(mm("0.000001")), below),
                 (limits.minimum(), Status::Good),
@@ -226,7 +236,7 @@ fn a_single_hole_and_a_single_shaft_on_a_simulated_workpiece() {
 fn the_probe_moves_between_features_at_clearance_height() {
     let features = vec![feature("25 H7", ["40", "30", "-8"]), feature("20 g6", ["90", "30", "-8"])];
     for control in Control::ALL {
-        let set = make(features.clone(), control, Dialogue::En);
+        let set = make(&features, control, Dialogue::En);
         let machine = run(&set, control, Dialogue::En, Contacts::Perfect);
         let between = machine.path().iter().filter(|step| 25.0 < (step.to[0] - step.from[0]).abs());
         let heights: Vec<f64> = between.flat_map(|step| [step.from[2], step.to[2]]).collect();
@@ -237,7 +247,7 @@ fn the_probe_moves_between_features_at_clearance_height() {
 #[test]
 fn names_follow_the_control() {
     let names = |control, language| {
-        let set = make(vec![feature("25 H7", ["0", "0", "0"])], control, language);
+        let set = make(&[feature("25 H7", ["0", "0", "0"])], control, language);
         set.files.iter().map(|file| file.name.clone()).collect::<Vec<_>>()
     };
     assert_eq!(
@@ -258,7 +268,7 @@ fn text_of(set: &NcSet, number: usize) -> String {
 
 #[test]
 fn what_differs_between_the_controls() {
-    let of = |control| make(plan(), control, Dialogue::En);
+    let of = |control| make(&plan(), control, Dialogue::En);
     let [itnc, tnc640, tnc7] = Control::ALL.map(of);
     // The set-up clearance is added to a machine parameter or to the table's SET_UP.
     assert!(text_of(&itnc, 0).contains("Q51 = 2 ;LATERAL SET-UP CLEARANCE, ADDED TO MP6140\r\n"));
@@ -286,7 +296,7 @@ fn an_itnc_530_gets_the_mask_as_printed_and_later_controls_say_what_differs() {
     let printed = shipped::text(shipped::MASKS, "82552_nl.a");
     assert!(printed.starts_with("\"STATUS VAN DE PASSING: %S\", QS3\n\"GEPRUEFTE PASSUNG: %S\", QS2;\n"), "{printed}");
     for language in Dialogue::ALL {
-        let [itnc, tnc640, tnc7] = Control::ALL.map(|control| make(plan(), control, language));
+        let [itnc, tnc640, tnc7] = Control::ALL.map(|control| make(&plan(), control, language));
         let original = shipped::text(shipped::MASKS, &format!("82552_{language}.a"));
         assert_eq!(text_of(&itnc, 2), original.replace('\n', "\r\n"));
         // The page names what differs, and the software that the solution needs.
@@ -306,16 +316,16 @@ fn an_itnc_530_gets_the_mask_as_printed_and_later_controls_say_what_differs() {
 fn a_tnc7_gets_a_nominal_diameter_between_the_limits() {
     let classes: Vec<ToleranceClass> =
         shipped_tables().iter().flat_map(|table| table.columns().iter().map(|column| column.class)).collect();
-    let features: Vec<NcFeature> = classes
+    let features: Vec<Row> = classes
         .iter()
-        .map(|class| NcFeature::new(Callout::new(mm("25"), *class).unwrap(), ["40", "30", "-8"].map(mm)))
+        .map(|class| feature(&Callout::new(mm("25"), *class).unwrap().to_string(), ["40", "30", "-8"]))
         .collect();
     let outside = |machine: &Machine| {
         let is_outside = |remark: &Remark| matches!(remark, Remark::NominalOutsideLimits { .. });
         machine.cycles().iter().filter(|run| run.result.remarks.iter().any(is_outside)).count()
     };
     for control in Control::ALL {
-        let set = make(features.clone(), control, Dialogue::En);
+        let set = make(&features, control, Dialogue::En);
         let machine = run(&set, control, Dialogue::En, Contacts::Perfect);
         let moved = set.remarks.iter().filter(|remark| matches!(remark, SetRemark::MovedNominal { .. })).count();
         // 24 of the 47 classes are off the nominal size at 25 mm (`docs/SOURCES.md`, sets for a control).
@@ -325,7 +335,7 @@ fn a_tnc7_gets_a_nominal_diameter_between_the_limits() {
     // The note names the exact value that the cycle gets.
     for class in ["D10", "g6", "s7", "P9", "k6"] {
         let one = feature(&format!("25 {class}"), ["0", "0", "0"]);
-        let set = make(vec![one], Control::Tnc7, Dialogue::En);
+        let set = make(&[one], Control::Tnc7, Dialogue::En);
         let machine = run(&set, Control::Tnc7, Dialogue::En, Contacts::Perfect);
         let Some(SetRemark::MovedNominal { value, .. }) = set.remarks.first() else { panic!("{class}") };
         let Some(Value::Number(given)) = machine.variables().get(Parameter::q(62)) else { panic!("{class}") };
@@ -338,7 +348,7 @@ fn a_tnc7_gets_a_nominal_diameter_between_the_limits() {
 fn programs_keep_to_the_common_ground() {
     for control in Control::ALL {
         for language in Dialogue::ALL {
-            let set = make(plan(), control, language);
+            let set = make(&plan(), control, language);
             for file in &set.files[..2] {
                 assert!(file.bytes.is_ascii(), "{}", file.name);
                 let text = String::from_utf8(file.bytes.clone()).unwrap();
@@ -367,7 +377,7 @@ fn programs_keep_to_the_common_ground() {
 
 #[test]
 fn tables_hold_the_47_classes_and_what_the_plan_needs_beside_them() {
-    let set = make(plan(), Control::Tnc640, Dialogue::En);
+    let set = make(&plan(), Control::Tnc640, Dialogue::En);
     let table = |number: usize| {
         let file = &set.files[number];
         let (table, warnings) = read_table(&file.bytes, &file.name, &file.name, false).unwrap();
@@ -396,25 +406,24 @@ fn tables_hold_the_47_classes_and_what_the_plan_needs_beside_them() {
 #[test]
 fn an_itnc_530_takes_thirty_columns_and_then_only_those_of_the_plan() {
     let few = ["25 ZA8", "25 U7"].map(|callout| feature(callout, ["0", "0", "0"])).to_vec();
-    let set = make(few, Control::Itnc530, Dialogue::En);
+    let set = make(&few, Control::Itnc530, Dialogue::En);
     assert!(!set.remarks.iter().any(|remark| matches!(remark, SetRemark::FewerColumns { .. })));
-    let many: Vec<NcFeature> =
+    let many: Vec<Row> =
         ["ZA8", "U7", "S7", "T7", "H7"].map(|class| feature(&format!("25 {class}"), ["0", "0", "0"])).to_vec();
-    let set = make(many.clone(), Control::Itnc530, Dialogue::En);
+    let set = make(&many, Control::Itnc530, Dialogue::En);
     let fewer = SetRemark::FewerColumns { table: "82553_hole.tab", classes: "ZA8 U7 S7 T7 H7".to_owned() };
     assert_eq!(set.remarks.last(), Some(&fewer));
     let sources = Sources::default();
-    let diameters: Vec<Length> =
-        many.iter().map(|feature| sources.limits(&feature.kind.callouts()[0], None).unwrap().minimum()).collect();
+    let diameters: Vec<Length> = many.iter().map(|row| limits(row, &sources).minimum()).collect();
     assert_eq!(check(&many, &diameters, Control::Itnc530, Dialogue::It, &sources), [Status::Good; 5]);
     // Even more than those: refused with the control's limit, nothing is left out.
     let letters = "CD D E EF F FG G H J JS K M N P R S T U V X Y Z ZA ZB ZC".split(' ');
-    let all: Vec<NcFeature> = letters
+    let all: Vec<Row> = letters
         .flat_map(|letter| [6, 7].map(|grade| format!("8 {letter}{grade}")))
         .filter(|callout| sources.limits(&callout.parse().unwrap(), None).is_ok())
         .map(|callout| feature(&callout, ["0", "0", "0"]))
         .collect();
-    let plan = NcPlan::new(all).unwrap();
+    let plan = of_rows(&all, &sources);
     let refused = NcSet::make(&plan, &Target::new(Control::Itnc530, Dialogue::En), &sources).unwrap_err();
     assert!(matches!(refused, SetError::Table { table: "82553_hole.tab", .. }), "{refused}");
     assert!(NcSet::make(&plan, &Target::new(Control::Tnc7, Dialogue::En), &sources).is_ok());
@@ -439,16 +448,15 @@ fn own_tables_are_what_the_control_gets() {
     }
     // Only the control's own tables: classes beyond the 47 are refused, with the line's place.
     let sources = Sources::of_tables(shipped_tables());
-    let plan = NcPlan::read(b"callout,x,y,z\n25 H7,0,0,0\n25 U7,0,0,0\n").unwrap();
-    let refused = NcSet::make(&plan, &Target::new(Control::Tnc7, Dialogue::En), &sources).unwrap_err().to_string();
+    let refused = &read("callout,x,y,z\n25 H7,0,0,0\n25 U7,0,0,0\n", &sources).unwrap_err()[0];
     assert!(refused.starts_with("line 3: 25 U7: U7 is not in table 82553_hole.tab"), "{refused}");
 }
 
 #[test]
 fn the_same_plan_gives_the_same_bytes_and_the_zip_holds_them() {
     use std::io::Read as _;
-    let set = make(plan(), Control::Tnc7, Dialogue::Nl);
-    assert_eq!(set, make(plan(), Control::Tnc7, Dialogue::Nl));
+    let set = make(&plan(), Control::Tnc7, Dialogue::Nl);
+    assert_eq!(set, make(&plan(), Control::Tnc7, Dialogue::Nl));
     let bytes = set.zip().unwrap();
     assert_eq!(bytes, set.zip().unwrap());
     let mut archive = zip::ZipArchive::new(std::io::Cursor::new(bytes)).unwrap();
@@ -462,16 +470,15 @@ fn the_same_plan_gives_the_same_bytes_and_the_zip_holds_them() {
 
 #[test]
 fn plans_are_bounded() {
+    let sources = Sources::default();
     let one = feature("25 H7", ["0", "0", "0"]);
-    let most = NcPlan::new(vec![one.clone(); MOST_FEATURES]).unwrap();
+    let most = of_rows(&vec![one.clone(); MOST_FEATURES], &sources);
     assert_eq!(most.features().last().unwrap().name, "F1000");
-    let refused = NcPlan::new(vec![one; MOST_FEATURES + 1]).unwrap_err();
-    assert_eq!(refused.to_string(), "the plan has more than 1000 features");
-    let refused = NcPlan::new(vec![]).unwrap_err();
-    assert_eq!(refused.to_string(), "the plan has no feature");
+    let of = |count| Plan::of(&Draft::of(vec![one.clone(); count]), &sources).unwrap_err()[0].what.to_string();
+    assert_eq!(of(MOST_FEATURES + 1), "the plan has more than 1000 features");
+    assert_eq!(of(0), "the plan has no feature");
     let far = format!("callout,x,y,z\n{}", "25 H7,0,0,0\n".repeat(MOST_FEATURES + 5));
-    let refused = NcPlan::read(far.as_bytes()).unwrap_err();
-    assert_eq!(refused.to_string(), "line 1002: the plan has more than 1000 features");
+    assert_eq!(read(&far, &sources).unwrap_err(), ["line 1002: the plan has more than 1000 features"]);
 }
 
 proptest! {
@@ -493,7 +500,7 @@ proptest! {
             prop_assume!(mm("0.01") < limits.minimum());
             let border = if at_maximum { limits.maximum() } else { limits.minimum() };
             let diameter = Length::from_nanometres(border.nanometres() + off).unwrap();
-            let one = NcFeature::new(callout, ["0", "0", "0"].map(mm));
+            let one = feature(&callout.to_string(), ["0", "0", "0"]);
             check(&[one], &[diameter], Control::ALL[control], Dialogue::Nl, &sources);
         }
     }
@@ -501,7 +508,7 @@ proptest! {
     /// No bytes make the reader of plans panic, and what it reads stays within its bounds.
     #[test]
     fn any_bytes_are_a_plan_or_an_error(text in "(callout,x,y,z\n)?[-0-9Hhg,;\\. \"\n\tnamecxyz±]{0,60}") {
-        if let Ok(plan) = NcPlan::read(text.as_bytes()) {
+        if let Ok(plan) = read(&text, &Sources::default()) {
             prop_assert!(plan.features().len() <= MOST_FEATURES);
         }
     }

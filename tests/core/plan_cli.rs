@@ -7,7 +7,7 @@ use std::path::Path;
 
 use assert_cmd::cargo::cargo_bin_cmd;
 use fitcheck::length::Length;
-use fitcheck::nc::sets::{NcKind, NcPlan};
+use fitcheck::part::Kind;
 use serde_json::Value;
 
 use super::part_plans::{limits, sizes};
@@ -67,11 +67,11 @@ fn resize(text: &str, sizes: &[Vec<Length>]) -> String {
 }
 
 /// What `fitcheck check` says of every size: minimum, maximum, status. A point is checked as a shaft of 10 mm.
-fn checked(folder: &Path, kind: &NcKind, sizes: &[Length]) -> Vec<[String; 3]> {
+fn checked(folder: &Path, kind: &Kind, sizes: &[Length]) -> Vec<[String; 3]> {
     let ten: Length = "10".parse().unwrap();
-    let off = if matches!(kind, NcKind::Point(..)) { ten } else { Length::ZERO };
+    let off = if matches!(kind, Kind::Point(..)) { ten } else { Length::ZERO };
     let callouts: Vec<String> = match kind {
-        NcKind::Point(band, _) => vec![format!("10 {}/{}", signed(band.upper()), signed(band.lower()))],
+        Kind::Point(band, _) => vec![format!("10 {}/{}", signed(band.upper()), signed(band.lower()))],
         kind => kind.callouts().iter().map(ToString::to_string).collect(),
     };
     let all = callouts.iter().zip(sizes).map(|(callout, size)| {
@@ -109,7 +109,7 @@ fn twelve_features_through_the_program_have_the_verdicts_of_check() {
     let (code, answer) = run("perfect.toml");
     assert_eq!((code, answer["faults"].as_array().unwrap().len()), (Some(0), 0), "{answer}");
     let text = std::fs::read_to_string(folder.join("perfect.toml")).unwrap();
-    let plan = NcPlan::read(PLAN.as_bytes()).unwrap();
+    let plan = crate::plans::plan(PLAN);
     let limits = limits(&plan);
     let mut counted = BTreeMap::new();
     for turn in 0..5 {

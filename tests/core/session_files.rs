@@ -436,7 +436,7 @@ fn a_recent_file_is_read_again_for_what_it_was_read_for_on_its_page() {
 
 #[test]
 fn a_kind_of_file_of_a_later_version_is_left_out() {
-    let state = b"[files]\n[[files.recent]]\nkind = \"plan\"\npath = \"/a\"\n[[files.recent]]\nkind = \"mask\"\npath = \"/b\"\n";
+    let state = b"[files]\n[[files.recent]]\nkind = \"hologram\"\npath = \"/a\"\n[[files.recent]]\nkind = \"mask\"\npath = \"/b\"\n";
     let (session, _) = Session::restore(Saved::read(state).unwrap());
     assert_eq!(recent(&session), ["/b"]);
 }

@@ -361,16 +361,20 @@ fn rows_that_cannot_be_read_are_said_and_not_asked_for_again_and_again() {
 /// A page with these records, the first of them open.
 fn opened(rows: Vec<RecordRow>) -> Session {
     let mut session = recording();
-    let asked = send(&mut session, Command::OpenPage(Page::Records));
+    open(&mut session, rows);
+    session
+}
+
+fn open(session: &mut Session, rows: Vec<RecordRow>) {
+    let asked = send(session, Command::OpenPage(Page::Records));
     let [Effect::AskRecords { run, .. }] = asked.as_slice() else { panic!("{asked:?}") };
     let numbers: Vec<u64> = rows.iter().map(|row| row.head.number).collect();
     let found = Found { numbers: Numbers::These(numbers.clone()), is_end: true };
-    send(&mut session, RecordsCommand::Found { run: *run, result: Ok(found) });
+    send(session, RecordsCommand::Found { run: *run, result: Ok(found) });
     let first = numbers[0];
     let rows = rows.into_iter().map(Arc::new).collect();
-    send(&mut session, RecordsCommand::Read { numbers, result: Ok(rows) });
-    send(&mut session, RecordsCommand::Open(first));
-    session
+    send(session, RecordsCommand::Read { numbers, result: Ok(rows) });
+    send(session, RecordsCommand::Open(first));
 }
 
 #[test]
@@ -413,6 +417,31 @@ fn a_withdrawal_and_what_is_corrected_already_cannot_be_corrected() {
     typed(&mut session, RecordsField::Reason, "was a test");
     let (_, entries) = kept(&send(&mut session, RecordsCommand::SendCorrection));
     assert!(matches!(entries[0].content, Content::Withdrawal(_)));
+}
+
+#[test]
+fn what_is_taken_back_leaves_the_history_of_checks_too_and_undo_does_not_bring_it_back() {
+    let mut session = recording();
+    for (number, measured) in [(7, "25.001"), (8, "25.004")] {
+        let (run, _) = kept(&measure(&mut session, "25 H7", measured));
+        send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(number)]) });
+    }
+    let history = |session: &Session| -> Vec<String> {
+        session.history().iter().map(|record| record.measurement.diameter.to_string()).collect()
+    };
+    assert_eq!(history(&session).len(), 2);
+    open(&mut session, vec![check_row(8, 4, None)]);
+    send(&mut session, RecordsCommand::Correct(true));
+    send(&mut session, RecordsCommand::Withdraw(true));
+    typed(&mut session, RecordsField::Reason, "was a test");
+    let (run, _) = kept(&send(&mut session, RecordsCommand::SendCorrection));
+    assert_eq!(history(&session).len(), 2, "it stands until the journal has answered");
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(9)]) });
+    assert_eq!(history(&session), ["25.001"]);
+    if let Some(undo) = Action::Undo.command(&session) {
+        send(&mut session, undo);
+    }
+    assert!(!history(&session).contains(&"25.004".to_owned()));
 }
 
 #[test]

@@ -8,10 +8,11 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::App;
 use fitcheck::session::action::{Held, Part, Shortcut};
+use fitcheck::session::parts::{PartsView, PlanCommand};
 use fitcheck::session::program::Speed;
 use fitcheck::session::{
     Action, CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, FitField, Page, Paired, PairingCommand,
-    PairingField, ProgramCommand, Purpose, RecordsCommand, Session, Step, TablesCommand, Theme,
+    PairingField, PartsCommand, ProgramCommand, Purpose, RecordsCommand, Session, Step, TablesCommand, Theme,
 };
 use fitcheck::tolerance::Feature;
 use fitcheck::words::Language;
@@ -95,7 +96,7 @@ impl Pair {
             Page::Fit => self.window.get_by_role_and_label(Role::RadioGroup, "Hole classes").focus(),
             Page::Tables => self.window.get_by_role(Role::Grid).focus(),
             Page::Program => self.window.get_by_role(Role::List).focus(),
-            Page::Check | Page::Pairing => {
+            Page::Check | Page::Pairing | Page::Parts => {
                 // Without checks there is no list.
                 if let Some(list) = self.window.query_by_role(Role::Grid) {
                     list.focus();
@@ -111,6 +112,9 @@ impl Pair {
     fn clean(&mut self, page: Page) {
         if self.session.dialog().is_some() {
             self.send(Command::Close);
+        }
+        if self.session.parts().is_asking() {
+            self.send(PartsCommand::Plan(PlanCommand::Discard(false)));
         }
         if self.session.page() != page {
             self.send(Command::OpenPage(page));
@@ -252,6 +256,22 @@ fn keys_of_the_table_page() {
 }
 
 #[test]
+fn keys_of_the_parts_page() {
+    let mut pair = Pair::on(Page::Parts);
+    pair.send(PartsCommand::Plan(PlanCommand::New));
+    pair.send(PartsCommand::Show(PartsView::Plan));
+    pair.press_all();
+    pair.press_all();
+    let wanted =
+        ["UndoPlan", "RedoPlan", "InsertPlanRow", "DeletePlanRows", "NextFinding", "PreviousFinding", "EditPlanCell"];
+    for name in wanted {
+        assert!(pair.done.iter().any(|done| done.starts_with(name)), "{name} was never possible: {:?}", pair.done);
+    }
+    assert_eq!(pair.done.iter().filter(|name| name.starts_with("MoveInPlan")).count(), 10);
+    assert_eq!(pair.done.iter().filter(|name| name.starts_with("ExtendInPlan")).count(), 10);
+}
+
+#[test]
 fn keys_of_the_budget_page() {
     let mut pair = Pair::on(Page::Budget);
     pair.press_all();
@@ -265,6 +285,8 @@ fn keys_of_the_budget_page() {
 fn keys_of_the_program_page() {
     let mut pair = Pair::on(Page::Program);
     pair.press_all();
+    // A key that another page uses too may have run the program to its end.
+    pair.send(ProgramCommand::Reset);
     for action in [Action::StepProgram, Action::StepOver] {
         pair.press(action.shortcuts().next().unwrap());
     }

@@ -106,6 +106,12 @@ impl Journals for Fake {
         Ok(Box::new(self.clone()))
     }
 
+    fn bodies(&self, _: &Path, see: &mut dyn FnMut(&[u8])) -> Result<(), Message> {
+        let written = self.written.lock().unwrap();
+        written.iter().for_each(|entry| see(&fitcheck::journal::body::write(entry).unwrap()));
+        Ok(())
+    }
+
     fn verify(&self, _: &Path, progress: &mut dyn FnMut(u64, u64) -> ControlFlow<()>) -> Result<Verified, Message> {
         for done in 0..self.count {
             if progress(done, self.count).is_break() {

@@ -7,8 +7,10 @@ use std::path::Path;
 use eframe::egui::{Key, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use fitcheck::gui::App;
+use fitcheck::session::parts::{PlanCommand, WalkCommand};
 use fitcheck::session::{
-    BudgetCommand, CheckCommand, CheckField, Command, CycleFile, FilesCommand, MeasureBy, Page, Purpose,
+    BudgetCommand, CheckCommand, CheckField, Command, CycleFile, FilesCommand, MeasureBy, Page, PartsCommand,
+    PartsField, Purpose,
 };
 use fitcheck::verdict::rules::RuleName;
 
@@ -107,7 +109,7 @@ fn a_flange_is_turned_and_measured() {
 }
 
 /// Pictures of the README that other tests take, too.
-const OTHERS: [(&str, &str); 11] = [
+const OTHERS: [(&str, &str); 13] = [
     ("cycle_421", "cycle_421_light"),
     ("cycle_422", "cycle_422_dark"),
     ("cycle_427", "cycle_427_light"),
@@ -115,10 +117,12 @@ const OTHERS: [(&str, &str); 11] = [
     ("cycle_g785", "cycle_g785_light"),
     ("fit", "fit_interference_light"),
     ("pairing", "pairing_light"),
+    ("plan", "plan_desk"),
     ("program", "program_light"),
     ("program_part", "program_part_light"),
     ("records", "records_light"),
     ("tables", "table_differs_light"),
+    ("walk", "walk_picture"),
 ];
 
 #[test]
@@ -164,5 +168,27 @@ fn a_budget() {
         let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/corpus/inputs/station3.toml");
         send(window, FilesCommand::Open(Purpose::OpenBudget, path));
         send(window, BudgetCommand::Use);
+    });
+}
+
+#[test]
+fn a_part_is_measured_feature_by_feature() {
+    taken("walk", Theme::Light, DESK, |window| {
+        let plan = b"number;name;kind;axis;callout;callout2;x;y;z\n1;BORE;;;25 H7;;40;30;-8\n2;PIN;;;20 g6;;40;90;-8\n\
+            3;SLOT;width;Y;16 H8;;100;90;-8\n4;RIDGE;width;X;30 h9;;160;30;-8\n5;TOP;face;-Z;10 h9;;220;30;10\n\
+            6;BOSS;boss;;18 s7;16 h9;140;200;-8\n7;POINT;point;-Z;\xc2\xb10.05;;260;30;12\n8;D8;;;8 H7;;10;10;-5\n";
+        let result = Ok(Box::new(fitcheck::part::Document::read(plan).unwrap()));
+        send(window, Command::OpenPage(Page::Parts));
+        send(window, PartsCommand::Plan(PlanCommand::Read { path: "/plans/flange.csv".into(), result }));
+        send(window, PartsCommand::Type(PartsField::Serial, "A-0099".to_owned()));
+        send(window, WalkCommand::Begin);
+        for value in ["25.0134", "19.988", "16.0135"] {
+            send(window, PartsCommand::Type(PartsField::Value, value.to_owned()));
+            send(window, WalkCommand::Take);
+        }
+        send(window, WalkCommand::Skip("The gauge is missing".to_owned()));
+        send(window, PartsCommand::Type(PartsField::Value, "10.004".to_owned()));
+        send(window, WalkCommand::Take);
+        window.remove_cursor();
     });
 }

@@ -16,9 +16,10 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::gui::journal::Records;
 use fitcheck::message::Bundle;
+use fitcheck::session::parts::{PartsView, PlanCommand, WalkCommand};
 use fitcheck::session::{
     BudgetCommand, BudgetField, CheckCommand, CheckField, Command, CyclesCommand, Field, FilesCommand, FitField,
-    MeasureBy, Page, PairingCommand, PairingField, ProgramCommand, Purpose, RecordsCommand,
+    MeasureBy, Page, PairingCommand, PairingField, PartsCommand, PartsField, ProgramCommand, Purpose, RecordsCommand,
 };
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
@@ -289,6 +290,10 @@ fn other_page(page: Page, size: (f32, f32, f32), tongue: Tongue) -> Vec<String> 
             send(&mut window, PairingCommand::Select(1));
         }
         Page::Records => recorded(&mut window),
+        Page::Parts => {
+            send(&mut window, PartsCommand::Plan(PlanCommand::New));
+            send(&mut window, PartsCommand::Show(PartsView::Plan));
+        }
         Page::Check | Page::Tables => {}
     }
     paint(&mut window, &what);
@@ -320,6 +325,40 @@ fn the_check_page_at_every_size() {
             // Only a window that is narrower than the word may set it smaller.
             found.extend(check_page(size, tongue, if 500.0 <= size.0 / size.2 { 64.0 } else { 40.0 }));
         }
+    }
+    assert!(found.is_empty(), "{}", found.join("\n"));
+}
+
+/// The walk through a part: before it, in the middle of it, and with a reason that is asked for.
+fn walk(size: (f32, f32, f32), tongue: Tongue) -> Vec<String> {
+    let points = vec2(size.0, size.1) / size.2;
+    let what = format!("Walk {}x{} at {} {}", size.0, size.1, size.2, tongue.name);
+    let mut window = open(size, tongue);
+    send(&mut window, Command::OpenPage(Page::Parts));
+    let plan = b"number;name;callout;x;y;z\n1;BORE;25 H7;40;30;-8\n2;PIN;20 g6;40;90;-8\n3;HOLE;8 H7;10;10;-5\n";
+    let result = Ok(Box::new(fitcheck::part::Document::read(plan).unwrap()));
+    send(&mut window, PartsCommand::Plan(PlanCommand::Read { path: "/plans/flange.csv".into(), result }));
+    let mut found = faults(&window, tongue, &format!("{what}, begin"));
+    send(&mut window, WalkCommand::Begin);
+    typed(&mut window, PartsField::Value, "25.0134");
+    send(&mut window, WalkCommand::Take);
+    send(&mut window, WalkCommand::Simulate);
+    paint(&mut window, &what);
+    check_frame(&window, points, &what);
+    found.extend(faults(&window, tongue, &what));
+    send(&mut window, WalkCommand::AskSkip(true));
+    found.extend(faults(&window, tongue, &format!("{what}, left out")));
+    found
+}
+
+#[test]
+fn the_walk_at_every_size() {
+    let mut found = Vec::new();
+    for size in SIZES {
+        found.extend(walk(size, ENGLISH));
+    }
+    for size in USUAL {
+        found.extend(walk(size, DUTCH));
     }
     assert!(found.is_empty(), "{}", found.join("\n"));
 }

@@ -215,3 +215,16 @@ cli-remark-unread = { $entries ->
 } passed over: this version cannot read it
 cli-head-without-chain = a server has several chains: --head CHAIN:NUMBER:HASH
 cli-head-of-other = this journal is the chain { $chain }, and --head names { $other }
+cli-remark-plan-has = { $count ->
+    [one] { $count } feature
+   *[other] { $count } features
+}
+cli-remark-plan-example = no callout given: the plan has one feature as an example
+cli-remark-plan-head-left = CSV has the features alone: part, drawing, picture, travel and the rule of all features are left out
+cli-warning-plan-missing = not measured: { $names }
+cli-warning-plan-missing-of = { $who }: not measured: { $names }
+cli-warning-plan-more-parts = more than { $most } parts: what is missing of the others is not told
+cli-remark-watching = watching { $folder }; files taken before: { $known }
+cli-warning-see-note = not everything could be used: the file beside it that ends in { $note } says why
+cli-not-seconds = { $given } is not a time in seconds
+cli-warning-same-content = the same content was taken before as { $known }: nothing is recorded again

@@ -215,3 +215,16 @@ cli-remark-unread = { $entries ->
 } overgeslagen: deze versie kan dat niet lezen
 cli-head-without-chain = een server heeft verschillende ketens: --head CHAIN:NUMBER:HASH
 cli-head-of-other = dit logboek is de keten { $chain }, en --head noemt { $other }
+cli-remark-plan-has = { $count ->
+    [one] { $count } kenmerk
+   *[other] { $count } kenmerken
+}
+cli-remark-plan-example = geen maat opgegeven: het plan heeft één kenmerk als voorbeeld
+cli-remark-plan-head-left = CSV heeft alleen de kenmerken: onderdeel, tekening, afbeelding, bereik en de regel van alle kenmerken blijven weg
+cli-warning-plan-missing = niet gemeten: { $names }
+cli-warning-plan-missing-of = { $who }: niet gemeten: { $names }
+cli-warning-plan-more-parts = meer dan { $most } onderdelen: van de andere wordt niet gezegd wat ontbreekt
+cli-remark-watching = { $folder } wordt in het oog gehouden; eerder genomen bestanden: { $known }
+cli-warning-see-note = niet alles was bruikbaar: het bestand ernaast dat op { $note } eindigt zegt waarom
+cli-not-seconds = { $given } is geen tijd in seconden
+cli-warning-same-content = dezelfde inhoud is eerder genomen als { $known }: er wordt niets opnieuw vastgelegd

@@ -3,6 +3,7 @@
 # Metingen uit bestanden
 exchange-format-logs = HEIDENHAIN-meetprotocollen zoals TCHPR421.TXT
 exchange-format-log-444 = meetprotocollen van het tasten in 3D, geschreven door Fitcheck
+exchange-format-fn16 = wat een besturing met FN 16 heeft geschreven, gelezen door zijn masker (--mask)
 exchange-format-contacts = meetpunten van één cirkel: x, y en eventueel z
 exchange-format-measurements = metingen als CSV: naam, passing, gemeten
 exchange-empty = het bestand is leeg
@@ -12,6 +13,13 @@ exchange-parquet-unknown = dit programma is gebouwd zonder Parquet: cargo build 
 exchange-parquet-stream = Parquet heeft zijn kolommen aan het eind en kan niet uit een pipe worden gelezen: geef het bestand bij zijn naam
 exchange-parquet = dit Parquet-bestand kan niet worden gelezen: { $reason }
 exchange-parquet-nested = kolom { $column } bevat kolommen of lijsten: alleen kolommen met enkele waarden kunnen worden beoordeeld
+exchange-mask-backwards = { $mask }: { $reason }
+exchange-mask-none = geen van de gegeven maskers drukt zo'n bestand af: { $masks }
+exchange-mask-several = meerdere maskers drukken zo'n bestand af, geef alleen het masker dat het heeft geschreven: { $masks }
+exchange-mask-no-measured = { $mask } drukt geen meetwaarde af: Q153 tot Q156 en Q160 zijn bekend, elk ander getal als zijn passing ernaast wordt afgedrukt
+exchange-mask-measured = { $mask }: elk van deze getallen kan de meetwaarde zijn: { $fields }; druk ook de passing en haar grenzen af, of het resultaat van de cyclus, zoals Q153
+exchange-print-ambiguous = dit kan door het masker op meerdere manieren worden gelezen
+exchange-print-broken = het record eindigt te vroeg: verwacht wordt wat regel { $line } van het masker afdrukt
 exchange-no-rows = geen enkele rij bevat een meting
 exchange-no-measured-column = geen kolom met gemeten waarden: benoem die in de eerste regel, bijvoorbeeld id;passing;gemeten
 exchange-several-columns = kolommen { $columns } kunnen elk { $role } zijn: benoem ze in de eerste regel, bijvoorbeeld id;passing;gemeten
@@ -21,6 +29,15 @@ exchange-role-nominal = de nominale maat
 exchange-role-measured = de gemeten waarde
 exchange-role-time = de tijd
 exchange-role-simulated = of de meting gesimuleerd is
+exchange-role-number = het nummer
+exchange-role-part = het onderdeel
+exchange-role-serial = het serienummer
+exchange-role-who = wie heeft gemeten
+exchange-role-x = X
+exchange-role-y = Y
+exchange-role-z = Z
+exchange-no-column = { $role } zou in kolom { $given } staan, en het bestand heeft { $columns }
+exchange-column-twice = kolom { $column } kan niet tegelijk { $first } en { $second } zijn
 exchange-unit = onbekende eenheid { $unit }: gebruik mm, µm of inch
 exchange-row-short = { $expected } cellen verwacht, { $found } gevonden
 exchange-row-long = { $expected } cellen verwacht, { $found } gevonden: is het scheidingsteken ook decimaalteken, of staat het in een tekst?
@@ -59,6 +76,7 @@ exchange-warning-not-used = overgeslagen, geen meting: { $text }
 exchange-warning-comment = een regel die met # begint is commentaar, maar hier staat een meting in
 exchange-warning-several-lines = de rij loopt binnen aanhalingstekens over { $lines } regels
 exchange-warning-time = { $given } is geen datum en tijd: het tijdstip van importeren is gebruikt
+exchange-warning-place = { $given } is geen lengte: de plaats wordt weggelaten
 exchange-warning-no-time = hier staat geen datum en tijd: de tijd van de import geldt
 exchange-warning-offset = { $given } wordt bewaard als lokale tijd zonder het verschil met UTC
 exchange-warning-cut-off = het bestand eindigt hier zonder regeleinde, en { $given } heeft minder decimalen dan de andere waarden: het is misschien afgekapt
@@ -106,3 +124,86 @@ sizes-warning-simulated-rows = { $count ->
 exchange-position-out = het middelpunt lag buiten positie, en een bestand heeft alleen de maat
 exchange-undecided = hier was niets beslist: { $given }
 exchange-warning-other-rule = de uitslagen van dit bestand kunnen volgens een andere beslisregel zijn (kolom rule_name): de waarden worden opnieuw beoordeeld
+exchange-read = het bestand kan niet verder worden gelezen: { $reason }
+exchange-too-large = groter dan { $most } MiB: een bestand van dit formaat wordt in zijn geheel gelezen
+exchange-unjudged-no-feature = niet beoordeeld: de grensmaten zijn { $minimum } tot { $maximum }, maar niet of het een boring of een as is, dus daarbuiten kan het nabewerken of afkeur zijn
+exchange-unjudged-one-limit = niet beoordeeld: een van de twee grensmaten ontbreekt
+exchange-unjudged-no-tolerance = niet beoordeeld: geen grensmaten opgegeven
+exchange-unjudged-swapped-limits = niet beoordeeld: de kleinste toegestane waarde { $minimum } ligt boven de grootste, { $maximum }
+exchange-unjudged-not-a-size = { $what }: geen maat van een boring of as
+exchange-warning-limits-differ = { $callout } heeft de grensmaten { $minimum } tot { $maximum } en het bestand heeft andere: die van het bestand tellen
+exchange-warning-class-unknown = klasse { $given } heeft hier geen grensmaten: die van het bestand tellen
+exchange-warning-status-differs = het bestand zegt { $given }, de grenzen zeggen { $status }
+exchange-warning-uncertainty-not-used = het bestand noemt een uitgebreide onzekerheid van { $expanded } mm: geen regel gebruikt die, geef daarvoor --u
+exchange-warning-plan-differs = het bestand heeft de grensmaten { $minimum } tot { $maximum }: die van het plan tellen
+exchange-warning-found-by-number = op nummer gevonden: { $name } van het plan
+exchange-warning-found-by-place = op plaats gevonden: { $name } van het plan
+exchange-format-aqdef = AQDEF van Q-DAS, in één bestand of als .dfd en .dfx
+exchange-format-calypso = tabellen met kenmerken van CALYPSO, zoals NAAM_chr.txt
+exchange-warning-unit-assumed = geen eenheid gegeven: lengten zonder eenheid zijn gelezen als mm
+exchange-warning-rounded = { $given } heeft cijfers voorbij de nanometer: afgerond op de dichtstbijzijnde
+exchange-warning-rounded-values = { $count ->
+        [one] 1 gemeten waarde heeft cijfers voorbij de nanometer, vanaf deze regel: afgerond op de dichtstbijzijnde
+       *[other] { $count } gemeten waarden hebben cijfers voorbij de nanometer, vanaf deze regel: afgerond op de dichtstbijzijnde
+    }
+exchange-unjudged-quantity = { $quantity ->
+        [102] rondheid (K2009 is 102)
+        [109] positie (K2009 is 109)
+        [117] een coördinaat (K2009 is 117)
+       *[other] een andere grootheid dan een diameter (K2009 is { $quantity })
+    }: geen maat van een boring of as
+exchange-unjudged-kind = niet gemeten: { $kind ->
+        [1] afgekeurde delen zijn geteld (K2004 is 1)
+        [5] een foutenlijst (K2004 is 5)
+        [6] een foutenlijst (K2004 is 6)
+       *[other] een onbekende soort kenmerk (K2004 is { $kind })
+    }
+exchange-unjudged-attribute = niet beoordeeld: gemerkt met { $given } (K0002), en alleen van 0 is bekend dat het een geldige waarde is
+exchange-unjudged-declaration = niet beoordeeld: regel { $declaration } van de beschrijving is niet te gebruiken
+exchange-format-qif = QIF 3.0: resultaten van meetsoftware, en meetplannen
+exchange-xml = geen welgevormde XML: { $reason }
+exchange-xml-doctype = een DOCTYPE wordt niet gelezen: haal die weg, of exporteer het bestand zonder
+exchange-xml-entity = entiteit { $name } is onbekend: alleen &lt; &gt; &amp; &quot; en &apos; worden gelezen
+exchange-xml-depth = meer dan { $most } elementen in elkaar
+exchange-xml-long = een tag of tekst is langer dan { $most } KiB
+exchange-xml-cut-off = het bestand eindigt binnen een element: het kan afgebroken zijn
+exchange-xml-encoding = onbekende codering { $given }: gebruik UTF-8, UTF-16 of ISO 8859-1
+exchange-xml-bytes = bytes hier zijn geen tekst in de codering van het bestand
+exchange-qif-unit = lengte-eenheid { $unit }: de naam is onbekend of past niet bij de factor; gebruik mm, inch of een andere eenheid met haar factor naar meter
+exchange-qif-no-unit = het bestand noemt geen lengte-eenheid: nodig is FileUnits met PrimaryUnits en LinearUnit
+exchange-qif-reference = { $what } { $id } staat niet in het bestand
+exchange-qif-too-many = het bestand heeft meer dan { $most } elementen { $what }
+exchange-qif-no-value = hier geen gemeten waarde; status { $status }
+exchange-qif-limit = grensmaten of nominale maat: { $reason }
+exchange-qif-no-nominal = de grenzen zijn afwijkingen, en er is geen nominale maat
+exchange-qif-zone = klasse { $class } en { $zone } spreken elkaar tegen: hoofdletters zijn boringen, kleine letters zijn assen
+exchange-qif-no-results = een QIF-bestand zonder gemeten waarden: een meetplan kan als onderdeelplan worden gelezen
+exchange-qif-no-characteristics = het QIF-bestand noemt geen kenmerken
+exchange-warning-standard-uncertainty-not-used = het bestand noemt een gecombineerde standaardonzekerheid van { $standard } en een gemiddelde afwijking van { $mean-error }: geen regel gebruikt die, geef daarvoor --u
+exchange-warning-qif-version = QIF-versie { $version }: de lezer is gemaakt voor 3.0
+exchange-warning-qif-count = { $list } zegt n={ $said } en heeft er { $found }: er kan iets ontbreken of bijgekomen zijn
+exchange-warning-qif-twice = id { $id } staat er twee keer: het eerste element telt
+exchange-format-xlsx = metingen in een werkmap van een rekenblad: kolommen zoals in CSV
+exchange-workbook = deze werkmap kan niet worden gelezen: { $reason }
+exchange-not-a-workbook = een ZIP-bestand, maar geen werkmap: pak het uit en geef de bestanden erin
+exchange-old-workbook = een werkmap van het formaat { $format }, dat niet wordt gelezen: sla die op als XLSX
+exchange-workbook-password = de werkmap heeft een wachtwoord: sla die zonder wachtwoord op
+exchange-zip-cut-off = het einde van de werkmap ontbreekt: die kan afgebroken zijn
+exchange-zip-members = de werkmap heeft een lijst van meer dan { $most } onderdelen, of een beschadigde
+exchange-zip-bomb = { $member } wordt uitgepakt meer dan { $most } MiB, of is te dicht gepakt voor een werkmap: er wordt niets van gelezen
+exchange-zip-texts = de werkmap heeft meer dan { $most } verschillende teksten
+exchange-sheet-wide = cel { $cell } ligt voorbij de eerste { $most } kolommen
+exchange-too-many-cells = het blad heeft meer dan { $most } cellen
+exchange-cell = { $cell }: { $reason }
+exchange-formula-without-value = de waarde van de formule ={ $formula } is niet opgeslagen: open de werkmap in een rekenprogramma en sla die op
+exchange-cell-error = de cel toont { $error }
+exchange-warning-sheets-left = blad { $sheet } wordt gelezen; andere bladen niet: { $left }
+gauge-frame = de tekens om de regel zijn weggelaten
+gauge-channel = van kanaal { $channel }
+gauge-inches = { $given } inch
+gauge-opinion = de meetklok zegt { $sign }; de grenzen van het plan beslissen
+
+mapping-no-value = { $given } zegt niets over een kolom: schrijf een woord, = en een kolom, zoals measured=3
+mapping-word = { $given } is niet iets wat een kolom bevat: toegestaan zijn { $allowed }
+mapping-value = { $word }: { $given } is onbekend: toegestaan zijn { $allowed }
+mapping-toml = geen toewijzing van kolommen: { $reason }

@@ -4,16 +4,19 @@
 //! panics where an input breaks what it holds, and returns otherwise. A new target is a file here, its `mod` line, its
 //! line in the table, and a folder of seeds in `fuzz/corpus`.
 
+mod aqdef;
 mod batch;
 mod block;
 mod budget;
 mod callout;
+mod calypso;
 mod circle;
 mod command;
 mod contacts;
 mod decimal;
 mod deviations;
 mod exact;
+mod fn16;
 mod format;
 mod iso;
 mod journal_body;
@@ -30,6 +33,7 @@ mod plan;
 mod point_log;
 mod probe_table;
 mod program;
+mod qif;
 mod question;
 mod shared;
 mod state;
@@ -37,6 +41,7 @@ mod table;
 mod tool_table;
 mod twin;
 mod workpiece;
+mod xlsx;
 
 /// A target.
 #[derive(Debug, Clone, Copy)]
@@ -61,14 +66,17 @@ macro_rules! targets {
 }
 
 targets! {
+    aqdef "aqdef"
     batch "csv"
     block "klartext"
     budget "toml"
     callout "sizes"
+    calypso "calypso"
     circle "none"
     command "csv"
     contacts "csv"
     deviations "table"
+    fn16 "mask"
     format "none"
     iso "iso"
     journal_body "journal"
@@ -85,10 +93,12 @@ targets! {
     point_log "page"
     probe_table "table"
     program "klartext"
+    qif "qif"
     question "question"
     state "toml"
     table "table"
     tool_table "table"
     twin "none"
     workpiece "toml"
+    xlsx "sheet"
 }

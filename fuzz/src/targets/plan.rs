@@ -3,23 +3,31 @@
 
 use std::collections::BTreeSet;
 
-use fitcheck::nc::sets::{Control, NcKind, NcPlan, NcSet, SetError, Target};
+use fitcheck::exchange::Given;
+use fitcheck::nc::sets::{Control, NcSet, SetError, Target};
+use fitcheck::part::{Document, Draft, Kind};
 use fitcheck::words::Dialogue;
 
 use super::shared::{OWN_SOURCES, told};
 
 /// The kinds that one program measures.
-const fn program(kind: &NcKind) -> &'static str {
+const fn program(kind: &Kind) -> &'static str {
     match kind {
-        NcKind::Boss(_) => "pocket",
+        Kind::Boss(_) => "pocket",
         kind => kind.word(),
     }
 }
 
 pub fn run(bytes: &[u8]) {
-    let plan = match NcPlan::read(bytes) {
-        Ok(plan) => plan,
+    let given = Given::new(&OWN_SOURCES, jiff::civil::DateTime::MIN);
+    let document = match fitcheck::exchange::read_plan("plan", bytes, given) {
+        Ok(document) => document,
         Err(error) => return told(bytes, &error),
+    };
+    writes_back(&document.draft);
+    let plan = match document.plan(&OWN_SOURCES) {
+        Ok(plan) => plan,
+        Err(errors) => return errors.iter().for_each(|error| told(bytes, error)),
     };
     // Making a set takes milliseconds; more features only take longer.
     if 3 < plan.features().len() {
@@ -38,7 +46,21 @@ pub fn run(bytes: &[u8]) {
                 told(bytes, remark);
             }
         }
-        Err(error @ (SetError::Plan(_) | SetError::Shape { .. } | SetError::Table { .. })) => told(bytes, &error),
+        Err(error @ (SetError::Feature(_) | SetError::Shape { .. } | SetError::Table { .. })) => told(bytes, &error),
         Err(error) => panic!("{error}"),
     }
+}
+
+/// What is written as TOML reads back as the same texts, whatever they are.
+fn writes_back(draft: &Draft) {
+    let again = Document::read(draft.to_toml().as_bytes()).expect("what is written is a plan");
+    assert_eq!(again.problems, []);
+    assert_eq!(texts(&again.draft), texts(draft));
+}
+
+fn texts(draft: &Draft) -> Vec<Vec<Option<&str>>> {
+    use fitcheck::part::{Column, HeadField};
+    let head = HeadField::ALL.iter().map(|field| draft.text(*field)).collect();
+    let rows = draft.rows.iter().map(|row| Column::ALL.iter().map(|column| row.text(*column)).collect());
+    std::iter::once(head).chain(rows).collect()
 }

@@ -19,6 +19,8 @@ pub(super) struct Keeping {
     shared: Vec<UsedFile>,
     /// The same with the file that is read now.
     files: Vec<UsedFile>,
+    /// How many checks were kept before this file.
+    first: usize,
     /// Rows that are no checks, or that cannot be kept, and the first ones by file and line.
     without: usize,
     places: Vec<String>,
@@ -28,20 +30,34 @@ pub(super) struct Keeping {
 
 impl Keeping {
     pub(super) fn new(recorder: Recorder, io: &Io<'_>) -> Self {
-        Self { recorder, shared: io.files(), files: Vec::new(), without: 0, places: Vec::new(), has_refused: false }
+        Self {
+            recorder,
+            shared: io.files(),
+            files: Vec::new(),
+            first: 0,
+            without: 0,
+            places: Vec::new(),
+            has_refused: false,
+        }
     }
 
-    /// From here on rows are those of this file.
-    pub(super) fn reads(&mut self, name: &str, bytes: &[u8]) {
+    /// From here on rows are those of this file; its hash is known once it is read.
+    pub(super) fn reads(&mut self, name: &str) {
         self.files.clone_from(&self.shared);
-        self.files.push(UsedFile { role: FileRole::Measurements, name: name.into(), sha256: Hash::of_file(bytes) });
+        self.files.push(UsedFile { role: FileRole::Measurements, name: name.into(), sha256: Hash::of_file(&[]) });
+        self.first = self.recorder.count();
+    }
+
+    /// The file is read, and this is its hash.
+    pub(super) fn has_read(&mut self, sha256: Hash) {
+        self.recorder.hash_last_file(self.first, sha256);
     }
 
     /// A row: a check is kept.
     pub(super) fn see(&mut self, row: &Row) {
         let place = || row.line.map_or_else(|| row.file.clone(), |line| format!("{}:{line}", row.file));
         let why = match &row.judged {
-            Some(record) => match self.recorder.size(Arc::clone(record), self.files.clone()) {
+            Some(record) => match self.recorder.size_of(Arc::clone(record), &row.labels, self.files.clone()) {
                 Ok(()) => return,
                 Err(error) => {
                     self.has_refused = true;

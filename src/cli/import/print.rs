@@ -7,6 +7,7 @@ use serde_json::{Number, Value as Json};
 
 use super::row::{COLUMNS, Row, Value};
 use crate::cli::answers::csv_line;
+use crate::cli::io::heard_or_not;
 use crate::cli::{CliError, Format, Io, Refused as _};
 use crate::length::{Length, Unit};
 use crate::report::columns::names;
@@ -21,7 +22,7 @@ const MEASURED: usize = 10_000;
 const WIDEST: usize = 200;
 
 /// Prints the rows of one file after another.
-pub(super) struct Printer {
+pub(in crate::cli) struct Printer {
     format: Format,
     /// The columns besides those of every import.
     more: More,
@@ -31,7 +32,7 @@ pub(super) struct Printer {
 }
 
 impl Printer {
-    pub(super) fn new(format: Format, more: More, io: &mut Io<'_>) -> Result<Self, CliError> {
+    pub(in crate::cli) fn new(format: Format, more: More, io: &mut Io<'_>) -> Result<Self, CliError> {
         match format {
             Format::Text => {}
             Format::Csv => {
@@ -43,7 +44,7 @@ impl Printer {
         Ok(Self { format, more, is_first: true, table: Table::default(), summary: Summary::default() })
     }
 
-    pub(super) fn row(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(in crate::cli) fn row(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
             Format::Text => self.text(row, io),
             Format::Csv => {
@@ -57,7 +58,7 @@ impl Printer {
         }
     }
 
-    pub(super) fn end(&mut self, io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(in crate::cli) fn end(&mut self, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
             Format::Text => {
                 self.table.print(io)?;
@@ -66,6 +67,14 @@ impl Printer {
             Format::Csv => Ok(()),
             Format::Json => Ok(writeln!(io.data(), "{}]", if self.is_first { "" } else { "\n" })?),
         }
+    }
+
+    /// Prints what waits for the widths of the columns: nobody waits for it longer.
+    pub(in crate::cli) fn flush(&mut self, io: &mut Io<'_>) -> Result<(), CliError> {
+        if self.format == Format::Text {
+            self.table.print(io)?;
+        }
+        heard_or_not(io.data().flush())
     }
 
     /// Puts the verdict into the table; prints errors to standard error with their places.

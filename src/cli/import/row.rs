@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use crate::cli::judging::Judge;
 use crate::cli::{CliRemark, CliWarning};
-use crate::exchange::{ImportError, Item, Unjudged, WhyUnjudged};
+use crate::exchange::{ImportError, Item, Labels, Unjudged, WhyUnjudged};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::message::Located;
@@ -13,10 +13,10 @@ use crate::tolerance::{Deviations, Source};
 use crate::verdict::{PositionVerdict, Status};
 
 /// A column of the CSV and a name in JSON, with its value in a row.
-pub(super) type Column = (&'static str, fn(&Row) -> Value<'_>);
+pub(in crate::cli) type Column = (&'static str, fn(&Row) -> Value<'_>);
 
 /// The columns of the CSV and the names in JSON, in order. They must not change.
-pub(super) const COLUMNS: [Column; 15] = [
+pub(in crate::cli) const COLUMNS: [Column; 15] = [
     ("file", |row| Value::Text(&row.file)),
     ("line", |row| row.line.map_or(Value::Nothing, |line| Value::Number(line.to_string()))),
     ("id", |row| Value::Text(&row.id)),
@@ -48,34 +48,36 @@ fn um(length: Option<Length>) -> Value<'static> {
 
 /// What is known of one row of a file.
 #[derive(Debug, Clone, Default, PartialEq)]
-pub(super) struct Row {
-    pub(super) file: String,
+pub(in crate::cli) struct Row {
+    pub(in crate::cli) file: String,
     /// Its line; `None` where the file could not be read.
-    pub(super) line: Option<usize>,
+    pub(in crate::cli) line: Option<usize>,
     /// Where an error is in its line.
-    pub(super) column: Option<usize>,
-    pub(super) id: String,
-    pub(super) callout: Option<String>,
-    pub(super) nominal: Option<Length>,
-    pub(super) minimum: Option<Length>,
-    pub(super) maximum: Option<Length>,
-    pub(super) measured: Option<Length>,
-    pub(super) deviation: Option<Length>,
+    pub(in crate::cli) column: Option<usize>,
+    pub(in crate::cli) id: String,
+    pub(in crate::cli) callout: Option<String>,
+    pub(in crate::cli) nominal: Option<Length>,
+    pub(in crate::cli) minimum: Option<Length>,
+    pub(in crate::cli) maximum: Option<Length>,
+    pub(in crate::cli) measured: Option<Length>,
+    pub(in crate::cli) deviation: Option<Length>,
     /// The diameter's status.
-    pub(super) status: Option<Status>,
+    pub(in crate::cli) status: Option<Status>,
     /// To the nearest limit.
-    pub(super) remove: Option<Length>,
-    pub(super) position: Option<PositionVerdict>,
-    pub(super) source: Option<String>,
-    pub(super) warnings: Vec<String>,
-    pub(super) error: Option<String>,
+    pub(in crate::cli) remove: Option<Length>,
+    pub(in crate::cli) position: Option<PositionVerdict>,
+    pub(in crate::cli) source: Option<String>,
+    pub(in crate::cli) warnings: Vec<String>,
+    pub(in crate::cli) error: Option<String>,
+    /// What its file says of it besides its name.
+    pub(in crate::cli) labels: Labels,
     /// The check, where it is wanted or has more to say than a control.
-    pub(super) judged: Option<Arc<Record>>,
+    pub(in crate::cli) judged: Option<Arc<Record>>,
 }
 
 /// A cell of the CSV or a value in JSON.
 #[derive(Debug, Clone, PartialEq)]
-pub(super) enum Value<'a> {
+pub(in crate::cli) enum Value<'a> {
     Nothing,
     Text(&'a str),
     /// An exact decimal number.
@@ -84,7 +86,7 @@ pub(super) enum Value<'a> {
 }
 
 /// Makes the rows of a file from what is read from it.
-pub(super) struct Rows<'a> {
+pub(in crate::cli) struct Rows<'a> {
     judge: &'a Judge,
     /// Whether the check of a row is wanted even where it has no more to say than a control.
     wants_checks: bool,
@@ -97,16 +99,16 @@ pub(super) struct Rows<'a> {
 }
 
 impl<'a> Rows<'a> {
-    pub(super) fn of(path: &Path, judge: &'a Judge, wants_checks: bool) -> Self {
+    pub(in crate::cli) fn of(path: &Path, judge: &'a Judge, wants_checks: bool) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy().as_ref().into();
         Self { judge, wants_checks, path: path.display().to_string(), name, warnings: (0, Vec::new()) }
     }
 
     /// The row of what was read; none for a warning, which goes to the row that follows, and for contacts, which have
     /// had theirs.
-    pub(super) fn row(&mut self, item: Item) -> Option<Row> {
+    pub(in crate::cli) fn row(&mut self, item: Item) -> Option<Row> {
         let (line, mut row) = match item {
-            Item::Record { line, record } => (line, self.record(record)),
+            Item::Record { line, record, labels } => (line, Row { labels, ..self.record(record) }),
             Item::Unjudged(unjudged) => {
                 let mut row = Row::of_unjudged(&unjudged);
                 if row.status.is_some() && !self.judge.is_plain() {
@@ -210,10 +212,22 @@ impl Row {
                 error: Some(unjudged.why.to_string()),
                 ..row
             },
+            WhyUnjudged::NoFeature { minimum, maximum } => {
+                Self { minimum: Some(*minimum), maximum: Some(*maximum), error: Some(unjudged.why.to_string()), ..row }
+            }
             WhyUnjudged::NoCallout
+            | WhyUnjudged::OneLimit
+            | WhyUnjudged::NotInPlan(_)
+            | WhyUnjudged::SwappedLimits { .. }
+            | WhyUnjudged::NoTolerance
+            | WhyUnjudged::NotASize { .. }
             | WhyUnjudged::CoordinateWithoutLimits
             | WhyUnjudged::SizeWithoutLimits { .. }
             | WhyUnjudged::PointWithoutTolerance
+            | WhyUnjudged::Quantity { .. }
+            | WhyUnjudged::Kind { .. }
+            | WhyUnjudged::Attribute { .. }
+            | WhyUnjudged::Declaration { .. }
             | WhyUnjudged::Contacts { .. } => Self { error: Some(unjudged.why.to_string()), ..row },
         }
     }
@@ -223,17 +237,17 @@ impl Row {
     }
 
     /// The row for a file that could not be read at all.
-    pub(super) fn of_file(path: &Path, error: String) -> Self {
+    pub(in crate::cli) fn of_file(path: &Path, error: String) -> Self {
         Self { file: path.display().to_string(), error: Some(error), ..Self::default() }
     }
 
     /// The part's status: also scrap where its centre is out of position.
-    pub(super) fn part_status(&self) -> Option<Status> {
+    pub(in crate::cli) fn part_status(&self) -> Option<Status> {
         if self.position.is_some_and(|position| position.is_out()) { Some(Status::Scrap) } else { self.status }
     }
 
     /// `IN`, `OUT`, or nothing where the centre was not monitored.
-    pub(super) fn position_word(&self) -> Option<&'static str> {
+    pub(in crate::cli) fn position_word(&self) -> Option<&'static str> {
         let position = self.position.filter(PositionVerdict::is_monitored)?;
         Some(if position.is_out() { "OUT" } else { "IN" })
     }

@@ -7,7 +7,6 @@ use std::path::Path;
 use jiff::civil::{Date, Time};
 
 use super::error::{LogError, LogFault, LogWarning, LogWarningKind};
-use crate::control::text;
 use crate::length::Unit;
 use crate::message::{Located, Place};
 
@@ -22,18 +21,18 @@ pub(super) const LONGEST_LINE: usize = 4 << 10;
 
 /// The first line of a log.
 #[derive(Debug)]
-pub(super) struct Title<'a> {
+pub(super) struct Title {
     pub(super) line: usize,
     pub(super) cycle: u16,
-    pub(super) text: &'a str,
+    pub(super) text: String,
 }
 
 /// The lines of one log.
-#[derive(Debug)]
-pub(super) struct Chunk<'a> {
-    pub(super) title: Option<Title<'a>>,
+#[derive(Debug, Default)]
+pub(super) struct Chunk {
+    pub(super) title: Option<Title>,
     /// The lines after the title that are not blank, up to [`MOST_LINES`].
-    lines: Vec<(usize, &'a str)>,
+    lines: Vec<(usize, String)>,
     /// Whether there are more of them, or one is longer than [`LONGEST_LINE`].
     pub(super) is_too_long: bool,
     /// How many of them hold a figure after a label.
@@ -88,81 +87,67 @@ enum Line<'a> {
     Text,
 }
 
-/// The logs of a text, one after the other: each begins at a title, or where a second date shows that a title is
-/// missing.
-pub(super) fn chunks(text: &str) -> impl Iterator<Item = Chunk<'_>> {
-    Chunks {
-        lines: text::lines(text),
-        is_unfinished: !text.ends_with(['\n', '\r', '\0']),
-        chunk: Some(Chunk::new(None)),
-        last: 0,
-        waits: false,
-    }
-    .filter(|chunk| chunk.title.is_some() || !chunk.lines.is_empty() || chunk.is_too_long)
-}
-
-struct Chunks<'a, I> {
-    lines: I,
-    /// Whether the last line has no line end.
-    is_unfinished: bool,
-    /// What was read so far of the next log; none after the last.
-    chunk: Option<Chunk<'a>>,
+/// Cuts lines into logs: each begins at a title, or where a second date shows that a title is missing.
+#[derive(Debug, Default)]
+pub(super) struct Chunks {
+    /// What was read so far of the next log.
+    chunk: Chunk,
     /// The number of the line that was read last.
     last: usize,
     /// Whether the line before is a label that waits for its value.
     waits: bool,
 }
 
-impl<'a, I: Iterator<Item = (usize, &'a str)>> Iterator for Chunks<'a, I> {
-    type Item = Chunk<'a>;
-
-    fn next(&mut self) -> Option<Chunk<'a>> {
-        let chunk = self.chunk.as_mut()?;
-        for (number, line) in self.lines.by_ref() {
-            self.last = number;
-            let line = line.trim_end();
-            if line.trim_start().is_empty() {
-                continue;
-            }
-            if LONGEST_LINE < line.len() {
-                (chunk.is_too_long, self.waits) = (true, false);
-                continue;
-            }
-            let kind = classify(line.trim_start());
-            let value = match kind {
-                Line::Label { value, .. } => value,
-                Line::Value if self.waits => line.trim_start(),
-                Line::Value | Line::Title(_) | Line::Text => "",
-            };
-            self.waits = matches!(kind, Line::Label { value: "", .. });
-            if let Line::Title(cycle) = kind {
-                let title = Title { line: number, cycle, text: line.trim_start() };
-                return Some(std::mem::replace(chunk, Chunk::new(Some(title))));
-            }
-            // A date after the nominal values: the title between two logs is damaged.
-            let is_lost = date(value).is_some() && 3 <= chunk.figures;
-            let before = is_lost.then(|| std::mem::replace(chunk, Chunk::new(None)));
-            chunk.add(number, line, value);
-            if before.is_some() {
-                return before;
-            }
+impl Chunks {
+    /// Takes a line, and gives the log that ends before it.
+    pub(super) fn line(&mut self, number: usize, line: &str) -> Option<Chunk> {
+        self.last = number;
+        let line = line.trim_end();
+        let bare = line.trim_start();
+        if bare.is_empty() {
+            return None;
         }
-        let mut last = self.chunk.take()?;
-        last.unfinished = self.is_unfinished.then_some(self.last);
-        Some(last)
+        if LONGEST_LINE < line.len() {
+            (self.chunk.is_too_long, self.waits) = (true, false);
+            return None;
+        }
+        let kind = classify(bare);
+        let value = match kind {
+            Line::Label { value, .. } => value,
+            Line::Value if self.waits => bare,
+            Line::Value | Line::Title(_) | Line::Text => "",
+        };
+        self.waits = matches!(kind, Line::Label { value: "", .. });
+        if let Line::Title(cycle) = kind {
+            let title = Some(Title { line: number, cycle, text: bare.to_owned() });
+            return std::mem::replace(&mut self.chunk, Chunk { title, ..Chunk::default() }).if_any();
+        }
+        // A date after the nominal values: the title between two logs is damaged.
+        let is_lost = date(value).is_some() && 3 <= self.chunk.figures;
+        let before = is_lost.then(|| std::mem::take(&mut self.chunk));
+        self.chunk.add(number, line, value);
+        before.and_then(Chunk::if_any)
+    }
+
+    /// The log that ends with the text. Whether the last line has no line end.
+    pub(super) fn end(&mut self, is_unfinished: bool) -> Option<Chunk> {
+        let mut last = std::mem::take(&mut self.chunk);
+        last.unfinished = is_unfinished.then_some(self.last);
+        last.if_any()
     }
 }
 
-impl<'a> Chunk<'a> {
-    const fn new(title: Option<Title<'a>>) -> Self {
-        Self { title, lines: Vec::new(), is_too_long: false, figures: 0, unfinished: None }
+impl Chunk {
+    /// It, if it has anything.
+    fn if_any(self) -> Option<Self> {
+        (self.title.is_some() || !self.lines.is_empty() || self.is_too_long).then_some(self)
     }
 
     /// Adds a line that is not blank, with the value that it has after a label.
-    fn add(&mut self, number: usize, line: &'a str, value: &str) {
+    fn add(&mut self, number: usize, line: &str, value: &str) {
         self.figures += usize::from(is_number(value));
         if self.lines.len() < MOST_LINES {
-            self.lines.push((number, line));
+            self.lines.push((number, line.to_owned()));
         } else {
             self.is_too_long = true;
         }
@@ -174,13 +159,13 @@ impl<'a> Chunk<'a> {
     }
 
     pub(super) fn first_line(&self) -> Option<usize> {
-        self.lines.first().map(|&(line, _)| line)
+        self.lines.first().map(|(line, _)| *line)
     }
 
     /// The last line that is not blank, or the line of the title.
     pub(super) fn last_line(&self) -> usize {
         let title = self.title.as_ref().map_or(1, |title| title.line);
-        self.lines.last().map_or(title, |&(line, _)| line)
+        self.lines.last().map_or(title, |(line, _)| *line)
     }
 
     /// Whether the file ends within this line.
@@ -189,11 +174,12 @@ impl<'a> Chunk<'a> {
     }
 
     /// Labels with their values, on the same line or the next. A label without a value is a heading.
-    pub(super) fn sections(&self, warnings: &mut Vec<LogWarning>) -> Result<Vec<Section<'a>>, LogError> {
+    pub(super) fn sections(&self, warnings: &mut Vec<LogWarning>) -> Result<Vec<Section<'_>>, LogError> {
         let title = self.title.as_ref().map_or(1, |title| title.line);
         let mut sections = vec![Section { line: title, pairs: Vec::new() }];
         let mut open: Option<(usize, &str)> = None;
-        for &(line, text) in &self.lines {
+        for (line, text) in &self.lines {
+            let line = *line;
             let bare = text.trim_start();
             let column = |value: &str| text.chars().count().saturating_sub(value.chars().count()) + 1;
             let pair = match classify(bare) {

@@ -30,7 +30,7 @@ use crate::length::Unit;
 use crate::message::Located;
 use crate::probing::cycle::{self, TextLog};
 use crate::probing::cycles::cycle as cycle_of;
-use lines::Chunk;
+use lines::{Chunk, Chunks};
 
 /// One measuring log.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -96,37 +96,68 @@ pub fn read(bytes: &[u8]) -> Vec<Result<Log, LogError>> {
     each(&text::decode(bytes)).collect()
 }
 
-/// The same for a text, one log after the other: memory stays the same however many there are.
+/// The same for a text, one log after the other.
 pub fn each(text: &str) -> impl Iterator<Item = Result<Log, LogError>> {
-    let mut chunks = lines::chunks(text);
-    let mut before = None;
-    let mut is_empty = true;
+    let mut lines = text::lines(text);
+    let mut logs = Some(Logs::default());
     std::iter::from_fn(move || {
-        for chunk in chunks.by_ref() {
-            if chunk.title.is_none() && !chunk.has_figures() {
-                // Everything above the first title.
-                let line = chunk.first_line().unwrap_or(1);
-                before.get_or_insert(Located::in_line(line, LogWarningKind::TextBefore));
-                continue;
-            }
-            is_empty = false;
-            let read = read_one(&chunk).map(|mut log| {
-                log.warnings.splice(0..0, before.take());
-                log
-            });
-            return Some(read);
-        }
-        let reason = if text.trim().is_empty() { LogFault::Empty } else { LogFault::NoLog };
-        std::mem::take(&mut is_empty).then(|| Err(reason.at(1)))
+        let reads = logs.as_mut()?;
+        let next = lines.by_ref().find_map(|(number, line)| reads.line(number, line));
+        next.or_else(|| logs.take()?.end(!text.ends_with(text::LINE_ENDS)))
     })
+}
+
+/// Reads logs line by line: memory stays the same however many there are.
+#[derive(Debug, Default)]
+pub struct Logs {
+    chunks: Chunks,
+    /// What stood above the next log.
+    before: Option<LogWarning>,
+    /// Whether there was a log.
+    is_found: bool,
+    /// Whether there was anything.
+    has_text: bool,
+}
+
+impl Logs {
+    /// Takes a line without its end, and gives the log that ends before it.
+    pub fn line(&mut self, number: usize, line: &str) -> Option<Result<Log, LogError>> {
+        let chunk = self.chunks.line(number, line);
+        self.has_text = self.has_text || !line.trim_ascii().is_empty();
+        self.read(&chunk?)
+    }
+
+    /// The log that ends with the text; a text without any gives one error. `is_unfinished` is whether the last line has no end.
+    pub fn end(mut self, is_unfinished: bool) -> Option<Result<Log, LogError>> {
+        let last = self.chunks.end(is_unfinished).and_then(|chunk| self.read(&chunk));
+        let fault = if self.has_text { LogFault::NoLog } else { LogFault::Empty };
+        last.or_else(|| (!self.is_found).then(|| Err(fault.at(1))))
+    }
+
+    fn read(&mut self, chunk: &Chunk) -> Option<Result<Log, LogError>> {
+        if chunk.title.is_none() && !chunk.has_figures() {
+            // Everything above the first title.
+            let line = chunk.first_line().unwrap_or(1);
+            self.before.get_or_insert(Located::in_line(line, LogWarningKind::TextBefore));
+            return None;
+        }
+        self.is_found = true;
+        Some(read_one(chunk).map(|mut log| {
+            log.warnings.splice(0..0, self.before.take());
+            log
+        }))
+    }
 }
 
 /// Whether a text looks like a measuring log: a title, and labels followed by figures.
 pub fn is_log(text: &str) -> bool {
-    lines::chunks(text).any(|chunk| chunk.title.is_some() && chunk.has_figures())
+    let is_log = |chunk: Chunk| chunk.title.is_some() && chunk.has_figures();
+    let mut chunks = Chunks::default();
+    text::lines(text).any(|(number, line)| chunks.line(number, line).is_some_and(is_log))
+        || chunks.end(false).is_some_and(is_log)
 }
 
-fn read_one(chunk: &Chunk<'_>) -> Result<Log, LogError> {
+fn read_one(chunk: &Chunk) -> Result<Log, LogError> {
     let Some(title) = &chunk.title else {
         return Err(LogFault::NoTitle.at(chunk.first_line().unwrap_or(1)));
     };
@@ -148,7 +179,7 @@ fn read_one(chunk: &Chunk<'_>) -> Result<Log, LogError> {
     Ok(Log {
         line: title.line,
         cycle: title.cycle,
-        title: title.text.to_owned(),
+        title: title.text.clone(),
         date: header.date,
         time: header.time,
         program: header.program,

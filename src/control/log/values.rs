@@ -34,7 +34,7 @@ pub struct LimitPair {
 
 /// What is left of a log below its header.
 pub(super) struct Body<'a> {
-    chunk: &'a Chunk<'a>,
+    chunk: &'a Chunk,
     /// Sections with pairs; a log without headings is divided by its order.
     groups: Vec<Section<'a>>,
     unit: Unit,
@@ -48,14 +48,14 @@ struct Number<'a> {
 }
 
 impl<'a> Body<'a> {
-    pub(super) fn new(chunk: &'a Chunk<'a>, mut groups: Vec<Section<'a>>, unit: Unit) -> Self {
+    pub(super) fn new(chunk: &'a Chunk, mut groups: Vec<Section<'a>>, unit: Unit) -> Self {
         groups.retain(|section| !section.pairs.is_empty());
         Self { chunk, groups, unit }
     }
 
     pub(super) fn read(
         mut self,
-        title: &Title<'_>,
+        title: &Title,
         warnings: &mut Vec<LogWarning>,
     ) -> Result<(Vec<Figure>, Vec<Further>), LogError> {
         let Some(log) = layout(title.cycle) else { return Err(LogFault::other_cycle(title.cycle).at(title.line)) };

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `read` | text to mask, with warnings |
 //! | `render` | mask and parameters to text |
+//! | `inverse` | what a mask printed, back to the values; `inverse/search` has the ways to read some lines |
 //! | `error` | what can be wrong |
 //!
 //! A mask is a list of lines: records (a quoted format and its parameters), keywords and language sections. The grammar
@@ -11,10 +12,12 @@
 //! missing `;` is a warning, anything else that cannot be read is an error with line and column.
 
 mod error;
+mod inverse;
 mod read;
 mod render;
 
 pub use error::{MaskError, MaskFault, MaskWarning, MaskWarningKind, RenderError, RenderFault};
+pub use inverse::{Found, Inverse, InverseError, InverseFault, Of, Printed, Slot};
 pub(crate) use render::decimal;
 pub use render::{Context, FileUse, Output};
 

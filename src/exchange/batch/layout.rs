@@ -7,13 +7,12 @@ use super::index::Index;
 use super::row::Row;
 use super::{LONGEST_ROW, index};
 use crate::control::text::windows_1252;
+use crate::exchange::FORMATS;
 use crate::exchange::cells;
 use crate::exchange::columns::{self, Columns, Sample};
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
-use crate::exchange::{FORMATS, Source};
 use crate::message::Say as _;
-use crate::tolerance::Sources;
 
 /// How much of a stream decides at most what its columns are: the longest row and a header.
 pub const HEAD: usize = LONGEST_ROW + (256 << 10);
@@ -177,9 +176,7 @@ fn skipped(columns: &Columns, first_line: usize) -> Option<(usize, ImportWarning
 
 /// Whether a text is of the one format that can be judged row by row.
 fn known_format(head: &[u8], file_name: &str) -> Result<(), ImportErrorKind> {
-    let source =
-        Source { file: file_name.into(), bytes: head, sources: &Sources::default(), now: jiff::civil::DateTime::MIN };
-    match FORMATS.iter().find(|format| (format.recognises)(&source)) {
+    match FORMATS.iter().find(|format| format.recognises(head, file_name)) {
         Some(format) if format.name == "measurements" => Ok(()),
         Some(format) => Err(ImportErrorKind::OtherFormat { format: format.message() }),
         None => Err(ImportErrorKind::NotRecognised),

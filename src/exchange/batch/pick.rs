@@ -13,7 +13,8 @@ use super::row::Row;
 use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::imported::{Imported, Sink, WhyUnjudged};
 use crate::exchange::rules::Rules;
-use crate::exchange::{Source, cells, measurements};
+use crate::exchange::source::Context;
+use crate::exchange::{cells, measurements};
 use crate::message::{Message, Say as _};
 use crate::tolerance::Sources;
 
@@ -137,7 +138,7 @@ impl Picked {
     /// What an import makes of this row: a record, or why there is none.
     pub fn imported(&self, layout: &Layout, file: &str, sources: &Sources, now: DateTime) -> Imported {
         let mut imported = Imported::default();
-        let source = Source { file: Arc::from(file), bytes: &[], sources, now };
+        let source = Context { file: Arc::from(file), sources, now };
         let cells: StringRecord = self.cells.iter().collect();
         let mut keep = |item| imported.keep(item);
         let columns = (&layout.columns, layout.separator);

@@ -25,7 +25,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         return question_ui(ui, view, question);
     }
     let record = view.session.check().shown().map(|shown| shown.record.as_ref());
-    let card = record.map_or_else(|| no_card(view), |record| card(view.words, record));
+    let card = record.map_or_else(|| no_card(view), |record| card(view.words, record, true));
     card_ui(ui, view, &card);
     recorded_ui(ui, view, view.session.check_recorded());
 }
@@ -47,7 +47,7 @@ pub(super) fn reasons_ui(ui: &mut Ui, view: &mut View<'_>) {
         lot_ui(ui, view, lot);
     }
     if let Some(shown) = view.session.check().shown() {
-        lines_below_ui(ui, &card(view.words, &shown.record));
+        lines_below_ui(ui, &card(view.words, &shown.record, true));
         why_ui(ui, view, &shown.record);
     } else if view.session.check().question().is_none() {
         lines_below_ui(ui, &no_card(view));
@@ -107,8 +107,8 @@ fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
     ui.add_space(space(1.0));
 }
 
-/// The card of a record: the word, the value, what to remove, the distances, the position.
-fn card(words: &Words, record: &Record) -> Card {
+/// The card of a record (of a diameter where it `is_round`): the word, the value, what to remove, the distances, the position.
+pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Card {
     let size = &record.verdict.size;
     let digits = Digits::of(record);
     let status = record.verdict.status();
@@ -126,7 +126,9 @@ fn card(words: &Words, record: &Record) -> Card {
             Digits::Exact => words.number(&half_um(removal.to_limit)),
             Digits::Rounded => um(removal.to_limit.midpoint(Length::ZERO)),
         };
-        lines.push(words.say(&Message::new("remove-per-side").text("um", half)));
+        if is_round {
+            lines.push(words.say(&Message::new("remove-per-side").text("um", half)));
+        }
     } else {
         lines.push(distance(("above-minimum", "below-minimum"), size.above_minimum));
         lines.push(distance(("below-maximum", "above-maximum"), size.below_maximum));

@@ -24,6 +24,7 @@ mod rule_panel;
 mod status_panel;
 mod worth_lines;
 
+pub(super) use answer_panel::card as check_card;
 use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
 pub(super) use history_list::{PAD, id as history_id, text_ui};
 pub(super) use record_panel::recorded_ui;

@@ -14,11 +14,15 @@ use super::{Interrupt, Journals, ReadError, Reads, lock, say};
 use crate::journal::ask::Question;
 use crate::journal::chain::Head;
 use crate::message::Message;
+use crate::session::parts::WalkCommand;
 use crate::session::records::{Found, Numbers, PAGE};
 use crate::session::{Command, RecordRow, RecordsCommand};
 
 /// How long nobody may type before a question is asked.
 const REST: Duration = Duration::from_millis(120);
+
+/// How often a part is asked for again that somebody has interrupted.
+const TRIES: usize = 10;
 
 /// How many numbers are found together after the first page.
 const BATCH: usize = 50_000;
@@ -38,6 +42,13 @@ pub(super) enum Asked {
     },
     Rows {
         numbers: Vec<u64>,
+        ctx: Context,
+    },
+    /// Everything that answers a question, the oldest first.
+    Part {
+        run: u64,
+        question: Box<Question>,
+        most: usize,
         ctx: Context,
     },
 }
@@ -173,6 +184,25 @@ impl Finder {
                     Err(ReadError::Interrupted) => Ok(Vec::new()),
                 };
                 say(answers, &ctx, RecordsCommand::Read { numbers, result });
+            }
+            Asked::Part { run, question, most, ctx } => {
+                let read = |reader: &dyn Reads| {
+                    let mut numbers = reader.numbers(&question, None, most)?;
+                    numbers.sort_unstable();
+                    reader.rows(&numbers)
+                };
+                // Somebody else's interruption: once more.
+                let mut result = self.with_reader(read);
+                for _ in 0..TRIES {
+                    if result == Err(ReadError::Interrupted) {
+                        result = self.with_reader(read);
+                    }
+                }
+                let result = result.map_err(|error| match error {
+                    ReadError::Failed(why) => why,
+                    ReadError::Interrupted => Message::new("records-page-interrupted"),
+                });
+                say(answers, &ctx, WalkCommand::Came { run, result });
             }
             Asked::Question { .. } => {}
         }

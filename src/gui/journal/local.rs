@@ -62,6 +62,19 @@ impl Journals for Local {
         Ok(Box::new(Reader::open(file).map_err(|error| error.message())?))
     }
 
+    fn bodies(&self, file: &Path, see: &mut dyn FnMut(&[u8])) -> Result<(), Message> {
+        let reader = Reader::open(file).map_err(|error| error.message())?;
+        let mut from = 1;
+        loop {
+            let entries = reader.entries(from, 1_000).map_err(|error| error.message())?;
+            let Some(last) = entries.last() else { return Ok(()) };
+            from = last.head.number + 1;
+            for kept in &entries {
+                see(&kept.body);
+            }
+        }
+    }
+
     fn verify(&self, file: &Path, progress: &mut dyn FnMut(u64, u64) -> ControlFlow<()>) -> Result<Verified, Message> {
         let chain = Reader::open(file).map_err(|error| error.message())?.chain();
         let anchors = self.anchors.as_deref().map(Anchors::read);

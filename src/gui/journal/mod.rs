@@ -36,12 +36,14 @@ use shop::Shop;
 use writer::{Job, Writer};
 
 use super::effects::Errands;
+use super::watching::KnownOf;
 use crate::journal::ask::Question;
 use crate::journal::chain::Head;
 use crate::journal::entry::{Entry, Moment};
 use crate::message::Message;
 use crate::session::records::Verified;
 use crate::session::{Command, Effect, OpenJournal, RecordRow, RecordsCommand};
+use crate::watch::Known;
 
 /// Where records are kept, whatever that is: the file of this station, or one that a test has made up.
 pub trait Journals: Debug + Send + Sync {
@@ -56,6 +58,12 @@ pub trait Journals: Debug + Send + Sync {
     /// # Errors
     /// What the user should know.
     fn reader(&self, file: &Path) -> Result<Box<dyn Reads>, Message>;
+
+    /// The bodies of all entries so far, from the first one on.
+    ///
+    /// # Errors
+    /// What the user should know.
+    fn bodies(&self, file: &Path, see: &mut dyn FnMut(&[u8])) -> Result<(), Message>;
 
     /// Walks the chain. `progress` gets how many entries are done, and of how many, and may stop it.
     ///
@@ -256,6 +264,9 @@ impl Desk {
                 }
                 self.find(ctx, Asked::Question { run, question, rests, ctx: ctx.clone() });
             }
+            Effect::ReadPart { run, question, most } => {
+                self.find(ctx, Asked::Part { run, question, most, ctx: ctx.clone() });
+            }
             Effect::ReadRecords(numbers) => self.find(ctx, Asked::Rows { numbers, ctx: ctx.clone() }),
             Effect::VerifyRecords { run } => self.verify(ctx, run),
             Effect::SendTo(address) => self.send_to(ctx, address.as_deref()),
@@ -265,6 +276,18 @@ impl Desk {
             other => return Some(other),
         }
         None
+    }
+
+    /// Reads which files the journal knows; nothing where no records are kept.
+    pub fn known(&self) -> KnownOf {
+        let (journals, file) = (Arc::clone(&self.records.journals), lock(&self.file).clone());
+        Box::new(move || {
+            let mut known = Known::default();
+            if let Some(file) = file {
+                journals.bodies(&file, &mut |body| known.see(body))?;
+            }
+            Ok(known)
+        })
     }
 
     fn write(&self, job: Job) {

@@ -15,7 +15,7 @@ mod tokens;
 
 use std::sync::LazyLock;
 
-use eframe::egui::{Context, FontFamily, FontId, Theme, Ui};
+use eframe::egui::{ColorImage, Context, FontFamily, FontId, Theme, Ui};
 
 pub use style::install;
 pub use tokens::{Hex, Palette, Sizes, Tokens};
@@ -46,6 +46,15 @@ pub fn set_density(ctx: &Context, is_touch: bool) {
             style.spacing.icon_width = if is_touch { space(7.0) } else { space(5.0) };
             style.spacing.icon_width_inner = style.spacing.icon_width * 0.6;
         });
+    }
+}
+
+/// A picture of its own colours, from red, green, blue and opacity of every dot; nothing where there are too few of them.
+pub fn picture(size: [usize; 2], dots: &[u8]) -> ColorImage {
+    if size[0].checked_mul(size[1]).and_then(|count| count.checked_mul(4)) == Some(dots.len()) {
+        ColorImage::from_rgba_unmultiplied(size, dots)
+    } else {
+        ColorImage::default()
     }
 }
 

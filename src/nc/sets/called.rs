@@ -16,7 +16,7 @@
 //! | Q23, Q33, Q62 | maximum, minimum, and the nominal size moved between them; of a pocket or boss along Y |
 //! | Q73, Q83, Q72 | those of a pocket or boss along X |
 
-use super::kind::NcKind;
+use crate::part::Kind;
 use crate::probing::cycle::{Axis, Cycle, Key, Meaning};
 use crate::probing::cycle::{Control as CycleControl, Parameter};
 use crate::probing::cycles::cycles_of;
@@ -59,13 +59,13 @@ impl Called {
     pub(super) const ALL: [Self; 5] = [Self::Diameter, Self::Width, Self::Face, Self::Rectangle, Self::Point];
 
     /// The program of a kind.
-    pub(super) const fn of(kind: &NcKind) -> Self {
+    pub(super) const fn of(kind: &Kind) -> Self {
         match kind {
-            NcKind::Diameter(_) => Self::Diameter,
-            NcKind::Width(..) => Self::Width,
-            NcKind::Face(..) => Self::Face,
-            NcKind::Pocket(_) | NcKind::Boss(_) => Self::Rectangle,
-            NcKind::Point(..) => Self::Point,
+            Kind::Diameter(_) => Self::Diameter,
+            Kind::Width(..) => Self::Width,
+            Kind::Face(..) => Self::Face,
+            Kind::Pocket(_) | Kind::Boss(_) => Self::Rectangle,
+            Kind::Point(..) => Self::Point,
         }
     }
 

@@ -1,135 +1,35 @@
-//! Why a plan or a set is impossible, and remarks on a possible one.
+//! Why a set is impossible, and remarks on a possible one.
 
 use crate::control::table::WriteError;
-use crate::length::{Length, LengthError};
+use crate::length::Length;
 use crate::message::{Located, Message, Say};
 use crate::nc::machine::Fault;
 use crate::nc::program::ProgramError;
-use crate::probing::cycle::{CycleError, Key};
+use crate::probing::cycle::Key;
 use crate::tolerance::table::TableShapeError;
-use crate::tolerance::{Callout, CalloutError, LimitsError, ToleranceClass};
+use crate::tolerance::{Callout, ToleranceClass};
 
-/// Why a plan is impossible, with the line of its file if there is one.
-pub type PlanError = Located<PlanFault>;
+/// Why a control cannot measure a feature, with the line of the plan's file if there is one.
+pub type FeatureError = Located<FeatureFault>;
 
-/// Why a plan is impossible.
+/// Why a control cannot measure a feature.
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(prefix = "nc", error)]
-pub enum PlanFault {
-    /// There is nothing to measure.
-    NoFeatures,
-    /// More features than a control can show.
-    TooMany {
-        /// What is allowed.
-        most: usize,
-    },
-    /// Larger than any plan.
-    TooLarge {
-        /// What is allowed, KiB.
-        most: usize,
-    },
-    /// A column is missing.
-    NoColumn {
-        /// The column.
-        column: &'static str,
-    },
-    /// An unknown column.
-    UnknownColumn {
-        /// The column.
-        column: String,
-        /// The known columns.
-        known: String,
-    },
-    /// A column occurs twice.
-    ColumnTwice {
-        /// The column.
-        column: &'static str,
-    },
-    /// A row has more cells than the header.
-    Cells {
-        /// How many it has.
-        found: usize,
-        /// How many columns there are.
-        expected: usize,
-    },
-    /// A cell that must be filled is empty.
-    NoCell {
-        /// Its column.
-        column: &'static str,
-    },
-    /// A cell does not hold a number.
-    #[say(id = "nc-value")]
-    Number {
-        /// Its column.
-        #[say(name = "what")]
-        column: &'static str,
-        /// What is wrong.
-        error: LengthError,
-    },
-    /// A text is not a callout.
-    #[say(id = "nc-value")]
-    Callout {
-        /// What was given.
-        #[say(name = "what")]
-        text: String,
-        /// What is wrong.
-        error: Box<CalloutError>,
+pub enum FeatureFault {
+    /// A coordinate is missing.
+    NoPlace {
+        /// Its name.
+        name: String,
     },
     /// No class: the called program finds limits only by class.
     NoClass {
         /// What was given.
         callout: Callout,
     },
-    /// Two features in one callout.
-    Fit {
-        /// What was given.
-        callout: Callout,
-    },
-    /// An unknown kind of feature, or an unknown axis.
-    Unknown {
-        /// The column.
-        column: &'static str,
-        /// What was given.
-        given: String,
-        /// What is known.
-        known: String,
-    },
-    /// A column that a kind of feature does not have.
-    NotOf {
-        /// The column.
-        column: &'static str,
-        /// The kind.
-        kind: &'static str,
-    },
-    /// Not a direction in which a point can be probed.
-    Direction {
-        /// What was given.
-        given: String,
-        /// The directions along an axis.
-        known: String,
-    },
-    /// A text is not a band about the nominal place of a point.
-    NoBand {
-        /// What was given.
-        text: String,
-        /// What is wrong.
-        error: Box<CalloutError>,
-    },
-    /// A band that the cycle does not take.
-    BandSide {
-        /// The upper deviation.
-        upper: Length,
-        /// The lower deviation.
-        lower: Length,
-    },
-    /// A pocket with a shaft class, or a boss with a hole class.
-    SideClass {
-        /// What was given.
-        callout: Callout,
-        /// The kind.
-        kind: &'static str,
-        /// A class that it could have.
-        example: &'static str,
+    /// A cycle or parameters of its own: the called programs have no place for them.
+    OwnCycle {
+        /// Its name.
+        name: String,
     },
     /// The control does not have the cycle that measures a kind.
     NotOnControl {
@@ -140,37 +40,6 @@ pub enum PlanFault {
         /// The control.
         control: &'static str,
     },
-    /// A face with a hole class: the cycle judges a coordinate as an outside dimension.
-    FaceClass {
-        /// What was given.
-        callout: Callout,
-    },
-    /// The coordinate of a face is not its nominal size.
-    FacePlace {
-        /// What was given.
-        callout: Callout,
-        /// The coordinate along the measured axis.
-        coordinate: Length,
-    },
-    /// No limits.
-    #[say(id = "nc-value")]
-    Limits {
-        /// What was given.
-        #[say(name = "what")]
-        callout: Callout,
-        /// Why.
-        error: Box<LimitsError>,
-    },
-    /// A value that is out of the cycle's range.
-    #[say(transparent)]
-    Range(Box<CycleError>),
-    /// The probe would move at or below the measuring height.
-    ClearanceHeight {
-        /// The clearance height.
-        height: Length,
-        /// The measuring height.
-        z: Length,
-    },
     /// A name that is not possible for a file.
     Name {
         /// What was given.
@@ -178,20 +47,15 @@ pub enum PlanFault {
         /// The most characters.
         most: usize,
     },
-    /// Two features with the same name.
-    SameName {
-        /// The name.
-        name: String,
-    },
 }
 
 /// Why a set cannot be made.
 #[derive(Debug, Clone, PartialEq, Say)]
 #[say(prefix = "nc", error)]
 pub enum SetError {
-    /// Something is wrong with the plan.
+    /// The control cannot measure a feature.
     #[say(transparent)]
-    Plan(#[from] PlanError),
+    Feature(#[from] FeatureError),
     /// A folder that programs cannot use.
     Folder {
         /// What was given.

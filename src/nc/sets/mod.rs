@@ -2,11 +2,8 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `plan`, `plan_csv` | which features are measured, and where; read from CSV |
-//! | `kind` | what is measured: diameters, widths, faces, pockets, bosses, points |
-//! | `cells` | the same as a plan and the command line write it |
+//! | `feature` | which features of a plan a control can measure |
 //! | `called` | the cycle that measures each, and its parameters |
-//! | `workpiece` | the plan as a simulated part |
 //! | `names` | names of files and folders, by generation of controls |
 //! | `programs` | the main program |
 //! | `check` | the called programs |
@@ -22,31 +19,26 @@
 
 mod archive;
 mod called;
-mod cells;
 mod check;
 mod error;
-mod kind;
+mod feature;
 mod masks;
 mod names;
-mod plan;
-mod plan_csv;
 mod programs;
 mod proof;
 mod readme;
 mod tables;
-mod workpiece;
 
 use std::collections::BTreeMap;
 
-pub use cells::KindCells;
-pub use error::{PlanError, PlanFault, ProofFault, SetError, SetRemark};
-pub use kind::{Direction, NcKind, Towards, WidthAxis};
+pub use error::{FeatureError, FeatureFault, ProofFault, SetError, SetRemark};
 pub use names::{Control, ControlFolder};
-pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, MOST_FEATURES, NcFeature, NcPlan};
 
 use super::program::Program;
 use crate::control::mask::{Mask, MaskWarning, MaskWarningKind};
+use crate::length::Length;
 use crate::message::Say as _;
+use crate::part::{Plan, PlanFeature};
 use crate::tolerance::{Callout, Feature, FigureWarning, Limits, Sources};
 use crate::words::Dialogue;
 use called::Called;
@@ -88,10 +80,12 @@ pub struct NcSet {
     pub remarks: Vec<SetRemark>,
 }
 
-/// A feature of a plan with its limits.
+/// A feature of a plan that a control can measure.
 #[derive(Debug, Clone, Copy)]
 struct Planned<'a> {
-    feature: &'a NcFeature,
+    feature: &'a PlanFeature,
+    /// Where it is.
+    place: [Length; 3],
     /// One of every size, or that of a point about its nominal place.
     limits: &'a [Limits],
 }
@@ -107,12 +101,13 @@ impl NcSet {
     /// Makes the files for a plan.
     ///
     /// ```
-    /// use fitcheck::nc::sets::{Control, NcFeature, NcPlan, NcSet, Target};
+    /// use fitcheck::nc::sets::{Control, NcSet, Target};
+    /// use fitcheck::part::Document;
     /// use fitcheck::tolerance::Sources;
     /// use fitcheck::words::Dialogue;
     ///
-    /// let feature = NcFeature::new("25 H7".parse()?, ["40", "30", "-8"].map(|mm| mm.parse().unwrap()));
-    /// let plan = NcPlan::new(vec![feature])?;
+    /// let document = Document::read(b"callout;x;y;z\n25 H7;40;30;-8\n")?;
+    /// let plan = document.plan(&Sources::default()).map_err(|mut faults| faults.remove(0))?;
     /// let set = NcSet::make(&plan, &Target::new(Control::Tnc7, Dialogue::En), &Sources::default())?;
     /// let names: Vec<_> = set.files.iter().map(|file| file.name.as_str()).collect();
     /// assert_eq!(names, ["FIT_MAIN.H", "FIT_CHECK.H", "FIT_STATUS.A", "FIT_HOLE.TAB", "FIT_SHAFT.TAB", "README.TXT"]);
@@ -122,12 +117,9 @@ impl NcSet {
     /// # Errors
     /// [`SetError`] if a feature has no limits, or a table cannot hold what the plan needs. Nothing is left out, and no
     /// set is returned unless the machine runs it to the plan's limits.
-    pub fn make(plan: &NcPlan, target: &Target, sources: &Sources) -> Result<Self, SetError> {
+    pub fn make(plan: &Plan, target: &Target, sources: &Sources) -> Result<Self, SetError> {
         let names = Names::new(target);
-        plan.check_control(target.control)?;
-        let limits = plan.limits(sources)?;
-        let planned: Vec<Planned<'_>> =
-            plan.features().iter().zip(&limits).map(|(feature, limits)| Planned { feature, limits }).collect();
+        let planned: Vec<Planned<'_>> = feature::planned(plan, target.control)?;
         let mut remarks = Vec::new();
         let mut tables = Vec::new();
         for feature in [Feature::Hole, Feature::Shaft] {

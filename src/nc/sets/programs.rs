@@ -1,13 +1,13 @@
 //! The main program of a set, and what its programs share: all are made from the built-in ones, block by block.
 
+use super::Planned;
 use super::called::Called;
 use super::error::SetRemark;
-use super::kind::{self, NcKind};
 use super::names::{Control, Names};
-use super::{NcFeature, Planned};
 use crate::control::variables::Parameter;
 use crate::length::Length;
 use crate::nc::program::{Body, Expression, Operand, Program, TextExpression, TextOperand, Unit, write};
+use crate::part::{self, Kind};
 use crate::probing::cycle::{Axis, Key, Meaning};
 use crate::shipped;
 use crate::tolerance::Callout;
@@ -65,24 +65,25 @@ pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
     for planned in planned {
         let text = format!("{}: {}", planned.feature.name, planned.feature.kind.asked());
         made.push(bare(Body::Heading { depth: 2, text }));
-        made.extend(each.iter().flat_map(|block| main_block(block, names, planned.feature)));
+        made.extend(each.iter().flat_map(|block| main_block(block, names, *planned)));
     }
     made.extend_from_slice(tail);
     written(&names.main, &made)
 }
 
 /// A block of the main program for a feature.
-fn main_block((body, comment): &(Body, String), names: &Names<'_>, feature: &NcFeature) -> Blocks {
+fn main_block((body, comment): &(Body, String), names: &Names<'_>, planned: Planned<'_>) -> Blocks {
+    let (feature, [x, y, z]) = (planned.feature, planned.place);
     let comment = comment.replace(Control::Itnc530.clearance(), names.target.control.clearance());
     let one = |to: Parameter, value: f64| vec![number(to, value, comment.clone())];
     match body {
         Body::Assign { to, .. } => match to.number {
             // A point has no nominal size.
             1 => feature.kind.callouts().first().map_or_else(Blocks::new, |callout| one(*to, nominal(*callout))),
-            11 => one(*to, feature.x.to_mm_f64()),
-            21 => one(*to, feature.y.to_mm_f64()),
-            31 => one(*to, feature.z.to_mm_f64()),
-            41 if matches!(feature.kind, NcKind::Diameter(_)) => one(*to, feature.angle.to_degrees_f64()),
+            11 => one(*to, x.to_mm_f64()),
+            21 => one(*to, y.to_mm_f64()),
+            31 => one(*to, z.to_mm_f64()),
+            41 if matches!(feature.kind, Kind::Diameter(_)) => one(*to, feature.angle.to_degrees_f64()),
             41 => direction_blocks(*to, names, &feature.kind),
             51 => one(*to, feature.clearance.to_mm_f64()),
             _ => one(*to, feature.clearance_height.to_mm_f64()),
@@ -110,14 +111,14 @@ fn text(to: Parameter, value: String, comment: String) -> (Body, String) {
 }
 
 /// The class; of a pocket or boss also nominal size and class of the second side, of a point the band.
-fn class_blocks(names: &Names<'_>, kind: &NcKind, comment: String) -> Blocks {
+fn class_blocks(names: &Names<'_>, kind: &Kind, comment: String) -> Blocks {
     let language = names.target.language;
     let class = |callout: &Callout| callout.class().map(|class| class.to_string()).unwrap_or_default();
     match kind {
-        NcKind::Diameter(callout) | NcKind::Width(callout, _) | NcKind::Face(callout, _) => {
+        Kind::Diameter(callout) | Kind::Width(callout, _) | Kind::Face(callout, _) => {
             vec![text(CLASS, class(callout), comment)]
         }
-        NcKind::Pocket([first, second]) | NcKind::Boss([first, second]) => {
+        Kind::Pocket([first, second]) | Kind::Boss([first, second]) => {
             let name = Called::Rectangle.name_of(&[Meaning::Side(Axis::Second)], language);
             vec![
                 text(CLASS, class(first), comment.clone()),
@@ -125,14 +126,14 @@ fn class_blocks(names: &Names<'_>, kind: &NcKind, comment: String) -> Blocks {
                 text(Parameter::qs(6), class(second), comment),
             ]
         }
-        NcKind::Point(band, _) => {
-            vec![text(CLASS, kind::band_text(*band), Called::Point.name_of(&[Meaning::Band], language))]
+        Kind::Point(band, _) => {
+            vec![text(CLASS, part::band_text(*band), Called::Point.name_of(&[Meaning::Band], language))]
         }
     }
 }
 
 /// In place of the angle: the measured axis, and for a face the direction; for a point the normal.
-fn direction_blocks(to: Parameter, names: &Names<'_>, kind: &NcKind) -> Blocks {
+fn direction_blocks(to: Parameter, names: &Names<'_>, kind: &Kind) -> Blocks {
     let called = Called::of(kind);
     let named = |meanings: &[Meaning]| called.name_of(meanings, names.target.language);
     let axis = |vector: [f64; 3]| {
@@ -140,13 +141,13 @@ fn direction_blocks(to: Parameter, names: &Names<'_>, kind: &NcKind) -> Blocks {
         number(to, x + 2.0 * y + 3.0 * z, named(&[Meaning::AxisOfPlane, Meaning::MeasuredAxis]))
     };
     match kind {
-        NcKind::Diameter(_) | NcKind::Pocket(_) | NcKind::Boss(_) => Blocks::new(),
-        NcKind::Width(_, across) => vec![axis(across.vector())],
-        NcKind::Face(_, towards) => {
+        Kind::Diameter(_) | Kind::Pocket(_) | Kind::Boss(_) => Blocks::new(),
+        Kind::Width(_, across) => vec![axis(across.vector())],
+        Kind::Face(_, towards) => {
             let sign = if towards.is_plus { 1.0 } else { -1.0 };
             vec![axis(towards.vector()), number(Parameter::q(42), sign, named(&[Meaning::Direction]))]
         }
-        NcKind::Point(_, direction) => {
+        Kind::Point(_, direction) => {
             let axes = [(41, Axis::First), (42, Axis::Second), (43, Axis::Third)];
             let parts = direction.normal().into_iter().zip(axes);
             let part = |(part, (to, axis))| number(Parameter::q(to), part, named(&[Meaning::Normal(axis)]));

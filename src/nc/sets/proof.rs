@@ -7,12 +7,12 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::error::{ProofFault, SetError};
-use super::kind::NcKind;
 use super::names::Names;
 use super::{Planned, SetFile};
 use crate::length::Length;
 use crate::nc::machine::{Contacts, Machine, NcPath, Settings, Step};
 use crate::nc::program::Program;
+use crate::part::Kind;
 use crate::probing::Contact;
 use crate::probing::cycle::Angle;
 use crate::probing::vector::along;
@@ -58,35 +58,36 @@ pub(super) fn run(files: &[SetFile], planned: &[Planned<'_>], names: &Names<'_>)
 /// The contacts on a workpiece in the middle of the zone, in the order of the cycle.
 fn contacts(planned: &Planned<'_>) -> Vec<Contact> {
     let feature = planned.feature;
-    let place = [feature.x, feature.y, feature.z].map(Length::to_mm_f64);
+    let place = planned.place.map(Length::to_mm_f64);
     let middles: Vec<f64> = planned.limits.iter().map(|limits| limits.middle().to_mm_f64()).collect();
     let middle = |side: usize| middles.get(side).copied().unwrap_or_default();
     let at = |direction: [f64; 3], distance: f64| Contact::at(along(place, direction, distance));
     match &feature.kind {
-        NcKind::Diameter(_) => [0, 1, 2, 3]
+        Kind::Diameter(_) => [0, 1, 2, 3]
             .map(|number| {
                 let [cos, sin] = feature.angle.stepped(Angle::from_degrees(90), number).direction();
                 at([cos, sin, 0.0], middle(0) / 2.0)
             })
             .to_vec(),
-        NcKind::Width(_, axis) => [1.0, -1.0].map(|sign| at(axis.vector(), sign * middle(0) / 2.0)).to_vec(),
-        NcKind::Pocket(_) | NcKind::Boss(_) => {
+        Kind::Width(_, axis) => [1.0, -1.0].map(|sign| at(axis.vector(), sign * middle(0) / 2.0)).to_vec(),
+        Kind::Pocket(_) | Kind::Boss(_) => {
             let ways = [([1.0, 0.0, 0.0], 0), ([0.0, 1.0, 0.0], 1), ([-1.0, 0.0, 0.0], 0), ([0.0, -1.0, 0.0], 1)];
             ways.map(|(way, side)| at(way, middle(side) / 2.0)).to_vec()
         }
-        NcKind::Face(_, towards) => {
+        Kind::Face(_, towards) => {
             let ([x, y, z], [is_x, is_y, is_z]) = (place, towards.vector().map(|part| 0.0 < part.abs()));
             let one = |is_measured, part| if is_measured { middle(0) } else { part };
             vec![Contact::at([one(is_x, x), one(is_y, y), one(is_z, z)])]
         }
-        NcKind::Point(_, direction) => vec![at(direction.unit_normal(), middle(0))],
+        Kind::Point(_, direction) => vec![at(direction.unit_normal(), middle(0))],
     }
 }
 
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::nc::sets::{Control, NcFeature, NcPlan, NcSet, Target};
+    use crate::nc::sets::{Control, NcSet, Target};
+    use crate::part::Document;
     use crate::tolerance::Sources;
     use crate::words::Dialogue;
 
@@ -94,18 +95,14 @@ mod tests {
     #[track_caller]
     fn check(name: &str, from: &str, to: &str, expected: &str) {
         let target = Target::new(Control::Tnc7, Dialogue::En);
-        let places = [["0", "0", "0"], ["100", "0", "-5.5"]].map(|place| place.map(|mm| mm.parse().unwrap()));
-        let callouts = ["25 H7", "20 g6"].map(|callout| callout.parse().unwrap());
-        let features = callouts.into_iter().zip(places).map(|(callout, place)| NcFeature::new(callout, place));
-        let plan = NcPlan::new(features.collect()).unwrap();
+        let document = Document::read(b"callout,x,y,z\n25 H7,0,0,0\n20 g6,100,0,-5.5\n").unwrap();
+        let plan = document.plan(&Sources::default()).unwrap();
         let mut set = NcSet::make(&plan, &target, &Sources::default()).unwrap();
         let file = set.files.iter_mut().find(|file| file.name == name).unwrap();
         let text = String::from_utf8(file.bytes.clone()).unwrap();
         assert!(text.contains(from), "{text}");
         file.bytes = text.replace(from, to).into_bytes();
-        let limits = plan.limits(&Sources::default()).unwrap();
-        let planned: Vec<Planned<'_>> =
-            plan.features().iter().zip(&limits).map(|(feature, limits)| Planned { feature, limits }).collect();
+        let planned = super::super::feature::planned(&plan, target.control).unwrap();
         let error = run(&set.files, &planned, &Names::new(&target)).map_err(|error| error.to_string());
         assert_eq!(error, Err(format!("the set failed its test run and was not written: {expected}")));
     }

@@ -86,7 +86,8 @@ fn filled(line: &str, names: &Names<'_>) -> String {
 /// same in every language.
 fn feature(planned: Planned<'_>, names: &Names<'_>) -> String {
     let (feature, result) = (planned.feature, names.result(&planned.feature.name));
-    let place = format!("X{} Y{} Z{} ({}) -> {result}", feature.x, feature.y, feature.z, feature.clearance_height);
+    let [x, y, z] = planned.place;
+    let place = format!("X{x} Y{y} Z{z} ({}) -> {result}", feature.clearance_height);
     let callouts = feature.kind.callouts();
     let asked = |number| callouts.get(number).map_or_else(|| feature.kind.asked(), ToString::to_string);
     let lines = planned.limits.iter().enumerate().map(|(number, limits)| {

@@ -113,6 +113,13 @@ pub struct Measured {
     pub(in crate::probing) remarks: Vec<Remark>,
 }
 
+/// Cycles are told apart by their names.
+impl PartialEq for Cycle {
+    fn eq(&self, other: &Self) -> bool {
+        self.code == other.code
+    }
+}
+
 impl Cycle {
     /// The name in a language; English if the language has none, else the first name in the list.
     pub fn name(&self, language: Dialogue) -> &'static str {

@@ -1,9 +1,10 @@
 //! The keys of actions: which are shown beside them, which are heard now, and which action takes them where two could.
 
 use super::{Action, Key, Part, Place, Shortcut};
+use crate::session::parts::PlanField;
 use crate::session::program::ProgramField;
 use crate::session::tables::TablesField;
-use crate::session::{CheckField, Field, Page, RecordsField, Session};
+use crate::session::{CheckField, Field, Page, PartsField, RecordsField, Session};
 
 impl Action {
     /// All its keys, even those that another action takes first. The first one is shown to the user.
@@ -43,16 +44,20 @@ impl Action {
                 | Field::Records(RecordsField::Question),
                 _,
             ) => None,
+            (Field::Parts(PartsField::Serial), _) => Some(Self::BeginPart),
+            (Field::Parts(PartsField::Value), _) => Some(Self::TakeValue),
+            (Field::Parts(PartsField::Reason), _) => Some(Self::SkipFor),
             (Field::Records(RecordsField::Who), _) => Some(Self::TakeName),
             (Field::Records(RecordsField::Server), _) => Some(Self::TakeServer),
             (Field::Records(_), _) => Some(Self::SendCorrection),
             (Field::Program(ProgramField::Name | ProgramField::Value), _) => Some(Self::GiveValue),
             (Field::Tables(TablesField::CellUpper | TablesField::CellLower), _) => Some(Self::SetCell),
             (Field::Tables(TablesField::To), _) => Some(Self::MakeTable),
+            (Field::Plan(PlanField::Cell), _) => Some(Self::TakePlanCell),
             (_, Page::Check) => Some(Self::Measure),
             (_, Page::Cycles) => Some(Self::RunCycle),
             (_, Page::Program) => Some(Self::RunProgram),
-            (_, Page::Fit | Page::Tables | Page::Pairing | Page::Budget | Page::Records) => None,
+            (_, Page::Fit | Page::Tables | Page::Pairing | Page::Budget | Page::Records | Page::Parts) => None,
         }
     }
 }
@@ -60,7 +65,8 @@ impl Action {
 impl Session {
     /// The actions of the keys now, the nearest place first: `part` has the focus, or a text field (`is_typing`).
     pub fn keys(&self, part: Option<Part>, is_typing: bool) -> Vec<(Shortcut, Action)> {
-        let is_covered = self.dialog().is_some() || self.is_leaving() || self.budget().is_asking();
+        let is_covered =
+            self.dialog().is_some() || self.is_leaving() || self.budget().is_asking() || self.parts().is_asking();
         let is_heard = |action: Action| match action.place() {
             Place::Everywhere => true,
             // The workpiece's window lies over the listing, and takes Escape.

@@ -4,6 +4,7 @@ use crate::exchange::tables::TABLE_FORMATS;
 use crate::journal::query::Column;
 use crate::report::RENDERINGS;
 use crate::report::pairing::FORMATS as PAIR_FORMATS;
+use crate::session::parts::PartsView;
 use crate::session::program::Switch;
 use crate::session::records::Shorthand;
 use crate::session::{Density, MeasureBy, Page, Step, Theme};
@@ -261,6 +262,79 @@ actions! {
     TakeReadings;
     /// Takes the readings of the budget.
     OwnReadings;
+
+    /// Opens a view of the parts page.
+    ShowParts(PartsView): PartsView::ALL;
+    /// Begins a new part plan.
+    NewPlan;
+    /// Reads a plan.
+    OpenPlan;
+    /// Writes the plan: as TOML, as CSV.
+    SavePlan(usize): 0..2;
+    /// Takes the last change of the plan back.
+    UndoPlan;
+    /// Makes it again.
+    RedoPlan;
+    /// Goes to another cell of the plan.
+    MoveInPlan(Step): Step::CELLS;
+    /// Selects cells from where the keys are to another cell.
+    ExtendInPlan(Step): Step::CELLS;
+    /// Types into the cell of the plan.
+    EditPlanCell;
+    /// Takes what is typed, and goes to the cell below.
+    TakePlanCell;
+    /// Empties the selected cells of the plan.
+    EmptyPlanCells;
+    /// Puts the selected cells of the plan on the clipboard.
+    CopyPlanCells;
+    /// Asks for what is on the clipboard, for the cells of the plan.
+    PastePlanCells;
+    /// Puts a feature above the cell.
+    InsertPlanRow;
+    /// Deletes the selected features.
+    DeletePlanRows;
+    /// Moves the selected features up or down.
+    MovePlanRows(Step): [Step::Up, Step::Down];
+    /// Sorts the features by the column of the cell.
+    SortPlan;
+    /// Numbers the features from 1.
+    RenumberPlan;
+    /// Shows every column of the plan, or those that are used.
+    ShowAllColumns;
+    /// Goes to what is wrong before the cell.
+    PreviousFinding;
+    /// Goes to what is wrong after it.
+    NextFinding;
+    /// Chooses the part's picture.
+    ChoosePicture;
+    /// Begins a part with the serial number in its field.
+    BeginPart;
+    /// Counts the serial number up.
+    CountUp;
+    /// Takes the typed value of the size that is asked for.
+    TakeValue;
+    /// Takes what the typed value may have been.
+    TakeMeantValue;
+    /// Measures the feature by its cycle on a perfect part.
+    SimulateValue;
+    /// Asks once more for the size that is shown.
+    SizeAgain;
+    /// Asks why the size is left out.
+    SkipSize;
+    /// Leaves it out for the reason in its field.
+    SkipFor;
+    /// Leaves it in.
+    LeaveSkip;
+    /// Ends the part; the serial number of the next one is counted up.
+    NextPart;
+    /// Goes to another size.
+    MoveSize(Step): Step::BLOCKS;
+    /// Reads measurements into the part.
+    ImportValues;
+    /// Watches a folder that files are dropped into.
+    WatchFolder;
+    /// Ends that.
+    StopWatch;
 
     /// Reads measured holes or shafts.
     OpenParts(Feature): [Feature::Hole, Feature::Shaft];

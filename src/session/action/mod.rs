@@ -6,7 +6,7 @@
 //! | here | what is asked of an action: its name, whether it is possible, its command |
 //! | `list` | every action |
 //! | `table` | a row for every action |
-//! | `program`, `pairing`, `budget`, `records` | the rows of these pages |
+//! | `program`, `pairing`, `budget`, `records`, `parts` | the rows of these pages |
 //! | `row` | what a row says |
 //! | `possible`, `switches` | the conditions of the rows; what switches are set to |
 //! | `place` | where an action applies |
@@ -19,6 +19,7 @@ mod budget;
 mod keys;
 mod list;
 mod pairing;
+mod parts;
 mod place;
 mod possible;
 mod program;
@@ -35,6 +36,7 @@ pub use shortcut::{Held, Key, Shortcut};
 use self::row::Row;
 use super::budget::BudgetCommand;
 use super::cycles::CyclesCommand;
+use super::parts::{PartsCommand, PlanCommand, WalkCommand};
 use super::tables;
 use super::workpiece::WorkpieceCommand;
 use super::{Command, Page, RecordsCommand, Session};
@@ -86,6 +88,12 @@ impl Action {
                     .text("meant", mm(question.and_then(|question| question.doubt.meant())));
                 words.say(&message)
             }
+            Self::TakeMeantValue => {
+                let question = session.parts().walking().question();
+                let meant = question.and_then(|question| question.doubt.meant());
+                let meant = meant.map(|meant| words.mm(meant, 3)).unwrap_or_default();
+                words.say(&Message::new(self.row().text).text("meant", meant))
+            }
             Self::Undo => {
                 let what = session.history().undoes();
                 what.map_or_else(
@@ -136,8 +144,12 @@ impl Session {
             Some(Command::Leave(false))
         } else if self.budget().is_asking() {
             Some(BudgetCommand::Discard(false).into())
+        } else if self.parts().is_asking() {
+            Some(PartsCommand::Plan(PlanCommand::Discard(false)).into())
         } else if self.dialog().is_some() || has_notice {
             Some(Command::Close)
+        } else if self.parts().walking().is_skipping() && is_on(Page::Parts) {
+            Some(WalkCommand::AskSkip(false).into())
         } else if self.cycles().block().is_some() && is_on(Page::Cycles) {
             Some(CyclesCommand::ShowBlock(false).into())
         } else if self.workpiece_is_open() && (is_on(Page::Cycles) || is_on(Page::Program)) {

@@ -34,12 +34,25 @@ pub enum Part {
     Pairs,
     /// The list of the records page.
     Records,
+    /// The table of the plan on the parts page.
+    Plan,
+    /// The sizes of the part on the parts page.
+    Sizes,
 }
 
 impl Part {
     /// The parts of all pages.
-    pub const ALL: [Self; 7] =
-        [Self::Classes, Self::Cells, Self::Listing, Self::History, Self::Rows, Self::Pairs, Self::Records];
+    pub const ALL: [Self; 9] = [
+        Self::Classes,
+        Self::Cells,
+        Self::Listing,
+        Self::History,
+        Self::Rows,
+        Self::Pairs,
+        Self::Records,
+        Self::Plan,
+        Self::Sizes,
+    ];
 
     /// The page that it belongs to.
     pub const fn page(self) -> Page {
@@ -50,6 +63,7 @@ impl Part {
             Self::History | Self::Rows => Page::Check,
             Self::Pairs => Page::Pairing,
             Self::Records => Page::Records,
+            Self::Plan | Self::Sizes => Page::Parts,
         }
     }
 }

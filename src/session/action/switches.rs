@@ -22,6 +22,8 @@ pub(super) fn is_on(action: Action, session: &Session) -> Option<bool> {
         Action::Switch(switch) => session.program().is_on(switch),
         Action::AskRecords(shorthand) => session.records().has(shorthand),
         Action::WithSimulated => session.records().with_simulated(),
+        Action::ShowParts(view) => session.parts().view() == view,
+        Action::ShowAllColumns => session.parts().sheet().shows_all(),
         Action::WithdrawRecord => session.records().correcting().is_some_and(|form| form.withdraws),
         _ => return None,
     })

@@ -7,7 +7,7 @@ use super::possible::{
 };
 use super::row::{Row, Sends, everywhere, in_dialog, of_workpiece, on, switch, within};
 use super::{Action, Held, Key, Part, Place, Shortcut};
-use super::{budget, pairing, program, records};
+use super::{budget, pairing, parts, program, records};
 use crate::journal::query::Column;
 use crate::session::check::{CheckCommand, CheckField};
 use crate::session::cycles::CyclesCommand;
@@ -40,6 +40,7 @@ pub(super) fn row(action: Action) -> Row {
                 Page::Pairing => ("page-pairing", '6'),
                 Page::Budget => ("page-budget", '7'),
                 Page::Records => ("page-records", '8'),
+                Page::Parts => ("page-parts", '9'),
             };
             everywhere(text, Command::OpenPage(page)).key(Shortcut::ctrl(key))
         }
@@ -350,6 +351,43 @@ pub(super) fn row(action: Action) -> Row {
         Action::TakeReadings => budget::take_readings(),
         Action::OwnReadings => budget::own_readings(),
 
+        Action::ShowParts(view) => parts::show(view),
+        Action::NewPlan => parts::begin(),
+        Action::OpenPlan => parts::open(),
+        Action::SavePlan(number) => parts::save(number),
+        Action::UndoPlan => parts::undo(),
+        Action::RedoPlan => parts::redo(),
+        Action::MoveInPlan(step) => parts::cell_step(step).key(keys(step)),
+        Action::ExtendInPlan(step) => parts::extend(step).key(with_shift(keys(step))),
+        Action::EditPlanCell => parts::edit(),
+        Action::TakePlanCell => parts::take(),
+        Action::EmptyPlanCells => parts::empty(),
+        Action::CopyPlanCells => parts::copy(),
+        Action::PastePlanCells => parts::paste(),
+        Action::InsertPlanRow => parts::insert(),
+        Action::DeletePlanRows => parts::delete(),
+        Action::MovePlanRows(step) => parts::move_rows(step),
+        Action::SortPlan => parts::sort(),
+        Action::RenumberPlan => parts::renumber(),
+        Action::ShowAllColumns => parts::show_all(),
+        Action::PreviousFinding => parts::previous_finding(),
+        Action::NextFinding => parts::next_finding(),
+        Action::ChoosePicture => parts::choose_picture(),
+        Action::BeginPart => parts::begin_part(),
+        Action::CountUp => parts::count_up(),
+        Action::TakeValue => parts::take_value(),
+        Action::TakeMeantValue => parts::take_meant(),
+        Action::SimulateValue => parts::simulate(),
+        Action::SizeAgain => parts::again(),
+        Action::SkipSize => parts::skip(),
+        Action::SkipFor => parts::skip_for(),
+        Action::LeaveSkip => parts::leave_skip(),
+        Action::NextPart => parts::next_part(),
+        Action::MoveSize(step) => parts::step(step).key(keys(step)),
+        Action::ImportValues => parts::import(),
+        Action::WatchFolder => parts::watch(),
+        Action::StopWatch => parts::stop_watch(),
+
         Action::OpenParts(feature) => pairing::open(feature),
         Action::HistoryParts(feature) => pairing::of_history(feature),
         Action::SavePairs(number) => pairing::save(number),
@@ -380,6 +418,15 @@ pub(super) fn row(action: Action) -> Row {
         Action::SendAgain => records::send_again(),
         Action::TakeName => records::take_name(),
     }
+}
+
+/// The same keys with Shift held down as well.
+const fn with_shift(keys: Shortcut) -> Shortcut {
+    let held = match keys.held {
+        Held::Ctrl => Held::CtrlShift,
+        _ => Held::Shift,
+    };
+    Shortcut { held, key: keys.key }
 }
 
 /// The keys of a step.

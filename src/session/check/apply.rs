@@ -124,6 +124,9 @@ impl PageState for CheckPage {
             | News::ContactsTaken
             | News::PartTaken
             | News::Tools
+            | News::Journal
+            | News::TakenBack(_)
+            | News::Kept(..)
             | News::Budget => {}
         }
     }

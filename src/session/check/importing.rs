@@ -22,7 +22,7 @@ use crate::verdict::{AxisPosition, PositionVerdict};
 
 impl CheckPage {
     /// What the user's own fields say, whatever a shown record lent them: it judges what a file holds.
-    fn own_worth(&self) -> Worth {
+    pub(in crate::session) fn own_worth(&self) -> Worth {
         let mut texts = self.texts.clone();
         for (field, text) in &self.own {
             texts.set(*field, text.clone());

@@ -168,7 +168,7 @@ impl CheckPage {
             text.trim().to_owned()
         };
         let [part, serial, remark] = [CheckField::Part, CheckField::Serial, CheckField::Remark].map(own);
-        Named { part, serial, remark }
+        Named { part, serial, remark, ..Named::default() }
     }
 
     /// How the next part is judged, for the state file.

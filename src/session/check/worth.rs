@@ -12,14 +12,14 @@ use crate::message::{Message, Say as _};
 use crate::session::budget::OpenBudget;
 use crate::session::field::{KeptField as _, Range, Texts};
 use crate::tolerance::Limits;
-use crate::tolerance::fit::thermal::{Correction, Temperature, ThermalError, Warm};
+use crate::tolerance::fit::thermal::{Correction, Expansion, Temperature, ThermalError, Warm};
 use crate::verdict::Rule;
 use crate::verdict::rules::{
     Acceptance, Given, Prior, Prover, Risks, RuleError, RuleName, Uncertainty, multiple, thousandths,
 };
 
 /// The field that was refused, and why.
-pub(super) type Refusal = (CheckField, Message);
+pub(in crate::session) type Refusal = (CheckField, Message);
 
 /// How the uncertainty of a measured value is told.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
@@ -189,8 +189,36 @@ impl Worth {
         Some(Correction::new(measured, part, scale))
     }
 
+    /// The same of a part whose material is known.
+    pub(in crate::session) fn correction_of(
+        &self,
+        measured: Length,
+        material: Option<Expansion>,
+    ) -> Option<Correction> {
+        let (part, scale) = self.warm?;
+        let expansion = material.unwrap_or(part.expansion);
+        Some(Correction::new(measured, Warm { expansion, ..part }, scale))
+    }
+
+    /// Judges a record by the rule of a plan, or where that has none by this one.
+    ///
+    /// # Errors
+    /// Why it cannot be judged: no rule, no budget, or no temperature.
+    pub(in crate::session) fn judge_by_plan(
+        &self,
+        record: Record,
+        rule: Option<Rule>,
+        budget: Option<&OpenBudget>,
+    ) -> Result<Record, Message> {
+        match (rule, &self.no_correction) {
+            (_, Some((_, problem))) => Err(problem.clone()),
+            (Some(rule), None) => Ok(record.by(rule)),
+            (None, None) => self.judge(record, budget).map_err(|(_, problem)| problem),
+        }
+    }
+
     /// Judges a record by the rule; a budget gives the uncertainty of its value and its contacts.
-    pub(super) fn judge(&self, record: Record, budget: Option<&OpenBudget>) -> Result<Record, Refusal> {
+    pub(in crate::session) fn judge(&self, record: Record, budget: Option<&OpenBudget>) -> Result<Record, Refusal> {
         // A value that cannot be brought to 20 °C is not judged.
         if let Some(refusal) = self.no_rule.as_ref().or(self.no_correction.as_ref()) {
             return Err(refusal.clone());

@@ -37,7 +37,7 @@ pub struct Dialog {
 impl Dialog {
     /// A dialog with a proposed name that begins with a folder.
     pub(in crate::session) fn new(number: DialogId, purpose: Purpose, path: String, folder: Option<&Path>) -> Self {
-        let list = FolderList::new(purpose.endings(), purpose == Purpose::LoadTables);
+        let list = FolderList::new(purpose.endings(), purpose.is_folder());
         let mut dialog = Self {
             number,
             purpose,
@@ -172,7 +172,7 @@ impl Dialog {
     }
 
     fn wants_folder(&self) -> bool {
-        self.purpose == Purpose::LoadTables
+        self.purpose.is_folder()
     }
 
     fn show(&mut self, folder: PathBuf) {

@@ -7,6 +7,7 @@ use crate::control::log::is_log;
 use crate::control::text::decode;
 use crate::exchange::{self, tables::TABLE_FORMATS};
 use crate::message::Say;
+use crate::part::Document;
 use crate::probing::simulated::Part;
 use crate::report::RENDERINGS;
 use crate::report::pairing::FORMATS as PAIR_FORMATS;
@@ -33,7 +34,7 @@ pub enum OpenError {
 
 impl Purpose {
     /// Everything that reads a file or a folder.
-    const READERS: [Self; 14] = [
+    const READERS: [Self; 16] = [
         Self::Import,
         Self::LoadMask,
         Self::LoadTables,
@@ -42,6 +43,8 @@ impl Purpose {
         Self::OpenPart,
         Self::OpenTools,
         Self::OpenBudget,
+        Self::OpenPlan,
+        Self::OpenPicture,
         Self::OpenReadings,
         Self::OpenCycleFile(CycleFile::Contacts),
         Self::OpenCycleFile(CycleFile::Workpiece),
@@ -53,7 +56,8 @@ impl Purpose {
     /// The name of the kind of thing in the state file. What is read and written alike has one folder.
     pub(in crate::session) const fn kind(self) -> &'static str {
         match self {
-            Self::Import => "measurements",
+            Self::Import | Self::ImportValues => "measurements",
+            Self::WatchFolder => "watched",
             Self::LoadMask => "mask",
             Self::LoadTables => "own-tables",
             Self::Export(_) | Self::ReportRecords(_) => "report",
@@ -67,6 +71,8 @@ impl Purpose {
             Self::OpenPart => "part",
             Self::OpenTools | Self::SaveTools => "tools",
             Self::OpenBudget | Self::UseBudget | Self::SaveBudget => "budget",
+            Self::OpenPlan | Self::SavePlan(_) => "plan",
+            Self::OpenPicture => "picture",
             Self::OpenReadings => "readings",
             Self::OpenParts(Feature::Hole) => "holes",
             Self::OpenParts(Feature::Shaft) => "shafts",
@@ -83,7 +89,7 @@ impl Purpose {
     /// without an ending gets.
     pub fn endings(self) -> Vec<&'static str> {
         match self {
-            Self::Import => exchange::endings().into_iter().chain(PACKED).collect(),
+            Self::Import | Self::ImportValues => exchange::endings().into_iter().chain(PACKED).collect(),
             Self::OpenReadings => exchange::endings().into_iter().collect(),
             Self::OpenParts(_) => exchange::endings(),
             Self::SavePairs(number) => {
@@ -105,6 +111,10 @@ impl Purpose {
             | Self::OpenBudget
             | Self::UseBudget
             | Self::SaveBudget => vec!["toml"],
+            Self::OpenPlan => exchange::PLAN_ENDINGS.to_vec(),
+            Self::OpenPicture => vec!["png", "jpg", "jpeg", "svg"],
+            Self::WatchFolder => Vec::new(),
+            Self::SavePlan(number) => vec![if number == 0 { "toml" } else { "csv" }],
             Self::OpenCycleFile(CycleFile::Probes) => vec!["tp"],
             // The endings that the control uses: text, and a page.
             Self::SaveCycleLog => vec!["txt", "html"],
@@ -138,6 +148,7 @@ impl Purpose {
             Self::OpenTable => Page::Tables,
             Self::OpenBudget | Self::OpenReadings => Page::Budget,
             Self::OpenParts(_) => Page::Pairing,
+            Self::OpenPlan | Self::OpenPicture | Self::ImportValues | Self::WatchFolder => Page::Parts,
             // Both pages monitor tools with it.
             Self::OpenTools if open == Page::Cycles => open,
             Self::OpenProgram | Self::OpenPart | Self::OpenTools => Page::Program,
@@ -162,6 +173,7 @@ impl Purpose {
         let purpose = match ending.as_deref().unwrap_or_default() {
             "h" | "i" | "nc" | "ncs" => Some(Self::OpenProgram),
             "tab" => Some(Self::OpenTable),
+            "toml" if Document::is_toml(head) => Some(Self::OpenPlan),
             "toml" if Part::is_file(&decode(head)) => Some(Self::OpenPart),
             "toml" if Budget::is_file(&decode(head)) => Some(Self::OpenBudget),
             "toml" => Some(Self::OpenCycleFile(CycleFile::Workpiece)),

@@ -44,6 +44,12 @@ pub(super) fn dated(name: &str, now: DateTime, ending: &str) -> String {
     if name.is_empty() { format!("{date}.{ending}") } else { format!("{name}-{date}.{ending}") }
 }
 
+/// A file's name with another ending.
+pub(super) fn with_ending(name: &str, ending: &str) -> String {
+    let stem = name.rsplit_once('.').map_or(name, |(stem, _)| stem);
+    format!("{stem}.{ending}")
+}
+
 /// A text in characters that every system allows in a name: letters, digits, and single `-`, `_`, `+` and `.` between
 /// them.
 pub(super) fn allowed(text: &str) -> String {

@@ -93,8 +93,8 @@ impl Places {
             // It is read at every start: that says nothing of what the user does now.
             return;
         }
-        if purpose == Purpose::LoadTables {
-            // A folder is no file, and it is read at every start: that says nothing of what the user does now.
+        if purpose.is_folder() {
+            // A folder is no file, and that of tables is read at every start: that says nothing of what the user does now.
             if fate == Fate::Read {
                 self.folders.insert(purpose.kind().to_owned(), path);
             }

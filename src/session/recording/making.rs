@@ -18,8 +18,32 @@ pub struct Named {
     pub part: String,
     /// Its serial number.
     pub serial: String,
+    /// The feature of a part that has several.
+    pub feature: String,
+    /// Who measured, where a file says so; otherwise whoever measures now.
+    pub who: String,
     /// Anything else.
     pub remark: String,
+}
+
+/// A check that is sent to the journal.
+#[derive(Debug)]
+pub(in crate::session) struct ToKeep {
+    /// The check.
+    pub record: Arc<Record>,
+    /// What is named beside it.
+    pub named: Named,
+    /// The files that it was made with.
+    pub files: Vec<UsedFile>,
+}
+
+/// What became of checks that were sent to the journal.
+#[derive(Debug, Default)]
+pub(in crate::session) struct Sent {
+    /// The number of their batch; `None` where nothing of them is recorded.
+    pub run: Option<u64>,
+    /// How many can be no entries of a journal, and why the first cannot.
+    pub refused: Option<(usize, Message)>,
 }
 
 /// A file that checks were made with, where its bytes were seen.
@@ -37,13 +61,21 @@ impl Recording {
         named: &Named,
         files: impl Fn(&Record) -> Vec<UsedFile>,
     ) -> Option<(usize, Message)> {
+        let to_keep = |record: &Arc<Record>| {
+            let named = Named { part: record.id.clone(), ..named.clone() };
+            ToKeep { record: Arc::clone(record), named, files: files(record) }
+        };
+        self.keep_named(first, records.iter().map(to_keep).collect()).refused
+    }
+
+    /// The same of checks that are each named by themselves.
+    pub(in crate::session) fn keep_named(&mut self, first: RecordId, checks: Vec<ToKeep>) -> Sent {
         if !self.is_on() {
-            return None;
+            return Sent::default();
         }
         let (mut entries, mut known, mut refused) = (Vec::new(), Vec::new(), Vec::new());
-        for (id, record) in (first.0..).map(RecordId).zip(records) {
-            let named = Named { part: record.id.clone(), ..named.clone() };
-            let check = Check { what: Checked::Size(Arc::clone(record)), files: files(record), corrects: None };
+        for (id, ToKeep { record, named, files }) in (first.0..).map(RecordId).zip(checks) {
+            let check = Check { what: Checked::Size(record), files, corrects: None };
             let entry = self.entry(&named, Content::Check(Box::new(check)));
             match body::write(&entry) {
                 Ok(_) => {
@@ -53,16 +85,18 @@ impl Recording {
                 Err(error) => refused.push((id, named, error.message())),
             }
         }
-        if let Some(run) = self.send(entries) {
+        let run = self.send(entries);
+        if let Some(run) = run {
             let of_run = (0..).map(|at| (run, at)).zip(known);
             self.checks.extend(of_run.map(|(slip, (id, named))| (id, Known { slip, named })));
         }
         let told = refused.first().map(|(_, _, why)| (refused.len(), why.clone()));
+        let sent = Sent { run, refused: told };
         for (id, named, why) in refused {
             let slip = (self.refuse(why), 0);
             self.checks.insert(id, Known { slip, named });
         }
-        told
+        sent
     }
 
     /// Sends what cycles say, named as the next check is; returns the number of the batch.
@@ -104,10 +138,10 @@ impl Recording {
         let about = About {
             station: self.station.clone(),
             time: unstamped(),
-            who: self.who().to_owned(),
+            who: if named.who.is_empty() { self.who() } else { &named.who }.to_owned(),
             part: named.part.clone(),
             serial: named.serial.clone(),
-            feature: String::new(),
+            feature: named.feature.clone(),
             remark: named.remark.clone(),
         };
         Entry { about, content }

@@ -18,7 +18,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 pub use making::Named;
-pub(super) use making::{correcting, used};
+pub(super) use making::{Sent, ToKeep, correcting, used};
 pub use people::MOST_NAMES;
 use server::Server;
 
@@ -104,6 +104,8 @@ pub struct OpenJournal {
 pub struct Recording {
     settings: SavedRecords,
     keeping: Keeping,
+    /// Whether it was said where records are kept.
+    has_begun: bool,
     file: Option<PathBuf>,
     station: String,
     journal: Option<OpenJournal>,
@@ -140,6 +142,7 @@ impl Recording {
     /// The window has begun: records are kept in the file that the state file names, or else in the usual one.
     pub(super) fn begin(&mut self, usual: Option<PathBuf>, station: String) {
         self.station = station;
+        self.has_begun = true;
         self.file = self.settings.file.clone().or(usual);
         match &self.file {
             _ if self.settings.off => self.keeping = Keeping::Off,
@@ -246,6 +249,11 @@ impl Recording {
         matches!(self.keeping, Keeping::Opening | Keeping::Open | Keeping::Failed(_))
     }
 
+    /// Whether it was said where records are kept, or that they are not.
+    pub(super) const fn has_begun(&self) -> bool {
+        self.has_begun
+    }
+
     /// Whether records are kept.
     pub const fn keeping(&self) -> &Keeping {
         &self.keeping
@@ -305,6 +313,12 @@ impl Recording {
             (Some(number), _) => Some(Recorded::Kept(*number)),
             (None, known) => self.of_slip(known?.slip),
         }
+    }
+
+    /// The check of the history that is recorded with a number.
+    pub(super) fn check_of(&self, number: u64) -> Option<RecordId> {
+        let ids = self.numbers.keys().chain(self.checks.keys()).copied();
+        ids.into_iter().find(|id| self.of_check(*id) == Some(Recorded::Kept(number)))
     }
 
     /// What was named beside a check of the history.

@@ -26,6 +26,7 @@ impl PageState for RecordsPage {
                 if shared.recording.is_on() {
                     shared.history.leave_room(RESTORED);
                 }
+                shared.spread(News::Journal);
             }
             RecordsCommand::Opened(result) => self.journal_opened(result, shared),
             RecordsCommand::Kept { run, result } => self.kept(run, result, shared),
@@ -116,11 +117,13 @@ impl RecordsPage {
                 shared.recording.opened(Err(problem));
             }
         }
+        shared.spread(News::Journal);
     }
 
     /// The journal has answered about entries.
     fn kept(&mut self, run: u64, result: Result<Vec<Head>, Message>, shared: &mut Shared) {
         let problem = result.as_ref().err().cloned();
+        shared.spread(News::Kept(run, problem.is_none()));
         if shared.recording.kept(run, result) {
             let count = shared.recording.failed();
             let why = problem.unwrap_or_else(|| Message::new("records-page-not-kept-why"));

@@ -10,7 +10,7 @@ use crate::message::Message;
 use crate::probing::Origin;
 use crate::session::field::Range;
 use crate::session::recording::{Recorded, correcting};
-use crate::session::shared::Shared;
+use crate::session::shared::{News, Shared};
 
 /// The correction that is being made.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -137,7 +137,7 @@ impl RecordsPage {
     }
 
     /// The journal has answered: the form closes, and the new record is opened; or it says why nothing was written.
-    pub(super) fn correction_kept(&mut self, run: u64, shared: &Shared) {
+    pub(super) fn correction_kept(&mut self, run: u64, shared: &mut Shared) {
         let Some(form) = self.correcting.as_mut().filter(|form| form.run == Some(run)) else { return };
         match shared.recording.of_slip((run, 0)) {
             Some(Recorded::Kept(number)) => {
@@ -146,6 +146,11 @@ impl RecordsPage {
                 if let Some(old) = old {
                     self.listing.forget(old);
                     self.chosen.remove(&old);
+                    // Nor does the check page show or report it any more.
+                    if let Some(id) = shared.recording.check_of(old) {
+                        shared.history.take_out(id);
+                    }
+                    shared.spread(News::TakenBack(old));
                 }
                 self.ask(shared, false);
                 let effects = self.open(number);

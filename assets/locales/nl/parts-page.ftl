@@ -1,0 +1,120 @@
+page-parts = Delen
+parts-page-walk = Meten
+parts-page-plan = Plan
+parts-page-new = Nieuw plan
+parts-page-open = Plan openen…
+parts-page-save = Plan opslaan…
+parts-page-save-csv = Plan opslaan als CSV…
+parts-page-undo = Ongedaan maken
+parts-page-redo = Opnieuw
+parts-page-dialog-open = Een onderdeelplan openen
+parts-page-dialog-save = Het onderdeelplan opslaan
+parts-page-not-saved = { $name }, niet opgeslagen
+parts-page-no-plan = Nog geen plan: open er een of begin er een.
+parts-page-unsaved = { $name } heeft wijzigingen die in geen bestand staan. Weggooien?
+parts-page-discard-no = Wijzigingen houden
+parts-page-discard-yes = Wijzigingen weggooien
+parts-page-discard = Niet-opgeslagen wijzigingen
+parts-page-move = Een andere cel
+parts-page-extend = Selecteren tot een andere cel
+parts-page-edit = De cel bewerken
+parts-page-take = Klaar
+parts-page-empty = De cellen leegmaken
+parts-page-copy = De cellen kopiëren
+parts-page-paste = Plakken
+parts-page-insert = Rij invoegen
+parts-page-delete = Rijen verwijderen
+parts-page-up = Omhoog
+parts-page-down = Omlaag
+parts-page-sort = Sorteren
+parts-page-sort-hint = Op de kolom van de cel, zoals mensen tellen; nog eens: andersom
+parts-page-renumber = Nummeren
+parts-page-renumber-hint = Nummert de kenmerken vanaf 1 in hun volgorde
+parts-page-all-columns = Alle kolommen
+parts-page-previous = Vorige fout
+parts-page-next = Volgende fout
+parts-page-choose-picture = Afbeelding kiezen…
+parts-page-dialog-picture = De afbeelding van het onderdeel kiezen
+parts-page-table = Kenmerken van het plan
+parts-page-cell = Rij { $row }, { $column }, { $text }
+parts-page-cell-empty = Rij { $row }, { $column }, leeg
+parts-page-cell-wrong = { $cell }, fout: { $what }
+parts-page-new-row = volgende
+parts-page-limits = Grensmaten
+parts-page-editing = { $column } van rij { $row }
+parts-page-head = Onderdeel
+parts-page-no-fault = Er is niets mis met het plan
+parts-page-faults = { $count ->
+    [one] Eén fout
+   *[other] { $count } fouten
+}
+parts-page-features = { $count ->
+    [one] Eén kenmerk
+   *[other] { $count } kenmerken
+}
+parts-page-fault-of = { $row }, { $column }
+parts-page-fault-row = Rij { $row }
+parts-page-fault-plan = Plan
+parts-page-lost = Regels van het bestand die niet bij een plan horen: opslaan verliest ze
+parts-page-pasted-rows = { $count ->
+    [one] Eén geplakte rij is weggelaten: een plan heeft hoogstens { $most } kenmerken
+   *[other] { $count } geplakte rijen zijn weggelaten: een plan heeft hoogstens { $most } kenmerken
+}
+parts-page-pasted-columns = { $count ->
+    [one] Eén geplakte kolom is weggelaten: rechts ervan zijn er geen meer. “Alle kolommen” toont er meer
+   *[other] { $count } geplakte kolommen zijn weggelaten: rechts zijn er geen meer. “Alle kolommen” toont er meer
+}
+parts-page-column-number = Nr.
+parts-page-column-name = Naam
+parts-page-column-kind = Soort
+parts-page-column-axis = As
+parts-page-column-callout = Passing
+parts-page-column-callout2 = Passing Y
+parts-page-column-feature = Gat of as
+parts-page-column-x = X
+parts-page-column-y = Y
+parts-page-column-z = Z
+parts-page-column-angle = Hoek
+parts-page-column-clearance = Afstand
+parts-page-column-clearance-height = Veilige hoogte
+parts-page-column-cycle = Cyclus
+parts-page-column-parameters = Parameters
+parts-page-column-material = Materiaal
+parts-page-column-rule = Regel
+parts-page-column-u-um = u (µm)
+parts-page-column-remark = Opmerking
+parts-page-column-balloon-x = Ballon X
+parts-page-column-balloon-y = Ballon Y
+parts-page-head-part = Onderdeel
+parts-page-head-drawing = Tekening
+parts-page-head-picture = Afbeelding
+parts-page-head-material = Materiaal
+parts-page-head-rule = Regel
+parts-page-head-u-um = u (µm)
+parts-page-head-travel-x = Bereik X (mm)
+parts-page-head-travel-y = Bereik Y (mm)
+parts-page-head-travel-z = Bereik Z (mm)
+parts-page-head-remark = Opmerking
+parts-page-head-file = bestand naast het plan
+parts-page-head-two = van tot
+parts-page-picture = Afbeelding van het onderdeel
+parts-page-picture-said = Afbeelding van het onderdeel, { $on } van { $count } ballonnen erop
+parts-page-picture-none = Geen afbeelding
+parts-page-picture-awaited = De afbeelding wordt gelezen
+parts-page-picture-folder = { $given } is niet de naam van een bestand naast het plan: een afbeelding staat in de map van haar plan, en haar naam heeft geen map
+parts-page-picture-unsaved = Sla het plan eerst op: de afbeelding is een bestand in zijn map
+parts-page-picture-elsewhere = { $given } staat niet in de map van het plan: kopieer het daar eerst heen, dan blijven beide bijeen
+parts-page-picture-large = { $name } heeft { $given } KiB; een afbeelding heeft hoogstens { $most } KiB
+parts-page-picture-dots = { $name } heeft { $width } × { $height } punten; een afbeelding heeft hoogstens { $most } miljoen punten
+parts-page-picture-kind = { $name } is geen PNG-, JPEG- of SVG-afbeelding
+parts-page-picture-broken = { $name } is niet als afbeelding te lezen: { $reason }
+parts-page-balloon = Ballon { $label }, { $name }, { $status }
+parts-page-balloon-next = { $balloon }, volgende
+parts-page-balloon-beside = { $balloon }, naast de afbeelding
+parts-page-balloon-open = niet gemeten
+parts-page-balloon-skipped = overgeslagen
+parts-page-beside = Nog niet op de afbeelding: sleep ze erheen
+parts-page-beside-more = en nog { $count }
+parts-page-balloon-simulated = { $status }, gesimuleerd
+parts-page-more = Rijen en cellen
+parts-page-picture-heavy = { $name } tekenen duurt te lang: er zijn filters, grote patronen of te veel lagen; teken het zonder, of bewaar het als PNG

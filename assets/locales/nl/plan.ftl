@@ -1,0 +1,47 @@
+# Plannen van kenmerken: wat er mis is met een plan.
+
+plan-no-features = het plan heeft geen element
+plan-too-many = het plan heeft meer dan { $most } elementen
+plan-too-large = een plan heeft hoogstens { $most } KiB
+plan-no-column = kolom { $column } ontbreekt
+plan-unknown-column = onbekende kolom { $column }: de kolommen zijn { $known }
+plan-column-twice = kolom { $column } komt twee keer voor
+plan-cells = de rij heeft { $found } cellen en de kop { $expected }: scheid de kolommen bij een decimale komma met puntkomma's
+plan-no-cell = { $column } ontbreekt
+plan-value = { $what }: { $error }
+plan-fit = { $callout } geldt voor boring en as samen: zet ze als twee elementen in het plan
+plan-clearance-height = veilige hoogte { $height } mm ligt niet boven de meethoogte, { $z } mm
+plan-same-name = naam { $name } komt twee keer voor: bestandsnamen op een besturing maken geen verschil tussen hoofdletters en kleine letters
+plan-unknown = { $column } { $given } is onbekend: { $known } verwacht
+plan-not-of = bij { $kind } hoort geen { $column }
+plan-direction = axis { $given } is geen richting: { $known } verwacht, of drie getallen zoals 0.5 0 -1, van -10 tot 10 met hoogstens 9 decimalen en niet alle 0
+plan-no-band = { $text } is niet de tolerantie van een punt, zoals ±0.05 of +0.1/-0.05: { $error }
+plan-band-side = een punt kan geen afwijkingen van { $lower } tot { $upper } mm hebben: de cyclus neemt een bovenafwijking van 0 of meer en een onderafwijking van 0 of minder, niet beide 0
+plan-side-class = { $callout }: beide zijden van { $kind } hebben een klasse zoals { $example } nodig
+plan-face-class = { $callout }: een vlak wordt als buitenmaat beoordeeld en heeft een asklasse nodig, zoals h9
+plan-face-place = { $callout }: het vlak ligt op { $coordinate } mm langs de meetas, en dat moet de nominale maat zijn
+plan-not-a-plan = dit is geen plan: een plan heeft een regel met de namen van zijn kolommen, zoals name;callout;x;y;z, of begint met fitcheck_plan = 1
+plan-other-version = dit plan heeft versie { $given }: versies 1 tot { $newest } worden gelezen
+plan-toml = { $said }
+plan-file = { $reason }
+plan-unknown-key = onbekende sleutel { $key }: verwacht { $known }
+plan-other-value = { $key }: verwacht { $expected }, gevonden { $found }
+plan-parameter = cyclus { $cycle } neemt { $given } niet uit een plan: schrijf NAAM=WAARDE met een van { $known }
+plan-travel = { $axis }{ $given } ligt buiten het bereik van de machine, { $minimum } tot { $maximum } mm
+plan-no-travel = { $given } is geen bereik: schrijf twee getallen, het kleinste eerst, zoals -250 250
+plan-text = { $column }: één regel met hoogstens { $most } tekens
+plan-same-number = nummer { $number } komt tweemaal voor
+plan-balloon = { $given } is geen plaats op de afbeelding: van 0 tot 1
+plan-not-found-unknown = niet beoordeeld: geen kenmerk van het plan heeft deze naam of dit nummer, of ligt daar
+plan-not-found-no-clue = niet beoordeeld: de waarde heeft geen naam, nummer of plaats, dus er is geen kenmerk van het plan bij te vinden
+plan-not-found-contradiction = niet beoordeeld: naar zijn naam is het { $name } van het plan, naar zijn nummer { $number }
+plan-not-found-other-nominal = niet beoordeeld: het zou { $name } van het plan zijn, maar de nominale maat is { $given }
+plan-not-found-several = niet beoordeeld: er liggen meer kenmerken van het plan: { $names }
+plan-not-found-which-side = niet beoordeeld: de waarde zegt niet welke van { $names } het is
+part-standing = { $measured } gemeten, { $missing } ontbreken, { $skipped } overgeslagen
+plan-not-found-other-kind = niet beoordeeld: het zou { $name } van het plan zijn, maar dat is een { $kind }, en er is iets anders gemeten
+plan-remark-left = { $name } blijft weg: { $why }
+plan-remark-class-left = { $name }: { $class } heeft andere grensmaten dan het bestand, en die van het bestand tellen
+plan-remark-uncertainty-left = { $name }: de uitgebreide onzekerheid van { $expanded } mm blijft weg, omdat de helft ervan geen heel aantal nanometer is
+plan-simulated-no-place = { $name } heeft geen plaats in het plan: het kan niet worden gesimuleerd
+plan-simulated-no-cycle = geen cyclus meet { $name }: het kan niet worden gesimuleerd

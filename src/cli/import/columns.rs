@@ -1,0 +1,113 @@
+//! `--columns` and `--show-columns`: what the columns of a CSV are taken for.
+
+use std::path::{Path, PathBuf};
+
+use serde_json::{Value as Json, json};
+
+use crate::cli::answers::csv_line;
+use crate::cli::{CliError, Format, Io, Outcome, Refused as _};
+use crate::exchange::{Detected, Mapping};
+use crate::files;
+
+/// How much of a file is looked at.
+const HEAD: usize = 64 << 10;
+
+/// How wide a column of the text becomes at most.
+const WIDEST: usize = 40;
+
+/// Reads a mapping: a list, or a file of TOML.
+pub(super) fn mapping(given: &str) -> Result<Mapping, CliError> {
+    let path = Path::new(given);
+    if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("toml")) {
+        let bytes = files::read(path)?;
+        return Mapping::from_toml(&String::from_utf8_lossy(&bytes)).about(given);
+    }
+    given.parse::<Mapping>().said()
+}
+
+/// Prints what the columns of each file are taken for.
+pub(super) fn show(
+    paths: &[PathBuf],
+    mapping: Option<&Mapping>,
+    format: Format,
+    io: &mut Io<'_>,
+) -> Result<Outcome, CliError> {
+    let open = Mapping::default();
+    let (mut bad, mut is_first) = (false, true);
+    let mut shown = Vec::new();
+    for path in paths {
+        let head = files::read_head(path, HEAD).map_err(|error| error.to_string());
+        let detected = head.and_then(|head| mapping.unwrap_or(&open).detect(&head).map_err(|error| error.to_string()));
+        match detected {
+            Ok(detected) => match format {
+                Format::Json => shown.push(as_json(path, &detected)),
+                Format::Csv => csv(path, &detected, std::mem::take(&mut is_first), io)?,
+                Format::Text => text(path, &detected, io)?,
+            },
+            Err(error) => {
+                bad = true;
+                io.fail(format_args!("{}: {error}", path.display()));
+            }
+        }
+    }
+    if format == Format::Json {
+        io.json(&shown)?;
+    }
+    Ok(if bad { Outcome::BadData } else { Outcome::Done })
+}
+
+/// What is shown of one column.
+struct Shown<'a> {
+    number: usize,
+    name: &'a str,
+    holds: &'static str,
+    first: &'a str,
+}
+
+/// The columns of a file: as many as have a name, hold something or have a cell in the first row.
+fn columns(detected: &Detected) -> impl Iterator<Item = Shown<'_>> {
+    let cells = detected.rows.first().map(|(_, cells)| cells.as_slice()).unwrap_or_default();
+    let count = detected.roles.len().max(detected.names.len()).max(cells.len());
+    (0..count).map(move |at| Shown {
+        number: at + 1,
+        name: detected.names.get(at).map(String::as_str).unwrap_or_default(),
+        holds: detected.word(at).unwrap_or("-"),
+        first: cells.get(at).map(|cell| cell.trim()).unwrap_or_default(),
+    })
+}
+
+fn text(path: &Path, detected: &Detected, io: &mut Io<'_>) -> Result<(), CliError> {
+    let shown: Vec<Shown<'_>> = columns(detected).collect();
+    let wide = |length: fn(&Shown<'_>) -> usize| shown.iter().map(length).max().unwrap_or_default().min(WIDEST);
+    let (names, holds) = (wide(|column| column.name.chars().count()), wide(|column| column.holds.len()));
+    let out = io.people();
+    writeln!(out, "{}", path.display())?;
+    for Shown { number, name, holds: held, first } in &shown {
+        let line = format!("{number:>4}  {name:<names$}  {held:<holds$}  {first}");
+        writeln!(out, "{}", line.trim_end())?;
+    }
+    writeln!(out, "\n{}", detected.mapping.to_toml())?;
+    Ok(())
+}
+
+fn csv(path: &Path, detected: &Detected, is_first: bool, io: &mut Io<'_>) -> Result<(), CliError> {
+    if is_first {
+        csv_line(["file", "column", "name", "holds", "first"], io)?;
+    }
+    let file = path.display().to_string();
+    for Shown { number, name, holds, first } in columns(detected) {
+        csv_line([file.as_str(), &number.to_string(), name, holds, first], io)?;
+    }
+    Ok(())
+}
+
+fn as_json(path: &Path, detected: &Detected) -> Json {
+    let columns = columns(detected).map(|Shown { number, name, holds, first }| {
+        json!({ "column": number, "name": name, "holds": (holds != "-").then_some(holds), "first": first })
+    });
+    json!({
+        "file": path.display().to_string(),
+        "columns": columns.collect::<Vec<_>>(),
+        "mapping": detected.mapping.to_toml(),
+    })
+}

@@ -1,0 +1,354 @@
+//! `fitcheck plan`: part plans checked, begun and brought into another form.
+
+use std::path::{Path, PathBuf};
+
+use jiff::civil::DateTime;
+use serde_json::{Map, Value as Json, json};
+
+use super::{CliError, CliRemark, Format, Io, Outcome, Refused as _, TableArgs, What, read_input};
+use crate::exchange::{self, Given, PLAN_ENDINGS};
+use crate::files;
+use crate::length::Unit;
+use crate::message::{IntoArg as _, Say as _};
+use crate::part::{Column, Document, Draft, HeadField, Plan, PlanError, PlanFault, PlanFeature, Row};
+use crate::tolerance::Sources;
+
+const EXAMPLES: &str = "\
+Examples:
+  fitcheck plan new flange.toml --part 'Flange 4711' '25 H7' '20 g6'
+  fitcheck plan check flange.toml
+  fitcheck plan convert plan.csv -o plan.toml
+
+A plan is the list of features of a part, as TOML or as CSV; docs/PLANS.md has all keys. \
+Workbooks with the same columns, AQDEF (.dfq, .dfd), QIF and tables of CALYPSO are read as plans, too. \
+Every fault is told at once, with its line.
+
+Exit codes: 0 no fault, 1 a fault or a file that cannot be used, 2 wrong usage.";
+
+/// Check part plans, begin one, or bring one into another form
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Args {
+    #[command(subcommand)]
+    what: Todo,
+}
+
+#[derive(Debug, clap::Subcommand)]
+enum Todo {
+    /// Tell every fault of a plan, and the limits of its features
+    Check(CheckArgs),
+    /// Begin a plan
+    New(BeginArgs),
+    /// Write a plan as TOML or as CSV
+    Convert(ConvertArgs),
+}
+
+#[derive(Debug, clap::Args)]
+struct CheckArgs {
+    /// Plans; - is standard input
+    #[arg(required = true, value_name = "PLAN")]
+    files: Vec<PathBuf>,
+    /// Format of the answer
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+    #[command(flatten)]
+    tables: TableArgs,
+}
+
+#[derive(Debug, clap::Args)]
+struct BeginArgs {
+    /// The file to write: .toml or .csv
+    #[arg(value_name = "PLAN")]
+    file: PathBuf,
+    /// The callouts of its features, such as "25 H7"
+    #[arg(value_name = "CALLOUT")]
+    callouts: Vec<String>,
+    /// The part's name or number
+    #[arg(long, value_name = "NAME")]
+    part: Option<String>,
+    /// Overwrite an existing file
+    #[arg(long)]
+    force: bool,
+    #[command(flatten)]
+    tables: TableArgs,
+}
+
+#[derive(Debug, clap::Args)]
+struct ConvertArgs {
+    /// The plan; - is standard input
+    #[arg(value_name = "PLAN")]
+    file: PathBuf,
+    /// The file to write: .toml, or .csv for the features alone
+    #[arg(short, long, value_name = "FILE")]
+    output: PathBuf,
+    /// Overwrite an existing file
+    #[arg(long)]
+    force: bool,
+    #[command(flatten)]
+    tables: TableArgs,
+}
+
+/// Whether a name is that of a plan's file, or of standard input.
+pub(super) fn is_plan_file(path: &Path) -> bool {
+    let is_known = |ending: &std::ffi::OsStr| PLAN_ENDINGS.iter().any(|known| ending.eq_ignore_ascii_case(known));
+    path.as_os_str() == "-" || path.extension().is_some_and(is_known)
+}
+
+/// A plan without a fault; all faults are told, the last one as the error.
+pub(super) fn read_plan(path: &Path, sources: &Sources, io: &mut Io<'_>) -> Result<Plan, CliError> {
+    read_named(path, sources, io).map(|(_name, plan)| plan)
+}
+
+/// The same with the name that it has in messages.
+pub(super) fn read_named(path: &Path, sources: &Sources, io: &mut Io<'_>) -> Result<(String, Plan), CliError> {
+    let (name, document) = read_document(path, io)?;
+    let plan = whole(&document, Some(&name), sources, io)?;
+    Ok((name, plan))
+}
+
+/// What a document says, or all its faults.
+pub(super) fn whole(
+    document: &Document,
+    name: Option<&str>,
+    sources: &Sources,
+    io: &mut Io<'_>,
+) -> Result<Plan, CliError> {
+    let faults = match document.plan(sources) {
+        Ok(plan) => return Ok(plan),
+        Err(faults) => faults,
+    };
+    let mut last = None;
+    for fault in faults {
+        if let Some(before) = last.replace(said(fault, name)) {
+            io.fail(before);
+        }
+    }
+    Err(last.unwrap_or_else(|| CliError::Said(PlanFault::NotAPlan.message())))
+}
+
+fn said(fault: PlanError, name: Option<&str>) -> CliError {
+    match name {
+        Some(name) => CliError::About { what: name.arg(), error: fault.message() },
+        // What was not in a file was an option.
+        None => match fault.what {
+            PlanFault::Number { column, error } => {
+                let name = column.replace('_', "-");
+                CliError::About { what: What::Option { name: &name }.arg(), error: error.message() }
+            }
+            what => CliError::Said(what.message()),
+        },
+    }
+}
+
+fn read_document(path: &Path, io: &mut Io<'_>) -> Result<(String, Document), CliError> {
+    let (name, bytes) = read_input(path, io)?;
+    let document = of_bytes(path, &name, &bytes).about(&name)?;
+    tell_remarks(&document, &name, io);
+    Ok((name, document))
+}
+
+fn of_bytes(path: &Path, name: &str, bytes: &[u8]) -> Result<Document, PlanError> {
+    let beside = |ending: &str| files::beside(path, ending);
+    // Limits of classes are compared with those of the standard; a plan has no times.
+    let sources = Sources::default();
+    exchange::read_plan(name, bytes, Given { beside: &beside, ..Given::new(&sources, DateTime::MIN) })
+}
+
+/// Says what a plan of another tool does not take over.
+fn tell_remarks(document: &Document, name: &str, io: &mut Io<'_>) {
+    for remark in &document.remarks {
+        io.warn_about(name, remark);
+    }
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        match &self.what {
+            Todo::Check(args) => args.run(io),
+            Todo::New(args) => args.run(io),
+            Todo::Convert(args) => args.run(io),
+        }
+    }
+}
+
+impl CheckArgs {
+    fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let sources = self.tables.load(io)?;
+        let (mut has_faults, mut answers) = (false, Vec::new());
+        for path in &self.files {
+            let (name, read) = match read_input(path, io) {
+                Ok((name, bytes)) => {
+                    let read = of_bytes(path, &name, &bytes).map_err(|error| vec![error]);
+                    if let Ok(document) = &read {
+                        tell_remarks(document, &name, io);
+                    }
+                    (name, read.and_then(|document| document.plan(&sources)))
+                }
+                Err(error) => {
+                    io.fail(&error);
+                    has_faults = true;
+                    continue;
+                }
+            };
+            has_faults |= read.is_err();
+            match self.format {
+                Format::Json => answers.push(answer(&name, &read)),
+                Format::Csv => csv(&name, &read, answers.is_empty(), io)?,
+                Format::Text => text(&name, &read, io)?,
+            }
+            if self.format == Format::Csv {
+                answers.push(Json::Null);
+            }
+        }
+        if self.format == Format::Json {
+            io.json(&answers)?;
+        }
+        Ok(if has_faults { Outcome::BadData } else { Outcome::Done })
+    }
+}
+
+type Read = Result<Plan, Vec<PlanError>>;
+
+fn text(name: &str, read: &Read, io: &mut Io<'_>) -> Result<(), CliError> {
+    match read {
+        Ok(plan) => {
+            let part = if plan.head.part.is_empty() { name } else { &plan.head.part };
+            let count = plan.features().len();
+            writeln!(io.people(), "{part}: {}", CliRemark::PlanHas { count })?;
+            for size in plan.sizes() {
+                let (number, limits) = (&size.feature.number, size.limits);
+                let asked = size.callout.map_or_else(|| size.feature.kind.asked(), |callout| callout.to_string());
+                let place = size.feature.place.map_or_else(String::new, |[x, y, z]| format!("X{x} Y{y} Z{z}"));
+                let limits = format!("{} … {}", limits.minimum(), limits.maximum());
+                let line = format!("  {number:>4}  {:<20} {asked:<14} {limits:<22} {place}", size.name());
+                writeln!(io.people(), "{}", line.trim_end())?;
+            }
+        }
+        Err(faults) => {
+            for fault in faults {
+                io.fail(said(fault.clone(), Some(name)));
+            }
+        }
+    }
+    Ok(())
+}
+
+fn csv(name: &str, read: &Read, is_first: bool, io: &mut Io<'_>) -> Result<(), CliError> {
+    if is_first {
+        writeln!(io.data(), "file,line,number,name,callout,min_mm,max_mm,error")?;
+    }
+    let mut line = |cells: [String; 8]| super::answers::csv_line(cells, io);
+    match read {
+        Ok(plan) => {
+            for size in plan.sizes() {
+                let mm = |length: crate::length::Length| length.exact(Unit::Millimetre, 3);
+                let at = size.feature.line.map_or_else(String::new, |line| line.to_string());
+                let asked = size.callout.map_or_else(|| size.feature.kind.asked(), |callout| callout.to_string());
+                let (minimum, maximum) = (mm(size.limits.minimum()), mm(size.limits.maximum()));
+                let number = size.feature.number.clone();
+                line([name.to_owned(), at, number, size.name(), asked, minimum, maximum, String::new()])?;
+            }
+        }
+        Err(faults) => {
+            for fault in faults {
+                let at = fault.place.line.map_or_else(String::new, |line| line.to_string());
+                let nothing = String::new;
+                let error = fault.what.to_string();
+                line([name.to_owned(), at, nothing(), nothing(), nothing(), nothing(), nothing(), error])?;
+            }
+        }
+    }
+    Ok(())
+}
+
+fn answer(name: &str, read: &Read) -> Json {
+    match read {
+        Ok(plan) => json!({
+            "file": name,
+            "part": plan.head.part,
+            "features": plan.features().iter().map(feature).collect::<Vec<_>>(),
+            "errors": [],
+        }),
+        Err(faults) => {
+            let errors = faults.iter().map(|fault| {
+                json!({ "line": fault.place.line, "column": fault.place.column, "error": fault.what.to_string() })
+            });
+            json!({ "file": name, "features": [], "errors": errors.collect::<Vec<_>>() })
+        }
+    }
+}
+
+fn feature(feature: &PlanFeature) -> Json {
+    let mm = |length: crate::length::Length| {
+        length.exact(Unit::Millimetre, 3).parse::<serde_json::Number>().map_or(Json::Null, Json::Number)
+    };
+    let sizes = feature.sizes().map(|size| {
+        json!({
+            "name": size.name(),
+            "callout": size.callout.map(|callout| callout.to_string()),
+            "min_mm": mm(size.limits.minimum()),
+            "max_mm": mm(size.limits.maximum()),
+            "source": size.limits.source.to_string(),
+        })
+    });
+    let mut answer = Map::new();
+    let mut put = |name: &str, value: Json| answer.insert(name.to_owned(), value);
+    put("line", json!(feature.line));
+    put("number", json!(feature.number));
+    put("name", json!(feature.name));
+    put("kind", json!(feature.kind.word()));
+    put("feature", json!(feature.feature().word()));
+    put("sizes", Json::Array(sizes.collect()));
+    put("place_mm", feature.place.map_or(Json::Null, |place| Json::Array(place.map(mm).to_vec())));
+    put("cycle", json!(feature.cycle.map(|cycle| cycle.code)));
+    put("rule", json!(feature.rule.map(|rule| rule.name().word())));
+    put("material", json!(feature.material.as_ref().map(|material| &material.name)));
+    put("remark", json!(feature.remark));
+    Json::Object(answer)
+}
+
+impl BeginArgs {
+    fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let sources = self.tables.load(io)?;
+        let mut draft = Draft::default();
+        draft.set(HeadField::Part, self.part.clone().unwrap_or_default());
+        draft.rows = self.callouts.iter().map(|callout| Row::of([(Column::Callout, callout.clone())])).collect();
+        // A plan without a feature is the frame of one.
+        if draft.rows.is_empty() {
+            draft.rows.push(Row::of([(Column::Callout, "25 H7".to_owned())]));
+            io.remark(&CliRemark::PlanExample);
+        }
+        draft.renumber();
+        for (number, row) in (1..).zip(&mut draft.rows) {
+            let number: usize = number;
+            row.set(Column::Name, format!("F{number}"));
+        }
+        let document = Document::of(draft);
+        whole(&document, None, &sources, io)?;
+        save(&document.draft, &self.file, self.force, io)
+    }
+}
+
+impl ConvertArgs {
+    fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let sources = self.tables.load(io)?;
+        let (name, document) = read_document(&self.file, io)?;
+        whole(&document, Some(&name), &sources, io)?;
+        save(&document.draft, &self.output, self.force, io)
+    }
+}
+
+fn save(draft: &Draft, path: &Path, force: bool, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+    let is_csv = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
+    if is_csv && HeadField::ALL.into_iter().any(|field| draft.text(field).is_some()) {
+        io.remark(&CliRemark::PlanHeadLeft);
+    }
+    let text = if is_csv { draft.to_csv() } else { draft.to_toml() };
+    let write = if force { files::write } else { files::write_new };
+    write(path, text.as_bytes()).map_err(|error| match error {
+        error @ files::FileError::Exists { .. } if !force => CliError::UseForce { error },
+        error => error.into(),
+    })?;
+    io.tell(CliRemark::Wrote { path: path.display().to_string() });
+    Ok(Outcome::Done)
+}

@@ -1,0 +1,187 @@
+//! `fitcheck watch`: files are judged and recorded as they are dropped into a folder.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use super::import::{Printer, Row, Rows};
+use super::judging::{Judge, JudgeArgs};
+use super::record::{Stream, StreamArgs};
+use super::said::CliWarning;
+use super::{CliError, CliRemark, Format, Io, Outcome, TableArgs};
+use crate::control::mask::Mask;
+use crate::journal::entry::{FileRole, UsedFile};
+use crate::message::Message;
+use crate::part::Plan;
+use crate::tolerance::Sources;
+use crate::verdict::Status;
+use crate::watch::{Batch, EVERY, Judging, Known, Watcher};
+
+const EXAMPLES: &str = "\
+Each file is taken once, completely written or not at all, in the order in which the files were written, and \
+recorded in the journal with its SHA-256: a restart, another name or another folder take no value twice. Files of \
+lines (CSV, measuring logs, AQDEF) may grow: the new lines are taken. Files stay where they are. What cannot be read \
+or judged is told in a text file beside it, NAME.why.txt. Folders in the folder, hidden files and names such as \
+.tmp and .part are left alone; a .dfd is read with its .dfx.
+
+Examples:
+  fitcheck watch /srv/measured --plan flange.toml --who Anna
+  fitcheck watch . --until-idle 2 --format csv > verdicts.csv
+
+The exit code is that of the worst verdict, a centre out of position counting as scrap; it is 1 where a row or a \
+file could not be used or judged.";
+
+/// Take files as they are dropped into a folder: judge them and record them
+#[derive(Debug, clap::Args)]
+#[command(after_help = EXAMPLES)]
+pub(super) struct Args {
+    /// The folder
+    #[arg(value_name = "FOLDER")]
+    folder: PathBuf,
+
+    /// Judge by a part plan: each value finds its feature by name, number or place, and the plan's limits and rule decide
+    #[arg(long, value_name = "PLAN")]
+    plan: Option<PathBuf>,
+
+    /// End when nothing has come for so many seconds and nothing is waited for; without it, it goes on until it is ended
+    #[arg(long, value_name = "S")]
+    until_idle: Option<f64>,
+
+    /// Format of the verdicts
+    #[arg(long, value_enum, default_value_t = Format::Text)]
+    format: Format,
+
+    /// Masks of a control: a text that one of them has printed with FN 16 is read back through it
+    #[arg(long = "mask", value_name = "FILE.a")]
+    masks: Vec<PathBuf>,
+
+    #[command(flatten)]
+    tables: TableArgs,
+
+    #[command(flatten)]
+    by: JudgeArgs,
+
+    #[command(flatten)]
+    record: StreamArgs,
+}
+
+/// What a run of it has.
+struct Run<'a> {
+    plan: Option<&'a Plan>,
+    sources: &'a Sources,
+    masks: &'a [(String, Mask)],
+    judge: &'a Judge,
+    journal: Stream,
+    printer: Printer,
+    worst: Option<Status>,
+    is_bad: bool,
+}
+
+impl Args {
+    pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        let idle = match self.until_idle {
+            Some(seconds) => {
+                let idle = Duration::try_from_secs_f64(seconds);
+                Some(idle.map_err(|_range| CliError::NotSeconds { given: seconds.to_string() })?)
+            }
+            None => None,
+        };
+        let sources = self.tables.load(io)?;
+        let plan = self.plan.as_ref().map(|path| super::plan::read_plan(path, &sources, io)).transpose()?;
+        let masks = self.masks.iter().map(|path| super::import::mask(path, io)).collect::<Result<Vec<_>, _>>()?;
+        let judge = self.by.judge(io)?;
+        judge.tell(io);
+        judge.tell_rule(io);
+        if !self.folder.is_dir() {
+            return Err(CliError::NoFolder { path: self.folder.clone() });
+        }
+        let part = plan.as_ref().map(|plan| plan.head.part.as_str());
+        let journal = self.record.stream(part, io)?;
+        let mut known = Known::default();
+        journal.each(&mut |body| known.see(body))?;
+        io.tell(CliRemark::Watching { folder: self.folder.display().to_string(), known: known.len() });
+        let printer = Printer::new(self.format, judge.more(), io)?;
+        let (plan, is_bad) = (plan.as_ref(), false);
+        let mut run =
+            Run { plan, sources: &sources, masks: &masks, judge: &judge, journal, printer, worst: None, is_bad };
+        run.watch(&mut Watcher::new(&self.folder, known), idle, io)?;
+        run.printer.end(io)?;
+        run.journal.rest(io);
+        Ok(match run.worst {
+            _ if run.is_bad => Outcome::BadData,
+            Some(worst) => Outcome::Judged(worst),
+            None => Outcome::Done,
+        })
+    }
+}
+
+impl Run<'_> {
+    fn watch(&mut self, watcher: &mut Watcher, idle: Option<Duration>, io: &mut Io<'_>) -> Result<(), CliError> {
+        let begun = Instant::now();
+        let (mut last, mut told) = (begun, None);
+        loop {
+            let judging = Judging { plan: self.plan, sources: self.sources, masks: self.masks, now: super::now() };
+            match watcher.look(judging, begun.elapsed()) {
+                Ok(look) => {
+                    told = None;
+                    if !look.is_idle() {
+                        last = Instant::now();
+                    }
+                    for (name, known) in &look.same {
+                        io.warn_about(name, &CliWarning::SameContent { known: known.clone() });
+                    }
+                    self.take(watcher, &look.ready, io)?;
+                }
+                // A share may be gone for a while: it is told once.
+                Err(error) => {
+                    let said = error.to_string();
+                    if told.as_ref() != Some(&said) {
+                        io.fail(&said);
+                        self.is_bad = true;
+                        told = Some(said);
+                    }
+                }
+            }
+            if Duration::from_secs(1) <= last.elapsed() {
+                self.journal.rest(io);
+            }
+            if idle.is_some_and(|idle| idle <= last.elapsed()) {
+                return Ok(());
+            }
+            std::thread::sleep(EVERY);
+        }
+    }
+
+    /// Records what is ready, all of it or none, and then shows it.
+    fn take(&mut self, watcher: &mut Watcher, ready: &[Batch], io: &mut Io<'_>) -> Result<(), CliError> {
+        let mut all: Vec<Vec<Row>> = Vec::new();
+        for batch in ready {
+            let mut rows = Rows::of(Path::new(&batch.name), self.judge, true);
+            let rows: Vec<Row> = batch.items.iter().cloned().filter_map(|item| rows.row(item)).collect();
+            let file =
+                UsedFile { role: FileRole::Measurements, name: batch.name.as_str().into(), sha256: batch.sha256 };
+            for row in &rows {
+                if let Some(record) = &row.judged {
+                    self.journal.size_of(Arc::clone(record), &row.labels, file.clone())?;
+                }
+            }
+            all.push(rows);
+        }
+        self.journal.keep(io)?;
+        for (batch, rows) in ready.iter().zip(&all) {
+            if let Err(error) = watcher.taken(batch, &|message: &Message| message.to_string()) {
+                io.warn_about(&batch.name, &error);
+            }
+            for row in rows {
+                self.is_bad |= row.error.is_some();
+                self.worst = self.worst.max(row.part_status());
+                self.printer.row(row, io)?;
+            }
+            if rows.iter().any(|row| row.error.is_some()) {
+                io.warn_about(&batch.name, &CliWarning::SeeNote { note: crate::watch::NOTE_ENDING });
+            }
+        }
+        // What is waited for must not stay in a buffer.
+        self.printer.flush(io)
+    }
+}

@@ -1,0 +1,270 @@
+//! The ways to read some lines as what a mask prints at a time: two are enough to know that there is no one way.
+
+use super::{Piece, Printed, Step, Values};
+use crate::control::mask::{Format, Kind};
+
+/// The longest line that is read back, in bytes; a control's has some hundred.
+const LONGEST_LINE: usize = 1 << 10;
+
+/// How many places are looked at for one print before it counts as ambiguous.
+const MOST_STEPS: usize = 20_000;
+
+/// What a line takes of them in any case, so that not every way to leave out records is tried.
+const LINE_STEPS: usize = 50;
+
+/// A field, and where its value begins and ends in a line.
+type Range = (usize, (usize, usize));
+
+/// The ways to read some lines as one print.
+pub(super) struct Search<'a> {
+    print: &'a [Step],
+    lines: &'a [&'a str],
+    pub(super) ways: Vec<Printed>,
+    /// How many places may still be looked at.
+    pub(super) left: usize,
+    /// How many lines were read before one that is another than that of a line of the mask, and that line.
+    pub(super) furthest: (usize, usize),
+}
+
+impl<'a> Search<'a> {
+    /// All of the ways from the beginning, or two of them.
+    pub(super) fn of(print: &'a [Step], lines: &'a [&'a str]) -> Self {
+        let mut search = Self { print, lines, ways: Vec::new(), left: MOST_STEPS, furthest: (0, 0) };
+        search.step(0, 0, &mut Vec::new());
+        search
+    }
+
+    /// Reads from a record of the mask and a line of the file on. Two ways are enough.
+    fn step(&mut self, record: usize, line: usize, values: &mut Values) {
+        self.left = self.left.saturating_sub(1);
+        if self.left == 0 || 1 < self.ways.len() {
+            return;
+        }
+        let print = self.print;
+        let Some(step) = print.get(record) else {
+            let way = Printed { lines: line, values: values.clone() };
+            if 0 < line && !self.ways.contains(&way) {
+                self.ways.push(way);
+            }
+            return;
+        };
+        self.lines_of(step, (record, 0), line, values);
+        if step.hides && step.has_text_parameter() {
+            self.step(record + 1, line, values);
+        }
+    }
+
+    /// Reads the lines of a record from one of them on.
+    fn lines_of(&mut self, step: &Step, (record, part): (usize, usize), line: usize, values: &mut Values) {
+        let Some(pieces) = step.lines.get(part) else { return self.step(record + 1, line, values) };
+        let text = self.lines.get(line).copied();
+        let mut ways = Ways::default();
+        if let Some(line) = text.filter(|text| text.len() <= LONGEST_LINE) {
+            let left = self.left.saturating_sub(LINE_STEPS);
+            ways = Ways { pieces, line, wants_texts: step.hides, left, ..ways };
+            ways.from(0, 0, &mut Vec::new());
+            self.left = ways.left;
+        }
+        let ways = ways.found;
+        let is_begun = self.print.iter().take(record).any(Step::is_marked);
+        if ways.is_empty() && self.furthest.0 < line && is_begun {
+            self.furthest = (line, step.line);
+        }
+        for way in ways {
+            let count = values.len();
+            values.extend(way);
+            self.lines_of(step, (record, part + 1), line + 1, values);
+            values.truncate(count);
+        }
+    }
+}
+
+impl Step {
+    fn has_text_parameter(&self) -> bool {
+        let is_one = |piece: &Piece| matches!(piece, Piece::Slot { is_text_parameter: true, .. });
+        self.lines.iter().flatten().any(is_one)
+    }
+
+    fn is_marked(&self) -> bool {
+        self.lines.iter().flatten().any(Piece::is_mark)
+    }
+}
+
+/// The ways to read a line; two are enough.
+#[derive(Default)]
+struct Ways<'a> {
+    pieces: &'a [Piece],
+    line: &'a str,
+    /// Whether no text parameter may be empty.
+    wants_texts: bool,
+    /// How many places may still be looked at.
+    left: usize,
+    /// Places from which the rest of the line cannot be read.
+    failed: Vec<bool>,
+    found: Vec<Values>,
+}
+
+impl Ways<'_> {
+    /// Whether the line can be read from a piece and a byte on.
+    fn from(&mut self, piece: usize, at: usize, values: &mut Vec<Range>) -> bool {
+        self.left = self.left.saturating_sub(1);
+        if self.left == 0 || 1 < self.found.len() || self.has_failed(piece, at) {
+            return false;
+        }
+        let rest = self.line.get(at..).unwrap_or_default();
+        let pieces = self.pieces;
+        let is_read = match pieces.get(piece) {
+            None => {
+                let is_end = rest.trim_start().is_empty();
+                if is_end {
+                    let text = |(start, end): (usize, usize)| self.line.get(start..end).unwrap_or_default().to_owned();
+                    let values: Values = values.iter().map(|(slot, range)| (*slot, text(*range))).collect();
+                    if !self.found.contains(&values) {
+                        self.found.push(values);
+                    }
+                }
+                is_end
+            }
+            Some(Piece::Literal(literal)) => {
+                let end = literal_end(literal, rest, piece == 0);
+                end.is_some_and(|end| self.from(piece + 1, at + end, values))
+            }
+            Some(Piece::Slot { number, format, is_text_parameter }) if format.is_text() => {
+                self.text((piece, at), *number, (format, *is_text_parameter && self.wants_texts), values)
+            }
+            Some(Piece::Slot { number, format, .. }) => {
+                let touches = match pieces.get(piece + 1) {
+                    Some(Piece::Slot { .. }) => true,
+                    Some(Piece::Literal(text)) => text.starts_with(|c: char| c.is_ascii_digit()),
+                    None => false,
+                };
+                number_end(rest, format.decimals().unwrap_or_default(), touches).is_some_and(|(start, end)| {
+                    self.with((*number, (at + start, at + end)), (piece + 1, at + end), values)
+                })
+            }
+        };
+        if !is_read {
+            let place = self.place(piece, at);
+            if self.failed.is_empty() {
+                self.failed.resize(self.place(self.pieces.len() + 1, 0), false);
+            }
+            if let Some(failed) = self.failed.get_mut(place) {
+                *failed = true;
+            }
+        }
+        is_read
+    }
+
+    const fn place(&self, piece: usize, at: usize) -> usize {
+        piece * (self.line.len() + 1) + at
+    }
+
+    fn has_failed(&self, piece: usize, at: usize) -> bool {
+        self.failed.get(self.place(piece, at)).is_some_and(|failed| *failed)
+    }
+
+    fn with(&mut self, value: Range, (piece, at): (usize, usize), values: &mut Vec<Range>) -> bool {
+        values.push(value);
+        let is_read = self.from(piece, at, values);
+        values.pop();
+        is_read
+    }
+
+    /// A text may end at every place after which the rest of the line can be read.
+    fn text(
+        &mut self,
+        (piece, at): (usize, usize),
+        number: usize,
+        (format, wants_text): (&Format, bool),
+        values: &mut Vec<Range>,
+    ) -> bool {
+        let rest = self.line.get(at..).unwrap_or_default();
+        let most = format.digits.filter(|_| format.kind == Kind::Text).unwrap_or(usize::MAX);
+        let columns = format.columns();
+        let mut is_read = false;
+        // The last piece reaches to the end of the line.
+        let first = if piece + 1 == self.pieces.len() { rest.len() } else { 0 };
+        let behind = rest.get(first..).unwrap_or_default();
+        let ends = behind.char_indices().map(|(end, _)| first + end).chain([rest.len()]);
+        let mut is_behind_blank = false;
+        for (count, end) in ends.enumerate() {
+            self.left = self.left.saturating_sub(1);
+            let is_end = end == rest.len();
+            let may_end = match columns {
+                Some(columns) if first == 0 => count == columns || is_end && count < columns,
+                // Blanks behind it belong to what comes next.
+                _ => is_end || end == 0 || !is_behind_blank,
+            };
+            is_behind_blank = rest.get(end..).is_some_and(|behind| behind.starts_with(char::is_whitespace));
+            if self.left == 0 {
+                break;
+            }
+            if !may_end || self.has_failed(piece + 1, at + end) {
+                continue;
+            }
+            let text = rest.get(..end).unwrap_or_default().trim();
+            if most != usize::MAX && most < text.chars().count() || wants_text && text.is_empty() {
+                continue;
+            }
+            let start = at + (end - rest.get(..end).unwrap_or_default().trim_start().len());
+            is_read |= self.with((number, (start, start + text.len())), (piece + 1, at + end), values);
+        }
+        is_read
+    }
+}
+
+/// Where a literal text ends in a line that begins with it: a run of blanks matches any run, or the end of the line.
+fn literal_end(literal: &str, line: &str, is_first: bool) -> Option<usize> {
+    let literal = if is_first { literal.trim_start() } else { literal };
+    if literal.is_empty() {
+        return Some(0);
+    }
+    // The width of the field before may have put blanks there.
+    let mut rest = if is_first || !literal.starts_with(' ') { line.trim_start() } else { line };
+    let mut wants_blank = false;
+    for c in literal.chars() {
+        if c == ' ' {
+            wants_blank = true;
+            continue;
+        }
+        if std::mem::take(&mut wants_blank) {
+            rest = behind_blanks(rest)?;
+        }
+        rest = rest.strip_prefix(c)?;
+    }
+    if wants_blank && !rest.is_empty() {
+        behind_blanks(rest)?;
+        // Further blanks may be those before the next literal text, with an empty text between them.
+        let own = literal.len() - literal.trim_end_matches(' ').len();
+        let found = rest.len() - rest.trim_start_matches(' ').len();
+        rest = rest.get(own.min(found).max(1)..)?;
+    }
+    Some(line.len() - rest.len())
+}
+
+/// What comes behind at least one blank.
+fn behind_blanks(text: &str) -> Option<&str> {
+    let rest = text.trim_start();
+    (rest.len() < text.len()).then_some(rest)
+}
+
+/// Where a number with so many decimals begins and ends. With `touches` another field may begin behind it.
+fn number_end(line: &str, decimals: usize, touches: bool) -> Option<(usize, usize)> {
+    let rest = line.trim_start();
+    let start = line.len() - rest.len();
+    let unsigned = rest.strip_prefix(['+', '-', '\u{2212}']).unwrap_or(rest);
+    let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
+    let whole = digits(unsigned);
+    let mut end = line.len() - unsigned.len() + whole;
+    if whole == 0 {
+        return None;
+    }
+    if 0 < decimals {
+        let count = digits(line.get(end..)?.strip_prefix(['.', ','])?);
+        if count < decimals || decimals < count && !touches {
+            return None;
+        }
+        end += 1 + decimals;
+    }
+    Some((start, end))
+}

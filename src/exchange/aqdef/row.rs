@@ -1,0 +1,154 @@
+//! The values that are read and not yet judged: those of one part, or one value of a characteristic after the other.
+
+use std::collections::BTreeMap;
+
+use super::keys::{BETWEEN_CHARACTERISTICS, BETWEEN_FIELDS, Key};
+
+/// The keys of the fields of a measured value, in a line without keys.
+const MEASURED: [u16; 10] = [1, 2, 4, 5, 6, 7, 8, 10, 11, 12];
+
+/// The same of counted parts and error log sheets; the third field has no key.
+const COUNTED: [u16; 12] = [20, 21, 0, 2, 4, 5, 6, 7, 8, 10, 11, 12];
+
+/// The most values that wait: of a file that repeats no key until then, what comes later for them is told.
+const MOST: usize = 20_000;
+
+/// What a file says of one value.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Fields {
+    /// The line where it begins.
+    pub(super) line: usize,
+    /// Which keys it has, a bit for each.
+    seen: u128,
+    pub(super) value: String,
+    pub(super) attribute: String,
+    pub(super) date: String,
+    pub(super) batch: String,
+    pub(super) who: String,
+    pub(super) machine: String,
+    pub(super) serial: String,
+    pub(super) gauge: String,
+    /// A text that the end of the file may have cut off.
+    pub(super) cut_off: Option<String>,
+}
+
+impl Fields {
+    pub(super) const fn has(&self, key: Key) -> bool {
+        self.seen & (1 << (key.0 % 128)) != 0
+    }
+
+    /// Whether it is a value at all, and not only something beside one.
+    pub(super) const fn is_value(&self) -> bool {
+        self.has(Key(1)) || self.has(Key(2)) || self.is_counted()
+    }
+
+    /// Whether parts or errors were counted.
+    pub(super) const fn is_counted(&self) -> bool {
+        self.has(Key(20)) || self.has(Key(21))
+    }
+
+    /// Whether the key is one of those that are used.
+    pub(super) const fn is_used(key: Key) -> bool {
+        matches!(key.0, 1 | 2 | 4 | 6 | 8 | 10 | 12 | 14 | 20 | 21)
+    }
+
+    /// The first key that it has.
+    pub(super) fn first(&self) -> Key {
+        Key(u16::try_from(self.seen.trailing_zeros()).unwrap_or_default())
+    }
+
+    pub(super) fn set(&mut self, key: Key, text: &str) {
+        self.seen |= 1 << (key.0 % 128);
+        if let Some(field) = self.field(key) {
+            text.clone_into(field);
+        }
+    }
+
+    const fn field(&mut self, key: Key) -> Option<&mut String> {
+        Some(match key.0 {
+            1 => &mut self.value,
+            2 => &mut self.attribute,
+            4 => &mut self.date,
+            6 => &mut self.batch,
+            8 => &mut self.who,
+            10 => &mut self.machine,
+            12 => &mut self.gauge,
+            14 => &mut self.serial,
+            _ => return None,
+        })
+    }
+
+    /// Takes from what is said of all values what this one does not say.
+    fn complete(&mut self, all: &Self) {
+        let mut all = all.clone();
+        for key in [2, 4, 6, 8, 10, 12, 14].map(Key) {
+            if all.has(key)
+                && !self.has(key)
+                && let Some(text) = all.field(key).map(std::mem::take)
+                && let Some(field) = self.field(key)
+            {
+                *field = text;
+            }
+        }
+    }
+}
+
+/// The values that wait, by the number of the characteristic.
+#[derive(Debug, Default)]
+pub(super) struct Row {
+    /// What is said of all of them.
+    pub(super) all: Fields,
+    pub(super) values: BTreeMap<u32, Fields>,
+}
+
+impl Row {
+    /// Whether an entry begins another row.
+    pub(super) fn is_closed_by(&self, key: Key, index: u32) -> bool {
+        let fields = if index == 0 { Some(&self.all) } else { self.values.get(&index) };
+        fields.is_some_and(|fields| fields.has(key)) || MOST < self.values.len()
+    }
+
+    /// Keeps an entry.
+    pub(super) fn set(&mut self, line: usize, key: Key, index: u32, text: &str) -> &mut Fields {
+        let fields = if index == 0 {
+            &mut self.all
+        } else {
+            self.values.entry(index).or_insert_with(|| Fields { line, ..Fields::default() })
+        };
+        fields.set(key, text);
+        fields
+    }
+
+    /// The values in the order of their lines, and the row is empty.
+    pub(super) fn take(&mut self) -> Vec<(u32, Fields)> {
+        let all = std::mem::take(&mut self.all);
+        let mut values: Vec<_> = std::mem::take(&mut self.values).into_iter().collect();
+        for (_, fields) in &mut values {
+            fields.complete(&all);
+        }
+        values.sort_by_key(|(_, fields)| fields.line);
+        values
+    }
+}
+
+/// The values of a line without keys, by the number of the characteristic; empty ones as well.
+pub(super) fn values(line: &str) -> impl Iterator<Item = (u32, &str)> {
+    (1..).zip(line.split(BETWEEN_CHARACTERISTICS))
+}
+
+/// The fields of one value, with their keys; how many there are and how many there may be, where those are too many.
+pub(super) fn fields(value: &str, kind: Option<u32>) -> Result<impl Iterator<Item = (Key, &str)>, (usize, usize)> {
+    let value = value.trim_end_matches(BETWEEN_FIELDS);
+    let count = value.split(BETWEEN_FIELDS).count();
+    let is_counted = kind.map_or(MEASURED.len() < count, is_counted);
+    let keys: &[u16] = if is_counted { &COUNTED } else { &MEASURED };
+    if keys.len() < count {
+        return Err((count, keys.len()));
+    }
+    Ok(keys.iter().map(|&key| Key(key)).zip(value.split(BETWEEN_FIELDS)).map(|(key, text)| (key, text.trim())))
+}
+
+/// Whether K2004 says that parts or errors are counted.
+pub(super) const fn is_counted(kind: u32) -> bool {
+    matches!(kind, 1 | 5 | 6)
+}

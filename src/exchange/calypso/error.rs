@@ -1,0 +1,63 @@
+//! What is wrong with a table of CALYPSO, and what is said of one that was read.
+
+use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
+use crate::length::{Length, LengthError};
+use crate::message::Say;
+
+/// What is wrong with a table or a row.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "calypso", error)]
+pub enum CalypsoFault {
+    /// A cell that should be a number.
+    Number {
+        /// The name of its column.
+        column: String,
+        /// What is wrong with the number.
+        reason: LengthError,
+    },
+    /// A row without a measured value.
+    NoActual,
+    /// The last line is missing, so characteristics may be, too.
+    CutOff,
+}
+
+/// What is said of a table or a row that was read.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "calypso-warning")]
+pub enum CalypsoWarning {
+    /// The last line is missing.
+    NoEnd,
+    /// A line after the last one.
+    Behind {
+        /// What it says.
+        given: String,
+    },
+    /// A row that ends the file without a line end.
+    CutOff,
+    /// The deviation of the table is not that of its values.
+    Deviation {
+        /// What was given.
+        given: Length,
+        /// What the values make.
+        expected: Length,
+    },
+    /// How much the table says to be beyond the tolerance is not what its values make.
+    Exceed {
+        /// What was given.
+        given: Length,
+        /// What the values make.
+        expected: Length,
+    },
+}
+
+impl From<CalypsoFault> for ImportErrorKind {
+    fn from(fault: CalypsoFault) -> Self {
+        Self::Calypso(fault)
+    }
+}
+
+impl From<CalypsoWarning> for ImportWarningKind {
+    fn from(warning: CalypsoWarning) -> Self {
+        Self::Calypso(warning)
+    }
+}

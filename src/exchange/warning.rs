@@ -1,0 +1,178 @@
+//! Warnings about a file or a row that was still used.
+
+use super::aqdef::AqdefWarning;
+use super::calypso::CalypsoWarning;
+use super::error::shorten;
+use crate::control::log::LogWarningKind;
+use crate::length::Length;
+use crate::message::{Message, Say};
+use crate::tolerance::Callout;
+
+/// A warning about a file or row that was still used.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct ImportWarning {
+    /// The line of the record or unjudged measurement that it belongs to; `None` where it is about the file.
+    pub row: Option<usize>,
+    /// What it says.
+    pub kind: ImportWarningKind,
+}
+
+impl Say for ImportWarning {
+    fn message(&self) -> Message {
+        self.kind.message()
+    }
+}
+
+/// What a warning says, without its place.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "exchange-warning")]
+pub enum ImportWarningKind {
+    /// A warning about a log.
+    #[say(transparent)]
+    Log(LogWarningKind),
+    /// A warning about a file of AQDEF.
+    #[say(transparent)]
+    Aqdef(AqdefWarning),
+    /// A warning about a table of CALYPSO.
+    #[say(transparent)]
+    Calypso(CalypsoWarning),
+    /// Values that a file of Fitcheck says to be at 20 °C already.
+    Corrected,
+    /// A file of Fitcheck whose verdicts may be by another rule.
+    OtherRule,
+    /// Skipped columns.
+    IgnoredColumns {
+        /// Their names or numbers.
+        columns: String,
+    },
+    /// A skipped line above the measurements.
+    NotUsed {
+        /// The line's text.
+        text: String,
+    },
+    /// A comment above the header that holds a measurement.
+    Comment,
+    /// A place that cannot be read as a length.
+    Place {
+        /// What was given.
+        given: String,
+    },
+    /// A row that runs over several lines, within quotation marks.
+    SeveralLines {
+        /// How many.
+        lines: usize,
+    },
+    /// The time cannot be read, so the time of import is used.
+    Time {
+        /// What was given.
+        given: String,
+    },
+    /// There is a column for the time, and the row has none.
+    NoTime,
+    /// A time with an offset from UTC, which no record has.
+    Offset {
+        /// What was given.
+        given: String,
+    },
+    /// The file's tolerance class has other limits than the file: those of the file count.
+    LimitsDiffer {
+        /// The callout.
+        callout: Callout,
+        /// Its limits.
+        minimum: Length,
+        /// The larger one.
+        maximum: Length,
+    },
+    /// The file has other limits than the plan: those of the plan count.
+    PlanDiffers {
+        /// The file's smallest permitted value.
+        minimum: Length,
+        /// The largest one.
+        maximum: Length,
+    },
+    /// The feature was found by the number of its balloon.
+    FoundByNumber {
+        /// Its name in the plan.
+        name: String,
+    },
+    /// The feature was found by where it lies.
+    FoundByPlace {
+        /// Its name in the plan.
+        name: String,
+    },
+    /// A tolerance class that is none, or that has no limits here: the file's own limits count.
+    ClassUnknown {
+        /// What was given.
+        given: String,
+    },
+    /// The file has another status than the limits give: that of the limits counts.
+    StatusDiffers {
+        /// The file's word.
+        given: String,
+        /// The status by the limits.
+        status: String,
+    },
+    /// An uncertainty that the file states, which no rule uses.
+    UncertaintyNotUsed {
+        /// The expanded uncertainty.
+        expanded: Length,
+    },
+    /// Lengths without a unit are taken for millimetres.
+    UnitAssumed,
+    /// A length with figures beyond the nanometre, which is rounded.
+    Rounded {
+        /// What was given.
+        given: String,
+    },
+    /// Measured values that were rounded to the nanometre.
+    RoundedValues {
+        /// How many.
+        count: usize,
+    },
+    /// A standard uncertainty that the file states, which no rule uses.
+    StandardUncertaintyNotUsed {
+        /// As the file has it, in the unit of the value.
+        standard: String,
+        /// The mean error beside it.
+        mean_error: String,
+    },
+    /// Sheets of a workbook that are not read.
+    SheetsLeft {
+        /// The one that is.
+        sheet: String,
+        /// The others.
+        left: String,
+    },
+    /// A version of QIF that nobody has tried here.
+    QifVersion {
+        /// What the file says.
+        version: String,
+    },
+    /// A list that says another number of things than it has.
+    QifCount {
+        /// The list.
+        list: String,
+        /// How many it says.
+        said: usize,
+        /// How many there are.
+        found: usize,
+    },
+    /// Two things with one number: the first one counts.
+    QifTwice {
+        /// The number.
+        id: String,
+    },
+    /// The measured value ends the file, and may have had more decimals.
+    CutOff {
+        /// What is left of it.
+        given: String,
+    },
+}
+
+impl ImportWarningKind {
+    /// That the cells of a line above the measurements are not used.
+    pub(super) fn not_used(cells: &csv::StringRecord) -> Self {
+        let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
+        Self::NotUsed { text: shorten(&text) }
+    }
+}

@@ -1,0 +1,229 @@
+//! Workbooks of spreadsheets (XLSX): the rows of a sheet, read as those of a CSV.
+//!
+//! `package` looks at the file before anything is made of it, `sheet` makes texts of cells. Formulas count by the value that is
+//! stored with them. Of merged cells the first one holds the value, as in the file: a callout over several rows is that of the
+//! first row, and the others are not judged.
+
+mod package;
+mod sheet;
+
+use std::io::BufReader;
+
+use calamine::{Reader as _, Xlsx};
+use csv::StringRecord;
+
+use super::Format;
+use super::columns::{Columns, SAMPLE, Sample};
+use super::error::{ImportError, ImportErrorKind, ImportWarningKind, shorten};
+use super::guarded::guarded;
+use super::imported::{Item, Sink};
+use super::mapping::Mapping;
+use super::measurements::Cells;
+use super::sizes::SizesOf;
+use super::source::{Beginning, Body, Context, Source};
+use crate::message::Place;
+use sheet::{FORMULA, Rows};
+
+pub(super) const FORMAT: Format = Format {
+    name: "xlsx",
+    endings: &["xlsx", "xlsm"],
+    description: "exchange-format-xlsx",
+    recognises: |beginning| is_zip(beginning) || is_compound(beginning),
+    read: |source, sink| read(source, sink, None),
+    plan: None,
+    grows: false,
+    has_marks: true,
+    is_closed: true,
+};
+
+/// The most cells that are given as texts.
+const MOST_CELLS: usize = 1_000_000;
+
+fn is_zip(beginning: &Beginning<'_>) -> bool {
+    beginning.bytes.starts_with(b"PK\x03\x04") || beginning.bytes.starts_with(b"PK\x05\x06")
+}
+
+/// Files of the spreadsheet programs of the last century, and workbooks with a password.
+fn is_compound(beginning: &Beginning<'_>) -> bool {
+    beginning.bytes.starts_with(b"\xd0\xcf\x11\xe0\xa1\xb1\x1a\xe1")
+}
+
+type Workbook<'b> = Xlsx<BufReader<&'b mut dyn Body>>;
+
+/// Something that cannot be read, in the words of who tried.
+fn broken(error: &dyn std::fmt::Display) -> ImportErrorKind {
+    ImportErrorKind::Workbook { reason: shorten(&error.to_string()) }
+}
+
+/// Opens a workbook, once it is known what it unpacks to.
+fn open<'b>(source: &'b mut Source<'_>) -> Result<Workbook<'b>, ImportErrorKind> {
+    let beginning = source.beginning();
+    if is_compound(&beginning) {
+        let is_locked =
+            memchr::memmem::find(beginning.bytes, b"E\0n\0c\0r\0y\0p\0t\0e\0d\0P\0a\0c\0k\0a\0g\0e").is_some();
+        let old = ImportErrorKind::OldWorkbook { format: "XLS" };
+        return Err(if is_locked { ImportErrorKind::WorkbookPassword } else { old });
+    }
+    let head = beginning.bytes.get(..200).unwrap_or(beginning.bytes);
+    if memchr::memmem::find(head, b"application/vnd.oasis.opendocument").is_some() {
+        return Err(ImportErrorKind::OldWorkbook { format: "ODS" });
+    }
+    package::check(source.bytes()?)?;
+    let body = source.bytes()?;
+    calm(|| Xlsx::new(BufReader::new(body)).map_err(|error| sheet::refused(&error)))
+}
+
+/// Does something with a decoder that may panic in a damaged file.
+fn calm<T>(decode: impl FnOnce() -> Result<T, ImportErrorKind>) -> Result<T, ImportErrorKind> {
+    let damaged = |said: Option<String>| broken(&said.unwrap_or_else(|| "it is damaged".to_owned()));
+    guarded(decode).unwrap_or_else(|said| Err(damaged(said)))
+}
+
+/// The rows of a sheet.
+fn rows<'x, 'b>(
+    workbook: &'x mut Workbook<'b>,
+    sheet: &str,
+) -> Result<Rows<'x, BufReader<&'b mut dyn Body>>, ImportErrorKind> {
+    calm(|| workbook.worksheet_cells_reader(sheet).map(Rows::new).map_err(|error| sheet::refused(&error)))
+}
+
+/// Reads the measured sizes alone: limits are not looked up.
+pub(super) fn read_sizes(
+    source: &mut Source<'_>,
+    sink: &mut Sink<'_>,
+    sizes: SizesOf<'_>,
+) -> Result<(), ImportErrorKind> {
+    read(source, sink, Some(sizes))
+}
+
+fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>) -> Result<(), ImportErrorKind> {
+    let context = source.context.clone();
+    let (mapping, detects) = (source.given.mapping, Mapping::default());
+    let mut workbook = open(source)?;
+    let names = workbook.sheet_names();
+    let (chosen, columns) = choose(&mut workbook, &names, mapping.unwrap_or(&detects))?;
+    let left = names.iter().filter(|name| **name != chosen).map(|name| shorten(name)).collect::<Vec<_>>().join(", ");
+    if !left.is_empty() {
+        let kind = ImportWarningKind::SheetsLeft { sheet: shorten(&chosen), left: shorten(&left) };
+        sink.warn(Place::line(1), None, kind);
+    }
+    let mut rows = rows(&mut workbook, &chosen)?;
+    read_rows(&mut rows, (&context, &columns, &chosen), sink, sizes)
+}
+
+/// The first sheet with callouts and measured values; else the first one with measured values.
+fn choose(
+    workbook: &mut Workbook<'_>,
+    names: &[String],
+    mapping: &Mapping,
+) -> Result<(String, Columns), ImportErrorKind> {
+    let mut second_best = None;
+    let mut reason = None;
+    for name in names {
+        let mut sample = Vec::new();
+        let sampled = rows(workbook, name).and_then(|mut rows| {
+            while sample.len() < SAMPLE
+                && let Some(row) = calm(|| rows.next())?
+            {
+                sample.push(row);
+            }
+            Ok(())
+        });
+        let columns = match sampled {
+            Err(error) if sample.is_empty() => Err(error),
+            // Where there are rows before a fault, they tell.
+            _ => mapping.columns(&mut Sample::of_cells(sample.into_iter())),
+        };
+        match columns {
+            Ok(columns) if columns.tolerance.is_some() => return Ok((name.clone(), columns)),
+            Ok(columns) => second_best = second_best.or(Some((name.clone(), columns))),
+            Err(ImportErrorKind::NoRows) => {}
+            Err(error) => {
+                let cell = shorten(name);
+                reason = reason.or(Some(ImportErrorKind::Cell { cell, reason: Box::new(error) }));
+            }
+        }
+    }
+    second_best.ok_or(reason.unwrap_or(ImportErrorKind::NoRows))
+}
+
+/// Reads all rows of a sheet; an error in a row says in which cell it is.
+fn read_rows(
+    rows: &mut Rows<'_, BufReader<&mut dyn Body>>,
+    (context, columns, sheet): (&Context<'_>, &Columns, &str),
+    sink: &mut Sink<'_>,
+    sizes: Option<SizesOf<'_>>,
+) -> Result<(), ImportErrorKind> {
+    let left = sink.left();
+    let mut pass = |item| sink.pass(in_cell(item, sheet));
+    let mut inner = Sink::up_to(left, &mut pass);
+    let mut cells = Cells::new(context, columns, &mut inner, sizes);
+    loop {
+        match calm(|| rows.next()) {
+            Ok(Some((line, row))) => {
+                if !cells.row(line, &row) {
+                    return Ok(());
+                }
+            }
+            Ok(None) => {
+                cells.end();
+                return Ok(());
+            }
+            Err(error) => return Err(ImportErrorKind::Cell { cell: shorten(sheet), reason: Box::new(error) }),
+        }
+    }
+}
+
+/// An error with its sheet and cell.
+fn in_cell(item: Item, sheet: &str) -> Item {
+    let Item::Error(mut error) = item else { return item };
+    let place = &error.place;
+    let cell = match (place.line, place.column) {
+        (Some(line), Some(column)) => sheet::name(line, column.saturating_sub(1)),
+        (Some(line), None) if error.what.kind != ImportErrorKind::NoRows => line.to_string(),
+        _ => return Item::Error(error),
+    };
+    let ImportError { kind, given } = error.what;
+    let kind = if let Some(formula) = given.strip_prefix(FORMULA) {
+        ImportErrorKind::FormulaWithoutValue { formula: formula.to_owned() }
+    } else if given.starts_with('#') && given.len() < 16 && given.parse::<calamine::CellErrorType>().is_ok() {
+        ImportErrorKind::CellError { error: given.clone() }
+    } else {
+        kind
+    };
+    let given = given.trim_start_matches(FORMULA).to_owned();
+    let cell = format!("{}!{cell}", shorten(sheet));
+    error.what = ImportError { kind: ImportErrorKind::Cell { cell, reason: Box::new(kind) }, given };
+    Item::Error(error)
+}
+
+/// The cells of the first sheet that has any, as texts: each row with its number from 1.
+///
+/// # Errors
+/// Why it is not a workbook, or cannot be read.
+pub(super) fn sheet_rows(source: &mut Source<'_>) -> Result<Vec<(usize, Vec<String>)>, ImportErrorKind> {
+    let mut workbook = open(source)?;
+    for name in workbook.sheet_names() {
+        let mut rows = rows(&mut workbook, &name)?;
+        let (mut all, mut count) = (Vec::new(), 0);
+        while let Some((line, cells)) = calm(|| rows.next())? {
+            count += cells.len();
+            if MOST_CELLS < count {
+                return Err(ImportErrorKind::TooManyCells { most: MOST_CELLS });
+            }
+            all.push((line, texts(&cells)));
+        }
+        if !all.is_empty() {
+            return Ok(all);
+        }
+    }
+    Err(ImportErrorKind::NoRows)
+}
+
+fn texts(cells: &StringRecord) -> Vec<String> {
+    // A formula without a stored value is seen as such: as its text.
+    cells
+        .iter()
+        .map(|cell| cell.strip_prefix(FORMULA).map_or_else(|| cell.to_owned(), |formula| format!("={formula}")))
+        .collect()
+}

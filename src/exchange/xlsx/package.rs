@@ -1,0 +1,243 @@
+//! A workbook as a ZIP file, before anything is made of it: what it really unpacks to, counted and bounded.
+//!
+//! A few kilobytes can unpack to gigabytes, and what a ZIP file says of its sizes need not be true. So each member is unpacked
+//! once and thrown away again, and those with texts and cells are looked at as XML: how deep, how long.
+
+use std::io::{Read, SeekFrom};
+
+use zip::ZipArchive;
+use zip::result::ZipError;
+
+use super::{Body, broken};
+use crate::exchange::error::{ImportErrorKind, shorten};
+use crate::exchange::xml::Xml;
+
+/// The most members of a workbook.
+const MOST_MEMBERS: usize = 10_000;
+
+/// The largest list of them, bytes.
+const LONGEST_LIST: u64 = 4 << 20;
+
+/// The largest sheet when it is unpacked.
+const SHEET: u64 = 512 << 20;
+
+/// The largest list of texts that cells share.
+const TEXTS: u64 = 64 << 20;
+
+/// The largest member that is neither, such as a picture.
+const OTHER: u64 = 64 << 20;
+
+/// The largest member that says how the others hang together.
+const FRAME: u64 = 4 << 20;
+
+/// All together.
+const ALL: u64 = 1 << 30;
+
+/// From this size on a member may not be packed any denser than by [`DENSEST`].
+const SMALL: u64 = 16 << 20;
+
+/// How many times smaller a sheet may be packed: rows that repeat are at 30.
+const DENSEST: u64 = 200;
+
+/// The longest cell with everything in it, bytes: a spreadsheet program stops at 32 767 characters.
+const LONGEST_CELL: u64 = 1 << 20;
+
+/// The most shared texts, each with the memory of a text.
+const MOST_TEXTS: usize = 3_000_000;
+
+/// The end of the list of members, where the tail of a file is searched for it.
+const TAIL: u64 = 66 << 10;
+
+/// Looks at all members of a workbook.
+///
+/// # Errors
+/// Why it is not a workbook, or not one that is read.
+pub(super) fn check(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
+    check_list(body)?;
+    body.rewind().map_err(|error| crate::exchange::source::read_error(&error))?;
+    let mut archive = ZipArchive::new(std::io::BufReader::new(body)).map_err(|error| unreadable(&error))?;
+    let names: Vec<String> = archive.file_names().flatten().map(|name| name.to_lowercase()).collect();
+    let has = |end: &str| names.iter().any(|name| name.ends_with(end));
+    match () {
+        () if has("workbook.bin") => return Err(ImportErrorKind::OldWorkbook { format: "XLSB" }),
+        () if !has("workbook.xml") => return Err(ImportErrorKind::NotAWorkbook),
+        () => {}
+    }
+    let mut all = 0;
+    for index in 0..archive.len() {
+        let member = archive.by_index(index).map_err(|error| unreadable(&error))?;
+        let packed = member.compressed_size();
+        let name = member.name().map_err(|error| unreadable(&error))?.into_owned();
+        let kind = Kind::of(&name);
+        let too_large = || ImportErrorKind::ZipBomb { member: shorten(&name), most: kind.most() >> 20 };
+        if kind.most() < member.size() {
+            return Err(too_large());
+        }
+        let most = kind.most().min(ALL.saturating_sub(all));
+        let mut counted = Counted { inner: member, packed, read: 0, most, is_over: false };
+        let looked = kind.look(&mut counted);
+        let (read, is_over) = (counted.read, counted.is_over);
+        if is_over {
+            return Err(too_large());
+        }
+        looked?;
+        all += read;
+    }
+    Ok(())
+}
+
+/// The list of members says at its end how many there are: more take memory before anything else is known.
+fn check_list(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
+    let mut tail = Vec::new();
+    let mut read = || {
+        let length = body.seek(SeekFrom::End(0))?;
+        body.seek(SeekFrom::Start(length.saturating_sub(TAIL)))?;
+        body.take(TAIL).read_to_end(&mut tail)
+    };
+    read().map_err(|error| crate::exchange::source::read_error(&error))?;
+    let number = |at: usize, bytes: usize| {
+        let bytes = tail.get(at..at + bytes).unwrap_or_default();
+        bytes.iter().rev().fold(0_u64, |number, &byte| number << 8 | u64::from(byte))
+    };
+    let mut has_large = false;
+    for at in memchr::memmem::find_iter(&tail, b"PK\x06\x06") {
+        has_large = true;
+        if LONGEST_LIST < number(at + 40, 8) || MOST_MEMBERS < usize::try_from(number(at + 32, 8)).unwrap_or(usize::MAX)
+        {
+            return Err(ImportErrorKind::ZipMembers { most: MOST_MEMBERS });
+        }
+    }
+    let mut ends = memchr::memmem::find_iter(&tail, b"PK\x05\x06").peekable();
+    if ends.peek().is_none() {
+        return Err(ImportErrorKind::ZipCutOff);
+    }
+    for at in ends {
+        let (members, list) = (number(at + 10, 2), number(at + 12, 4));
+        let is_elsewhere = members == 0xffff || list == 0xffff_ffff;
+        let is_long = LONGEST_LIST < list || MOST_MEMBERS < usize::try_from(members).unwrap_or(usize::MAX);
+        if if is_elsewhere { !has_large } else { is_long } {
+            return Err(ImportErrorKind::ZipMembers { most: MOST_MEMBERS });
+        }
+    }
+    if memchr::memmem::find(&tail, b"PK\x06\x07").is_some() && !has_large {
+        return Err(ImportErrorKind::ZipMembers { most: MOST_MEMBERS });
+    }
+    Ok(())
+}
+
+/// What a member is, by its name: the names of these are fixed, or checked where they are not.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Kind {
+    Sheet,
+    Texts,
+    Frame,
+    /// Where the members begin: it names the workbook.
+    Root,
+    Other,
+}
+
+impl Kind {
+    fn of(name: &str) -> Self {
+        let name = name.to_lowercase().replace('\\', "/");
+        let own = name.rsplit_once('/').map_or(name.as_str(), |(_, own)| own);
+        let (own, ending) = own.rsplit_once('.').unwrap_or((own, ""));
+        match (own, ending) {
+            ("", "rels") => Self::Root,
+            ("sharedstrings", "xml") => Self::Texts,
+            (_, "xml") if own.starts_with("sheet") => Self::Sheet,
+            (_, "rels") => Self::Frame,
+            _ if ["[", "styles", "workbook", "theme"].iter().any(|start| own.starts_with(start)) => Self::Frame,
+            _ => Self::Other,
+        }
+    }
+
+    const fn most(self) -> u64 {
+        match self {
+            Self::Sheet => SHEET,
+            Self::Texts => TEXTS,
+            Self::Frame | Self::Root => FRAME,
+            Self::Other => OTHER,
+        }
+    }
+
+    fn look(self, member: &mut dyn Read) -> Result<(), ImportErrorKind> {
+        match self {
+            Self::Sheet | Self::Frame => survey(member),
+            Self::Texts => texts(member),
+            Self::Root => root(member),
+            Self::Other => std::io::copy(member, &mut std::io::sink()).map(|_count| ()).map_err(|error| broken(&error)),
+        }
+    }
+}
+
+/// Looks at a member as XML: how deep it is, and how long what is kept of it at once.
+fn survey(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
+    let mut before = 0;
+    // The encoding of these is UTF-8.
+    Xml::new(member, b"", &[])?
+        .survey(&mut |name, depth, position| {
+            if depth <= 3 || matches!(name, "c" | "si") {
+                let cell = position.saturating_sub(before);
+                before = position;
+                return (LONGEST_CELL < cell).then_some(ImportErrorKind::XmlLong { most: 1 << 10 });
+            }
+            None
+        })
+        .map_err(ImportErrorKind::from)
+}
+
+/// The texts that cells share: how many there may be is reserved beforehand by who reads them.
+fn texts(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
+    let mut all = Vec::new();
+    member.read_to_end(&mut all).map_err(|error| broken(&error))?;
+    let tags = memchr::memchr_iter(b'<', &all).count();
+    let too_many = ImportErrorKind::ZipTexts { most: MOST_TEXTS };
+    if 2 * MOST_TEXTS < tags {
+        return Err(too_many);
+    }
+    for at in memchr::memmem::find_iter(&all, b"uniqueCount") {
+        let behind = all.get(at + "uniqueCount".len()..).unwrap_or_default();
+        let digits = behind.iter().skip_while(|byte| !byte.is_ascii_digit()).take_while(|byte| byte.is_ascii_digit());
+        let said =
+            digits.fold(0_usize, |said, &digit| said.saturating_mul(10).saturating_add(usize::from(digit - b'0')));
+        if MOST_TEXTS < said {
+            return Err(too_many);
+        }
+    }
+    survey(&mut all.as_slice())
+}
+
+/// A workbook with another name could be as large as a sheet.
+fn root(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
+    let mut all = Vec::new();
+    member.read_to_end(&mut all).map_err(|error| broken(&error))?;
+    let text = String::from_utf8_lossy(&all).to_lowercase();
+    let is_odd = text.contains("sheet") && text.replace("spreadsheet", "").replace("worksheets/", "").contains("sheet");
+    if is_odd { Err(ImportErrorKind::NotAWorkbook) } else { survey(&mut all.as_slice()) }
+}
+
+/// What a member unpacks to.
+struct Counted<R> {
+    inner: R,
+    packed: u64,
+    read: u64,
+    most: u64,
+    is_over: bool,
+}
+
+impl<R: Read> Read for Counted<R> {
+    fn read(&mut self, into: &mut [u8]) -> std::io::Result<usize> {
+        let read = self.inner.read(into)?;
+        self.read += u64::try_from(read).unwrap_or(u64::MAX);
+        let is_dense = SMALL < self.read && self.packed.saturating_mul(DENSEST) < self.read;
+        if self.most < self.read || is_dense {
+            self.is_over = true;
+            return Err(std::io::Error::other("too large"));
+        }
+        Ok(read)
+    }
+}
+
+fn unreadable(error: &ZipError) -> ImportErrorKind {
+    broken(error)
+}

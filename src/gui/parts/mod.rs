@@ -1,0 +1,36 @@
+//! The parts page: a plan of the features of a part, and the walk through them.
+//!
+//! | file | what |
+//! |---|---|
+//! | `head` | above both views: the switch between them, new, open, save |
+//! | `plan_view`, `plan` | the plan as a table |
+//! | `picture` | the part's picture with its balloons |
+//! | `walk` | the part that is measured, feature by feature |
+
+mod head;
+mod picture;
+mod plan;
+mod plan_view;
+mod walk;
+
+use eframe::egui::{CentralPanel, Frame, Panel, Ui};
+
+use super::view::View;
+use crate::session::parts::PartsView;
+pub(super) use plan::grid::id as plan_id;
+pub(super) use walk::sizes_id;
+
+/// The page.
+pub(super) fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let is_walk = view.session.parts().view() == PartsView::Walk;
+    // Where there is no room, the head scrolls with the walk: the verdict stays in sight.
+    if !(is_walk && walk::has_head(ui, view)) {
+        let frame = Frame::side_top_panel(ui.style());
+        Panel::top("parts-head").frame(frame).show(ui, |ui| head::head_ui(ui, view));
+    }
+    if is_walk {
+        walk::walk_ui(ui, view);
+    } else {
+        CentralPanel::default().show(ui, |ui| plan_view::plan_ui(ui, view));
+    }
+}

@@ -1,0 +1,117 @@
+//! Everything that is wrong with the plan: how much, where, and a way there.
+
+use eframe::egui::accesskit::Live;
+use eframe::egui::{Button, RichText, ScrollArea, Ui, vec2};
+
+use super::{column_id, grid, head_id};
+use crate::gui::theme::{self, control, palette, sizes, space};
+use crate::gui::view::{View, live, problem, quiet};
+use crate::message::Message;
+use crate::part::{Finding, Spot};
+use crate::session::parts::PlanCommand;
+use crate::session::{Action, PartsCommand};
+
+/// Whether there is anything to list.
+pub(in crate::gui::parts) fn has_any(view: &View<'_>) -> bool {
+    let document = view.session.parts().document();
+    !document.findings().is_empty() || !document.problems().is_empty()
+}
+
+/// What is wrong with the cell at which the keys are, in a line that is always there.
+pub(in crate::gui::parts) fn here_ui(ui: &mut Ui, view: &View<'_>) {
+    let parts = view.session.parts();
+    let (row, column) = parts.sheet().at();
+    let finding = parts.document().finding(row, Some(column)).or_else(|| parts.document().finding(row, None));
+    ui.horizontal_wrapped(|ui| {
+        ui.set_min_height(space(5.0));
+        if let Some(finding) = finding {
+            problem(ui, view.words.told(&finding.what));
+        }
+    });
+}
+
+/// How much is wrong, and the buttons that lead there.
+pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let count = view.session.parts().document().findings().len();
+    ui.horizontal_wrapped(|ui| {
+        ui.set_min_height(control(ui));
+        let text = match count {
+            0 => view.text("parts-page-no-fault"),
+            count => view.words.say(&Message::new("parts-page-faults").count("count", count)),
+        };
+        let colour = if count == 0 { palette(ui.ctx()).text.0 } else { palette(ui.ctx()).error.0 };
+        let said = ui.label(RichText::new(&text).font(theme::bold(sizes().body)).color(colour));
+        live(ui, &said, &text, Live::Polite);
+        if 0 < count {
+            view.field_button(ui, Action::PreviousFinding);
+            view.field_button(ui, Action::NextFinding);
+        }
+    });
+}
+
+/// The list; only the rows in sight are drawn.
+pub(in crate::gui::parts) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let document = view.session.parts().document();
+    let (problems, findings) = (document.problems(), document.findings());
+    // What the file had and the plan has no place for comes last, below a line of its own.
+    let all = findings.len() + problems.len() + usize::from(!problems.is_empty());
+    let height = control(ui);
+    ScrollArea::vertical().id_salt("plan-faults").auto_shrink(false).show_rows(ui, height, all, |ui, rows| {
+        for place in rows {
+            match (findings.get(place), place.checked_sub(findings.len() + 1)) {
+                (Some(finding), _) => finding_ui(ui, view, place, finding),
+                (None, Some(place)) => {
+                    let text = problems.get(place).map(|problem| view.words.told(problem)).unwrap_or_default();
+                    ui.add_sized(vec2(ui.available_width(), height), line(&text)).on_hover_text(text);
+                }
+                (None, None) => {
+                    ui.horizontal(|ui| {
+                        ui.set_min_height(height);
+                        problem(ui, view.text("parts-page-lost"));
+                    });
+                }
+            }
+        }
+    });
+}
+
+fn line(text: &str) -> eframe::egui::Label {
+    eframe::egui::Label::new(RichText::new(text).size(sizes().small)).truncate().halign(eframe::egui::Align::Min)
+}
+
+/// What is wrong, and a way there.
+fn finding_ui(ui: &mut Ui, view: &mut View<'_>, place: usize, finding: &Finding) {
+    let what = view.words.told(&finding.what);
+    let text = format!("{}   {what}", spot(view, finding.spot));
+    let button = Button::new(RichText::new(&text).size(sizes().small)).truncate().frame(false);
+    let response = ui.add(button.min_size(vec2(ui.available_width(), control(ui)))).on_hover_text(what);
+    if response.clicked() {
+        view.send(PartsCommand::Plan(PlanCommand::GoToFinding(place)));
+        if matches!(finding.spot, Spot::Feature(..)) {
+            grid::focus_next(ui);
+        }
+    }
+}
+
+/// Where it is: `3, Callout`.
+fn spot(view: &View<'_>, spot: Spot) -> String {
+    match spot {
+        Spot::Plan => view.text("parts-page-fault-plan"),
+        Spot::Head(field) => view.text(&head_id(field)),
+        Spot::Feature(row, column) => {
+            let row = Message::new("parts-page-fault-row").count("row", row + 1);
+            match column {
+                Some(column) => {
+                    let of = Message::new("parts-page-fault-of").message("row", row);
+                    view.words.say(&of.text("column", view.text(&column_id(column))))
+                }
+                None => view.words.say(&row),
+            }
+        }
+    }
+}
+
+/// Whether the plan has no features in it, told quietly.
+pub(in crate::gui::parts) fn none_ui(ui: &mut Ui, view: &View<'_>) {
+    quiet(ui, view.text("parts-page-no-plan"));
+}

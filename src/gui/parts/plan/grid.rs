@@ -1,0 +1,318 @@
+//! The cells in sight: a row a feature, heads that stay. The table takes the focus as a whole.
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::style::ScrollAnimation;
+use eframe::egui::{
+    Event, FocusDirection, Id, Key, Pos2, Rect, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+};
+
+use super::{column_id, editor, paint};
+use crate::gui::shapes::{focus_ring, lines_of, times};
+use crate::gui::theme::{control, palette, space};
+use crate::gui::view::View;
+use crate::message::{Message, Say as _};
+use crate::part::{Column, PlanFeature};
+use crate::session::PartsCommand;
+use crate::session::parts::{PlanCommand, Sheet};
+use crate::words::Words;
+
+/// The id of the table: it takes the focus as a whole.
+pub(in crate::gui) fn id() -> Id {
+    Id::unique("plan-grid")
+}
+
+fn soon() -> Id {
+    id().with("soon")
+}
+
+/// Gives the table the focus in the next frame: it may be drawn after what was clicked, which would lose it again.
+pub(super) fn focus_next(ui: &Ui) {
+    let frame = ui.ctx().cumulative_frame_nr();
+    ui.data_mut(|data| data.insert_temp(soon(), frame));
+    ui.ctx().request_repaint();
+}
+
+/// A column of the table.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+enum Shown {
+    Of(Column),
+    /// What the callout gives; it cannot be edited.
+    Limits,
+}
+
+impl Shown {
+    /// Its width, steps of space.
+    const fn width(self) -> f32 {
+        match self {
+            Self::Of(Column::Number | Column::Axis) => 14.0,
+            Self::Of(Column::Name | Column::Parameters) => 30.0,
+            Self::Of(Column::X | Column::Y | Column::Z) => 18.0,
+            Self::Of(Column::Remark) | Self::Limits => 44.0,
+            Self::Of(_) => 24.0,
+        }
+    }
+
+    fn name(self, view: &View<'_>) -> String {
+        match self {
+            Self::Of(column) => view.text(&column_id(column)),
+            Self::Limits => view.text("parts-page-limits"),
+        }
+    }
+}
+
+/// Where everything is.
+struct Layout {
+    /// Each column, from where and how wide.
+    columns: Vec<(Shown, f32, f32)>,
+    width: f32,
+    rows: usize,
+    height: f32,
+    head: f32,
+    left: f32,
+}
+
+impl Layout {
+    fn of(ui: &Ui, view: &View<'_>) -> Self {
+        let parts = view.session.parts();
+        let (mut columns, mut from) = (Vec::new(), 0.0);
+        let with_limits = parts.sheet().columns().iter().flat_map(|column| {
+            let limits = (*column == Column::Callout).then_some(Shown::Limits);
+            std::iter::once(Shown::Of(*column)).chain(limits)
+        });
+        for shown in with_limits {
+            columns.push((shown, from, space(shown.width())));
+            from += space(shown.width());
+        }
+        let rows = Sheet::rows(parts.document().draft());
+        Self { columns, width: from, rows, height: control(ui), head: space(8.0), left: space(14.0) }
+    }
+
+    fn rect(&self, origin: Pos2, row: usize, (from, width): (f32, f32)) -> Rect {
+        let corner = pos2(origin.x + from, origin.y + times(self.height, row));
+        Rect::from_min_size(corner, vec2(width, self.height))
+    }
+
+    fn across(&self, column: Column) -> Option<(f32, f32)> {
+        let of = |(shown, from, width): &(Shown, f32, f32)| (*shown == Shown::Of(column)).then_some((*from, *width));
+        self.columns.iter().find_map(of)
+    }
+}
+
+/// The table in the room that is left.
+pub(in crate::gui::parts) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let layout = Layout::of(ui, view);
+    let rect = ui.available_rect_before_wrap();
+    if ui.data(|data| data.get_temp::<u64>(soon()).is_some_and(|frame| frame < ui.ctx().cumulative_frame_nr())) {
+        ui.data_mut(|data| data.remove::<u64>(soon()));
+        ui.memory_mut(|memory| memory.request_focus(id()));
+    }
+    leave(ui, view);
+    let grid = ui.interact(rect, id(), Sense::focusable_noninteractive());
+    grid.widget_info(|| WidgetInfo::labeled(Role::Grid, true, view.text("parts-page-table")));
+    let is_focused = grid.has_focus();
+    // The field of the cell takes the focus where it is drawn, which is after this.
+    if is_focused && !view.session.parts().sheet().is_editing() {
+        typed(ui, view);
+    }
+    let body = Rect::from_min_max(rect.min + vec2(layout.left, layout.head), rect.max);
+    let room = UiBuilder::new().max_rect(body).id_salt("plan-body");
+    let output = ui.scope_builder(room, |ui| {
+        // Cut cells look cut already; a fade would cover the selected one.
+        ui.spacing_mut().scroll.fade.strength = 0.0;
+        ScrollArea::both()
+            .id_salt("plan")
+            .auto_shrink(false)
+            .show_viewport(ui, |ui, viewport| body_ui(ui, view, &layout, (viewport, is_focused)))
+    });
+    heads_ui(ui, view, &layout, rect, (output.inner.inner_rect, output.inner.inner));
+    if is_focused {
+        focus_ring(ui, rect);
+    }
+    ui.advance_cursor_after_rect(rect);
+}
+
+/// Tab goes from cell to cell, and leaves the table behind its last one.
+fn leave(ui: &Ui, view: &View<'_>) {
+    let parts = view.session.parts();
+    let has_focus = ui.memory(|memory| memory.has_focus(id()));
+    let forwards = ui.input(|input| input.key_pressed(Key::Tab).then_some(!input.modifiers.shift));
+    if let Some(forwards) = forwards.filter(|_| has_focus)
+        && !parts.sheet().can_tab(forwards, parts.document().draft())
+    {
+        let direction = if forwards { FocusDirection::Next } else { FocusDirection::Previous };
+        ui.memory_mut(|memory| memory.move_focus(direction));
+    }
+}
+
+/// What is typed or pasted while the table has the focus.
+fn typed(ui: &Ui, view: &mut View<'_>) {
+    let mut text = String::new();
+    let (mut commands, mut tabs) = (Vec::new(), Vec::new());
+    ui.input(|input| {
+        for event in &input.events {
+            match event {
+                Event::Text(typed) => text.push_str(typed),
+                Event::Paste(pasted) => commands.push(PlanCommand::Paste(pasted.clone())),
+                Event::Cut => commands.extend([PlanCommand::Copy, PlanCommand::Empty]),
+                Event::Key { key: Key::Tab, pressed: true, modifiers, .. } => tabs.push(!modifiers.shift),
+                _ => {}
+            }
+        }
+    });
+    if !text.is_empty() {
+        commands.push(PlanCommand::Edit(Some(text)));
+    }
+    let can =
+        |forwards: &bool| view.session.parts().sheet().can_tab(*forwards, view.session.parts().document().draft());
+    commands.extend(tabs.into_iter().filter(can).map(PlanCommand::Tab));
+    for command in commands {
+        view.send(PartsCommand::Plan(command));
+    }
+}
+
+/// Draws the cells that the viewport shows; returns where the first one is.
+fn body_ui(ui: &mut Ui, view: &mut View<'_>, layout: &Layout, (viewport, is_focused): (Rect, bool)) -> Pos2 {
+    let size = vec2(layout.width, times(layout.height, layout.rows));
+    let (content, _) = ui.allocate_exact_size(size, Sense::hover());
+    let origin = content.min;
+    let seen = viewport.translate(origin.to_vec2());
+    let first = lines_of(((seen.top() - origin.y) / layout.height).floor());
+    let last = lines_of(((seen.bottom() - origin.y) / layout.height).ceil());
+    for row in first..last.min(layout.rows) {
+        for (shown, from, width) in &layout.columns {
+            let rect = layout.rect(origin, row, (*from, *width));
+            if rect.right() < seen.left() || seen.right() < rect.left() {
+                continue;
+            }
+            match shown {
+                Shown::Of(column) => cell_ui(ui, view, rect, (row, *column), is_focused),
+                Shown::Limits => limits_ui(ui, view, rect, row),
+            }
+        }
+    }
+    let (row, column) = view.session.parts().sheet().at();
+    let at = layout.across(column).map(|across| layout.rect(origin, row, across));
+    follow(ui, view, at);
+    if let Some(rect) = at.filter(|_| view.session.parts().sheet().is_editing()) {
+        editor::editor_ui(ui, view, rect);
+    }
+    origin
+}
+
+/// The cell comes into sight when the keys have moved; afterwards scrolling is free.
+fn follow(ui: &Ui, view: &View<'_>, at: Option<Rect>) {
+    let moves = view.session.parts().sheet().moves();
+    let before = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(id().with("moves")), moves));
+    if let Some(rect) = at.filter(|_| before != moves) {
+        ui.scroll_to_rect_animation(rect, None, ScrollAnimation::none());
+    }
+}
+
+/// A cell can be clicked; for a screen reader it has a name.
+fn cell_ui(ui: &Ui, view: &mut View<'_>, rect: Rect, (row, column): (usize, Column), is_focused: bool) {
+    let parts = view.session.parts();
+    let (document, sheet) = (parts.document(), parts.sheet());
+    let text = document.draft().rows.get(row).map_or("", |cells| &cells.cell(column).text);
+    let finding = document.finding(row, Some(column));
+    let place = sheet.columns().iter().position(|of| *of == column).unwrap_or_default();
+    let is_in = sheet.selected_rows().contains(&row) && sheet.selected_places().contains(&place);
+    let is_at = sheet.at() == (row, column);
+    let look = paint::Look {
+        palette: palette(ui.ctx()),
+        text,
+        is_wrong: finding.is_some(),
+        is_fixed: false,
+        is_selected: is_in,
+        cursor: is_at.then_some(is_focused),
+    };
+    paint::cell(ui.painter(), rect, &look);
+    let cell_id = id().with((row, column));
+    // Not focusable: the table is one stop for Tab.
+    let response = ui.interact(rect, cell_id, Sense::CLICK);
+    response.widget_info(|| {
+        let cell = if text.trim().is_empty() { "parts-page-cell-empty" } else { "parts-page-cell" };
+        let cell = Message::new(cell).count("row", row + 1).text("column", view.text(&column_id(column)));
+        let cell = cell.text("text", text);
+        let named = match finding {
+            Some(finding) => {
+                let wrong = Message::new("parts-page-cell-wrong").message("cell", cell);
+                wrong.message("what", finding.what.message())
+            }
+            None => cell,
+        };
+        WidgetInfo::labeled(Role::GridCell, true, view.words.say(&named))
+    });
+    ui.ctx().accesskit_node_builder(cell_id, |node| {
+        node.set_selected(is_in);
+        if finding.is_some() {
+            node.set_invalid(eframe::egui::accesskit::Invalid::True);
+        }
+    });
+    let extends = ui.input(|input| input.modifiers.shift);
+    if response.double_clicked() {
+        view.send(PartsCommand::Plan(PlanCommand::Edit(None)));
+    } else if response.clicked() {
+        view.send(PartsCommand::Plan(PlanCommand::Go(row, column, extends)));
+        ui.memory_mut(|memory| memory.request_focus(id()));
+    }
+}
+
+fn limits_ui(ui: &Ui, view: &View<'_>, rect: Rect, row: usize) {
+    let feature = view.session.parts().document().feature(row);
+    let text = feature.map(|feature| limits(view.words, feature)).unwrap_or_default();
+    let palette = palette(ui.ctx());
+    let look = paint::Look { palette, text: &text, is_wrong: false, is_fixed: true, is_selected: false, cursor: None };
+    paint::cell(ui.painter(), rect, &look);
+    let cell = ui.interact(rect, id().with((row, "limits")), Sense::HOVER);
+    cell.widget_info(|| {
+        let id = if text.is_empty() { "parts-page-cell-empty" } else { "parts-page-cell" };
+        let name = Message::new(id).count("row", row + 1).text("column", view.text("parts-page-limits"));
+        WidgetInfo::labeled(Role::GridCell, true, view.words.say(&name.text("text", &text)))
+    });
+}
+
+/// Minimum and maximum of every size.
+fn limits(words: &Words, feature: &PlanFeature) -> String {
+    let of =
+        |size: &crate::tolerance::Limits| format!("{} … {}", words.mm(size.minimum(), 3), words.mm(size.maximum(), 3));
+    feature.limits.iter().map(of).collect::<Vec<_>>().join("; ")
+}
+
+/// The heads above and on the left, moved along with the cells.
+fn heads_ui(ui: &Ui, view: &mut View<'_>, layout: &Layout, rect: Rect, (seen, origin): (Rect, Pos2)) {
+    let palette = palette(ui.ctx());
+    let mut rows = Vec::new();
+    let parts = view.session.parts();
+    let (row, column) = parts.sheet().at();
+    let above = ui.painter().with_clip_rect(Rect::from_min_max(pos2(seen.left(), rect.top()), seen.right_top()));
+    for (shown, from, width) in &layout.columns {
+        let head = Rect::from_min_size(pos2(origin.x + from, rect.top()), vec2(*width, layout.head));
+        if head.intersects(above.clip_rect()) {
+            paint::head(&above, head, palette, &shown.name(view), (*shown == Shown::Of(column), false));
+        }
+    }
+    let left = ui.painter().with_clip_rect(Rect::from_min_max(pos2(rect.left(), seen.top()), seen.left_bottom()));
+    let first = lines_of(((seen.top() - origin.y) / layout.height).floor());
+    let last = lines_of(((seen.bottom() - origin.y) / layout.height).ceil());
+    for at in first..last.min(layout.rows) {
+        let head = layout.rect(pos2(rect.left(), origin.y), at, (0.0, layout.left));
+        let is_new = at == parts.document().draft().rows.len();
+        let text = if is_new { view.text("parts-page-new-row") } else { (at + 1).to_string() };
+        paint::head(&left, head, palette, &text, (at == row, parts.document().is_wrong(at)));
+        if ui.interact(head.intersect(left.clip_rect()), id().with((at, "head")), Sense::CLICK).clicked() {
+            rows.push(at);
+        }
+    }
+    let corner = Rect::from_min_size(rect.min, vec2(layout.left, layout.head));
+    ui.painter().rect_filled(corner, 0.0, palette.background.0);
+    // The head of a row selects all of it; with Shift, all rows between.
+    let columns = parts.sheet().columns();
+    if let (Some(at), Some(first), Some(last)) = (rows.pop(), columns.first(), columns.last()) {
+        let extends = ui.input(|input| input.modifiers.shift);
+        let from = if extends { parts.sheet().at().0 } else { at };
+        for (at, column, extends) in [(from, *last, false), (at, *first, true)] {
+            view.send(PartsCommand::Plan(PlanCommand::Go(at, column, extends)));
+        }
+        focus_next(ui);
+    }
+}

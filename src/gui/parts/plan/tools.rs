@@ -1,0 +1,53 @@
+//! What can be done with rows and columns, as buttons.
+
+use eframe::egui::Ui;
+
+use crate::gui::theme::space;
+use crate::gui::view::{View, quiet};
+use crate::message::Message;
+use crate::session::{Action, Step};
+
+/// What is done with cells.
+const CELLS: [Action; 3] = [Action::EditPlanCell, Action::CopyPlanCells, Action::PastePlanCells];
+
+/// What is done with features.
+const ROWS: [Action; 6] = [
+    Action::InsertPlanRow,
+    Action::DeletePlanRows,
+    Action::MovePlanRows(Step::Up),
+    Action::MovePlanRows(Step::Down),
+    Action::SortPlan,
+    Action::RenumberPlan,
+];
+
+/// The same in one row: what is used less often is in a menu.
+pub(in crate::gui::parts) fn folded_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.horizontal_wrapped(|ui| {
+        for action in [Action::UndoPlan, Action::RedoPlan, Action::EditPlanCell] {
+            view.field_button(ui, action);
+        }
+        ui.menu_button(view.text("parts-page-more"), |ui| {
+            for action in CELLS.into_iter().skip(1).chain(ROWS) {
+                view.menu_item(ui, action);
+            }
+            view.checkbox(ui, Action::ShowAllColumns);
+        });
+    });
+}
+
+/// The buttons, and how many features there are.
+pub(in crate::gui::parts) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.horizontal_wrapped(|ui| {
+        ui.spacing_mut().item_spacing.y = space(1.0);
+        for action in [Action::UndoPlan, Action::RedoPlan].into_iter().chain(CELLS).chain(ROWS) {
+            let response = view.field_button(ui, action);
+            if response.clicked() && action == Action::PastePlanCells {
+                // What is on the clipboard comes to what has the focus.
+                ui.memory_mut(|memory| memory.request_focus(super::grid::id()));
+            }
+        }
+        view.checkbox(ui, Action::ShowAllColumns);
+        let count = view.session.parts().document().draft().rows.len();
+        quiet(ui, view.words.say(&Message::new("parts-page-features").count("count", count)));
+    });
+}

@@ -1,0 +1,70 @@
+//! The plan as a table, with its picture beside it and what is wrong with it below.
+
+use eframe::egui::{CentralPanel, Frame, Ui};
+
+use super::picture;
+use super::plan::{faults, form, grid, tools};
+use crate::gui::columns::{Side, column_ui, of_height, panel_ui};
+use crate::gui::keypad::keypad_ui;
+use crate::gui::theme::space;
+use crate::gui::view::View;
+
+/// The least size of a window in which table, picture and faults stand beside each other.
+const ROOM: [f32; 2] = [225.0, 160.0];
+
+pub(super) fn plan_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if view.session.parts().document().is_empty() {
+        return faults::none_ui(ui, view);
+    }
+    keypad_ui(ui, view);
+    let size = ui.ctx().content_rect().size();
+    let [width, height] = ROOM.map(space);
+    if size.x < width || size.y < height {
+        small_ui(ui, view);
+    } else {
+        large_ui(ui, view);
+    }
+}
+
+/// Everything below each other; the page scrolls.
+fn small_ui(ui: &mut Ui, view: &mut View<'_>) {
+    column_ui(ui, "plan-all", |ui| {
+        tools::folded_ui(ui, view);
+        of_height(ui, space(50.0), |ui| grid::grid_ui(ui, view));
+        faults::here_ui(ui, view);
+        faults::count_ui(ui, view);
+        if faults::has_any(view) {
+            of_height(ui, space(40.0), |ui| faults::list_ui(ui, view));
+        }
+        ui.collapsing(view.text("parts-page-head"), |ui| form::form_ui(ui, view));
+        if view.session.parts().sight().is_some() {
+            of_height(ui, space(75.0), |ui| picture::plan_picture_ui(ui, view));
+        }
+    });
+}
+
+fn large_ui(ui: &mut Ui, view: &mut View<'_>) {
+    form::form_ui(ui, view);
+    tools::tools_ui(ui, view);
+    if view.session.parts().sight().is_some() {
+        let all = ui.available_width();
+        let sizes = (all * 0.38, all * 0.2..=all * 0.6);
+        panel_ui(ui, view, Side::Right, "plan-picture", sizes, picture::plan_picture_ui);
+    }
+    if faults::has_any(view) {
+        let all = ui.available_height();
+        let sizes = ((all * 0.4).min(space(50.0)), space(22.0)..=(all * 0.6).max(space(23.0)));
+        panel_ui(ui, view, Side::Bottom, "plan-faults", sizes, |ui, view| {
+            faults::count_ui(ui, view);
+            faults::list_ui(ui, view);
+        });
+    }
+    CentralPanel::default().frame(Frame::central_panel(ui.style()).inner_margin(0.0)).show(ui, |ui| {
+        if !faults::has_any(view) {
+            faults::count_ui(ui, view);
+        }
+        let room = ui.available_height() - space(8.0);
+        of_height(ui, room, |ui| grid::grid_ui(ui, view));
+        faults::here_ui(ui, view);
+    });
+}

@@ -1,0 +1,174 @@
+//! Left: before a part its plan and serial number, then the size that is asked for and the field of its value.
+
+use eframe::egui::{Button, RichText, Ui, vec2};
+
+use super::asked_text;
+use super::skip_panel::skip_ui;
+use crate::gui::columns::is_tiny;
+use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::limits::limits_ui;
+use crate::gui::theme::{self, control, sizes, space};
+use crate::gui::view::{View, heading, problem, quiet};
+use crate::message::Message;
+use crate::part::Size;
+use crate::session::parts::PartsField;
+use crate::session::{Action, FilesCommand, Purpose};
+
+/// The panel's content.
+pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.spacing_mut().item_spacing.y = space(1.0);
+    let session = view.session;
+    let walking = session.parts().walking();
+    if !walking.is_begun() {
+        return begin_ui(ui, view);
+    }
+    part_ui(ui, view);
+    ui.separator();
+    match walking.asked() {
+        Some(size) => size_ui(ui, view, &size),
+        None => _ = heading(ui, view.text("walk-page-done")),
+    }
+    ui.separator();
+    ui.horizontal_wrapped(|ui| {
+        for action in [Action::SizeAgain, Action::SkipSize, Action::NextPart, Action::ImportValues] {
+            view.field_button(ui, action);
+        }
+    });
+    if walking.is_warned() {
+        let missing = walking.standing().missing;
+        problem(ui, view.words.say(&Message::new("walk-page-next-warned").count("count", missing)));
+    }
+}
+
+/// Before a part: which plan, and which serial number.
+fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let session = view.session;
+    let document = session.parts().document();
+    if document.plan().is_none() {
+        if document.is_empty() {
+            quiet(ui, view.text("walk-page-no-plan"));
+        } else {
+            let count = document.findings().len();
+            problem(ui, view.words.say(&Message::new("walk-page-plan-wrong").count("count", count)));
+        }
+        return recent_ui(ui, view);
+    }
+    let part = document.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
+    heading(ui, if part.is_empty() { document.name() } else { part });
+    if document.path().is_none() || document.is_unsaved() {
+        quiet(ui, view.text("walk-page-not-saved"));
+    }
+    let name = heading(ui, view.text("walk-page-serial"));
+    let width = ui.available_width();
+    field_ui(ui, view, PartsField::Serial, name.id, Look::large(width));
+    quiet(ui, view.text("walk-page-serial-hint"));
+    ui.horizontal_wrapped(|ui| {
+        let size = vec2(view.width_of(ui, &[Action::BeginPart]), control(ui));
+        view.main_button(ui, Action::BeginPart, size);
+        view.field_button(ui, Action::CountUp);
+        keypad_ui(ui, view);
+    });
+    recent_ui(ui, view);
+}
+
+/// The plans that were read last.
+fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let session = view.session;
+    let plans = (0..).zip(session.recent_files()).filter(|(_, file)| file.purpose == Purpose::OpenPlan);
+    let plans: Vec<_> = plans.collect();
+    if plans.is_empty() {
+        return;
+    }
+    ui.add_space(space(2.0));
+    heading(ui, view.text("walk-page-recent"));
+    for (number, file) in plans {
+        let name = file.path.file_name().unwrap_or(file.path.as_os_str()).to_string_lossy().into_owned();
+        let button = Button::new(name).min_size(vec2(0.0, control(ui)));
+        if ui.add(button).on_hover_text(file.path.display().to_string()).clicked() {
+            view.send(FilesCommand::OpenRecent(number));
+        }
+    }
+}
+
+/// Which part it is.
+fn part_ui(ui: &mut Ui, view: &View<'_>) {
+    let walking = view.session.parts().walking();
+    let part = walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
+    let message = match (part.is_empty(), walking.serial().is_empty()) {
+        (_, true) => Message::new("walk-page-part-no-serial").text("part", &part),
+        (true, false) => Message::new("walk-page-part-serial").text("serial", walking.serial()),
+        (false, false) => Message::new("walk-page-part").text("part", &part).text("serial", walking.serial()),
+    };
+    heading(ui, view.words.say(&message));
+    if view.session.parts().has_other_plan() {
+        quiet(ui, view.text("walk-page-other-plan"));
+    }
+}
+
+/// The size that is asked for, readable from afar, and the field of its value.
+fn size_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
+    let session = view.session;
+    let (walking, feature) = (session.parts().walking(), size.feature);
+    let mut name = size.name();
+    if !feature.number.is_empty() {
+        name = format!("{}  {name}", feature.number);
+    }
+    ui.label(RichText::new(name).font(theme::bold(sizes().value)));
+    let asked = asked_text(view.words, size);
+    ui.label(RichText::new(asked).font(theme::font(sizes().value)));
+    limits_ui(ui, view, size.limits);
+    match feature.place {
+        Some(place) => {
+            let [x, y, z] = place.map(|mm| view.words.mm(mm, 0));
+            let message = Message::new("walk-page-place").text("x", x).text("y", y).text("z", z);
+            ui.label(RichText::new(view.words.say(&message)).font(theme::bold(sizes().limits)));
+        }
+        None => _ = quiet(ui, view.text("walk-page-no-place")),
+    }
+    if !feature.remark.is_empty() {
+        ui.label(&feature.remark);
+    }
+    if let Some(at) = walking.at() {
+        let count = walking.values(at).len();
+        if 0 < count {
+            quiet(ui, view.words.say(&Message::new("walk-page-measured-before").count("count", count)));
+        }
+        let reason = walking.with_row(at, |row| row.step.skipped.clone()).flatten();
+        if let Some(reason) = reason {
+            quiet(ui, view.words.say(&Message::new("walk-page-skipped").text("reason", reason)));
+        }
+    }
+    value_ui(ui, view, size);
+    if walking.is_skipping() {
+        skip_ui(ui, view);
+    }
+}
+
+fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
+    let row = ui.horizontal(|ui| {
+        let name = heading(ui, view.text("walk-page-value"));
+        // What is asked for stands above, which is out of sight where there is no room.
+        if is_tiny(ui) {
+            ui.label(format!("{}, {}", size.name(), asked_text(view.words, size)));
+        }
+        name
+    });
+    let name = row.inner;
+    let width = ui.available_width();
+    ui.horizontal(|ui| {
+        field_ui(ui, view, PartsField::Value, name.id, Look::large(width - space(12.0)));
+        quiet(ui, "mm");
+    });
+    error_ui(ui, view, PartsField::Value);
+    ui.horizontal_wrapped(|ui| {
+        let size = vec2(view.width_of(ui, &[Action::TakeValue]), control(ui));
+        view.main_button(ui, Action::TakeValue, size);
+        view.field_button(ui, Action::SimulateValue);
+        keypad_ui(ui, view);
+    });
+}
+
+fn keypad_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let keypad = view.named(Action::Keypad).selected(view.session.has_keypad()).min_size(vec2(0.0, control(ui)));
+    view.button_as(ui, Action::Keypad, keypad);
+}

@@ -1,0 +1,80 @@
+//! The part that is measured, feature by feature.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the view in columns |
+//! | `asked_panel` | left: the plan and the serial number; then the size that is asked for and its value |
+//! | `skip_panel` | why a size is left out |
+//! | `sizes_list` | middle: every size with its verdict |
+//! | `answer_panel` | right: the verdict of the value, and what the values make of the part |
+//! | `watch_panel` | below it: the watched folder |
+
+mod answer_panel;
+mod asked_panel;
+mod sizes_list;
+mod skip_panel;
+mod watch_panel;
+
+use eframe::egui::Ui;
+pub(in crate::gui) use sizes_list::id as sizes_id;
+
+use super::head::head_ui;
+use super::picture;
+use crate::gui::columns::{Page, Shape, columns_ui, is_tiny, of_height};
+use crate::gui::theme::space;
+use crate::gui::verdict_card::least_width;
+use crate::gui::view::View;
+use crate::part::Size;
+use crate::words::Words;
+
+/// From this width on the columns are wider.
+const WIDE: f32 = 400.0;
+
+/// Whether the head of the page scrolls with the view, because there is no room for it above.
+pub(super) fn has_head(ui: &Ui, view: &View<'_>) -> bool {
+    is_tiny(ui) || Shape::of(ui, least_width(ui, view)) == Shape::One
+}
+
+/// What a size asks for: its callout, or the deviations of a point.
+fn asked_text(words: &Words, size: &Size<'_>) -> String {
+    let deviations = &size.limits.deviations;
+    let of_point = || format!("{} / {} µm", words.signed_um(deviations.upper()), words.signed_um(deviations.lower()));
+    size.callout.map_or_else(of_point, |callout| callout.to_string())
+}
+
+/// Whether the part that is measured has a picture.
+fn has_picture(view: &View<'_>) -> bool {
+    let parts = view.session.parts();
+    parts.walking().is_begun() && parts.sight().is_some()
+}
+
+/// The picture above the sizes, where the plan has one.
+fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
+    if has_picture(view) {
+        let height = ui.available_height() * 0.5;
+        of_height(ui, height, |ui| picture::walk_picture_ui(ui, view));
+    }
+    sizes_list::sizes_ui(ui, view);
+}
+
+pub(super) fn walk_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let is_wide = space(WIDE) <= ui.available_width();
+    let page = Page {
+        // Another size of window has widths of its own.
+        name: if is_wide { "walk-wide" } else { "walk" },
+        left: if is_wide { space(85.0) } else { space(74.0) },
+        right: if is_wide { space(105.0) } else { space(88.0) },
+        head: has_head(ui, view).then_some(head_ui),
+        asked: asked_panel::asked_ui,
+        seen: seen_ui,
+        seen_height: if has_picture(view) { space(150.0) } else { space(90.0) },
+        verdict: answer_panel::verdict_ui,
+        least: least_width(ui, view),
+        answer: |ui, view| {
+            answer_panel::answer_ui(ui, view);
+            ui.separator();
+            watch_panel::watch_ui(ui, view);
+        },
+    };
+    columns_ui(ui, view, &page);
+}

@@ -1,0 +1,62 @@
+//! The watched folder: what came, what waits, what was refused.
+
+use eframe::egui::Ui;
+
+use crate::gui::theme::space;
+use crate::gui::verdict_card::chip_ui;
+use crate::gui::view::{View, heading, problem, quiet};
+use crate::message::Message;
+use crate::session::Action;
+use crate::session::parts::TakenFile;
+
+/// How many files are shown.
+const MOST: usize = 50;
+
+pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let session = view.session;
+    let watched = session.parts().watched();
+    heading(ui, view.text("walk-page-watched"));
+    ui.horizontal_wrapped(|ui| {
+        view.field_button(ui, Action::WatchFolder);
+        if watched.folder().is_some() {
+            view.field_button(ui, Action::StopWatch);
+        }
+    });
+    if let Some(folder) = watched.folder() {
+        ui.label(folder.display().to_string());
+        match watched.known() {
+            Some(known) => quiet(ui, view.words.say(&Message::new("walk-page-known").count("count", known))),
+            None => quiet(ui, view.text("walk-page-watch-begins")),
+        };
+    }
+    if let Some(trouble) = watched.trouble() {
+        problem(ui, view.words.say(trouble));
+    }
+    if watched.is_recording() {
+        quiet(ui, view.text("walk-page-watch-recording"));
+    }
+    for (name, why) in watched.waiting() {
+        let message = Message::new("walk-page-waiting").text("name", name).message("why", why.clone());
+        quiet(ui, view.words.say(&message));
+    }
+    if 0 < watched.count() {
+        ui.label(view.words.say(&Message::new("walk-page-watch-count").count("count", watched.count())));
+    }
+    for file in watched.files().take(MOST) {
+        file_ui(ui, view, file);
+    }
+}
+
+fn file_ui(ui: &mut Ui, view: &View<'_>, file: &TakenFile) {
+    ui.add_space(space(1.0));
+    ui.horizontal_wrapped(|ui| {
+        ui.label(format!("{}  {}", file.time.strftime("%H:%M:%S"), file.name));
+        for (status, count) in file.counts.iter().filter(|(_, count)| 0 < *count) {
+            let word = view.words.told(status);
+            chip_ui(ui, *status, &format!("{count} {word}"));
+        }
+    });
+    for said in &file.said {
+        problem(ui, view.words.say(said));
+    }
+}

@@ -1,0 +1,153 @@
+//! A watched folder, on a thread of its own: it looks, tells what is ready, and waits with the next look until that is recorded.
+
+use std::path::PathBuf;
+use std::sync::mpsc::{Receiver, RecvTimeoutError, Sender, channel};
+use std::sync::{Arc, Mutex, PoisonError};
+use std::time::Instant;
+
+use eframe::egui::Context;
+use jiff::civil::DateTime;
+
+use crate::message::{Message, Say as _};
+use crate::part::Plan;
+use crate::session::Command;
+use crate::session::parts::{WalkCommand, WatchNews, WatchedFile};
+use crate::tolerance::Sources;
+use crate::watch::{Batch, EVERY, Judging, Known, Look, Watcher};
+use crate::words::{Language, Words};
+
+/// Reads what the journal knows already.
+pub(super) type KnownOf = Box<dyn FnOnce() -> Result<Known, Message> + Send>;
+
+/// What a watch needs.
+pub(super) struct Watch {
+    pub run: u64,
+    pub folder: PathBuf,
+    pub plan: Arc<Plan>,
+    pub sources: Arc<Sources>,
+    /// Of what is written beside files that cannot be used.
+    pub language: Language,
+    pub clock: fn() -> DateTime,
+    pub known: KnownOf,
+    pub ctx: Context,
+    pub answers: Sender<Command>,
+}
+
+/// The watch that goes on: its number, and where its thread hears which looks are recorded. Without it the thread ends.
+#[derive(Debug, Default)]
+pub(super) struct Watching(Mutex<Option<(u64, Sender<u64>)>>);
+
+impl Watching {
+    /// Begins a watch in place of any other.
+    pub fn begin(&self, watch: Watch) {
+        let (sender, taken) = channel();
+        *self.current() = Some((watch.run, sender));
+        let said = std::thread::Builder::new().name("watch".to_owned()).spawn(move || watch.run(&taken));
+        if let Err(error) = said {
+            log::error!("no thread for watch: {error}");
+        }
+    }
+
+    /// What a look has found is recorded.
+    pub fn taken(&self, run: u64, look: u64) {
+        if let Some((_, sender)) = self.current().as_ref().filter(|(current, _)| *current == run) {
+            // A thread that has ended hears nothing more.
+            let _ended = sender.send(look);
+        }
+    }
+
+    /// Ends the watch.
+    pub fn stop(&self) {
+        *self.current() = None;
+    }
+
+    fn current(&self) -> std::sync::MutexGuard<'_, Option<(u64, Sender<u64>)>> {
+        self.0.lock().unwrap_or_else(PoisonError::into_inner)
+    }
+}
+
+/// What the window knows already: it is told only what changes.
+#[derive(Default)]
+struct Told {
+    same: Vec<(String, Message)>,
+    waiting: Vec<(String, Message)>,
+    trouble: Option<Message>,
+}
+
+impl Watch {
+    fn run(mut self, taken: &Receiver<u64>) {
+        let nothing: KnownOf = Box::new(|| Ok(Known::default()));
+        let known = match std::mem::replace(&mut self.known, nothing)() {
+            Ok(known) => known,
+            Err(why) => return self.say(WatchNews::Trouble(Some(why))),
+        };
+        self.say(WatchNews::Begun(known.len()));
+        let words = Words::new(self.language);
+        let (mut watcher, begun) = (Watcher::new(&self.folder, known), Instant::now());
+        let (mut told, mut number) = (Told::default(), 0);
+        loop {
+            let judging = Judging { plan: Some(&self.plan), sources: &self.sources, masks: &[], now: (self.clock)() };
+            let look = watcher.look(judging, begun.elapsed()).map_err(|error| error.message());
+            let ready = self.tell(look, &mut told);
+            if !ready.is_empty() {
+                number += 1;
+                self.say(WatchNews::Look { number, files: ready.iter().map(file).collect() });
+                if !is_recorded(taken, number) {
+                    return;
+                }
+                for batch in &ready {
+                    if let Err(error) = watcher.taken(batch, &|message| words.say(message)) {
+                        told.trouble = Some(error.message());
+                        self.say(WatchNews::Trouble(told.trouble.clone()));
+                    }
+                }
+            }
+            match taken.recv_timeout(EVERY) {
+                Err(RecvTimeoutError::Disconnected) => return,
+                Ok(_) | Err(RecvTimeoutError::Timeout) => {}
+            }
+        }
+    }
+
+    /// Tells what has changed: what is waited for, and whether the folder can be read. Returns what is ready.
+    fn tell(&self, look: Result<Look, Message>, told: &mut Told) -> Vec<Batch> {
+        let (Look { ready, waiting, same }, trouble) = match look {
+            Ok(look) => (look, None),
+            Err(why) => (Look::default(), Some(why)),
+        };
+        if trouble != told.trouble {
+            told.trouble.clone_from(&trouble);
+            self.say(WatchNews::Trouble(trouble));
+        }
+        // A copy of what was taken stays in the list: nothing of it will come.
+        told.same.extend(same.into_iter().map(|(name, known)| (name, Message::new("watch-same").text("known", known))));
+        let waiting = waiting.into_iter().map(|(name, why)| (name, why.message()));
+        let waiting: Vec<_> = waiting.chain(told.same.iter().cloned()).collect();
+        if waiting != told.waiting {
+            told.waiting.clone_from(&waiting);
+            self.say(WatchNews::Waiting(waiting));
+        }
+        ready
+    }
+
+    fn say(&self, news: WatchNews) {
+        // A closed window hears nothing; that is not an error.
+        let _closed = self.answers.send(WalkCommand::Watched { run: self.run, news: Box::new(news) }.into());
+        self.ctx.request_repaint();
+    }
+}
+
+/// Waits until a look is recorded; whether the watch goes on.
+fn is_recorded(taken: &Receiver<u64>, number: u64) -> bool {
+    loop {
+        match taken.recv() {
+            Ok(look) if look == number => return true,
+            Ok(_) => {}
+            Err(_ended) => return false,
+        }
+    }
+}
+
+fn file(batch: &Batch) -> WatchedFile {
+    WatchedFile { name: batch.name.clone(), sha256: batch.sha256, items: batch.items.clone() }
+}

@@ -1,0 +1,427 @@
+//! A draft becomes a plan, or all its faults are told at once.
+
+use std::collections::BTreeMap;
+use std::str::FromStr;
+
+use super::cells::{KindCells, is_band_of_cycle};
+use super::column::{Column, HeadField};
+use super::draft::{Draft, Row};
+use super::fault::{Finding, PlanFault, Spot};
+use super::kind::{Kind, Towards};
+use super::plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, Head, MOST_FEATURES, Material, Plan, PlanFeature};
+use super::values::{beginning, in_range, is_decided, material, plain_text, rule, travel};
+use crate::length::{Length, LengthError};
+use crate::probing::cycle::{Angle, Axis, Cycle, Inputs, Meaning, Parameter, number};
+use crate::probing::cycles::{cycle_named, cycles_of};
+use crate::tolerance::{Feature, Limits, Source, Sources, Tolerance};
+use crate::verdict::Rule;
+
+/// The most characters of a name or a number.
+const LONGEST_NAME: usize = 80;
+
+/// The most characters of another text.
+const LONGEST_TEXT: usize = 1_000;
+
+/// A draft that was read: its features as far as nothing is wrong with them, and everything that is.
+#[derive(Debug, Clone, Default)]
+pub struct Review {
+    /// What it says of the part.
+    pub head: Head,
+    /// A place for every row; `None` where something is wrong with it.
+    pub features: Vec<Option<PlanFeature>>,
+    /// What is wrong, in the order of the plan.
+    pub findings: Vec<Finding>,
+}
+
+impl Review {
+    /// Reads a draft. Limits are looked up in the sources, materials among those that are built in.
+    pub fn of(draft: &Draft, sources: &Sources) -> Self {
+        let mut faults = Faults::default();
+        if draft.rows.is_empty() {
+            faults.add(Spot::Plan, PlanFault::NoFeatures);
+        }
+        if MOST_FEATURES < draft.rows.len() {
+            faults.add(Spot::Plan, PlanFault::TooMany { most: MOST_FEATURES });
+        }
+        let (head, shared) = head(draft, &mut faults);
+        let mut names = Names::default();
+        let rows = (0..).zip(draft.rows.iter().take(MOST_FEATURES));
+        let features = rows
+            .map(|(at, row)| {
+                let mut reader = Reader { at, row, faults: &mut faults, sources, shared: &shared };
+                reader.feature(&mut names)
+            })
+            .collect();
+        Self { head, features, findings: faults.all }
+    }
+
+    /// The plan, where nothing is wrong with it.
+    pub fn plan(&self) -> Option<Plan> {
+        let features = || self.features.iter().flatten().cloned().collect();
+        self.findings.is_empty().then(|| Plan { head: self.head.clone(), features: features() })
+    }
+}
+
+impl Plan {
+    /// What a draft says. Limits are looked up in the sources, materials among those that are built in.
+    ///
+    /// # Errors
+    /// Every fault of every feature, in the order of the plan.
+    pub fn of(draft: &Draft, sources: &Sources) -> Result<Self, Vec<Finding>> {
+        let review = Review::of(draft, sources);
+        review.plan().ok_or(review.findings)
+    }
+}
+
+/// What was found so far.
+#[derive(Default)]
+struct Faults {
+    all: Vec<Finding>,
+}
+
+impl Faults {
+    fn add(&mut self, spot: Spot, what: PlanFault) {
+        self.all.push(Finding { spot, what });
+    }
+
+    fn take<T>(&mut self, spot: Spot, read: Result<T, PlanFault>) -> Option<T> {
+        read.map_err(|what| self.add(spot, what)).ok()
+    }
+}
+
+/// The names and numbers that earlier features have: files on a control ignore case.
+#[derive(Default)]
+struct Names {
+    names: BTreeMap<String, usize>,
+    numbers: BTreeMap<String, usize>,
+}
+
+/// What holds for every feature that says nothing itself.
+#[derive(Default)]
+struct Shared {
+    material: Option<Material>,
+    rule: Option<String>,
+    uncertainty: Option<String>,
+    /// The machine's travel in X, Y and Z.
+    travel: [Option<[Length; 2]>; 3],
+}
+
+fn head(draft: &Draft, faults: &mut Faults) -> (Head, Shared) {
+    let mut text = |field: HeadField| {
+        let text = draft.text(field).unwrap_or_default();
+        let checked = plain_text(text, field.key(), LONGEST_TEXT);
+        faults.take(Spot::Head(field), checked).unwrap_or_default()
+    };
+    let head = Head {
+        part: text(HeadField::Part),
+        drawing: text(HeadField::Drawing),
+        picture: text(HeadField::Picture),
+        remark: text(HeadField::Remark),
+    };
+    let of = |field| draft.text(field).map(str::to_owned);
+    let mut shared = Shared { rule: of(HeadField::Rule), uncertainty: of(HeadField::Uncertainty), ..Shared::default() };
+    if let Some(text) = draft.text(HeadField::Material) {
+        shared.material = faults.take(Spot::Head(HeadField::Material), material(text));
+    }
+    // A rule that cannot judge is told once, here, and not with every feature.
+    let read = rule(shared.rule.as_deref(), shared.uncertainty.as_deref());
+    if let Err((column, what)) = read {
+        let field = if column == Column::Rule { HeadField::Rule } else { HeadField::Uncertainty };
+        // An uncertainty of its own may complete the rule of a feature.
+        if !(column == Column::Rule && shared.uncertainty.is_none() && matches!(what, PlanFault::Rule { .. })) {
+            faults.add(Spot::Head(field), what);
+            (shared.rule, shared.uncertainty) = (None, None);
+        }
+    }
+    for (axis, field) in [HeadField::TravelX, HeadField::TravelY, HeadField::TravelZ].into_iter().enumerate() {
+        if let (Some(text), Some(place)) = (draft.text(field), shared.travel.get_mut(axis)) {
+            *place = faults.take(Spot::Head(field), travel(text));
+        }
+    }
+    (head, shared)
+}
+
+/// One feature of a draft.
+struct Reader<'a> {
+    at: usize,
+    row: &'a Row,
+    faults: &'a mut Faults,
+    sources: &'a Sources,
+    shared: &'a Shared,
+}
+
+impl Reader<'_> {
+    fn fault(&mut self, column: Column, what: PlanFault) {
+        self.faults.add(Spot::Feature(self.at, Some(column)), what);
+    }
+
+    fn take<T>(&mut self, column: Column, read: Result<T, PlanFault>) -> Option<T> {
+        self.faults.take(Spot::Feature(self.at, Some(column)), read)
+    }
+
+    /// The feature; `None` where anything of it is wrong, which is told.
+    fn feature(&mut self, names: &mut Names) -> Option<PlanFeature> {
+        let before = self.faults.all.len();
+        let (number, name) = self.names(names);
+        let place = self.place();
+        let angle = self.value(Column::Angle, Meaning::FirstAngle).unwrap_or_default();
+        let clearance = self.value(Column::Clearance, Meaning::SetUpClearance).unwrap_or(DEFAULT_CLEARANCE);
+        let clearance_height =
+            self.value(Column::ClearanceHeight, Meaning::ClearanceHeight).unwrap_or(DEFAULT_CLEARANCE_HEIGHT);
+        if let [_, _, Some(z)] = place
+            && clearance_height <= z
+        {
+            self.fault(Column::ClearanceHeight, PlanFault::ClearanceHeight { height: clearance_height, z });
+        }
+        let side = self.side();
+        let kind = self.kind(place, angle);
+        let limits = kind.as_ref().and_then(|kind| self.limits(kind, side));
+        let feature = limits.as_ref().and_then(|limits| Some(limits.first()?.feature)).unwrap_or(Feature::Shaft);
+        let cycle = kind.as_ref().and_then(|kind| self.cycle(kind, feature));
+        let parameters = cycle.and_then(|cycle| self.parameters(cycle)).unwrap_or_default();
+        let material = self.material();
+        let rule = self.rule();
+        let remark = self.text(Column::Remark, LONGEST_TEXT);
+        let balloon = self.balloon();
+        let (kind, limits) = kind.zip(limits)?;
+        let [x, y, z] = place;
+        (self.faults.all.len() == before).then_some(PlanFeature {
+            line: self.row.place.line,
+            number,
+            name,
+            kind,
+            limits,
+            place: x.zip(y).zip(z).map(|((x, y), z)| [x, y, z]),
+            angle,
+            clearance,
+            clearance_height,
+            cycle,
+            parameters,
+            has_own_cycle: self.row.text(Column::Cycle).is_some() || self.row.text(Column::Parameters).is_some(),
+            material,
+            rule,
+            remark,
+            balloon,
+        })
+    }
+
+    fn text(&mut self, column: Column, most: usize) -> String {
+        let text = self.row.text(column).unwrap_or_default();
+        self.take(column, plain_text(text, column.key(), most)).unwrap_or_default()
+    }
+
+    fn names(&mut self, names: &mut Names) -> (String, String) {
+        let number = self.text(Column::Number, LONGEST_NAME);
+        let name = self.text(Column::Name, LONGEST_NAME);
+        let name = if name.is_empty() { format!("F{}", self.at + 1) } else { name };
+        if names.names.insert(name.to_uppercase(), self.at).is_some() {
+            self.fault(Column::Name, PlanFault::SameName { name: name.clone() });
+        }
+        if !number.is_empty() && names.numbers.insert(number.to_uppercase(), self.at).is_some() {
+            self.fault(Column::Number, PlanFault::SameNumber { number: number.clone() });
+        }
+        (number, name)
+    }
+
+    /// A value within the range of a parameter of the cycles.
+    fn value<T: FromStr<Err = LengthError> + ToString>(&mut self, column: Column, meaning: Meaning) -> Option<T> {
+        let text = self.row.text(column)?;
+        let read = text.parse::<T>().map_err(|error| PlanFault::Number { column: column.key(), error });
+        let value = self.take(column, read)?;
+        let range = in_range(meaning, &value);
+        self.take(column, range)?;
+        Some(value)
+    }
+
+    fn place(&mut self) -> [Option<Length>; 3] {
+        let columns = [
+            (Column::X, Meaning::Centre(Axis::First), "X"),
+            (Column::Y, Meaning::Centre(Axis::Second), "Y"),
+            (Column::Z, Meaning::MeasuringHeight, "Z"),
+        ];
+        let mut at = 0;
+        columns.map(|(column, meaning, axis)| {
+            let value: Option<Length> = self.value(column, meaning);
+            let travel = self.shared.travel.get(at).copied().flatten();
+            at += 1;
+            if let (Some(given), Some([minimum, maximum])) = (value, travel)
+                && !(minimum <= given && given <= maximum)
+            {
+                self.fault(column, PlanFault::Travel { axis, given, minimum, maximum });
+            }
+            value
+        })
+    }
+
+    /// Hole or shaft, where the plan says it.
+    fn side(&mut self) -> Option<Feature> {
+        let text = self.row.text(Column::Feature)?;
+        let words = [Feature::Hole, Feature::Shaft].map(Feature::word);
+        let found = [Feature::Hole, Feature::Shaft].into_iter().find(|side| side.word().eq_ignore_ascii_case(text));
+        let unknown = || PlanFault::Unknown { column: "feature", given: beginning(text), known: words.join(", ") };
+        self.take(Column::Feature, found.ok_or_else(unknown))
+    }
+
+    fn kind(&mut self, place: [Option<Length>; 3], angle: Angle) -> Option<Kind> {
+        let Some(callout) = self.row.text(Column::Callout) else {
+            self.fault(Column::Callout, PlanFault::NoCell { column: "callout" });
+            return None;
+        };
+        let (kind, axis) = (self.row.text(Column::Kind), self.row.text(Column::Axis));
+        let cells = KindCells { kind, axis, callout, second: self.row.text(Column::SecondCallout) };
+        let kind = match cells.read() {
+            Ok(kind) => kind,
+            Err((column, what)) => {
+                self.fault(column, what);
+                return None;
+            }
+        };
+        if !matches!(kind, Kind::Diameter(_)) && angle != Angle::default() {
+            self.fault(Column::Angle, PlanFault::NotOf { column: "angle", kind: kind.word() });
+        }
+        let checked = match &kind {
+            Kind::Diameter(_) | Kind::Width(..) => Ok(()),
+            Kind::Face(callout, towards) => check_face(*callout, *towards, place),
+            Kind::Pocket(sides) => check_sides(&kind, sides, Feature::Hole, "H7"),
+            Kind::Boss(sides) => check_sides(&kind, sides, Feature::Shaft, "h7"),
+            Kind::Point(band, _) if is_band_of_cycle(band) => Ok(()),
+            Kind::Point(band, _) => Err(PlanFault::BandSide { upper: band.upper(), lower: band.lower() }),
+        };
+        self.take(Column::Callout, checked)?;
+        Some(kind)
+    }
+
+    fn limits(&mut self, kind: &Kind, side: Option<Feature>) -> Option<Vec<Limits>> {
+        if let Kind::Point(band, _) = kind {
+            return Some(Limits::new(Feature::Shaft, Length::ZERO, *band, Source::Callout).into_iter().collect());
+        }
+        // A face is judged as an outside dimension; a pocket has sides inside, a boss outside.
+        let side = match kind {
+            Kind::Face(..) | Kind::Boss(_) => side.or(Some(Feature::Shaft)),
+            Kind::Pocket(_) => side.or(Some(Feature::Hole)),
+            _ => side,
+        };
+        let mut all = Vec::new();
+        for (callout, column) in kind.callouts().into_iter().zip([Column::Callout, Column::SecondCallout]) {
+            let limits = if matches!(callout.tolerance(), Tolerance::Fit { .. }) {
+                Err(PlanFault::Fit { callout })
+            } else {
+                let limits = self.sources.limits(&callout, side);
+                limits.map_err(|error| PlanFault::Limits { callout, error: Box::new(error) })
+            };
+            let limits = self.take(column, limits)?;
+            // Far below a millimetre a class can reach below 0, which no cycle accepts.
+            let range = in_range(Meaning::MinimumDiameter, &limits.minimum());
+            if !matches!(kind, Kind::Face(..)) {
+                self.take(column, range)?;
+            }
+            all.push(limits);
+        }
+        Some(all)
+    }
+
+    fn cycle(&mut self, kind: &Kind, feature: Feature) -> Option<&'static Cycle> {
+        let Some(text) = self.row.text(Column::Cycle) else { return kind.cycle(feature) };
+        let shape = kind.shape(feature);
+        let milling = || cycles_of(crate::probing::cycle::Control::Milling).filter(|cycle| cycle.shape() == shape);
+        let found = cycle_named(text).filter(|cycle| milling().any(|known| known.code == cycle.code));
+        let known = || milling().map(|cycle| cycle.code).collect::<Vec<_>>().join(", ");
+        let unknown = || PlanFault::Unknown { column: "cycle", given: beginning(text), known: known() };
+        self.take(Column::Cycle, found.ok_or_else(unknown))
+    }
+
+    /// Further parameters, separated by blanks; those that a column of the plan decides are refused.
+    fn parameters(&mut self, cycle: &'static Cycle) -> Option<Inputs> {
+        let free = |parameter: &Parameter| !is_decided(parameter.meaning);
+        let mut inputs = Inputs::new();
+        for word in self.row.text(Column::Parameters).unwrap_or_default().split_whitespace() {
+            let parameter = word.split_once('=').and_then(|(name, value)| {
+                Some((cycle.parameter_named(name).filter(|parameter| free(parameter))?, value))
+            });
+            let Some((parameter, value)) = parameter else {
+                let known =
+                    cycle.parameters.iter().filter(|parameter| free(parameter)).map(|known| known.key.to_string());
+                let known = known.collect::<Vec<_>>().join(", ");
+                let what = PlanFault::Parameter { given: beginning(word), cycle: cycle.code, known };
+                self.fault(Column::Parameters, what);
+                return None;
+            };
+            let accepted = parameter.accept(value).map_err(|error| PlanFault::Range(Box::new(error)));
+            inputs = inputs.with(parameter.key, self.take(Column::Parameters, accepted)?);
+        }
+        Some(inputs)
+    }
+
+    fn material(&mut self) -> Option<Material> {
+        match self.row.text(Column::Material) {
+            Some(text) => self.take(Column::Material, material(text)),
+            None => self.shared.material.clone(),
+        }
+    }
+
+    fn rule(&mut self) -> Option<Rule> {
+        let (own, own_u) = (self.row.text(Column::Rule), self.row.text(Column::Uncertainty));
+        let (name, uncertainty) = (own.or(self.shared.rule.as_deref()), own_u.or(self.shared.uncertainty.as_deref()));
+        match rule(name, uncertainty) {
+            Ok(rule) => rule,
+            Err((column, what)) => {
+                self.fault(column, what);
+                None
+            }
+        }
+    }
+
+    fn balloon(&mut self) -> Option<[f64; 2]> {
+        let [x, y] = [Column::BalloonX, Column::BalloonY].map(|column| {
+            let text = self.row.text(column)?;
+            let on = number(text).filter(|part| (0.0..=1.0).contains(part));
+            self.take(column, on.ok_or_else(|| PlanFault::Balloon { given: beginning(text) }))
+        });
+        match (x, y) {
+            (Some(x), Some(y)) => Some([x, y]),
+            (Some(_), None) if self.row.text(Column::BalloonY).is_none() => {
+                self.fault(Column::BalloonY, PlanFault::NoCell { column: "balloon_y" });
+                None
+            }
+            (None, Some(_)) if self.row.text(Column::BalloonX).is_none() => {
+                self.fault(Column::BalloonX, PlanFault::NoCell { column: "balloon_x" });
+                None
+            }
+            _ => None,
+        }
+    }
+}
+
+/// The coordinate of a face is the nominal size, and it is judged as an outside dimension: too large is rework.
+fn check_face(
+    callout: crate::tolerance::Callout,
+    towards: Towards,
+    [x, y, z]: [Option<Length>; 3],
+) -> Result<(), PlanFault> {
+    if callout.feature() == Some(Feature::Hole) {
+        return Err(PlanFault::FaceClass { callout });
+    }
+    let coordinate = match towards.axis {
+        Axis::First => x,
+        Axis::Second => y,
+        Axis::Third => z,
+    };
+    match coordinate {
+        Some(coordinate) if coordinate != callout.nominal() => Err(PlanFault::FacePlace { callout, coordinate }),
+        _ => Ok(()),
+    }
+}
+
+/// The word and the letters say the same.
+fn check_sides(
+    kind: &Kind,
+    sides: &[crate::tolerance::Callout; 2],
+    feature: Feature,
+    example: &'static str,
+) -> Result<(), PlanFault> {
+    let other = sides.iter().find(|callout| callout.feature().is_some_and(|side| side != feature));
+    match other {
+        Some(callout) => Err(PlanFault::SideClass { callout: *callout, kind: kind.word(), example }),
+        None => Ok(()),
+    }
+}

@@ -1,0 +1,143 @@
+//! A plan as it is written: texts in cells, right or wrong. Every file of a plan is read into one, the window edits one, and
+//! [`super::Plan`] is what a draft without a fault says.
+
+use std::sync::Arc;
+
+use super::column::{Column, HeadField};
+use crate::message::Place;
+
+/// A text and where it stands in its file.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Cell {
+    /// The text; empty where nothing is given.
+    pub text: String,
+    /// Line and column of its file, where it is from one.
+    pub place: Place,
+}
+
+impl Cell {
+    /// A text of a file.
+    pub const fn at(text: String, place: Place) -> Self {
+        Self { text, place }
+    }
+}
+
+/// A feature as it is written.
+///
+/// Its cells are shared until they are changed: every change that can be taken back keeps a whole draft.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Row {
+    cells: Arc<[Cell; Column::ALL.len()]>,
+    /// Where it begins in its file, where it is from one.
+    pub place: Place,
+}
+
+impl Default for Row {
+    fn default() -> Self {
+        Self { cells: Arc::new(std::array::from_fn(|_| Cell::default())), place: Place::default() }
+    }
+}
+
+impl Row {
+    /// An empty row that begins at a place of a file.
+    pub fn at(place: Place) -> Self {
+        Self { place, ..Self::default() }
+    }
+
+    /// A row of texts.
+    pub fn of(texts: impl IntoIterator<Item = (Column, String)>) -> Self {
+        let mut row = Self::default();
+        for (column, text) in texts {
+            row.set(column, text);
+        }
+        row
+    }
+
+    /// A cell.
+    pub fn cell(&self, column: Column) -> &Cell {
+        static EMPTY: Cell = Cell { text: String::new(), place: Place { file: None, line: None, column: None } };
+        self.cells.get(column.at()).unwrap_or(&EMPTY)
+    }
+
+    /// The text of a cell without blanks around it; `None` where it is empty.
+    pub fn text(&self, column: Column) -> Option<&str> {
+        Some(self.cell(column).text.trim()).filter(|text| !text.is_empty())
+    }
+
+    /// Writes a text that is from no file.
+    pub fn set(&mut self, column: Column, text: String) {
+        self.put(column, Cell { text, place: Place::default() });
+    }
+
+    /// Writes a cell.
+    pub fn put(&mut self, column: Column, cell: Cell) {
+        if let Some(old) = Arc::make_mut(&mut self.cells).get_mut(column.at()) {
+            *old = cell;
+        }
+    }
+
+    /// Whether nothing is written.
+    pub fn is_empty(&self) -> bool {
+        self.cells.iter().all(|cell| cell.text.trim().is_empty())
+    }
+}
+
+/// A plan as it is written.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Draft {
+    head: [Cell; HeadField::ALL.len()],
+    /// The features.
+    pub rows: Vec<Row>,
+}
+
+impl Draft {
+    /// A plan of features that says nothing of the part.
+    pub fn of(rows: Vec<Row>) -> Self {
+        Self { rows, ..Self::default() }
+    }
+
+    /// A field of the part.
+    pub fn cell(&self, field: HeadField) -> &Cell {
+        static EMPTY: Cell = Cell { text: String::new(), place: Place { file: None, line: None, column: None } };
+        self.head.get(field.at()).unwrap_or(&EMPTY)
+    }
+
+    /// The text of a field without blanks around it; `None` where it is empty.
+    pub fn text(&self, field: HeadField) -> Option<&str> {
+        Some(self.cell(field).text.trim()).filter(|text| !text.is_empty())
+    }
+
+    /// Writes a text that is from no file.
+    pub fn set(&mut self, field: HeadField, text: String) {
+        self.put(field, Cell { text, place: Place::default() });
+    }
+
+    /// Writes a field.
+    pub fn put(&mut self, field: HeadField, cell: Cell) {
+        if let Some(old) = self.head.get_mut(field.at()) {
+            *old = cell;
+        }
+    }
+
+    /// Whether another draft has the same texts, wherever they are from.
+    pub fn says_the_same(&self, other: &Self) -> bool {
+        let same = |one: &[Cell], other: &[Cell]| one.iter().zip(other).all(|(one, other)| one.text == other.text);
+        let rows = || self.rows.iter().zip(&other.rows);
+        same(&self.head, &other.head)
+            && self.rows.len() == other.rows.len()
+            && rows().all(|(one, other)| Arc::ptr_eq(&one.cells, &other.cells) || same(&*one.cells, &*other.cells))
+    }
+
+    /// Numbers the features from 1 in their order.
+    pub fn renumber(&mut self) {
+        for (number, row) in (1..).zip(&mut self.rows) {
+            let number: usize = number;
+            row.set(Column::Number, number.to_string());
+        }
+    }
+
+    /// The columns that any feature has something in, in their order.
+    pub fn used(&self) -> impl Iterator<Item = Column> {
+        Column::ALL.into_iter().filter(|column| self.rows.iter().any(|row| row.text(*column).is_some()))
+    }
+}

@@ -1,0 +1,329 @@
+//! What is wrong with a plan, and where.
+
+use super::column::{Column, HeadField};
+use super::draft::Draft;
+use crate::length::{Length, LengthError};
+use crate::message::{Located, Message, Place, Say};
+use crate::probing::cycle::CycleError;
+use crate::tolerance::fit::materials::MaterialsError;
+use crate::tolerance::fit::thermal::ThermalError;
+use crate::tolerance::{Callout, CalloutError, LimitsError};
+use crate::verdict::rules::{RuleError, UncertaintyError};
+
+/// What is wrong with a plan, with the place in its file.
+pub type PlanError = Located<PlanFault>;
+
+/// What a fault is about.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub enum Spot {
+    /// The plan as a whole.
+    Plan,
+    /// A field of the part.
+    Head(HeadField),
+    /// A feature, by its position in the plan from 0, and the cell where it is one.
+    Feature(usize, Option<Column>),
+}
+
+/// A fault of a draft.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Finding {
+    /// Where in the plan.
+    pub spot: Spot,
+    /// What is wrong.
+    pub what: PlanFault,
+}
+
+impl Finding {
+    /// The same with its place in the draft's file.
+    pub fn located(self, draft: &Draft) -> PlanError {
+        let place = match self.spot {
+            Spot::Plan => Place::default(),
+            Spot::Head(field) => draft.cell(field).place.clone(),
+            Spot::Feature(at, column) => draft.rows.get(at).map_or_else(Place::default, |row| {
+                let cell = column.map(|column| row.cell(column).place.clone());
+                cell.filter(|place| place.line.is_some()).unwrap_or_else(|| row.place.clone())
+            }),
+        };
+        Located { what: self.what, place }
+    }
+}
+
+/// What is wrong with a plan.
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "plan", error)]
+pub enum PlanFault {
+    /// There is nothing to measure.
+    NoFeatures,
+    /// More features than a plan can have.
+    TooMany {
+        /// What is allowed.
+        most: usize,
+    },
+    /// Larger than any plan.
+    TooLarge {
+        /// What is allowed, KiB.
+        most: usize,
+    },
+    /// A file that is not a plan.
+    NotAPlan,
+    /// A plan of a later version of Fitcheck.
+    OtherVersion {
+        /// What it says.
+        given: String,
+        /// The newest that is read.
+        newest: u32,
+    },
+    /// Something that TOML does not allow.
+    Toml {
+        /// The TOML reader's message, in English.
+        said: String,
+    },
+    /// A file of another format that cannot be read as a plan.
+    File {
+        /// Why.
+        reason: Message,
+    },
+    /// A key that a plan does not have.
+    UnknownKey {
+        /// The key.
+        key: String,
+        /// The keys that it could be.
+        known: String,
+    },
+    /// A value of another kind than the key has.
+    OtherValue {
+        /// The key.
+        key: &'static str,
+        /// What was found.
+        found: &'static str,
+        /// What is expected.
+        expected: &'static str,
+    },
+    /// A column is missing.
+    NoColumn {
+        /// The column.
+        column: &'static str,
+    },
+    /// An unknown column.
+    UnknownColumn {
+        /// The column.
+        column: String,
+        /// The known columns.
+        known: String,
+    },
+    /// A column occurs twice.
+    ColumnTwice {
+        /// The column.
+        column: &'static str,
+    },
+    /// A row has more cells than the header.
+    Cells {
+        /// How many it has.
+        found: usize,
+        /// How many columns there are.
+        expected: usize,
+    },
+    /// A cell that must be filled is empty.
+    NoCell {
+        /// Its column.
+        column: &'static str,
+    },
+    /// A cell does not hold a number.
+    #[say(id = "plan-value")]
+    Number {
+        /// Its column.
+        #[say(name = "what")]
+        column: &'static str,
+        /// What is wrong.
+        error: LengthError,
+    },
+    /// A text is not a callout.
+    #[say(id = "plan-value")]
+    Callout {
+        /// What was given.
+        #[say(name = "what")]
+        text: String,
+        /// What is wrong.
+        error: Box<CalloutError>,
+    },
+    /// Two features in one callout.
+    Fit {
+        /// What was given.
+        callout: Callout,
+    },
+    /// An unknown kind of feature, axis or cycle.
+    Unknown {
+        /// The column.
+        column: &'static str,
+        /// What was given.
+        given: String,
+        /// What is known.
+        known: String,
+    },
+    /// A column that a kind of feature does not have.
+    NotOf {
+        /// The column.
+        column: &'static str,
+        /// The kind.
+        kind: &'static str,
+    },
+    /// Not a direction in which a point can be probed.
+    Direction {
+        /// What was given.
+        given: String,
+        /// The directions along an axis.
+        known: String,
+    },
+    /// A text is not a band about the nominal place of a point.
+    NoBand {
+        /// What was given.
+        text: String,
+        /// What is wrong.
+        error: Box<CalloutError>,
+    },
+    /// A band that the cycle does not take.
+    BandSide {
+        /// The upper deviation.
+        upper: Length,
+        /// The lower deviation.
+        lower: Length,
+    },
+    /// A pocket with a shaft class, or a boss with a hole class.
+    SideClass {
+        /// What was given.
+        callout: Callout,
+        /// The kind.
+        kind: &'static str,
+        /// A class that it could have.
+        example: &'static str,
+    },
+    /// A face with a hole class: the cycle judges a coordinate as an outside dimension.
+    FaceClass {
+        /// What was given.
+        callout: Callout,
+    },
+    /// The coordinate of a face is not its nominal size.
+    FacePlace {
+        /// What was given.
+        callout: Callout,
+        /// The coordinate along the measured axis.
+        coordinate: Length,
+    },
+    /// No limits.
+    #[say(id = "plan-value")]
+    Limits {
+        /// What was given.
+        #[say(name = "what")]
+        callout: Callout,
+        /// Why.
+        error: Box<LimitsError>,
+    },
+    /// A value that is out of the cycle's range.
+    #[say(transparent)]
+    Range(Box<CycleError>),
+    /// A parameter that the cycle does not have, or that a column of the plan decides.
+    Parameter {
+        /// What was given.
+        given: String,
+        /// The cycle.
+        cycle: &'static str,
+        /// The parameters that may be given.
+        known: String,
+    },
+    /// The probe would move at or below the measuring height.
+    ClearanceHeight {
+        /// The clearance height.
+        height: Length,
+        /// The measuring height.
+        z: Length,
+    },
+    /// A position that the machine does not reach.
+    Travel {
+        /// The axis.
+        axis: &'static str,
+        /// The position.
+        given: Length,
+        /// Where its travel begins.
+        minimum: Length,
+        /// Where it ends.
+        maximum: Length,
+    },
+    /// A machine's travel that is not two numbers, the smaller one first.
+    NoTravel {
+        /// What was given.
+        given: String,
+    },
+    /// A text with line ends or other signs that are none, or one that is too long.
+    Text {
+        /// The column.
+        column: &'static str,
+        /// The most characters.
+        most: usize,
+    },
+    /// Two features with the same name.
+    SameName {
+        /// The name.
+        name: String,
+    },
+    /// Two features with the same number.
+    SameNumber {
+        /// The number.
+        number: String,
+    },
+    /// A material that is not known.
+    #[say(transparent)]
+    Material(MaterialsError),
+    /// An expansion that is none.
+    #[say(transparent)]
+    Thermal(ThermalError),
+    /// A rule that cannot judge.
+    #[say(id = "plan-value")]
+    Rule {
+        /// What was given.
+        #[say(name = "what")]
+        rule: String,
+        /// Why.
+        error: RuleError,
+    },
+    /// An uncertainty that is none.
+    #[say(id = "plan-value")]
+    Uncertainty {
+        /// The column.
+        #[say(name = "what")]
+        column: &'static str,
+        /// Why.
+        error: UncertaintyError,
+    },
+    /// A place on the picture that is not on it.
+    Balloon {
+        /// What was given.
+        given: String,
+    },
+}
+
+/// What a plan from another tool does not take over.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "plan-remark")]
+pub enum PlanRemark {
+    /// A characteristic that is no size of a hole or shaft.
+    Left {
+        /// Its name.
+        name: String,
+        /// What it is.
+        why: Message,
+    },
+    /// A tolerance class whose limits are not those of the file, which count.
+    ClassLeft {
+        /// The characteristic.
+        name: String,
+        /// The class with its nominal size.
+        class: String,
+    },
+    /// An expanded uncertainty with an odd number of nanometres: half of it is no whole number.
+    UncertaintyLeft {
+        /// The characteristic.
+        name: String,
+        /// The uncertainty.
+        expanded: Length,
+    },
+}

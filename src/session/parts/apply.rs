@@ -1,0 +1,121 @@
+//! Doing what can be done on the parts page.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use jiff::civil::DateTime;
+
+use super::document::PlanDocument;
+use super::picture::Shown;
+use super::sheet::Sheet;
+use super::{PartsCommand, PartsPage, PlanCommand};
+use crate::message::Message;
+use crate::part::{Document, Draft, Row};
+use crate::session::command::Effect;
+use crate::session::shared::{News, PageState, Shared};
+
+impl PageState for PartsPage {
+    type Command = PartsCommand;
+
+    fn apply(&mut self, command: PartsCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
+        let mut effects = Vec::new();
+        match command {
+            PartsCommand::Type(field, text) => {
+                self.texts.set(field, text);
+                self.errors.remove(&field);
+            }
+            PartsCommand::Show(view) => {
+                self.settle();
+                self.view = view;
+            }
+            PartsCommand::Plan(command) => effects.extend(self.apply_plan(command, shared)),
+            PartsCommand::Walk(command) => effects = self.apply_walk(command, shared, now),
+        }
+        // While a name is typed it is not yet that of a file.
+        let picture = if self.document.is_typing() { None } else { self.ask_for_picture() };
+        effects.extend(picture.map(Effect::ReadPicture));
+        effects
+    }
+
+    fn follow(&mut self, news: &News, shared: &mut Shared) {
+        if matches!(news, News::Opened(_)) {
+            self.settle();
+        }
+        if matches!(news, News::Sources | News::OwnTables) {
+            self.document.check(&shared.sources);
+        }
+        match news {
+            News::Kept(run, is_kept) => self.batch_kept(*run, *is_kept),
+            News::TakenBack(number) => self.taken_back(*number, shared),
+            News::Journal => {
+                self.begin_watch(shared);
+                self.try_resume(shared);
+            }
+            News::Sources | News::OwnTables => self.try_resume(shared),
+            _ => {}
+        }
+    }
+}
+
+impl PartsPage {
+    fn apply_plan(&mut self, command: PlanCommand, shared: &mut Shared) -> Option<Effect> {
+        let sources = Arc::clone(&shared.sources);
+        match command {
+            PlanCommand::New => {
+                let draft = Draft::of(vec![Row::default()]);
+                self.open_or_ask(PlanDocument::new(draft, &sources));
+            }
+            PlanCommand::Read { path, result } => self.plan_read(path, result, shared),
+            PlanCommand::Discard(true) => {
+                if let Some(document) = self.waiting.take() {
+                    self.open(document);
+                }
+            }
+            PlanCommand::Discard(false) => self.waiting = None,
+            PlanCommand::Undo => self.step_back(true, &sources),
+            PlanCommand::Redo => self.step_back(false, &sources),
+            command => return self.edit(command, shared),
+        }
+        None
+    }
+
+    fn plan_read(&mut self, path: PathBuf, result: Result<Box<Document>, Message>, shared: &mut Shared) {
+        if let Some(document) = shared.file_answered(result) {
+            self.open_or_ask(PlanDocument::read(path, *document, &shared.sources));
+            self.try_resume(shared);
+        }
+    }
+
+    /// Opens a plan; changes that no file holds are asked about first.
+    fn open_or_ask(&mut self, document: PlanDocument) {
+        if self.document.is_unsaved() {
+            self.waiting = Some(document);
+        } else {
+            self.open(document);
+        }
+    }
+
+    fn open(&mut self, document: PlanDocument) {
+        self.document = document;
+        self.sheet = Sheet::of(&self.document);
+        self.shown = Shown::default();
+    }
+
+    /// The bytes for a file.
+    pub(in crate::session) fn bytes(&mut self, path: &Path) -> Vec<u8> {
+        self.saving = Some((path.to_owned(), self.document.to_save()));
+        self.document.bytes(path)
+    }
+
+    /// A file was written. If it was the plan's, it holds the plan as it was then.
+    pub(in crate::session) fn saved(&mut self, path: &Path) {
+        if let Some((_, draft)) = self.saving.take_if(|(saving, _)| saving == path) {
+            self.document.saved(path, draft);
+        }
+    }
+
+    /// A file was not written: whatever is written under its name later is not this plan.
+    pub(in crate::session) fn not_saved(&mut self, path: &Path) {
+        self.saving.take_if(|(saving, _)| saving == path);
+    }
+}

@@ -1,0 +1,259 @@
+//! What is done on the walk: a part begins, a value is typed or simulated, a size is left out, the next part comes.
+
+use std::sync::Arc;
+
+use jiff::civil::DateTime;
+
+use super::judging::judged;
+use super::serials;
+use super::walking::Value;
+use super::{PartsField, PartsPage, WalkCommand};
+use crate::exchange::gauge;
+use crate::journal::Record;
+use crate::journal::entry::{FileRole, UsedFile};
+use crate::length::Length;
+use crate::message::{Message, Say as _};
+use crate::part::Step;
+use crate::probing::{Measurement, Origin};
+use crate::session::Question;
+use crate::session::command::Effect;
+use crate::session::field::Range;
+use crate::session::recording::{Named, Sent, ToKeep, used};
+use crate::session::shared::Shared;
+
+impl PartsPage {
+    pub(super) fn apply_walk(&mut self, command: WalkCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
+        match command {
+            WalkCommand::Begin => return self.begin(shared),
+            WalkCommand::CountUp => {
+                let next = serials::next(self.text(PartsField::Serial));
+                self.texts.set(PartsField::Serial, next);
+            }
+            WalkCommand::Go(at) => self.walking.go(at),
+            WalkCommand::Move(step) => {
+                if let Some(last) = self.walking.count().checked_sub(1) {
+                    self.walking.go(step.place(self.walking.at(), last));
+                }
+            }
+            WalkCommand::Take => self.take_typed(shared, now),
+            WalkCommand::TakeMeant => {
+                if let Some(meant) = self.walking.question.take().and_then(|question| question.doubt.meant()) {
+                    self.texts.set(PartsField::Value, meant.to_string());
+                    self.take_typed(shared, now);
+                }
+            }
+            WalkCommand::Simulate => self.simulate(shared, now),
+            WalkCommand::Again => {
+                if let Some((at, _)) = self.walking.shown() {
+                    self.walking.go(at);
+                    return vec![Effect::Focus(PartsField::Value.into())];
+                }
+            }
+            WalkCommand::AskSkip(is_open) => {
+                self.walking.quiet();
+                self.walking.is_skipping = is_open && self.walking.at().is_some();
+            }
+            WalkCommand::Skip(reason) => return self.skip(&reason),
+            WalkCommand::Next => return self.next_part(),
+            WalkCommand::Imported { name, result } => self.imported(&name, result, shared),
+            WalkCommand::Came { run, result } => self.came(run, result, shared),
+            WalkCommand::Watch { folder, is_folder } => self.watch(folder, is_folder, shared),
+            WalkCommand::StopWatch => return self.watched.stop().into_iter().collect(),
+            WalkCommand::Watched { run, news } => self.watch_news(run, *news, shared, now),
+        }
+        Vec::new()
+    }
+
+    fn begin(&mut self, shared: &mut Shared) -> Vec<Effect> {
+        let serial = self.text(PartsField::Serial).trim().to_owned();
+        let Some(plan) = self.document.plan().map(Arc::clone) else { return Vec::new() };
+        // A plan that was changed and not saved cannot be read again.
+        let path = self.document.path().filter(|_| !self.document.is_unsaved()).map(std::path::Path::to_owned);
+        self.give_up_resuming();
+        self.walking.begin(&plan, path, serial, shared.recording.newest());
+        self.texts.set(PartsField::Value, "");
+        self.errors.clear();
+        self.watch_plan(&plan, shared);
+        vec![Effect::Focus(PartsField::Value.into())]
+    }
+
+    /// Reads the field, asks about a doubtful value, and takes it.
+    fn take_typed(&mut self, shared: &mut Shared, now: DateTime) {
+        let asked_about = self.walking.question.take();
+        let Some(at) = self.walking.at() else { return };
+        let range = if self.walking.may_be_any() { Range::Any } else { Range::AboveZero };
+        let gauged = gauge::read(self.text(PartsField::Value)).map_err(|error| error.message());
+        let read = gauged.and_then(|gauged| {
+            // The range of the other fields.
+            let value = range.read(&gauged.value.to_string())?;
+            Ok((value, gauged.remarks.iter().map(crate::message::Say::message).collect::<Vec<_>>()))
+        });
+        let taken = read.and_then(|(value, mut remarks)| {
+            let (record, said) = self.judge(Measurement::of_diameter(value, Origin::Typed), shared, now)?;
+            remarks.extend(said);
+            Ok((record, remarks))
+        });
+        let (record, remarks) = match taken {
+            Ok(taken) => taken,
+            Err(problem) => {
+                self.errors.insert(PartsField::Value, problem);
+                return;
+            }
+        };
+        if let Some(question) = question(&record)
+            && asked_about != Some(question)
+        {
+            self.walking.question = Some(question);
+            return;
+        }
+        self.texts.set(PartsField::Value, "");
+        self.errors.remove(&PartsField::Value);
+        self.keep_own(vec![(at, record, remarks)], shared);
+        self.walking.go_on();
+    }
+
+    fn judge(
+        &self,
+        measurement: Measurement,
+        shared: &Shared,
+        now: DateTime,
+    ) -> Result<(Record, Vec<Message>), Message> {
+        let size = self.walking.asked().ok_or_else(|| Message::new("walk-page-nothing-asked"))?;
+        judged(&size, measurement, shared, now)
+    }
+
+    /// Measures the feature by its cycle. The cycle of a pocket or boss measures both sides: the other one is taken where it is open.
+    fn simulate(&mut self, shared: &mut Shared, now: DateTime) {
+        self.walking.quiet();
+        let Some(at) = self.walking.at() else { return };
+        match self.simulated(at, shared, now) {
+            Ok(taken) => {
+                self.walking.seed += 1;
+                self.keep_own(taken, shared);
+                self.walking.go(at);
+                self.walking.go_on();
+            }
+            Err(problem) => self.walking.refusal = Some(problem),
+        }
+    }
+
+    fn simulated(&self, at: usize, shared: &Shared, now: DateTime) -> Result<Vec<Judged>, Message> {
+        let size = self.walking.asked().ok_or_else(|| Message::new("walk-page-nothing-asked"))?;
+        let measured = size.feature.simulated(self.walking.seed + 1)?;
+        let first = at.saturating_sub(size.side);
+        let steps = self.walking.walk().steps();
+        let mut taken = Vec::new();
+        for ((place, size), measurement) in (first..).zip(size.feature.sizes()).zip(measured) {
+            if place == at || steps.get(place).is_some_and(Step::is_open) {
+                let (record, remarks) = judged(&size, measurement, shared, now)?;
+                taken.push((place, record, remarks));
+            }
+        }
+        // The one that was asked for is shown.
+        taken.sort_by_key(|(place, ..)| *place == at);
+        Ok(taken)
+    }
+
+    /// Values of this part that were measured here.
+    fn keep_own(&mut self, taken: Vec<Judged>, shared: &mut Shared) {
+        let mut values = Vec::new();
+        for (at, record, remarks) in taken {
+            values.push(Arriving { at: Some(at), record: Arc::new(record), remarks, labels: None, file: None });
+        }
+        self.keep(values, shared);
+    }
+
+    /// Puts checks into the history, sends them to the journal as one batch, and those of this part into the walk.
+    pub(super) fn keep(&mut self, values: Vec<Arriving>, shared: &mut Shared) -> Sent {
+        if values.is_empty() {
+            return Sent::default();
+        }
+        let first = shared.history.next();
+        shared.history.add(values.iter().map(|value| Arc::clone(&value.record)).collect());
+        let budget = shared.budget.as_deref().and_then(|open| used(FileRole::Budget, &open.file, open.sha256));
+        let checks = values.iter().map(|value| {
+            let budget = budget.clone().filter(|_| value.record.budget.is_some());
+            let files = value.file.iter().cloned().chain(budget).collect();
+            ToKeep { record: Arc::clone(&value.record), named: self.named(value), files }
+        });
+        let checks = checks.collect();
+        let sent = shared.recording.keep_named(first, checks);
+        if let Some((count, why)) = &sent.refused {
+            shared.tell(Message::new("walk-page-refused").count("count", *count).message("why", why.clone()));
+        }
+        for (id, value) in (first.0..).map(crate::journal::query::RecordId).zip(values) {
+            let Arriving { at, record, remarks, .. } = value;
+            if let Some(at) = at {
+                self.walking.take(at, Value { record, id: Some(id), number: None, remarks });
+            }
+        }
+        sent
+    }
+
+    /// What a value is named in the journal: by its file, and what that does not say by this part.
+    fn named(&self, value: &Arriving) -> Named {
+        let (is_own, of_file) = (value.at.is_some(), value.labels.as_deref());
+        let part = self.walking.plan().or(self.document.plan()).map(|plan| plan.head.part.clone()).unwrap_or_default();
+        let given = |text: Option<&String>| text.filter(|text| !text.is_empty()).cloned();
+        Named {
+            part: if part.is_empty() { given(of_file.map(|labels| &labels.part)).unwrap_or_default() } else { part },
+            serial: given(of_file.map(|labels| &labels.serial))
+                .unwrap_or_else(|| if is_own { self.walking.serial().to_owned() } else { String::new() }),
+            feature: value.record.id.clone(),
+            who: given(of_file.map(|labels| &labels.who)).unwrap_or_default(),
+            remark: String::new(),
+        }
+    }
+
+    fn skip(&mut self, reason: &str) -> Vec<Effect> {
+        let Some(at) = self.walking.at() else { return Vec::new() };
+        if !self.walking.skip(at, reason) {
+            self.walking.is_skipping = true;
+            self.errors.insert(PartsField::Reason, Message::new("walk-page-no-reason"));
+            return Vec::new();
+        }
+        self.errors.remove(&PartsField::Reason);
+        self.texts.set(PartsField::Reason, "");
+        self.walking.go_on();
+        vec![Effect::Focus(PartsField::Value.into())]
+    }
+
+    /// The next part: what is missing of this one is said first.
+    fn next_part(&mut self) -> Vec<Effect> {
+        if 0 < self.walking.standing().missing && !self.walking.is_warned {
+            self.walking.quiet();
+            self.walking.is_warned = true;
+            return Vec::new();
+        }
+        let next = serials::next(self.walking.serial());
+        self.walking.end();
+        self.errors.clear();
+        self.texts.set(PartsField::Serial, next);
+        self.texts.set(PartsField::Value, "");
+        vec![Effect::Focus(PartsField::Serial.into())]
+    }
+}
+
+/// A judged value of a size, and what is to be said of it.
+type Judged = (usize, Record, Vec<Message>);
+
+/// A check on its way into history, journal and walk.
+#[derive(Debug)]
+pub(super) struct Arriving {
+    /// The size of this part; `None` where it is of another part.
+    pub at: Option<usize>,
+    /// The check.
+    pub record: Arc<Record>,
+    /// What is to be said of it.
+    pub remarks: Vec<Message>,
+    /// What its file says of it.
+    pub labels: Option<Box<crate::exchange::Labels>>,
+    /// Its file.
+    pub file: Option<UsedFile>,
+}
+
+/// What is asked about a typed value before it is taken, as it was typed.
+fn question(record: &Record) -> Option<Question> {
+    let measured: Length = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
+    record.doubt.map(|doubt| Question { measured, doubt })
+}

@@ -1,0 +1,150 @@
+//! The parts page: a plan of the features of a part, and the walk through them.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the page: which of its two views is open |
+//! | `document` | the plan: a draft that is edited, the file that holds it, undo and redo, and what is wrong with it |
+//! | `sheet`, `editing`, `paste`, `sorting` | its table: where the keys are, and what can be done there |
+//! | `picture` | the part's picture and the balloons on it |
+//! | `walking` | the part that is being measured: which size is asked for, what was measured |
+//! | `measuring`, `judging`, `serials` | what is done on the walk; a value becomes a check; serial numbers are counted up |
+//! | `arriving`, `watched` | values from files; a folder that is watched |
+//! | `resume` | an interrupted part comes back |
+//! | `field`, `command`, `apply` | its text fields, what can be done, and how |
+
+mod apply;
+mod arriving;
+mod command;
+mod document;
+mod editing;
+mod field;
+mod judging;
+mod measuring;
+mod paste;
+mod picture;
+mod resume;
+mod serials;
+mod sheet;
+mod sorting;
+mod walking;
+mod watched;
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+pub use command::{PartsCommand, PlanCommand, WalkCommand};
+pub use document::PlanDocument;
+pub use field::{PartsField, PlanField};
+pub use picture::{Balloon, PartPicture, Sight};
+pub use sheet::Sheet;
+pub use walking::{Value, WalkRow, Walking};
+pub use watched::{TakenFile, WatchNews, Watched, WatchedFile};
+
+use self::resume::Resume;
+use super::command::Effect;
+use crate::message::Message;
+use crate::part::Draft;
+use crate::session::field::{KeptField as _, Texts};
+use crate::session::saved::{SavedInputs, SavedWalk};
+
+/// The views of the page.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum PartsView {
+    /// The part is measured, feature by feature.
+    #[default]
+    Walk,
+    /// The plan is edited.
+    Plan,
+}
+
+impl PartsView {
+    /// Both, in the order of the switch.
+    pub const ALL: [Self; 2] = [Self::Walk, Self::Plan];
+}
+
+/// The parts page.
+#[derive(Debug, Default)]
+pub struct PartsPage {
+    view: PartsView,
+    texts: Texts<PartsField>,
+    errors: BTreeMap<PartsField, Message>,
+    document: PlanDocument,
+    sheet: Sheet,
+    shown: picture::Shown,
+    walking: Walking,
+    resume: Resume,
+    watched: Watched,
+    /// What has to be done outside because of what happened elsewhere.
+    errands: Vec<Effect>,
+    /// A plan that is to be opened, once it is said what becomes of the changes.
+    waiting: Option<PlanDocument>,
+    /// What is being written, and where.
+    saving: Option<(PathBuf, Arc<Draft>)>,
+}
+
+impl PartsPage {
+    pub(super) fn new(saved: &SavedInputs, walk: SavedWalk) -> Self {
+        Self { texts: Texts::restored(&saved.texts), resume: Resume::new(walk), ..Self::default() }
+    }
+
+    /// What its fields have, by their keys in the state file.
+    pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
+        // A value that was not taken is typed again.
+        let passing = [PartsField::Value, PartsField::Reason].map(|field| field.declared().0);
+        self.texts.saved().filter(move |(key, _)| !passing.contains(&key.as_str()))
+    }
+
+    /// What has to be done outside because of what happened elsewhere.
+    pub(super) fn take_errands(&mut self) -> Vec<Effect> {
+        std::mem::take(&mut self.errands)
+    }
+
+    /// Whether the plan was changed since the part was begun.
+    pub fn has_other_plan(&self) -> bool {
+        match (self.walking.plan(), self.document.plan()) {
+            (Some(own), Some(now)) => !Arc::ptr_eq(own, now) && own != now,
+            (own, _) => own.is_some(),
+        }
+    }
+
+    /// The folder that is watched, and what came from it.
+    pub const fn watched(&self) -> &Watched {
+        &self.watched
+    }
+
+    /// The text of a field.
+    pub fn text(&self, field: PartsField) -> &str {
+        self.texts.text(field)
+    }
+
+    /// What is wrong with a field.
+    pub fn error(&self, field: PartsField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    /// The open view.
+    pub const fn view(&self) -> PartsView {
+        self.view
+    }
+
+    /// The plan.
+    pub const fn document(&self) -> &PlanDocument {
+        &self.document
+    }
+
+    /// The part that is being measured.
+    pub const fn walking(&self) -> &Walking {
+        &self.walking
+    }
+
+    /// Whether it is asked what becomes of changes.
+    pub const fn is_asking(&self) -> bool {
+        self.waiting.is_some()
+    }
+
+    /// Whether the plan has changes that no file holds.
+    pub fn is_unsaved(&self) -> bool {
+        self.document.is_unsaved()
+    }
+}

@@ -1,0 +1,60 @@
+//! Cells as spreadsheets copy and paste them: tabs between cells, a line a row.
+
+use crate::part::Column;
+use crate::report::csv::harmless;
+
+/// The cells of a text. A cell in quotation marks may hold tabs, line ends and doubled quotation marks; marks that do not
+/// end are signs like any other.
+pub(super) fn cells(text: &str) -> Vec<Vec<String>> {
+    read(text, true).or_else(|| read(text, false)).unwrap_or_default()
+}
+
+fn read(text: &str, with_marks: bool) -> Option<Vec<Vec<String>>> {
+    let mut rows = vec![vec![String::new()]];
+    let mut signs = text.chars().peekable();
+    let mut is_quoted = false;
+    while let Some(sign) = signs.next() {
+        let Some(cell) = rows.last_mut().and_then(|row| row.last_mut()) else { break };
+        match sign {
+            '"' if is_quoted && signs.peek() == Some(&'"') => {
+                signs.next();
+                cell.push('"');
+            }
+            '"' if is_quoted => is_quoted = false,
+            sign if is_quoted => cell.push(sign),
+            '"' if with_marks && cell.is_empty() => is_quoted = true,
+            '\t' => {
+                if let Some(row) = rows.last_mut() {
+                    row.push(String::new());
+                }
+            }
+            '\r' if signs.peek() == Some(&'\n') => {}
+            '\n' | '\r' => rows.push(vec![String::new()]),
+            sign => cell.push(sign),
+        }
+    }
+    // Spreadsheets end the last row, too.
+    if 1 < rows.len() && rows.last().is_some_and(|row| row.iter().all(String::is_empty)) {
+        rows.pop();
+    }
+    (!is_quoted).then_some(rows)
+}
+
+/// The columns of a block whose first row names them; `None` where it does not.
+pub(super) fn header(rows: &[Vec<String>]) -> Option<Vec<Column>> {
+    let first = rows.first().filter(|row| 1 < row.len() && 1 < rows.len())?;
+    first.iter().map(|name| Column::of_key(name)).collect()
+}
+
+/// A row of cells as a line.
+pub(super) fn line(row: impl Iterator<Item = (Column, String)>) -> String {
+    let cells: Vec<String> = row
+        .map(|(column, text)| {
+            // A direction such as -Z is no formula, and comes back as it was.
+            let is_free = matches!(column, Column::Number | Column::Name | Column::Remark);
+            let text = if is_free { harmless(&text) } else { text };
+            if text.contains(['\t', '\n', '\r', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
+        })
+        .collect();
+    cells.join("\t")
+}

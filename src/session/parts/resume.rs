@@ -1,0 +1,151 @@
+//! A part that was interrupted comes back: its plan and its serial number from the state file, its values from the journal.
+
+use std::collections::BTreeSet;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use super::PartsPage;
+use super::walking::Value;
+use crate::journal::ask::Question;
+use crate::journal::entry::Checked;
+use crate::message::Message;
+use crate::session::command::Effect;
+use crate::session::recording::{Keeping, Recorded};
+use crate::session::records::RecordRow;
+use crate::session::saved::SavedWalk;
+use crate::session::shared::Shared;
+
+/// The most values of a part that come back: every size of the largest plan, some of them several times.
+const MOST: usize = 10_000;
+
+/// A part that waits for its plan and the journal.
+#[derive(Debug, Default)]
+pub(super) struct Resume {
+    /// What the state file says.
+    saved: Option<SavedWalk>,
+    /// The number of the question to the journal.
+    run: u64,
+    /// The newest record when it was asked: what comes later was measured here.
+    until: u64,
+    /// Whether it is being answered.
+    is_asked: bool,
+}
+
+impl Resume {
+    pub(super) fn new(saved: SavedWalk) -> Self {
+        Self { saved: saved.plan.is_some().then_some(saved), ..Self::default() }
+    }
+}
+
+impl PartsPage {
+    /// What is kept of the part that is being measured, or that waits to come back.
+    pub(in crate::session) fn saved_walk(&self) -> SavedWalk {
+        if let Some(saved) = &self.resume.saved {
+            return saved.clone();
+        }
+        let plan: Option<PathBuf> = self.walking.path.clone().filter(|path| path.to_str().is_some());
+        if !self.walking.is_begun() || plan.is_none() {
+            return SavedWalk::default();
+        }
+        let (serial, skipped) = (self.walking.serial().to_owned(), self.walking.skipped());
+        SavedWalk { plan, serial, since: self.walking.since, skipped }
+    }
+
+    /// Begins the interrupted part once its plan is there, and asks the journal for its values once that is open.
+    pub(super) fn try_resume(&mut self, shared: &mut Shared) {
+        let Some(saved) = &self.resume.saved else { return };
+        let is_its = self.document.path() == saved.plan.as_deref();
+        let Some(plan) = self.document.plan().filter(|_| is_its).map(Arc::clone) else { return };
+        match shared.recording.keeping() {
+            // Nobody has said yet where records are kept.
+            Keeping::Nowhere if !shared.recording.has_begun() => return,
+            Keeping::Opening => return,
+            Keeping::Open | Keeping::Nowhere | Keeping::Off | Keeping::Failed(_) => {}
+        }
+        let Some(saved) = self.resume.saved.take() else { return };
+        self.walking.begin(&plan, saved.plan.clone(), saved.serial.clone(), saved.since);
+        let mut gone = BTreeSet::new();
+        for (name, reason) in &saved.skipped {
+            match self.walking.place_of(name) {
+                Some(at) => _ = self.walking.skip(at, reason),
+                None => _ = gone.insert(name.clone()),
+            }
+        }
+        tell_gone(gone, shared);
+        self.walking.stay_open();
+        if *shared.recording.keeping() != Keeping::Open {
+            return shared.tell(Message::new("walk-page-no-journal").text("serial", &saved.serial));
+        }
+        self.resume.run += 1;
+        self.resume.until = shared.recording.newest();
+        self.resume.is_asked = true;
+        let part = Some(plan.head.part.clone()).filter(|part| !part.is_empty());
+        let serial = Some(saved.serial).filter(|serial| !serial.is_empty());
+        let question = Box::new(Question { part, serial, standing: true, ..Question::default() });
+        self.errands.push(Effect::ReadPart { run: self.resume.run, question, most: MOST });
+    }
+
+    /// It does not come back: its plan cannot be read, or another part was begun.
+    pub(super) fn give_up_resuming(&mut self) {
+        (self.resume.saved, self.resume.is_asked) = (None, false);
+    }
+
+    /// The journal has answered. Values that were measured meanwhile stay the last ones.
+    pub(super) fn came(&mut self, run: u64, result: Result<Vec<RecordRow>, Message>, shared: &mut Shared) {
+        if run != self.resume.run || !std::mem::take(&mut self.resume.is_asked) {
+            return;
+        }
+        let rows = match result {
+            Ok(rows) => rows,
+            Err(why) => return shared.tell(Message::new("walk-page-not-read").message("why", why)),
+        };
+        let (mut count, mut gone) = (0, BTreeSet::new());
+        let part = self.walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
+        let mut came: Vec<(usize, Value)> = Vec::new();
+        for row in rows {
+            let number = row.head.number;
+            let Ok(entry) = row.entry else { continue };
+            let is_its = entry.about.serial == self.walking.serial() && (part.is_empty() || entry.about.part == part);
+            let is_known = self.resume.until < number;
+            if !is_its || number <= self.walking.since || row.corrected_by.is_some() || is_known {
+                continue;
+            }
+            let Some(Checked::Size(record)) = entry.check().map(|check| &check.what) else { continue };
+            match self.walking.place_of(&entry.about.feature) {
+                Some(at) => {
+                    count += 1;
+                    let record =
+                        if record.id.is_empty() { record.called(&entry.about.feature) } else { Arc::clone(record) };
+                    came.push((at, Value { record, id: None, number: Some(number), remarks: Vec::new() }));
+                }
+                None => _ = gone.insert(entry.about.feature.clone()),
+            }
+        }
+        tell_gone(gone, shared);
+        self.walking.put_before(came);
+        self.walking.stay_open();
+        let said = Message::new("walk-page-came-back").text("serial", self.walking.serial()).count("count", count);
+        shared.note(said, Vec::new());
+    }
+}
+
+/// Sizes that the plan has no more are named once, all together.
+fn tell_gone(gone: BTreeSet<String>, shared: &mut Shared) {
+    if !gone.is_empty() {
+        let details = gone.into_iter().map(|name| Message::new("walk-page-gone-name").text("name", name));
+        shared.note(Message::new("walk-page-gone"), details.collect());
+    }
+}
+
+impl PartsPage {
+    /// A value of this part was corrected or withdrawn in the journal: it counts no more.
+    pub(super) fn taken_back(&mut self, number: u64, shared: &mut Shared) {
+        let is_it = |value: &Value| {
+            let of_check = value.id.and_then(|id| shared.recording.of_check(id));
+            value.number == Some(number) || of_check == Some(Recorded::Kept(number))
+        };
+        if let Some(name) = self.walking.remove(is_it) {
+            shared.note(Message::new("walk-page-taken-back").text("name", name), Vec::new());
+        }
+    }
+}

@@ -1,0 +1,318 @@
+//! The part that is being measured: which size is asked for, what was measured of each, and what that makes of the part.
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use crate::journal::Record;
+use crate::journal::query::RecordId;
+use crate::length::Length;
+use crate::message::Message;
+use crate::part::{Plan, Size, Standing, Step, Taken, Walk};
+use crate::session::Question;
+use crate::verdict::Status;
+
+/// A value of a size.
+#[derive(Debug, Clone)]
+pub struct Value {
+    /// What was decided.
+    pub record: Arc<Record>,
+    /// Its number in the history; `None` where it came back from the journal.
+    pub id: Option<RecordId>,
+    /// Its number in the journal, where it came back from there.
+    pub number: Option<u64>,
+    /// What was taken from a gauge besides the number, and what is to be said of the value.
+    pub remarks: Vec<Message>,
+}
+
+/// A size as the list shows it.
+#[derive(Debug, Clone, Copy)]
+pub struct WalkRow<'a> {
+    /// The size of the plan.
+    pub size: &'a Size<'a>,
+    /// What was measured of it, or why it was left out.
+    pub step: &'a Step,
+    /// The value that counts.
+    pub value: Option<&'a Value>,
+}
+
+/// A part on its way through the plan.
+#[derive(Debug, Clone, Default)]
+pub struct Walking {
+    /// The plan as it was when the part was begun: changes of it count from the next part on.
+    plan: Option<Arc<Plan>>,
+    /// Its file, where it has one.
+    pub(super) path: Option<PathBuf>,
+    walk: Walk,
+    values: Vec<Vec<Value>>,
+    names: Vec<String>,
+    /// The size that is asked for.
+    at: Option<usize>,
+    /// The size whose last value is shown.
+    shown: Option<usize>,
+    /// A number that goes up whenever the size that is asked for has to come into sight.
+    look: u64,
+    /// What is asked about a typed value before it is taken.
+    pub(super) question: Option<Question>,
+    /// Why the last simulation was refused.
+    pub(super) refusal: Option<Message>,
+    /// Whether it is asked why the size is left out.
+    pub(super) is_skipping: bool,
+    /// Whether it was said that something is missing, so that the next part may come.
+    pub(super) is_warned: bool,
+    /// The newest record of the journal when the part was begun.
+    pub(super) since: u64,
+    /// How many features were simulated.
+    pub(super) seed: u64,
+}
+
+impl Walking {
+    /// Begins a part.
+    pub(super) fn begin(&mut self, plan: &Arc<Plan>, path: Option<PathBuf>, serial: String, since: u64) {
+        let walk = Walk::new(plan, serial);
+        *self = Self {
+            values: vec![Vec::new(); walk.steps().len()],
+            names: plan.sizes().map(|size| size.name()).collect(),
+            plan: Some(Arc::clone(plan)),
+            path,
+            at: walk.next(0),
+            walk,
+            look: self.look + 1,
+            since,
+            ..Self::default()
+        };
+    }
+
+    /// The part is done, or given up.
+    pub(super) fn end(&mut self) {
+        *self = Self { look: self.look + 1, ..Self::default() };
+    }
+
+    /// Whether a part was begun.
+    pub const fn is_begun(&self) -> bool {
+        self.plan.is_some()
+    }
+
+    /// The plan that it is measured by; `None` before a part is begun.
+    pub const fn plan(&self) -> Option<&Arc<Plan>> {
+        self.plan.as_ref()
+    }
+
+    /// What was measured so far.
+    pub const fn walk(&self) -> &Walk {
+        &self.walk
+    }
+
+    /// Its serial number; empty where it has none.
+    pub fn serial(&self) -> &str {
+        &self.walk.serial
+    }
+
+    /// What its values make of the part.
+    pub fn standing(&self) -> Standing {
+        self.walk.standing()
+    }
+
+    /// The names of the sizes without a value.
+    pub fn missing(&self) -> impl Iterator<Item = &str> {
+        self.walk.missing().filter_map(|at| self.names.get(at).map(String::as_str))
+    }
+
+    /// The names of the sizes with neither a value nor a reason.
+    pub fn open(&self) -> impl Iterator<Item = &str> {
+        let steps = self.names.iter().zip(self.walk.steps());
+        steps.filter(|(_, step)| step.is_open()).map(|(name, _)| name.as_str())
+    }
+
+    /// Whether any row of the list has a remark: that it was simulated, measured several times, or left out.
+    pub fn has_remarks(&self) -> bool {
+        let is_simulated = |step: &Step| step.counts().is_some_and(|taken| taken.is_simulated);
+        self.walk.steps().iter().any(|step| 1 < step.taken.len() || step.skipped.is_some() || is_simulated(step))
+    }
+
+    /// How many sizes there are.
+    pub fn count(&self) -> usize {
+        self.names.len()
+    }
+
+    /// The name of a size.
+    pub fn name(&self, at: usize) -> &str {
+        self.names.get(at).map_or("", String::as_str)
+    }
+
+    /// The position of the size that is asked for.
+    pub const fn at(&self) -> Option<usize> {
+        self.at
+    }
+
+    /// Where to look: a number that goes up whenever the size that is asked for has to come into sight, and its place.
+    pub const fn look(&self) -> (u64, Option<usize>) {
+        (self.look, self.at)
+    }
+
+    /// The size that is asked for.
+    pub fn asked(&self) -> Option<Size<'_>> {
+        self.plan.as_deref()?.sizes().nth(self.at?)
+    }
+
+    /// Does something with a size of the list.
+    pub fn with_row<T>(&self, at: usize, see: impl FnOnce(WalkRow<'_>) -> T) -> Option<T> {
+        let size = self.plan.as_deref()?.sizes().nth(at)?;
+        let step = self.walk.steps().get(at)?;
+        let value = self.values.get(at).and_then(|values| values.last());
+        Some(see(WalkRow { size: &size, step, value }))
+    }
+
+    /// The values of a size, in the order in which they came; the last one counts.
+    pub fn values(&self, at: usize) -> &[Value] {
+        self.values.get(at).map_or(&[], Vec::as_slice)
+    }
+
+    /// The size whose last value is shown, and that value.
+    pub fn shown(&self) -> Option<(usize, &Value)> {
+        let at = self.shown?;
+        Some((at, self.values(at).last()?))
+    }
+
+    /// What is asked about a typed value before it is taken.
+    pub const fn question(&self) -> Option<&Question> {
+        self.question.as_ref()
+    }
+
+    /// Why the last simulation was refused.
+    pub const fn refusal(&self) -> Option<&Message> {
+        self.refusal.as_ref()
+    }
+
+    /// Whether it is asked why the size is left out.
+    pub const fn is_skipping(&self) -> bool {
+        self.is_skipping
+    }
+
+    /// Whether it was said that something is missing.
+    pub const fn is_warned(&self) -> bool {
+        self.is_warned
+    }
+
+    /// The verdict of the part as a card may say it: nothing is good while something is missing, left out or simulated.
+    pub fn status(&self) -> Option<Status> {
+        let standing = self.standing();
+        standing.status().filter(|status| *status != Status::Good || standing.is_complete())
+    }
+
+    /// The position of a size by its name.
+    pub(super) fn place_of(&self, name: &str) -> Option<usize> {
+        self.names.iter().position(|known| known == name)
+    }
+
+    /// Takes a value; it counts from now on. It is shown.
+    pub(super) fn take(&mut self, at: usize, value: Value) {
+        let status = value.record.verdict.status();
+        let is_simulated = value.record.measurement.origin.is_simulated();
+        self.walk.take(at, Taken { status, is_simulated });
+        if let Some(values) = self.values.get_mut(at) {
+            values.push(value);
+            self.shown = Some(at);
+        }
+        self.quiet();
+    }
+
+    /// Values that were measured before those that are there, in the order in which they came.
+    pub(super) fn put_before(&mut self, values: Vec<(usize, Value)>) {
+        let since = self.all();
+        self.take_anew(values.into_iter().chain(since).collect());
+    }
+
+    /// Takes a value out; returns the name of its size.
+    pub(super) fn remove(&mut self, is_it: impl Fn(&Value) -> bool) -> Option<String> {
+        let (gone, stay): (Vec<_>, Vec<_>) = self.all().into_iter().partition(|(_, value)| is_it(value));
+        let name = gone.first().map(|(at, _)| self.name(*at).to_owned());
+        self.take_anew(stay);
+        self.shown = self.shown.filter(|at| !self.values(*at).is_empty());
+        name
+    }
+
+    /// All values, size by size, in the order in which those of a size came.
+    fn all(&mut self) -> Vec<(usize, Value)> {
+        let empty = vec![Vec::new(); self.count()];
+        let values = std::mem::replace(&mut self.values, empty);
+        let of_sizes = (0..).zip(values);
+        of_sizes.flat_map(|(at, values)| values.into_iter().map(move |value| (at, value))).collect()
+    }
+
+    /// Takes these values and no others; what is asked for and what is shown stays.
+    fn take_anew(&mut self, values: Vec<(usize, Value)>) {
+        let (at, shown) = (self.at, self.shown);
+        let reasons: Vec<_> = self.walk.steps().iter().map(|step| step.skipped.clone()).collect();
+        if let Some(plan) = &self.plan {
+            self.walk = Walk::new(plan, std::mem::take(&mut self.walk.serial));
+        }
+        for (at, reason) in (0..).zip(reasons) {
+            reason.map(|reason| self.walk.skip(at, &reason));
+        }
+        for (at, value) in values {
+            self.take(at, value);
+        }
+        (self.at, self.shown) = (at, shown.or(self.shown));
+    }
+
+    /// Asks for the next size that is open; where none is, for none.
+    pub(super) fn go_on(&mut self) {
+        let from = self.at.map_or(0, |at| at + 1);
+        self.at = self.walk.next(from);
+        self.look += 1;
+    }
+
+    /// The size that is asked for is one that is open, if any is.
+    pub(super) fn stay_open(&mut self) {
+        let is_open = |at: usize| self.walk.steps().get(at).is_some_and(Step::is_open);
+        if !self.at.is_some_and(is_open) {
+            self.go_on();
+        }
+    }
+
+    /// Asks for another size.
+    pub(super) fn go(&mut self, at: usize) {
+        if at < self.count() {
+            self.at = Some(at);
+            self.look += 1;
+            self.quiet();
+        }
+    }
+
+    /// Leaves out the size that is asked for.
+    pub(super) fn skip(&mut self, at: usize, reason: &str) -> bool {
+        let is_skipped = self.walk.skip(at, reason);
+        self.quiet();
+        is_skipped
+    }
+
+    /// The reasons of the sizes that were left out, by their names.
+    pub(super) fn skipped(&self) -> BTreeMap<String, String> {
+        let steps = self.names.iter().zip(self.walk.steps());
+        steps.filter_map(|(name, step)| Some((name.clone(), step.skipped.clone()?))).collect()
+    }
+
+    /// Whatever was asked or refused is over.
+    pub(super) fn quiet(&mut self) {
+        (self.question, self.refusal) = (None, None);
+        (self.is_skipping, self.is_warned) = (false, false);
+    }
+
+    /// Whether a size is a diameter: half of what is removed is on each side.
+    pub fn is_round(&self, at: usize) -> bool {
+        let is_round = |row: WalkRow<'_>| matches!(row.size.feature.kind, crate::part::Kind::Diameter(_));
+        self.with_row(at, is_round).unwrap_or(false)
+    }
+
+    /// What a value may be besides its verdict: below zero only where it is no size.
+    pub(super) fn may_be_any(&self) -> bool {
+        use crate::part::Kind::{Face, Point};
+        self.asked().is_some_and(|size| matches!(size.feature.kind, Face(..) | Point(..)))
+    }
+
+    /// The deviation of a value from the nominal size.
+    pub fn deviation(value: &Value) -> Length {
+        value.record.verdict.size.deviation
+    }
+}

@@ -1,0 +1,210 @@
+//! Part plans as files: TOML and CSV, every fault at once with its place, and what is written reads back.
+
+use fitcheck::length::Length;
+use fitcheck::part::{Column, Document, Draft, HeadField, Plan, Row};
+use fitcheck::tolerance::{Feature, Sources};
+use proptest::prelude::*;
+
+use crate::plans::{plan, read};
+
+const FLANGE: &str = r#"
+fitcheck_plan = 1
+part = "Flange 4711"
+drawing = "4711-B"
+picture = "flange.png"
+material = "Steel"
+rule = "iso14253-2017"
+u_um = 1.2
+travel_x = [-250, 250]
+
+[[feature]]
+number = 1
+name = "BORE_A"
+callout = "25 H7"
+x = 40
+y = 30.5
+z = -8
+balloon_x = 0.25
+balloon_y = 0.5
+
+[[feature]]
+number = 2
+name = "PIN"
+callout = "20 ±0.01"
+feature = "shaft"
+rule = "fixed=2"
+remark = "after grinding"
+
+[[feature]]
+number = "3a"
+name = "K1"
+kind = "pocket"
+callout = "40 H7"
+callout2 = "25 H8"
+x = 0
+y = 0
+z = -8
+cycle = 423
+parameters = "Q301=1 Q281=0"
+"#;
+
+fn mm(text: &str) -> Length {
+    text.parse().unwrap()
+}
+
+#[test]
+fn a_plan_has_what_its_file_says() {
+    let plan = plan(FLANGE);
+    assert_eq!((plan.head.part.as_str(), plan.head.picture.as_str()), ("Flange 4711", "flange.png"));
+    let [bore, pin, pocket] = plan.features() else { panic!("{plan:?}") };
+    assert_eq!(
+        (bore.number.as_str(), bore.name.as_str(), bore.place),
+        ("1", "BORE_A", Some(["40", "30.5", "-8"].map(mm)))
+    );
+    assert_eq!((bore.limits[0].minimum(), bore.limits[0].maximum()), (mm("25"), mm("25.021")));
+    assert_eq!(bore.balloon, Some([0.25, 0.5]));
+    assert_eq!(bore.rule.unwrap().name().word(), "iso14253-2017");
+    assert_eq!(bore.material.as_ref().unwrap().name, "Steel");
+    assert_eq!((pin.feature(), pin.place, pin.rule.unwrap().name().word()), (Feature::Shaft, None, "fixed"));
+    assert_eq!((pin.limits[0].minimum(), pin.limits[0].maximum()), (mm("19.99"), mm("20.01")));
+    assert_eq!((pocket.number.as_str(), pocket.cycle.unwrap().code), ("3a", "423"));
+    let sizes: Vec<String> = plan.sizes().map(|size| format!("{} {}", size.name(), size.callout.unwrap())).collect();
+    assert_eq!(sizes, ["BORE_A 25 H7", "PIN 20 ±0.01", "K1 X 40 H7", "K1 Y 25 H8"]);
+}
+
+#[test]
+fn every_mistake_is_told_at_once_with_line_and_character() {
+    let text = "\
+fitcheck_plan = 1
+drwaing = 3
+travel_x = [250, -250]
+travel_z = [-100, 0]
+
+[[feature]]
+name = \"A\"
+callout = \"25 H99\"
+x = \"4O\"
+z = -8
+
+[[feature]]
+name = \"a\"
+kind = \"groove\"
+callout = \"25 H7\"
+z = -100.001
+
+[[feature]]
+callout = true
+rule = \"isso\"
+material = \"cheese\"
+balloon_x = 2
+colour = \"red\"
+
+[[feature]]
+name = \"B\"
+callout = \"25 H7\"
+parameters = \"Q423=3 Q999=1\"
+";
+    let errors = read(text, &Sources::default()).unwrap_err();
+    let begins = [
+        "line 2, column 1: unknown key drwaing: expected ",
+        "line 3, column 12: 250 -250 is no travel",
+        "line 8, column 11: 25 H99: ",
+        "line 9, column 5: x: 4O is not a number",
+        "line 13, column 8: name a occurs twice",
+        "line 14, column 8: kind groove is not known",
+        "line 16, column 5: Z-100.001 is outside the machine's travel, -100 to 0 mm",
+        "line 18, column 1: callout is missing",
+        "line 19, column 11: callout: expected a text or a number, found boolean",
+        "line 20, column 8: rule isso is not known: expected simple, iso14253-2017",
+        "line 21, column 12: unknown material cheese",
+        "line 22, column 13: 2 is not a place on the picture",
+        "line 23, column 1: unknown key colour",
+        "line 28, column 14: cycle 421 does not take Q999=1 from a plan",
+    ];
+    for begin in begins {
+        assert!(errors.iter().any(|error| error.starts_with(begin)), "{begin}: {errors:#?}");
+    }
+    assert_eq!(errors.len(), begins.len(), "{errors:#?}");
+    let lines: Vec<usize> =
+        errors.iter().filter_map(|error| error.strip_prefix("line ")?.split([',', ':']).next()?.parse().ok()).collect();
+    assert!(lines.is_sorted(), "{errors:#?}");
+}
+
+#[test]
+fn what_is_no_toml_is_told_and_what_is_right_of_it_is_read() {
+    let document =
+        Document::read(b"fitcheck_plan = 1\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\nx = 40\n").unwrap();
+    assert!(!document.problems.is_empty());
+    assert!(document.problems.iter().all(|problem| problem.place.line.is_some()), "{:?}", document.problems);
+    assert_eq!(document.draft.rows[0].text(Column::Name), Some("A"));
+    for text in ["fitcheck_plan = 2\n", "fitcheck_plan = \"one\"\n", "fitcheck_plan = -1\n"] {
+        let errors = read(text, &Sources::default()).unwrap_err();
+        assert!(errors.iter().any(|error| error.contains("versions 1 to 1 are read")), "{errors:?}");
+    }
+    // The version is not only decoration.
+    let errors = read("[[feature]]\ncallout = \"25 H7\"\n", &Sources::default()).unwrap_err();
+    assert_eq!(errors, ["line 1, column 1: column fitcheck_plan is missing"]);
+}
+
+#[test]
+fn a_csv_without_a_known_column_is_no_plan_of_many_faults() {
+    let errors = read("a;b;c\n1;2;3\n1;2;3\n", &Sources::default()).unwrap_err();
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    assert!(errors[0].starts_with("line 1: unknown column a"), "{errors:?}");
+}
+
+#[test]
+fn what_is_written_reads_back_and_means_the_same() {
+    let document = Document::read(FLANGE.as_bytes()).unwrap();
+    let toml = document.draft.to_toml();
+    assert!(toml.contains("\nx = 40\ny = 30.5\nz = -8\n") && toml.contains("travel_x = [-250, 250]"), "{toml}");
+    let again = Document::read(toml.as_bytes()).unwrap();
+    let same = |a: &Plan, b: &Plan| {
+        assert_eq!(a.head, b.head);
+        for (a, b) in a.features().iter().zip(b.features()) {
+            let line = a.line;
+            assert_eq!(*a, fitcheck::part::PlanFeature { line, ..b.clone() });
+        }
+    };
+    let first = document.plan(&Sources::default()).unwrap();
+    same(&first, &again.plan(&Sources::default()).unwrap());
+    // CSV has the features alone, so what is said for all of them goes.
+    let csv = document.draft.to_csv();
+    assert!(csv.starts_with("number;name;kind;callout;callout2;feature;x;y;z;"), "{csv}");
+    assert_eq!(read(&csv, &Sources::default()).unwrap().features().len(), 3);
+}
+
+#[test]
+fn numbers_are_given_in_order() {
+    let mut draft = Draft::of(vec![Row::default(), Row::of([(Column::Number, "7".to_owned())])]);
+    draft.renumber();
+    let numbers: Vec<_> = draft.rows.iter().map(|row| row.text(Column::Number)).collect();
+    assert_eq!(numbers, [Some("1"), Some("2")]);
+}
+
+proptest! {
+    #![proptest_config(ProptestConfig::with_cases(64))]
+
+    /// Any texts, right or wrong, are there again.
+    #[test]
+    fn any_draft_reads_back_from_toml(
+        head in prop::collection::vec("[ -~äøµ\\n\"\\\\]{0,12}", HeadField::ALL.len()),
+        rows in prop::collection::vec(prop::collection::vec("[-0-9.eA-Zµ\"' #=]{0,8}", Column::ALL.len()), 1..4),
+    ) {
+        let rows = rows.into_iter().map(|texts| Row::of(Column::ALL.into_iter().zip(texts)));
+        let mut draft = Draft::of(rows.collect());
+        for (field, text) in HeadField::ALL.into_iter().zip(head) {
+            draft.set(field, text);
+        }
+        let again = Document::read(draft.to_toml().as_bytes()).unwrap();
+        prop_assert_eq!(&again.problems, &[]);
+        for field in HeadField::ALL {
+            prop_assert_eq!(again.draft.text(field), draft.text(field));
+        }
+        for (again, row) in again.draft.rows.iter().zip(&draft.rows) {
+            for column in Column::ALL {
+                prop_assert_eq!(again.text(column), row.text(column));
+            }
+        }
+    }
+}

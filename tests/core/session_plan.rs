@@ -1,0 +1,385 @@
+//! The plan of a part as a table, without a window: typing, pasting, sorting, undo, faults, balloons and the picture.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use fitcheck::message::Message;
+use fitcheck::part::{Column, Document, Draft, HeadField, Row, Spot};
+use fitcheck::session::parts::{PartPicture, PartsView, PlanCommand, PlanField, Sight};
+use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, Purpose, Session, Step};
+use fitcheck::words::{Language, Words};
+
+fn apply(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
+    session.apply(command.into(), jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0))
+}
+
+fn plan(session: &mut Session, command: PlanCommand) -> Vec<Effect> {
+    apply(session, PartsCommand::Plan(command))
+}
+
+fn act(session: &mut Session, action: Action) -> Vec<Effect> {
+    let command = action.command(session).unwrap_or_else(|| panic!("{action:?} is not possible"));
+    apply(session, command)
+}
+
+fn said(message: &Message) -> String {
+    Words::new(Language::En).say(message)
+}
+
+fn opened(text: &str) -> Session {
+    opened_at(text, "/plans/plate.csv")
+}
+
+fn opened_at(text: &str, path: &str) -> Session {
+    let mut session = Session::new(Language::En);
+    apply(&mut session, Command::OpenPage(Page::Parts));
+    apply(&mut session, PartsCommand::Show(PartsView::Plan));
+    let document = Document::read(text.as_bytes()).unwrap();
+    plan(&mut session, PlanCommand::Read { path: PathBuf::from(path), result: Ok(Box::new(document)) });
+    session
+}
+
+fn draft(session: &Session) -> &Draft {
+    session.parts().document().draft()
+}
+
+/// What a column has, from above.
+fn column(session: &Session, column: Column) -> Vec<String> {
+    draft(session).rows.iter().map(|row| row.cell(column).text.clone()).collect()
+}
+
+fn go(session: &mut Session, row: usize, column: Column) {
+    plan(session, PlanCommand::Go(row, column, false));
+}
+
+/// Types over the cell, sign by sign, as a keyboard does, and goes down.
+fn type_cell(session: &mut Session, text: &str) {
+    let signs: Vec<char> = text.chars().collect();
+    plan(session, PlanCommand::Edit(Some(signs[0].to_string())));
+    for end in 2..=signs.len() {
+        plan(session, PlanCommand::Type(PlanField::Cell, signs[..end].iter().collect()));
+    }
+    plan(session, PlanCommand::Take(Some(Step::Down)));
+}
+
+const PLATE: &str = "number;name;callout;x;y;z\n1;A1;25 H7;40;30;-8\n2;A2;20 H7;60;30;-8\n3;A10;16 H7;80;30;-8\n";
+
+#[test]
+fn a_word_typed_into_a_cell_is_one_change() {
+    let mut session = opened(PLATE);
+    go(&mut session, 0, Column::Callout);
+    type_cell(&mut session, "30 H7");
+    assert_eq!(column(&session, Column::Callout), ["30 H7", "20 H7", "16 H7"]);
+    assert_eq!(session.parts().sheet().at(), (1, Column::Callout));
+    type_cell(&mut session, "18 H8");
+    act(&mut session, Action::UndoPlan);
+    assert_eq!(column(&session, Column::Callout), ["30 H7", "20 H7", "16 H7"]);
+    assert_eq!(session.parts().sheet().at(), (1, Column::Callout), "the keys are where something changed");
+    act(&mut session, Action::UndoPlan);
+    assert_eq!(column(&session, Column::Callout), ["25 H7", "20 H7", "16 H7"]);
+    assert!(!session.can(Action::UndoPlan));
+    assert!(!session.parts().is_unsaved(), "back to what the file holds, with its lines");
+    act(&mut session, Action::RedoPlan);
+    act(&mut session, Action::RedoPlan);
+    assert_eq!(column(&session, Column::Callout), ["30 H7", "18 H8", "16 H7"]);
+}
+
+#[test]
+fn a_feature_is_checked_while_it_is_typed_and_escape_takes_it_back() {
+    let mut session = opened(PLATE);
+    go(&mut session, 1, Column::Callout);
+    plan(&mut session, PlanCommand::Edit(None));
+    assert_eq!(session.text(Field::Plan(PlanField::Cell)), "20 H7");
+    plan(&mut session, PlanCommand::Type(PlanField::Cell, "20 H".to_owned()));
+    let document = session.parts().document();
+    assert_eq!(document.findings().len(), 1);
+    assert_eq!(document.findings()[0].spot, Spot::Feature(1, Some(Column::Callout)));
+    assert!(document.plan().is_none());
+    // The others keep their limits.
+    assert!(document.feature(0).is_some() && document.feature(1).is_none() && document.feature(2).is_some());
+    plan(&mut session, PlanCommand::Leave);
+    assert_eq!(session.text(Field::Plan(PlanField::Cell)), "20 H7");
+    assert!(session.parts().document().findings().is_empty());
+    assert!(!session.can(Action::UndoPlan) && !session.can(Action::RedoPlan));
+    // Typed back to what it was, it is no change, either.
+    plan(&mut session, PlanCommand::Edit(Some("2".to_owned())));
+    plan(&mut session, PlanCommand::Type(PlanField::Cell, "20 H7".to_owned()));
+    plan(&mut session, PlanCommand::Take(None));
+    assert!(!session.can(Action::UndoPlan));
+}
+
+#[test]
+fn typing_below_the_last_feature_begins_the_next_one() {
+    let mut session = opened(PLATE);
+    go(&mut session, 2, Column::Name);
+    plan(&mut session, PlanCommand::Move(Step::Down, false));
+    assert_eq!(session.parts().sheet().at(), (3, Column::Name));
+    type_cell(&mut session, "A11");
+    assert_eq!(column(&session, Column::Name), ["A1", "A2", "A10", "A11"]);
+    assert_eq!(session.parts().sheet().at(), (4, Column::Name));
+    plan(&mut session, PlanCommand::Move(Step::Down, false));
+    assert_eq!(session.parts().sheet().at(), (4, Column::Name), "there is one row for the next feature");
+    act(&mut session, Action::UndoPlan);
+    assert_eq!(column(&session, Column::Name).len(), 3);
+}
+
+#[test]
+fn a_block_of_a_spreadsheet_is_pasted_as_one_change_and_adds_rows() {
+    let mut session = opened(PLATE);
+    go(&mut session, 1, Column::Name);
+    // Excel and LibreOffice end lines with CR LF and LF; a cell with a line end has quotation marks.
+    plan(
+        &mut session,
+        PlanCommand::Paste("B1\tdiameter\t30 H7\r\nB2\twidth\t12 H8\r\n\"B \"\"3\"\"\"\t\t10 H7\r\n".to_owned()),
+    );
+    assert_eq!(column(&session, Column::Name), ["A1", "B1", "B2", "B \"3\""]);
+    assert_eq!(column(&session, Column::Kind), ["", "diameter", "width", ""]);
+    assert_eq!(column(&session, Column::Callout), ["25 H7", "30 H7", "12 H8", "10 H7"]);
+    assert_eq!(column(&session, Column::X), ["40", "60", "80", ""]);
+    assert_eq!(session.parts().sheet().selected_rows(), 1..=3);
+    // The same block comes out again.
+    let effects = act(&mut session, Action::CopyPlanCells);
+    let text = "B1\tdiameter\t30 H7\nB2\twidth\t12 H8\n\"B \"\"3\"\"\"\t\t10 H7";
+    assert_eq!(effects, [Effect::Copy(text.to_owned())]);
+    act(&mut session, Action::UndoPlan);
+    assert_eq!(column(&session, Column::Name), ["A1", "A2", "A10"]);
+    assert!(!session.can(Action::UndoPlan));
+}
+
+#[test]
+fn a_block_with_names_of_columns_finds_them_also_where_they_are_not_shown() {
+    let mut session = opened(PLATE);
+    go(&mut session, 3, Column::X);
+    plan(&mut session, PlanCommand::Paste("callout\tname\taxis\tkind\n12 H8\tN1\tY\twidth\n".to_owned()));
+    let row = &draft(&session).rows[3];
+    let texts = [Column::Callout, Column::Name, Column::Axis, Column::Kind].map(|column| row.text(column).unwrap());
+    assert_eq!(texts, ["12 H8", "N1", "Y", "width"]);
+    assert!(session.parts().sheet().columns().contains(&Column::Axis));
+}
+
+#[test]
+fn what_is_pasted_and_finds_no_place_is_told() {
+    let mut session = opened(PLATE);
+    go(&mut session, 0, Column::Z);
+    plan(&mut session, PlanCommand::Paste("-1\t2\t3\n".to_owned()));
+    assert_eq!(column(&session, Column::Z)[0], "-1");
+    assert!(said(&session.notices()[0].message).starts_with("2 pasted columns were left out"));
+    let many = "12\n".repeat(1_200);
+    plan(&mut session, PlanCommand::Paste(many));
+    assert_eq!(draft(&session).rows.len(), 1_000);
+    assert!(said(&session.notices()[1].message).starts_with("200 pasted rows were left out"));
+}
+
+#[test]
+fn one_cell_fills_a_block_and_delete_empties_it() {
+    let mut session = opened(PLATE);
+    go(&mut session, 0, Column::X);
+    for step in [Step::Down, Step::Down, Step::Right] {
+        plan(&mut session, PlanCommand::Move(step, true));
+    }
+    plan(&mut session, PlanCommand::Paste("7,5".to_owned()));
+    assert_eq!(column(&session, Column::X), ["7,5"; 3]);
+    assert_eq!(column(&session, Column::Y), ["7,5"; 3]);
+    act(&mut session, Action::EmptyPlanCells);
+    assert_eq!(column(&session, Column::Y), [""; 3]);
+    act(&mut session, Action::UndoPlan);
+    assert_eq!(column(&session, Column::Y), ["7,5"; 3]);
+}
+
+#[test]
+fn rows_are_inserted_deleted_moved_sorted_and_numbered() {
+    let mut session = opened(PLATE);
+    let names = |session: &Session| column(session, Column::Name).join(" ");
+    go(&mut session, 0, Column::Name);
+    act(&mut session, Action::MovePlanRows(Step::Down));
+    assert_eq!((names(&session).as_str(), session.parts().sheet().at().0), ("A2 A1 A10", 1));
+    act(&mut session, Action::MovePlanRows(Step::Down));
+    act(&mut session, Action::MovePlanRows(Step::Down));
+    assert_eq!(names(&session), "A2 A10 A1", "it stops at the end");
+    // As people count: A2 before A10. Once more, the other way round.
+    act(&mut session, Action::SortPlan);
+    assert_eq!(names(&session), "A1 A2 A10");
+    act(&mut session, Action::SortPlan);
+    assert_eq!(names(&session), "A10 A2 A1");
+    act(&mut session, Action::RenumberPlan);
+    assert_eq!(column(&session, Column::Number), ["1", "2", "3"]);
+    go(&mut session, 1, Column::Name);
+    act(&mut session, Action::InsertPlanRow);
+    assert_eq!(names(&session), "A10  A2 A1");
+    plan(&mut session, PlanCommand::Move(Step::Down, true));
+    act(&mut session, Action::DeletePlanRows);
+    assert_eq!(names(&session), "A10 A1");
+    // Two rows at once.
+    plan(&mut session, PlanCommand::Go(0, Column::Name, false));
+    plan(&mut session, PlanCommand::Go(1, Column::Name, true));
+    act(&mut session, Action::MovePlanRows(Step::Up));
+    assert_eq!(names(&session), "A10 A1");
+    for _ in 0..20 {
+        if session.can(Action::UndoPlan) {
+            act(&mut session, Action::UndoPlan);
+        }
+    }
+    assert_eq!(names(&session), "A1 A2 A10");
+}
+
+#[test]
+fn numbers_are_sorted_by_their_value_and_empty_cells_are_last() {
+    let mut session = opened("name;callout;x\nA;25 H7;10\nB;25 H7;9,5\nC;25 H7;\nD;25 H7;-20\nE;25 H7;9.25\n");
+    go(&mut session, 0, Column::X);
+    act(&mut session, Action::SortPlan);
+    assert_eq!(column(&session, Column::Name), ["D", "E", "B", "A", "C"]);
+    act(&mut session, Action::SortPlan);
+    assert_eq!(column(&session, Column::Name), ["A", "B", "E", "D", "C"]);
+}
+
+const FAULTY: &str = "fitcheck_plan = 1
+part = \"Plate\"
+material = \"unobtainium\"
+travel_x = [0, 500]
+colour = \"red\"
+
+[[feature]]
+name = \"A1\"
+callout = \"25 Q7\"
+
+[[feature]]
+name = \"A1\"
+callout = \"25 H7\"
+x = 900
+y = 0
+z = -8
+
+[[feature]]
+name = \"P1\"
+kind = \"face\"
+callout = \"10 h9\"
+shade = 3
+";
+
+#[test]
+fn a_plan_with_every_kind_of_mistake_opens_and_shows_all_of_them() {
+    let mut session = opened_at(FAULTY, "/plans/plate.toml");
+    let document = session.parts().document();
+    let spots: Vec<Spot> = document.findings().iter().map(|finding| finding.spot).collect();
+    assert_eq!(
+        spots,
+        [
+            Spot::Head(HeadField::Material),
+            Spot::Feature(0, Some(Column::Callout)),
+            Spot::Feature(1, Some(Column::Name)),
+            Spot::Feature(1, Some(Column::X)),
+            Spot::Feature(2, Some(Column::Axis)),
+        ]
+    );
+    assert_eq!(document.problems().len(), 2, "what a plan has no place for");
+    assert!(document.head_error(HeadField::Material).is_some());
+    assert!(document.is_wrong(0) && document.is_wrong(1) && document.is_wrong(2));
+    // Axis is shown, although nothing is written in it.
+    assert!(session.parts().sheet().columns().contains(&Column::Axis));
+    // F4 goes from one to the next, and round again.
+    act(&mut session, Action::NextFinding);
+    let mut seen = vec![session.parts().sheet().at()];
+    for _ in 0..3 {
+        act(&mut session, Action::NextFinding);
+        seen.push(session.parts().sheet().at());
+    }
+    assert_eq!(seen, [(0, Column::Callout), (1, Column::Name), (1, Column::X), (2, Column::Axis)]);
+    let effects = act(&mut session, Action::NextFinding);
+    assert_eq!(effects, [Effect::Focus(Field::Plan(PlanField::Head(HeadField::Material)))]);
+    let effects = plan(&mut session, PlanCommand::GoToFinding(3));
+    assert_eq!((effects.len(), session.parts().sheet().at()), (0, (1, Column::X)));
+}
+
+#[test]
+fn fields_of_the_part_are_one_change_each() {
+    let mut session = opened(PLATE);
+    for text in ["P", "Pl", "Plate"] {
+        plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::Part), text.to_owned()));
+    }
+    plan(&mut session, PlanCommand::SettleHead);
+    plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::TravelX), "0 50".to_owned()));
+    // The third feature is at X 80.
+    let far = |session: &Session| session.parts().document().findings().len();
+    assert_eq!(far(&session), 2);
+    act(&mut session, Action::UndoPlan);
+    assert_eq!((far(&session), draft(&session).text(HeadField::Part)), (0, Some("Plate")));
+    act(&mut session, Action::UndoPlan);
+    assert_eq!(draft(&session).text(HeadField::Part), None);
+}
+
+fn dots() -> Arc<PartPicture> {
+    Arc::new(PartPicture { size: [2, 1], dots: vec![255; 8] })
+}
+
+#[test]
+fn the_picture_is_asked_for_once_its_name_is_typed_and_late_answers_change_nothing() {
+    let mut session = opened_at("fitcheck_plan = 1\n[[feature]]\ncallout = \"25 H7\"\n", "/plans/plate.toml");
+    for text in ["p", "plate.png"] {
+        let effects = plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::Picture), text.to_owned()));
+        assert_eq!(effects, []);
+    }
+    let effects = plan(&mut session, PlanCommand::SettleHead);
+    let path = PathBuf::from("/plans/plate.png");
+    assert_eq!(effects, [Effect::ReadPicture(path.clone())]);
+    assert_eq!(session.parts().sight(), Some(Sight::Awaited));
+    let late = PlanCommand::PictureRead { path: "/plans/other.png".into(), result: Ok(dots()) };
+    plan(&mut session, late);
+    assert_eq!(session.parts().sight(), Some(Sight::Awaited));
+    plan(&mut session, PlanCommand::PictureRead { path, result: Ok(dots()) });
+    assert_eq!(session.parts().sight(), Some(Sight::Seen(dots())));
+    // Another folder is none of the plan's.
+    for name in ["../plate.png", "/etc/plate.png", "c:plate.png", "\\\\server\\plate.png"] {
+        plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::Picture), name.to_owned()));
+        assert_eq!(plan(&mut session, PlanCommand::SettleHead), []);
+        let Some(Sight::Refused(why)) = session.parts().sight() else { panic!("{name} is read") };
+        assert!(said(&why).contains("is not the name of a file beside the plan"), "{}", said(&why));
+    }
+    apply(&mut session, Command::OpenDialog(Purpose::OpenPicture));
+    plan(&mut session, PlanCommand::ChoosePicture("/elsewhere/plate.png".into()));
+    assert!(said(&session.notices()[0].message).contains("is not in the folder of the plan"));
+}
+
+#[test]
+fn a_balloon_is_dragged_as_one_change_and_moved_by_steps() {
+    let mut session = opened(PLATE);
+    for (x, is_done) in [(0.2, false), (0.3, false), (1.4, true)] {
+        plan(&mut session, PlanCommand::PlaceBalloon { row: 1, at: [x, 0.25], is_done });
+    }
+    let at = |session: &Session| session.parts().balloons()[1].at;
+    assert_eq!(at(&session), Some([1.0, 0.25]), "it stays on the picture");
+    plan(&mut session, PlanCommand::NudgeBalloon(1, Step::Left));
+    assert_eq!(at(&session), Some([0.995, 0.25]));
+    act(&mut session, Action::UndoPlan);
+    act(&mut session, Action::UndoPlan);
+    assert_eq!(at(&session), None);
+    assert!(!session.can(Action::UndoPlan));
+    // Where balloons are is on the picture, and in the table once every column is shown.
+    assert!(!session.parts().sheet().columns().contains(&Column::BalloonX));
+    act(&mut session, Action::ShowAllColumns);
+    assert_eq!(session.parts().sheet().columns().len(), Column::ALL.len());
+}
+
+#[test]
+fn a_thousand_features_cost_little_for_each_change_that_can_be_taken_back() {
+    let rows = (0..1_000).map(|row: usize| {
+        Row::of([
+            (Column::Name, format!("H{row}")),
+            (Column::Callout, "25 H7".to_owned()),
+            (Column::X, row.to_string()),
+        ])
+    });
+    let text = Draft::of(rows.collect()).to_toml();
+    let mut session = opened_at(&text, "/plans/many.toml");
+    go(&mut session, 500, Column::Name);
+    let begun = std::time::Instant::now();
+    for text in ["N", "Ne", "New"] {
+        plan(&mut session, PlanCommand::Type(PlanField::Cell, text.to_owned()));
+    }
+    println!("typed into one of 1 000 features: {:?} a sign", begun.elapsed() / 3);
+    plan(&mut session, PlanCommand::Take(None));
+    act(&mut session, Action::SortPlan);
+    act(&mut session, Action::UndoPlan);
+    assert_eq!(column(&session, Column::Name)[500], "New");
+    act(&mut session, Action::UndoPlan);
+    assert_eq!(column(&session, Column::Name)[500], "H500");
+}

@@ -1,0 +1,508 @@
+//! The walk through a part, without a window: values from everywhere, recorded, interrupted and brought back; the watched folder.
+
+use std::path::PathBuf;
+
+use fitcheck::exchange::{Item, import_each};
+use fitcheck::journal::Record;
+use fitcheck::journal::chain::{ChainId, Hash, Head};
+use fitcheck::journal::entry::{Checked, Entry};
+use fitcheck::message::{Message, Say as _};
+use fitcheck::part::Document;
+use fitcheck::session::parts::{PlanCommand, WalkCommand, WatchNews, WatchedFile};
+use fitcheck::session::{
+    Action, CheckField, Command, Effect, Field, FilesCommand, OpenJournal, Page, PartsCommand, PartsField, Purpose,
+    RecordRow, RecordsCommand, Saved, Session, Step,
+};
+use fitcheck::tolerance::Sources;
+use fitcheck::verdict::Status;
+use fitcheck::words::{Language, Words};
+use jiff::civil::{DateTime, date};
+use jiff::tz::{TimeZone, offset};
+
+const PLAN: &str = r#"fitcheck_plan = 1
+part = "Flange"
+
+[[feature]]
+number = "1"
+name = "BORE"
+callout = "12 F9"
+x = 50
+y = 65
+z = -8
+
+[[feature]]
+number = "2"
+name = "PIN"
+callout = "20 g6"
+x = 100
+y = 65
+z = -8
+
+[[feature]]
+number = "3"
+name = "K1"
+kind = "pocket"
+callout = "40 H7"
+callout2 = "25 H8"
+x = 150
+y = 65
+z = -8
+
+[[feature]]
+number = "4"
+name = "TOP"
+kind = "face"
+axis = "-Z"
+callout = "10 h9"
+x = 220
+y = 30
+z = 10
+"#;
+
+fn now() -> DateTime {
+    date(2026, 11, 24).at(10, 42, 7, 0)
+}
+
+fn send(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
+    session.apply(command.into(), now())
+}
+
+fn typed(session: &mut Session, field: impl Into<Field>, text: &str) {
+    let command = field.into().typed(text.to_owned());
+    session.apply(command, now());
+}
+
+fn act(session: &mut Session, action: Action) -> Vec<Effect> {
+    let command = action.command(session).unwrap_or_else(|| panic!("{action:?} is not possible"));
+    session.apply(command, now())
+}
+
+fn said(message: &Message) -> String {
+    Words::new(Language::En).say(message)
+}
+
+fn head(number: u64) -> Head {
+    Head { number, hash: Hash([u8::try_from(number % 251).unwrap(); 32]) }
+}
+
+fn begin_records(session: &mut Session) {
+    let (usual, zone) = (Some("/data/journal.sqlite".into()), TimeZone::fixed(offset(1)));
+    send(session, RecordsCommand::Begin { usual, station: "Mill 3".to_owned(), zone });
+}
+
+fn open_journal(session: &mut Session, newest: u64) -> Vec<Effect> {
+    let journal = OpenJournal { chain: ChainId([1; 16]), head: head(newest), remarks: Vec::new() };
+    send(session, RecordsCommand::Opened(Ok((Box::new(journal), Vec::new()))))
+}
+
+fn read_plan(session: &mut Session, text: &str) -> Vec<Effect> {
+    let document = Document::read(text.as_bytes()).unwrap();
+    let read = PlanCommand::Read { path: PathBuf::from("/plans/flange.toml"), result: Ok(Box::new(document)) };
+    send(session, PartsCommand::Plan(read))
+}
+
+/// A session that records, with the plan, and a part begun.
+fn walking() -> Session {
+    let mut session = Session::new(Language::En);
+    begin_records(&mut session);
+    open_journal(&mut session, 7);
+    send(&mut session, Command::OpenPage(Page::Parts));
+    read_plan(&mut session, PLAN);
+    assert_eq!(session.parts().document().findings().len(), 0);
+    typed(&mut session, PartsField::Serial, "A-0099");
+    let effects = act(&mut session, Action::BeginPart);
+    assert_eq!(effects, [Effect::Focus(PartsField::Value.into())]);
+    session
+}
+
+fn take(session: &mut Session, text: &str) -> Vec<Effect> {
+    typed(session, PartsField::Value, text);
+    act(session, Action::TakeValue)
+}
+
+#[track_caller]
+fn kept(effects: &[Effect]) -> (u64, Vec<Entry>) {
+    let keep = effects.iter().find_map(|effect| match effect {
+        Effect::Keep { run, entries } => Some((*run, entries.clone())),
+        _ => None,
+    });
+    keep.unwrap_or_else(|| panic!("{effects:?}"))
+}
+
+fn size(entry: &Entry) -> &Record {
+    match &entry.check().unwrap().what {
+        Checked::Size(record) => record,
+        Checked::Cycle(cycle) => panic!("{cycle:?}"),
+    }
+}
+
+fn asked(session: &Session) -> Option<String> {
+    session.parts().walking().asked().map(|size| size.name())
+}
+
+fn standing(session: &Session) -> String {
+    said(&session.parts().walking().standing().message())
+}
+
+fn items(text: &str) -> Vec<Item> {
+    let mut items = Vec::new();
+    import_each("m.csv", text.as_bytes(), &Sources::default(), now(), &mut |item| items.push(item));
+    items
+}
+
+fn import(session: &mut Session, text: &str) -> Vec<Effect> {
+    send(session, RecordsCommand::Measured { name: "m.csv".to_owned(), sha256: Hash([3; 32]) });
+    send(session, WalkCommand::Imported { name: "m.csv".to_owned(), result: Ok(items(text)) })
+}
+
+#[test]
+fn a_typed_value_is_judged_recorded_and_the_next_size_is_asked_for() {
+    let mut session = walking();
+    assert_eq!(asked(&session).as_deref(), Some("BORE"));
+    let (_, entries) = kept(&take(&mut session, "12,03"));
+    let entry = &entries[0];
+    assert_eq!(
+        (entry.about.part.as_str(), entry.about.serial.as_str(), entry.about.feature.as_str()),
+        ("Flange", "A-0099", "BORE")
+    );
+    assert_eq!(size(entry).verdict.status(), Status::Good);
+    assert_eq!(asked(&session).as_deref(), Some("PIN"));
+    assert_eq!(session.text(PartsField::Value), "");
+    let walking = session.parts().walking();
+    let (at, value) = walking.shown().unwrap();
+    assert_eq!((at, walking.name(at)), (0, "BORE"));
+    assert_eq!(
+        said(&value.remarks[0]),
+        "The plan has no rule; judged by the rule of the check page: no guard band, limits belong to the zone"
+    );
+    assert_eq!(standing(&session), "1 measured, 4 missing, 0 left out");
+    assert_eq!(walking.status(), None, "a part is not good while something is missing");
+    assert_eq!(session.history().len(), 1);
+}
+
+#[test]
+fn a_gauge_types_its_line_and_what_was_taken_is_said() {
+    let mut session = walking();
+    take(&mut session, "\u{2}01A+0012.030\u{3}");
+    let (_, value) = session.parts().walking().shown().unwrap();
+    assert_eq!(value.record.measurement.diameter.to_string(), "12.03");
+    let remarks: Vec<_> = value.remarks.iter().map(said).collect();
+    assert!(remarks.contains(&"from channel 01".to_owned()), "{remarks:?}");
+    take(&mut session, "20 12");
+    assert!(said(session.error(PartsField::Value).unwrap()).contains("20 12"));
+    assert_eq!(asked(&session).as_deref(), Some("PIN"), "nothing was taken");
+}
+
+#[test]
+fn a_doubtful_value_is_asked_about_first() {
+    let mut session = walking();
+    assert_eq!(take(&mut session, "1.203"), []);
+    assert!(session.parts().walking().question().is_some());
+    assert_eq!(asked(&session).as_deref(), Some("BORE"));
+    // Enter once more takes it.
+    kept(&act(&mut session, Action::TakeValue));
+    assert_eq!(session.parts().walking().shown().unwrap().1.record.measurement.diameter.to_string(), "1.203");
+}
+
+#[test]
+fn a_size_is_measured_again_and_both_values_stay() {
+    let mut session = walking();
+    take(&mut session, "12.07");
+    assert_eq!(session.parts().walking().status(), Some(Status::Scrap));
+    act(&mut session, Action::SizeAgain);
+    assert_eq!(asked(&session).as_deref(), Some("BORE"));
+    take(&mut session, "12.03");
+    assert_eq!(session.parts().walking().values(0).len(), 2);
+    assert_eq!(session.parts().walking().status(), None);
+    assert_eq!(session.history().len(), 2);
+    assert_eq!(asked(&session).as_deref(), Some("PIN"));
+}
+
+#[test]
+fn every_kind_is_simulated_by_its_cycle_and_a_simulated_part_is_never_good() {
+    let mut session = walking();
+    let mut recorded = Vec::new();
+    while asked(&session).is_some() {
+        let effects = act(&mut session, Action::SimulateValue);
+        let refusal = session.parts().walking().refusal().map(said);
+        assert_eq!(refusal, None);
+        recorded.extend(kept(&effects).1);
+    }
+    let names: Vec<_> = recorded.iter().map(|entry| entry.about.feature.as_str()).collect();
+    // The cycle of a pocket measures both sides: the one that was asked for comes last.
+    assert_eq!(names, ["BORE", "PIN", "K1 Y", "K1 X", "TOP"]);
+    for entry in &recorded {
+        let record = size(entry);
+        assert!(record.measurement.origin.is_simulated(), "{}", record.id);
+        assert_eq!(record.measurement.diameter, record.limits.middle(), "{}", record.id);
+        assert_eq!(record.verdict.status(), Status::Good, "{}", record.id);
+    }
+    let walking = session.parts().walking();
+    assert_eq!((walking.standing().simulated, walking.standing().is_complete()), (5, false));
+    assert_eq!(walking.status(), None);
+}
+
+#[test]
+fn a_size_is_left_out_for_a_reason_alone() {
+    let mut session = walking();
+    act(&mut session, Action::SkipSize);
+    assert!(session.parts().walking().is_skipping());
+    typed(&mut session, PartsField::Reason, "  ");
+    act(&mut session, Action::SkipFor);
+    assert!(session.error(PartsField::Reason).is_some());
+    assert_eq!(asked(&session).as_deref(), Some("BORE"));
+    typed(&mut session, PartsField::Reason, "probe broken");
+    act(&mut session, Action::SkipFor);
+    assert_eq!(asked(&session).as_deref(), Some("PIN"));
+    assert_eq!(standing(&session), "0 measured, 4 missing, 1 left out");
+    // Measured later all the same.
+    send(&mut session, WalkCommand::Go(0));
+    take(&mut session, "12.03");
+    assert_eq!(standing(&session), "1 measured, 4 missing, 0 left out");
+}
+
+#[test]
+fn the_next_part_counts_up_and_what_is_missing_is_said_first() {
+    let mut session = walking();
+    take(&mut session, "12.03");
+    assert_eq!(act(&mut session, Action::NextPart), []);
+    assert!(session.parts().walking().is_warned() && session.parts().walking().is_begun());
+    assert_eq!(act(&mut session, Action::NextPart), [Effect::Focus(PartsField::Serial.into())]);
+    assert!(!session.parts().walking().is_begun());
+    assert_eq!(session.text(PartsField::Serial), "A-0100");
+    act(&mut session, Action::CountUp);
+    assert_eq!(session.text(PartsField::Serial), "A-0101");
+}
+
+#[test]
+fn the_list_is_walked_by_key() {
+    let mut session = walking();
+    for (step, name) in [(Step::Down, "PIN"), (Step::Last, "TOP"), (Step::Up, "K1 Y"), (Step::First, "BORE")] {
+        act(&mut session, Action::MoveSize(step));
+        assert_eq!(asked(&session).as_deref(), Some(name));
+    }
+}
+
+#[test]
+fn a_file_fills_the_walk_and_what_finds_no_feature_is_listed() {
+    let mut session = walking();
+    let effects = import(&mut session, "name;measured\nBORE;12.03\nPIN;19.985\nNOBODY;3\nTOP;9.98\n");
+    let (_, entries) = kept(&effects);
+    assert_eq!(entries.len(), 3, "one batch");
+    assert!(entries.iter().all(|entry| entry.about.serial == "A-0099" && entry.about.part == "Flange"));
+    assert_eq!(entries[0].check().unwrap().files[0].sha256, Hash([3; 32]));
+    assert_eq!(standing(&session), "3 measured, 2 missing, 0 left out");
+    let notice = session.notices().last().unwrap();
+    assert_eq!(said(&notice.message), "m.csv: 3 taken, 1 not");
+    assert!(notice.details.iter().any(|line| said(line).contains("no feature of the plan")), "{:?}", notice.details);
+    assert_eq!(asked(&session).as_deref(), Some("K1 X"));
+}
+
+#[test]
+fn a_file_that_is_dropped_on_a_walk_is_read_for_it() {
+    let mut session = walking();
+    let path = PathBuf::from("/in/m.csv");
+    let effects = send(&mut session, FilesCommand::Open(Purpose::Import, path.clone()));
+    assert_eq!(effects, [Effect::Read(Purpose::ImportValues, path)]);
+    assert_eq!(session.page(), Page::Parts);
+    // It comes when the part was ended already.
+    act(&mut session, Action::NextPart);
+    act(&mut session, Action::NextPart);
+    assert_eq!(import(&mut session, "name;measured\nBORE;12.03\n"), []);
+    assert!(session.history().is_empty());
+}
+
+#[test]
+fn values_of_another_serial_number_are_recorded_under_it_and_said() {
+    let mut session = walking();
+    let mut items = items("name;measured\nBORE;12.03\nPIN;19.985\n");
+    let serials = ["B-7", "A-0099"];
+    for item in &mut items {
+        let (labels, at) = match item {
+            Item::Unjudged(unjudged) => (&mut unjudged.labels, unjudged.line - 2),
+            Item::Record { labels, line, .. } => (labels, *line - 2),
+            _ => continue,
+        };
+        labels.serial = serials[at].to_owned();
+    }
+    let command = WalkCommand::Imported { name: "m.csv".to_owned(), result: Ok(items) };
+    let (_, entries) = kept(&send(&mut session, command));
+    let serials: Vec<_> = entries.iter().map(|entry| entry.about.serial.as_str()).collect();
+    assert_eq!(serials, ["B-7", "A-0099"]);
+    assert_eq!(standing(&session), "1 measured, 4 missing, 0 left out");
+    let notice = session.notices().last().unwrap();
+    assert!(notice.details.iter().any(|line| said(line).contains("B-7")), "{:?}", notice.details);
+}
+
+#[test]
+fn the_plans_rule_counts_and_else_the_rule_of_the_check_page() {
+    let mut session = walking();
+    typed(&mut session, CheckField::Uncertainty, "not a number");
+    assert_eq!(take(&mut session, "12.03"), [], "a rule that cannot be read judges nothing");
+    assert!(session.error(PartsField::Value).is_some());
+    typed(&mut session, CheckField::Uncertainty, "");
+    kept(&take(&mut session, "12.03"));
+    // At 30 °C a steel pin of 20 mm is 2.3 µm longer.
+    typed(&mut session, CheckField::PartTemperature, "30");
+    kept(&take(&mut session, "19.985"));
+    let record = &session.parts().walking().shown().unwrap().1.record;
+    assert!(record.correction.is_some());
+    assert!(record.measurement.diameter < "19.985".parse().unwrap());
+}
+
+/// The rows that a journal would give for what was sent.
+fn rows(entries: &[Entry], first: u64) -> Vec<RecordRow> {
+    let row = |(number, entry): (u64, &Entry)| RecordRow {
+        head: head(number),
+        entry: Ok(entry.clone()),
+        corrected_by: None,
+        went_back: false,
+    };
+    (first..).zip(entries).map(row).collect()
+}
+
+#[test]
+fn an_interrupted_part_comes_back_with_its_values_and_reasons() {
+    let mut session = walking();
+    let mut entries = kept(&take(&mut session, "12.07")).1;
+    act(&mut session, Action::SizeAgain);
+    entries.extend(kept(&take(&mut session, "12.03")).1);
+    send(&mut session, WalkCommand::Skip("probe broken".to_owned()));
+    let saved = Saved::read(&session.saved().write()).unwrap();
+    let (mut back, effects) = Session::restore(saved);
+    assert_eq!(effects, [Effect::Read(Purpose::OpenPlan, "/plans/flange.toml".into())]);
+    begin_records(&mut back);
+    assert!(!back.parts().walking().is_begun());
+    read_plan(&mut back, PLAN);
+    let effects = open_journal(&mut back, 9);
+    let asks = effects.iter().find_map(|effect| match effect {
+        Effect::ReadPart { run, question, .. } => Some((*run, question.clone())),
+        _ => None,
+    });
+    let (run, question) = asks.unwrap();
+    assert_eq!((question.part.as_deref(), question.serial.as_deref()), (Some("Flange"), Some("A-0099")));
+    // A part of the same number that was measured before this one was begun is another one.
+    let mut came = rows(&entries[..1], 5);
+    came.extend(rows(&entries, 8));
+    send(&mut back, WalkCommand::Came { run, result: Ok(came) });
+    let walking = back.parts().walking();
+    assert_eq!((walking.serial(), walking.values(0).len()), ("A-0099", 2));
+    assert_eq!(standing(&back), "1 measured, 3 missing, 1 left out");
+    assert_eq!(asked(&back).as_deref(), Some("K1 X"));
+    assert_eq!(said(&back.notices().last().unwrap().message), "The interrupted part A-0099 is back, with 2 values");
+    // Once more, too late: nothing is there twice.
+    send(&mut back, WalkCommand::Came { run, result: Ok(rows(&entries, 8)) });
+    assert_eq!(back.parts().walking().values(0).len(), 2);
+    // Ended, it does not come back.
+    act(&mut back, Action::NextPart);
+    act(&mut back, Action::NextPart);
+    assert_eq!(back.saved().walk, Saved::default().walk);
+}
+
+#[test]
+fn without_a_journal_an_interrupted_part_comes_back_without_values_and_says_so() {
+    let mut session = walking();
+    take(&mut session, "12.03");
+    let (mut back, _) = Session::restore(session.saved());
+    read_plan(&mut back, PLAN);
+    assert!(!back.parts().walking().is_begun(), "nobody has said yet where records are kept");
+    let zone = TimeZone::fixed(offset(1));
+    send(&mut back, RecordsCommand::Begin { usual: None, station: "Mill 3".to_owned(), zone });
+    assert!(back.parts().walking().is_begun());
+    assert!(said(&back.notices().last().unwrap().message).contains("without its values"));
+}
+
+fn watched(session: &mut Session) -> u64 {
+    let effects = send(session, WalkCommand::Watch { folder: "/in".into(), is_folder: true });
+    match &effects[..] {
+        [Effect::Watch { run, folder, .. }] => {
+            assert_eq!(folder, &PathBuf::from("/in"));
+            *run
+        }
+        other => panic!("{other:?}"),
+    }
+}
+
+fn look(session: &Session, number: u64, text: &str) -> WatchNews {
+    let plan = session.parts().document().plan().unwrap();
+    let mut by_plan = fitcheck::exchange::ByPlan::new(plan);
+    let mut judged = Vec::new();
+    for item in items(text) {
+        by_plan.item(item, &mut |item| judged.push(item));
+    }
+    let file = WatchedFile { name: "m.csv".to_owned(), sha256: Hash([9; 32]), items: judged };
+    WatchNews::Look { number, files: vec![file] }
+}
+
+#[test]
+fn what_comes_into_the_watched_folder_is_taken_once_it_is_on_disk_and_not_before() {
+    let mut session = walking();
+    let run = watched(&mut session);
+    let news = look(&session, 1, "name;measured\nBORE;12.03\nPIN;20.1\n");
+    let effects = send(&mut session, WalkCommand::Watched { run, news: Box::new(news) });
+    let (batch, entries) = kept(&effects);
+    assert_eq!((effects.len(), entries.len()), (1, 2), "one batch, and nothing is taken yet");
+    assert_eq!(entries[0].check().unwrap().files[0].sha256, Hash([9; 32]));
+    assert!(session.parts().watched().is_recording());
+    assert_eq!(standing(&session), "2 measured, 3 missing, 0 left out");
+    assert_eq!(session.parts().walking().status(), Some(Status::Rework));
+    // A full disk: it is tried again, and still not taken.
+    let full = Err(Message::new("records-page-no-thread"));
+    assert_eq!(send(&mut session, RecordsCommand::Kept { run: batch, result: full }), []);
+    let effects = send(&mut session, RecordsCommand::TryAgain);
+    assert!(matches!(effects[..], [Effect::Keep { .. }]), "{effects:?}");
+    let effects = send(&mut session, RecordsCommand::Kept { run: batch, result: Ok(vec![head(8), head(9)]) });
+    assert_eq!(effects, [Effect::WatchTaken { run, look: 1 }]);
+    let files: Vec<_> = session.parts().watched().files().collect();
+    assert_eq!((files[0].name.as_str(), files[0].counts.iter().map(|(_, count)| count).sum()), ("m.csv", 2_usize));
+    // A look without a value has nothing to be recorded.
+    let news = look(&session, 2, "name;measured\nNOBODY;3\n");
+    let effects = send(&mut session, WalkCommand::Watched { run, news: Box::new(news) });
+    assert_eq!(effects, [Effect::WatchTaken { run, look: 2 }]);
+    assert_eq!(session.parts().watched().files().next().unwrap().said.len(), 1);
+}
+
+#[test]
+fn a_watch_that_was_ended_changes_nothing_any_more() {
+    let mut session = walking();
+    let run = watched(&mut session);
+    assert_eq!(act(&mut session, Action::StopWatch), [Effect::StopWatch]);
+    let news = look(&session, 1, "name;measured\nBORE;12.03\n");
+    assert_eq!(send(&mut session, WalkCommand::Watched { run, news: Box::new(news) }), []);
+    assert!(session.history().is_empty());
+    // A file is no folder.
+    assert_eq!(send(&mut session, WalkCommand::Watch { folder: "/in/a.csv".into(), is_folder: false }), []);
+    assert!(session.parts().watched().folder().is_none());
+}
+
+#[test]
+fn a_folder_is_watched_once_the_journal_is_open() {
+    let mut session = Session::new(Language::En);
+    begin_records(&mut session);
+    send(&mut session, Command::OpenPage(Page::Parts));
+    read_plan(&mut session, PLAN);
+    assert_eq!(send(&mut session, WalkCommand::Watch { folder: "/in".into(), is_folder: true }), []);
+    let effects = open_journal(&mut session, 1);
+    assert!(matches!(effects[..], [Effect::Watch { .. }]), "{effects:?}");
+}
+
+#[test]
+fn a_value_that_is_withdrawn_counts_no_more() {
+    let mut session = walking();
+    let (run, _) = kept(&take(&mut session, "12.07"));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(8)]) });
+    let (run, entries) = kept(&take(&mut session, "19.985"));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(9)]) });
+    assert_eq!(session.parts().walking().status(), Some(Status::Scrap));
+    // On the records page: the first one is withdrawn.
+    send(&mut session, RecordsCommand::Open(8));
+    let row = RecordRow { head: head(8), ..rows(&entries, 8).remove(0) };
+    send(&mut session, RecordsCommand::Read { numbers: vec![8], result: Ok(vec![std::sync::Arc::new(row)]) });
+    send(&mut session, RecordsCommand::Correct(true));
+    send(&mut session, RecordsCommand::Withdraw(true));
+    typed(&mut session, fitcheck::session::RecordsField::Reason, "wrong part");
+    let (run, _) = kept(&send(&mut session, RecordsCommand::SendCorrection));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(10)]) });
+    assert_eq!(standing(&session), "1 measured, 4 missing, 0 left out");
+    assert!(said(&session.notices().last().unwrap().message).contains("BORE"), "{:?}", session.notices());
+}

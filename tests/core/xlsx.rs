@@ -1,0 +1,276 @@
+//! Workbooks: rows of a sheet as those of a CSV; errors with sheet and cell; ZIP files that are not meant well.
+
+use std::fmt::Write as _;
+use std::io::{Cursor, Write as _};
+
+use fitcheck::exchange::{FORMATS, Imported, WhyUnjudged, import, sheet_rows, sizes};
+use fitcheck::tolerance::{Feature, Sources};
+use jiff::civil::{DateTime, date};
+use zip::write::SimpleFileOptions;
+use zip::{CompressionMethod, ZipWriter};
+
+const OPENPYXL: &[u8] = include_bytes!("../data/xlsx/openpyxl.xlsx");
+const XLSXWRITER: &[u8] = include_bytes!("../data/xlsx/xlsxwriter.xlsx");
+
+const NOW: DateTime = date(2030, 1, 1).at(0, 0, 0, 0);
+
+fn read(bytes: &[u8]) -> Imported {
+    import("a.xlsx", bytes, &Sources::default(), NOW)
+}
+
+fn errors(imported: &Imported) -> Vec<String> {
+    imported.errors.iter().map(ToString::to_string).collect()
+}
+
+fn warnings(imported: &Imported) -> Vec<String> {
+    imported.warnings.iter().map(ToString::to_string).collect()
+}
+
+/// Line, name, callout, measured value and status of each record.
+fn records(imported: &Imported) -> Vec<String> {
+    let lines = imported.lines.iter().zip(&imported.records);
+    lines
+        .map(|(line, record)| {
+            let callout = record.callout.unwrap();
+            let status = record.verdict.size.status.word();
+            format!("{line} {} {callout} {} {status} {}", record.id, record.measurement.diameter, record.time)
+        })
+        .collect()
+}
+
+/// A ZIP file of these members.
+fn zipped(members: &[(&str, &[u8])]) -> Vec<u8> {
+    let mut zip = ZipWriter::new(Cursor::new(Vec::new()));
+    for (name, content) in members {
+        let options = SimpleFileOptions::default().compression_method(CompressionMethod::Deflated);
+        zip.start_file(*name, options).unwrap();
+        zip.write_all(content).unwrap();
+    }
+    zip.finish().unwrap().into_inner()
+}
+
+const RELS: &str = r#"<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/officeDocument" Target="xl/workbook.xml"/></Relationships>"#;
+const BOOK: &str = r#"<workbook xmlns="http://schemas.openxmlformats.org/spreadsheetml/2006/main" xmlns:r="http://schemas.openxmlformats.org/officeDocument/2006/relationships"><sheets><sheet name="S" sheetId="1" r:id="rId1"/></sheets></workbook>"#;
+const BOOK_RELS: &str = r#"<Relationships xmlns="http://schemas.openxmlformats.org/package/2006/relationships"><Relationship Id="rId1" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/worksheet" Target="worksheets/sheet1.xml"/></Relationships>"#;
+
+/// A workbook of one sheet, with further members.
+fn book(sheet: &str, more: &[(&str, &[u8])]) -> Vec<u8> {
+    let mut members: Vec<(&str, &[u8])> = vec![
+        ("_rels/.rels", RELS.as_bytes()),
+        ("xl/workbook.xml", BOOK.as_bytes()),
+        ("xl/_rels/workbook.xml.rels", BOOK_RELS.as_bytes()),
+        ("xl/worksheets/sheet1.xml", sheet.as_bytes()),
+    ];
+    members.extend(more);
+    zipped(&members)
+}
+
+/// A sheet of these rows: a number as such, anything else as a text.
+fn sheet(rows: &[&[&str]]) -> String {
+    let mut xml = String::from("<worksheet><sheetData>");
+    for row in rows {
+        xml.push_str("<row>");
+        for cell in *row {
+            match cell.parse::<f64>() {
+                Ok(_) => write!(xml, "<c><v>{cell}</v></c>"),
+                Err(_) => write!(xml, "<c t=\"inlineStr\"><is><t>{cell}</t></is></c>"),
+            }
+            .unwrap();
+        }
+        xml.push_str("</row>");
+    }
+    xml + "</sheetData></worksheet>"
+}
+
+const HEADER: &[&str] = &["id", "callout", "measured"];
+
+#[track_caller]
+fn refused(bytes: &[u8], error: &str) {
+    let imported = read(bytes);
+    assert_eq!(errors(&imported), [error]);
+    assert_eq!(imported.records, []);
+}
+
+#[test]
+fn the_first_sheet_with_measurements_is_read() {
+    let imported = read(OPENPYXL);
+    assert_eq!(
+        records(&imported),
+        [
+            "2 B1 25 H7 25.0123 GOOD 2025-01-15T10:21:33",
+            "3 B2 25 H7 25.03 SCRAP 2025-01-16T00:00:00",
+            "8 B6 30 g6 29.985 GOOD 2025-01-15T10:27:00",
+        ]
+    );
+    assert_eq!(
+        errors(&imported),
+        [
+            "line 4, column 3: Measurements!C4: measured: 24,998 has a different decimal sign than the other values: \".\"",
+            "line 5, column 3: Measurements!C5: the value of the formula =C2+0.001 is not stored: open the workbook in a spreadsheet program and save it",
+            "line 6, column 3: Measurements!C6: the cell shows #N/A",
+        ]
+    );
+    // The callout of merged cells is that of the first one.
+    let [unjudged] = imported.unjudged.as_slice() else { panic!() };
+    assert_eq!((unjudged.line, unjudged.id.as_str(), &unjudged.why), (9, "B7", &WhyUnjudged::NoCallout));
+    assert_eq!(warnings(&imported), ["line 1: sheet Measurements is read; other sheets are not: Notes, Chart"]);
+}
+
+#[test]
+fn formulas_count_by_their_stored_value_and_numbers_as_typed() {
+    let imported = read(XLSXWRITER);
+    assert_eq!(
+        records(&imported),
+        [
+            "2 T1 25 H7 25.0123 GOOD 2025-01-15T10:21:01",
+            "4 T3 25 H7 25.0123 GOOD 2025-01-15T10:21:03",
+            "5 T4 25 H7 24.9 REWORK 2025-01-15T10:21:04",
+        ]
+    );
+    assert_eq!(
+        errors(&imported),
+        ["line 3, column 4: Messung!D3: measured: 25.0123666666667 is finer than a nanometre"]
+    );
+    assert_eq!(warnings(&imported), ["line 1: columns skipped: 7 (Bemerkung)"]);
+}
+
+#[test]
+fn a_workbook_is_told_by_content() {
+    for bytes in [OPENPYXL, XLSXWRITER] {
+        for name in ["a.xlsx", "a.txt", "a.csv", "a.qif"] {
+            let found = FORMATS.iter().find(|format| format.recognises(bytes, name)).map(|format| format.name);
+            assert_eq!(found, Some("xlsx"));
+        }
+    }
+    refused(
+        include_bytes!("../data/xlsx/old.xls"),
+        "line 1: a workbook of the format XLS, which is not read: save it as XLSX",
+    );
+    refused(
+        include_bytes!("../data/xlsx/other.ods"),
+        "line 1: a workbook of the format ODS, which is not read: save it as XLSX",
+    );
+    refused(
+        &zipped(&[("xl/workbook.bin", b"")]),
+        "line 1: a workbook of the format XLSB, which is not read: save it as XLSX",
+    );
+    refused(&zipped(&[("a.txt", b"")]), "line 1: a ZIP file, but not a workbook: unpack it and give the files in it");
+}
+
+#[test]
+fn sizes_and_rows_alone_come_from_a_workbook() {
+    let bytes = book(&sheet(&[&["id", "measured"], &["H1", "25.012"], &["H2", "no"]]), &[]);
+    let read = sizes("a.xlsx", &bytes, Feature::Hole);
+    assert_eq!((read.measured.len(), read.measured[0].measured.to_string().as_str()), (1, "25.012"));
+    assert_eq!(read.errors[0].to_string(), "line 3, column 2: S!B3: measured: no is not a number");
+    let rows = sheet_rows(OPENPYXL).unwrap();
+    assert_eq!(rows[0], (1, vec!["Bores of part PN-4711".to_owned()]));
+    let rows = sheet_rows(XLSXWRITER).unwrap();
+    assert_eq!(rows[0].1[..4], ["Teil", "Nennmaß", "Toleranz", "Istmaß (mm)"]);
+    assert_eq!(rows[1].1, ["T1", "25", "H7", "25.0123", "2025-01-15", "10:21:01", "abc"]);
+    assert_eq!(
+        sheet_rows(b"id;measured\n").unwrap_err().to_string(),
+        "the end of the workbook is missing: it may be cut off"
+    );
+}
+
+#[test]
+fn a_sheet_that_is_not_in_order_is_refused() {
+    let good = "<row r=\"1\"><c t=\"inlineStr\"><is><t>25 H7</t></is></c><c><v>25.012</v></c></row>";
+    let with = |row: &str| book(&format!("<worksheet><sheetData>{good}{row}</sheetData></worksheet>"), &[]);
+    let told = |row: &str| errors(&read(&with(row))).join("|");
+    assert_eq!(
+        told("<row r=\"5\"><c><v>1</v></c></row><row r=\"3\"><c><v>1</v></c></row>"),
+        "line 5: S!5: expected 2 cells, found 1|line 1: S: this workbook cannot be read: row 3 comes after row 5"
+    );
+    assert_eq!(
+        told("<row r=\"2\"><c r=\"B2\"><v>1</v></c><c r=\"A2\"><v>1</v></c></row>"),
+        "line 1: S: this workbook cannot be read: cell A2 is not in order"
+    );
+    assert_eq!(
+        told("<row r=\"2\"><c r=\"XFD2\"><v>1</v></c></row>"),
+        "line 1: S: cell XFD2 is beyond the first 1000 columns"
+    );
+    assert!(
+        told("<row r=\"99999999999\"><c r=\"ZZZZZZZZZ99999999999\"><v>1</v></c></row>").starts_with("line 1: S: "),
+        "{}",
+        told("<row r=\"99999999999\"><c r=\"ZZZZZZZZZ99999999999\"><v>1</v></c></row>")
+    );
+    assert!(
+        told("<row r=\"2\"><c t=\"s\"><v>7</v></c></row>").starts_with("line 1: S: this workbook cannot be read: ")
+    );
+}
+
+#[test]
+fn what_unpacks_to_too_much_is_refused_before_it_does() {
+    let rows = sheet(&[HEADER, &["B1", "25 H7", "25.012"]]);
+    assert_eq!(read(&book(&rows, &[])).records.len(), 1);
+    let dense = "is packed too densely for a workbook: nothing of it is read";
+    let bomb = "<row/>".repeat(4 << 20).into_bytes();
+    let packed = book(&rows, &[("xl/sharedStrings.xml", &bomb)]);
+    assert!(packed.len() < 200_000);
+    refused(&packed, &format!("line 1: xl/sharedStrings.xml unpacks to more than 64 MiB, or {dense}"));
+    refused(
+        &book(&rows, &[("xl/worksheets/sheet2.xml", &bomb)]),
+        &format!("line 1: xl/worksheets/sheet2.xml unpacks to more than 512 MiB, or {dense}"),
+    );
+    refused(
+        &book(&rows, &[("xl/media/a.png", &bomb)]),
+        &format!("line 1: xl/media/a.png unpacks to more than 64 MiB, or {dense}"),
+    );
+    refused(
+        &book(&rows, &[("xl/styles.xml", &bomb[..5 << 20])]),
+        &format!("line 1: xl/styles.xml unpacks to more than 4 MiB, or {dense}"),
+    );
+    let counted = "<sst uniqueCount=\"18446744073709551615\"><si><t>a</t></si></sst>";
+    refused(
+        &book(&rows, &[("xl/sharedStrings.xml", counted.as_bytes())]),
+        "line 1: the workbook has more than 3000000 different texts",
+    );
+    let many = format!("<sst>{}</sst>", "<si/>".repeat(7_000_000));
+    let told = errors(&read(&book(&rows, &[("xl/sharedStrings.xml", many.as_bytes())])));
+    assert_eq!(told.len(), 1, "{told:?}");
+    let deep = "<a>".repeat(100_000);
+    refused(
+        &book(&rows, &[("xl/worksheets/sheet2.xml", deep.as_bytes())]),
+        "line 1: line 1, column 601: nesting limit of 200 elements reached",
+    );
+    let doctype = format!("<!DOCTYPE worksheet [<!ENTITY a \"b\">]>{rows}");
+    refused(
+        &book(&doctype, &[]),
+        "line 1: line 1, column 1: a DOCTYPE is not read: take it out, or export the file without it",
+    );
+    let names: Vec<String> = (0..10_100).map(|number| format!("a{number}")).collect();
+    let members: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), b"".as_slice())).collect();
+    refused(
+        &book(&rows, &members),
+        "line 1: the workbook has a list of more than 10000 members, or one that is damaged",
+    );
+}
+
+#[test]
+fn a_workbook_that_is_cut_off_or_damaged_anywhere_says_so() {
+    let whole = read(XLSXWRITER);
+    for end in (4..XLSXWRITER.len()).step_by(7) {
+        let imported = read(&XLSXWRITER[..end]);
+        assert_eq!(imported.records, [], "{end}");
+        assert!(!imported.errors.is_empty(), "{end}");
+    }
+    for at in (0..XLSXWRITER.len()).step_by(3) {
+        let mut bytes = XLSXWRITER.to_vec();
+        bytes[at] ^= 0x55;
+        let imported = read(&bytes);
+        // Dates and flags of members are nobody's business.
+        assert!(!imported.errors.is_empty() || imported.records == whole.records, "{at}");
+    }
+}
+
+#[test]
+fn what_is_no_measurement_is_said() {
+    refused(&book(&sheet(&[]), &[]), "line 1: no row holds a measurement");
+    refused(&book(&sheet(&[HEADER]), &[]), "line 1: no row holds a measurement");
+    refused(
+        &book(&sheet(&[&["a", "b"], &["c", "d"]]), &[]),
+        "line 1: S: no column of measured values: name it in the first line, such as id;callout;measured",
+    );
+}

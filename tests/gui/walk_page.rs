@@ -1,0 +1,320 @@
+//! The walk through a part in the window, by label and key: values typed, gauged, simulated, from files and from a watched folder; touch
+//! alone; interrupted and brought back.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+use std::time::{Duration, Instant};
+
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Key, Modifiers, Theme, Vec2, ViewportId, vec2};
+use egui_kittest::Harness;
+use egui_kittest::kittest::Queryable as _;
+use fitcheck::gui::journal::{Local, Records};
+use fitcheck::gui::{App, Store};
+use fitcheck::journal::ask::Question;
+use fitcheck::session::parts::WalkCommand;
+use fitcheck::session::{Page, Purpose};
+use fitcheck::store::local::Reader;
+use fitcheck::words::Language;
+use jiff::tz::{TimeZone, offset};
+
+use crate::dialogs::Dropped;
+use crate::harness::{DESK, Window, click, moment, press, rows, type_into, verdict};
+use crate::pictures::can_paint;
+
+/// Twelve features: the first is that of the sample log, by its place.
+const PLAN: &str = "number;name;kind;axis;callout;callout2;x;y;z
+1;BORE;;;25 H7;;40;30;-8
+2;PIN;;;20 g6;;40;90;-8
+3;SLOT;width;Y;16 H8;;100;90;-8
+4;RIDGE;width;X;30 h9;;160;30;-8
+5;TOP;face;-Z;10 h9;;220;30;10
+6;BOSS;boss;;18 s7;16 h9;140;200;-8
+7;POINT;point;-Z;±0,05;;260;30;12
+8;D8;;;8 H7;;10;10;-5
+9;D9;;;9 H7;;30;10;-5
+10;D10;;;10 H7;;50;10;-5
+11;D11;;;11 H7;;70;10;-5
+12;D12;;;12 F9;;90;10;-5
+";
+
+type Harnessed = Harness<'static, App>;
+
+fn put(path: &Path, text: &str) {
+    std::io::Write::write_all(&mut std::fs::File::create(path).unwrap(), text.as_bytes()).unwrap();
+}
+
+fn records(folder: &Path) -> Records {
+    Records {
+        journals: Arc::new(Local::with_anchors(None)),
+        usual: Some(folder.join("journal.sqlite")),
+        station: "Mill 3".to_owned(),
+        moment,
+        zone: TimeZone::fixed(offset(1)),
+        always_threads: false,
+    }
+}
+
+/// A window that records in a folder, with the plan of that folder.
+fn window_of(folder: &Path, size: Vec2) -> Window {
+    let plan = folder.join("flange.csv");
+    if !plan.exists() {
+        put(&plan, PLAN);
+    }
+    let files = vec![(Purpose::OpenPlan, plan)];
+    Window { size, files, records: records(folder), store: Store::at(&folder.join("state.toml")), ..Window::default() }
+}
+
+fn begun(folder: &Path) -> Harnessed {
+    let mut page = window_of(folder, DESK).open();
+    assert_eq!(page.state().session().page(), Page::Parts);
+    type_into(&mut page, "Serial number", "A-0099");
+    press(&mut page, Key::Enter);
+    page
+}
+
+fn asked(page: &Harnessed) -> Option<String> {
+    page.state().session().parts().walking().asked().map(|size| size.name())
+}
+
+fn value(page: &mut Harnessed, text: &str) {
+    type_into(page, "Measured value", text);
+    press(page, Key::Enter);
+}
+
+fn drop_file(page: &mut Harnessed, path: PathBuf) {
+    page.input_mut().dropped_files.push(Arc::new(Dropped(path)));
+    page.run();
+}
+
+#[track_caller]
+fn until(page: &mut Harnessed, what: impl Fn(&Harnessed) -> bool) {
+    let begin = Instant::now();
+    while !what(page) {
+        assert!(begin.elapsed() < Duration::from_secs(20), "it never comes: {:?}", rows(page));
+        std::thread::sleep(Duration::from_millis(5));
+        page.step();
+    }
+    page.run();
+}
+
+/// How many checks the journal has.
+fn recorded(folder: &Path) -> usize {
+    let reader = Reader::open(&folder.join("journal.sqlite")).unwrap();
+    reader.numbers(&Question::default(), None, 1_000).unwrap().len()
+}
+
+#[test]
+fn twelve_features_are_measured_from_everywhere() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun(folder.path());
+    // From the control's log: found by its place.
+    let log = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/samples/logs/en/TCHPR421.TXT");
+    drop_file(&mut page, log);
+    assert_eq!(asked(&page).as_deref(), Some("PIN"));
+    assert!(verdict(&page).contains("BORE: 25.0134 mm"), "{}", verdict(&page));
+    press(&mut page, Key::Escape);
+    // Typed, with a decimal comma.
+    value(&mut page, "19,985");
+    assert!(verdict(&page).starts_with("GOOD"), "{}", verdict(&page));
+    // Simulated by the cycles of all kinds.
+    for name in ["SLOT", "RIDGE", "TOP", "BOSS X", "POINT"] {
+        assert_eq!(asked(&page).as_deref(), Some(name));
+        press(&mut page, Key::F5);
+        assert!(verdict(&page).starts_with("SIMULATED"), "{}", verdict(&page));
+    }
+    // A gauge that types its line.
+    value(&mut page, "01A+0008.005");
+    page.get_by_label("from channel 01");
+    // From a file that is dropped.
+    let csv = folder.path().join("values.csv");
+    put(&csv, "name;measured\nD9;9.006\nNOBODY;3\n");
+    drop_file(&mut page, csv);
+    page.get_by_label("values.csv: 1 taken, 1 not");
+    press(&mut page, Key::Escape);
+    // From the watched folder.
+    let drops = folder.path().join("drops");
+    std::fs::create_dir(&drops).unwrap();
+    click(&mut page, Role::Button, "Watch a folder…");
+    type_into(&mut page, "Folder", &drops.display().to_string());
+    // The first Enter goes into the folder, the second takes it.
+    press(&mut page, Key::Enter);
+    press(&mut page, Key::Enter);
+    until(&mut page, |page| page.state().session().parts().watched().known().is_some());
+    put(&drops.join("d.csv"), "name;measured\nD10;10.005\n");
+    until(&mut page, |page| page.state().session().parts().watched().count() == 1);
+    assert!(page.query_by_label_contains("d.csv").is_some());
+    assert_eq!(asked(&page).as_deref(), Some("D11"));
+    // Left out for a reason, by key.
+    press(&mut page, Key::F7);
+    click(&mut page, Role::Button, "Not machined yet");
+    value(&mut page, "12.07");
+    assert!(verdict(&page).starts_with("SCRAP"), "{}", verdict(&page));
+    // Measured again.
+    press(&mut page, Key::F6);
+    assert_eq!(asked(&page).as_deref(), Some("D12"));
+    value(&mut page, "12.03");
+    page.get_by_label("Measured 2 times: all values stay, and this one counts");
+    page.get_by_label("Every size has a value or a reason");
+    page.get_by_label("12 measured, 0 missing, 1 left out");
+    page.get_by_label_contains("6 values are simulated");
+    page.get_by_label("No verdict yet");
+    assert_eq!(recorded(folder.path()), 13);
+    // The next part.
+    press(&mut page, Key::F8);
+    assert_eq!(page.state().session().text(fitcheck::session::PartsField::Serial), "A-0100");
+    press(&mut page, Key::Enter);
+    assert_eq!(asked(&page).as_deref(), Some("BORE"));
+    assert_eq!(page.state().session().parts().walking().serial(), "A-0100");
+}
+
+#[test]
+fn an_interrupted_part_is_there_after_a_restart() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun(folder.path());
+    value(&mut page, "25.03");
+    press(&mut page, Key::F6);
+    value(&mut page, "25.01");
+    press(&mut page, Key::F7);
+    type_into(&mut page, "Another reason", "pin is gone");
+    press(&mut page, Key::Enter);
+    // The state is kept soon after a change.
+    let state = folder.path().join("state.toml");
+    until(&mut page, |_| std::fs::read_to_string(&state).is_ok_and(|text| text.contains("pin is gone")));
+    drop(page);
+    let window = Window { files: Vec::new(), ..window_of(folder.path(), DESK) };
+    let mut page = window.open();
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
+    page.run();
+    page.get_by_label("The interrupted part A-0099 is back, with 2 values");
+    assert_eq!(asked(&page).as_deref(), Some("SLOT"));
+    let list = rows(&page);
+    assert!(list[0].contains("GOOD") && list[0].contains("25.010 mm") && list[0].contains("2 values"), "{list:?}");
+    assert!(list[1].contains("left out: pin is gone"), "{list:?}");
+    assert_eq!(recorded(folder.path()), 2, "nothing is recorded twice");
+}
+
+#[test]
+fn the_watched_folder_takes_nothing_twice_and_an_idle_one_asks_for_no_frame() {
+    let folder = tempfile::tempdir().unwrap();
+    let drops = folder.path().join("drops");
+    std::fs::create_dir(&drops).unwrap();
+    put(&drops.join("d.csv"), "name;measured\nD10;10.005\nD11;11.005\n");
+    for (round, known) in [(1, 0), (2, 1)] {
+        // The second window finds the part of the first.
+        let mut page = if round == 1 { begun(folder.path()) } else { window_of(folder.path(), DESK).open() };
+        let ctx = page.ctx.clone();
+        page.state_mut().send(&ctx, WalkCommand::Watch { folder: drops.clone(), is_folder: true }.into());
+        until(&mut page, |page| page.state().session().parts().watched().known() == Some(known));
+        if round == 1 {
+            until(&mut page, |page| page.state().session().parts().watched().count() == 1);
+        }
+        std::thread::sleep(Duration::from_millis(600));
+        page.run();
+        std::thread::sleep(Duration::from_millis(300));
+        page.run();
+        assert_eq!(page.output().viewport_output[&ViewportId::ROOT].repaint_delay, Duration::MAX);
+        assert_eq!(recorded(folder.path()), 2, "round {round}");
+        click(&mut page, Role::Button, "Stop watching");
+        assert!(page.state().session().parts().watched().folder().is_none());
+    }
+}
+
+#[test]
+fn touch_alone_does_the_walk() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = window_of(folder.path(), vec2(1024.0, 768.0)).open();
+    click(&mut page, Role::Button, "Count up");
+    click(&mut page, Role::Button, "Begin the part");
+    assert_eq!(page.state().session().parts().walking().serial(), "1");
+    click(&mut page, Role::Button, "Keypad");
+    for key in ["Key 2", "Key 5", "Decimal sign", "Key 0", "Key 1"] {
+        click(&mut page, Role::Button, key);
+    }
+    click(&mut page, Role::Button, "Take value");
+    assert!(verdict(&page).contains("BORE: 25.010 mm"), "{}", verdict(&page));
+    click(&mut page, Role::Button, "Leave out");
+    click(&mut page, Role::Button, "Measured elsewhere");
+    click(&mut page, Role::Button, "Simulate");
+    assert!(verdict(&page).starts_with("SIMULATED"), "{}", verdict(&page));
+    // A row of the list asks for its size.
+    page.get_by(|node| node.role() == Role::Row && node.label().is_some_and(|label| label.contains("PIN"))).click();
+    page.run();
+    assert_eq!(asked(&page).as_deref(), Some("PIN"));
+    for _ in 0..2 {
+        click(&mut page, Role::Button, "Next part");
+    }
+    assert!(!page.state().session().parts().walking().is_begun());
+    assert_eq!(page.state().session().text(fitcheck::session::PartsField::Serial), "2");
+}
+
+#[test]
+fn the_list_is_walked_by_key() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun(folder.path());
+    page.get_by_role_and_label(Role::Grid, "Sizes of the part").focus();
+    page.run();
+    press(&mut page, Key::End);
+    assert_eq!(asked(&page).as_deref(), Some("D12"));
+    press(&mut page, Key::ArrowUp);
+    assert_eq!(asked(&page).as_deref(), Some("D11"));
+}
+
+/// From Enter to the verdict on screen, with recording.
+#[test]
+fn a_step_takes_less_than_fifty_milliseconds() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun(folder.path());
+    let mut steps = Vec::new();
+    for value in ["25.01", "19.985", "16.01", "29.98"] {
+        type_into(&mut page, "Measured value", value);
+        let begin = Instant::now();
+        page.key_press(Key::Enter);
+        page.step();
+        page.step();
+        steps.push(begin.elapsed());
+        assert!(verdict(&page).starts_with("GOOD"), "{}", verdict(&page));
+        page.run();
+    }
+    steps.sort();
+    println!("from Enter to verdict: {steps:?}");
+    // A debug build on a shared machine: the quickest is what the program needs.
+    assert!(steps[0] < Duration::from_millis(50), "{steps:?}");
+}
+
+fn picture(name: &str, size: Vec2, language: Language, theme: Theme) {
+    if !can_paint(name) {
+        return;
+    }
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = Window { theme, language, ..window_of(folder.path(), size) }.open();
+    let ctx = page.ctx.clone();
+    let typed = |page: &mut Harnessed, field: fitcheck::session::PartsField, text: &str| {
+        let command = fitcheck::session::Field::from(field).typed(text.to_owned());
+        page.state_mut().send(&ctx, command);
+    };
+    typed(&mut page, fitcheck::session::PartsField::Serial, "A-0099");
+    page.state_mut().send(&ctx, WalkCommand::Begin.into());
+    for value in ["25.0134", "19,97"] {
+        typed(&mut page, fitcheck::session::PartsField::Value, value);
+        page.state_mut().send(&ctx, WalkCommand::Take.into());
+    }
+    page.state_mut().send(&ctx, WalkCommand::Simulate.into());
+    page.state_mut().send(&ctx, WalkCommand::Skip("pin".to_owned()).into());
+    typed(&mut page, fitcheck::session::PartsField::Value, "9,99");
+    page.state_mut().send(&ctx, WalkCommand::Take.into());
+    page.run();
+    page.remove_cursor();
+    page.run();
+    page.snapshot(name);
+}
+
+#[test]
+fn picture_of_the_walk_in_a_small_window() {
+    picture("walk_small_en", vec2(480.0, 320.0), Language::En, Theme::Light);
+}
+
+#[test]
+fn picture_of_the_walk_in_a_large_window() {
+    picture("walk_large_nl", vec2(1920.0, 1080.0), Language::Nl, Theme::Dark);
+}
