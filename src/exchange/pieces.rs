@@ -149,9 +149,9 @@ mod tests {
 
     #[test]
     fn pieces_end_where_lines_end() {
-        assert_eq!(pieces(b"a\nb\nc", 3), ["a\n", "b\n", "c"]);
+        assert_eq!(pieces(b"a\nb\nc\nd", 3), ["a\n", "b\nc\n", "d"]);
         assert_eq!(pieces(b"a\r\nb\r\nc\r\n", 2), ["a\r\n", "b\r\n", "c\r\n"]);
-        assert_eq!(pieces(b"a\rb\rc", 2), ["a\r", "b\r", "c"]);
+        assert_eq!(pieces(b"a\rb\rc\rd", 2), ["a\r", "b\r", "c\rd"]);
         assert_eq!(pieces(b"", 2), [""; 0]);
     }
 
@@ -173,8 +173,12 @@ mod tests {
 
     proptest::proptest! {
         #[test]
-        fn pieces_are_the_whole_text(text in "[a\n\rä]{0,60}", step in 1_usize..9) {
-            proptest::prop_assert_eq!(pieces(text.as_bytes(), step).concat(), text);
+        fn pieces_are_the_whole_text_and_end_where_lines_end(text in "[a\n\rä]{0,60}", step in 1_usize..9) {
+            let pieces = pieces(text.as_bytes(), step);
+            let (_last, others) = pieces.split_last().unzip();
+            let ends_in_line = |piece: &String| piece.ends_with(['\n', '\r']);
+            proptest::prop_assert!(others.unwrap_or_default().iter().all(ends_in_line), "{pieces:?}");
+            proptest::prop_assert_eq!(pieces.concat(), text);
         }
     }
 }
