@@ -16,6 +16,7 @@ use std::io::{Read as _, Write};
 use std::path::{Path, PathBuf};
 
 pub use beside::beside;
+pub(crate) use beside::beside_path;
 pub use folder::{make_folder, no_half_set, write_folder, write_into};
 pub use folders::Folders;
 pub use listing::{Entry, Listing, MOST_ENTRIES, list, list_up_to};

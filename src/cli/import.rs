@@ -277,7 +277,7 @@ fn read(
 }
 
 /// Warns about the whole file; warnings about a row are beside the row.
-fn warn(path: &Path, item: &Item, io: &mut Io<'_>) {
+pub(super) fn warn(path: &Path, item: &Item, io: &mut Io<'_>) {
     if let Item::Warning(warning) = item
         && warning.what.row.is_none()
     {

@@ -128,7 +128,11 @@ impl Run<'_> {
                         last = Instant::now();
                     }
                     for (name, known) in &look.same {
-                        io.warn_about(name, &CliWarning::SameContent { known: known.clone() });
+                        if name == known {
+                            io.warn_about(name, &Message::new("watch-same-again"));
+                        } else {
+                            io.warn_about(name, &CliWarning::SameContent { known: known.clone() });
+                        }
                     }
                     self.take(watcher, &look.ready, io)?;
                 }
@@ -171,6 +175,12 @@ impl Run<'_> {
         for (batch, rows) in ready.iter().zip(&all) {
             if let Err(error) = watcher.taken(batch, &|message: &Message| message.to_string()) {
                 io.warn_about(&batch.name, &error);
+            }
+            for remark in &batch.remarks {
+                io.warn_about(&batch.name, remark);
+            }
+            for item in &batch.items {
+                super::import::warn(Path::new(&batch.name), item, io);
             }
             for row in rows {
                 self.is_bad |= row.error.is_some();

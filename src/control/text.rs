@@ -35,6 +35,9 @@ pub(crate) fn cut(text: &str, most: usize) -> String {
 /// What ends a line; CR LF is one end.
 pub const LINE_ENDS: [char; 3] = ['\n', '\r', '\0'];
 
+/// The same as bytes.
+pub const LINE_END_BYTES: &[u8] = b"\n\r\0";
+
 /// The lines of a text, numbered from 1, without their ends: LF, CRLF, CR or byte 0.
 pub fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
     lines_from(text, 1)

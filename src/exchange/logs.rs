@@ -30,9 +30,9 @@ pub(super) const FORMAT: Format = Format {
     recognises,
     read,
     plan: None,
-    grows: true,
+    line_ends: text::LINE_END_BYTES,
     has_marks: true,
-    is_closed: false,
+    shows_end: true,
 };
 
 /// The control's fixed names, `TCHPR421.TXT`, or a text with the shape of a log.
@@ -44,7 +44,7 @@ fn recognises(beginning: &Beginning<'_>) -> bool {
 
 fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
     let context = source.context.clone();
-    let mut pieces = source.pieces(b"\n\r\0")?;
+    let mut pieces = source.pieces(text::LINE_END_BYTES)?;
     let mut logs = Logs::default();
     let (mut line, mut is_unfinished) = (1, false);
     while let Some(piece) = pieces.next()? {

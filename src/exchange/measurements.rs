@@ -24,6 +24,9 @@ use crate::length::Length;
 use crate::message::Place;
 use crate::probing::{Measurement, Origin};
 
+/// The bytes that end a row.
+const LINE_ENDS: &[u8] = b"\n\r";
+
 pub(super) const FORMAT: Format = Format {
     name: "measurements",
     endings: &["csv", "tsv", "txt"],
@@ -31,9 +34,9 @@ pub(super) const FORMAT: Format = Format {
     recognises: |beginning| is_text(&beginning.text()),
     read,
     plan: None,
-    grows: true,
+    line_ends: LINE_ENDS,
     has_marks: false,
-    is_closed: false,
+    shows_end: true,
 };
 
 /// Text, not arbitrary bytes: at most one of fifty characters is a control character.
@@ -58,7 +61,7 @@ pub(super) fn read_sizes(
 fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>) -> Result<(), ImportErrorKind> {
     let context = source.context.clone();
     let (mapping, detects) = (source.given.mapping, Mapping::default());
-    let mut pieces = source.pieces(b"\n\r")?;
+    let mut pieces = source.pieces(LINE_ENDS)?;
     let head = head(&mut pieces)?;
     let (text, first_line, separator) = without_separator_line(&head);
     let mapping = mapping.unwrap_or(&detects);

@@ -86,6 +86,7 @@ pub use sizes::{Size, Sizes, SizesWarning, sizes};
 use source::{Beginning, Source};
 pub use source::{Body, Given, WHOLE};
 
+use crate::control::mask::Mask;
 use crate::message::{Message, Say, display};
 use crate::probing::Origin;
 use crate::tolerance::Sources;
@@ -104,12 +105,13 @@ pub struct Format {
     read: fn(&mut Source<'_>, &mut Sink<'_>) -> Result<(), ImportErrorKind>,
     /// The characteristics that a file of the format declares: the features of a plan.
     plan: Option<Declares>,
-    /// Whether a file may grow: what stands in its lines stays there, and more lines come behind them.
-    pub grows: bool,
+    /// The bytes that end a line (CR LF is one end) of a file that may grow: what stands in its lines stays there, and more lines come
+    /// behind them. Nothing where no file grows so.
+    pub line_ends: &'static [u8],
     /// Whether a file says by its content what it is; any text could be a table or contacts.
     pub has_marks: bool,
-    /// Whether a file shows that it is complete: one that is cut off cannot be read.
-    pub is_closed: bool,
+    /// Whether a file shows what of it is complete: what is cut off cannot be read, or is a line without an end.
+    pub shows_end: bool,
 }
 
 /// Reads the characteristics that a file declares, with their lines.
@@ -136,9 +138,9 @@ const CONTACTS: Format = Format {
     recognises: |beginning| columns::are_contacts(&beginning.text()),
     read: read_contacts,
     plan: None,
-    grows: false,
+    line_ends: b"",
     has_marks: false,
-    is_closed: false,
+    shows_end: false,
 };
 
 impl Format {
@@ -236,18 +238,24 @@ fn read_contacts(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), Imp
     Ok(())
 }
 
-/// The format that a file seems to be of, and whether it may grow; it is at its beginning afterwards. UTF-16 is read as a whole.
+/// The format that a file seems to be of; that of prints where one of the masks, or several, seem to have printed it. It is at its
+/// beginning afterwards.
 ///
 /// # Errors
 /// What the system says.
-pub fn recognised(file_name: &str, body: &mut dyn Body) -> std::io::Result<Option<Format>> {
+pub fn recognised(
+    file_name: &str,
+    body: &mut dyn Body,
+    masks: &[(String, Mask)],
+) -> std::io::Result<Option<&'static Format>> {
     let mut head = Vec::new();
     body.rewind()?;
     let most = source::HEAD.try_into().unwrap_or(u64::MAX);
     body.take(most).read_to_end(&mut head)?;
     body.rewind()?;
-    let format = FORMATS.iter().find(|format| format.recognises(&head, file_name)).copied();
-    Ok(format.map(|format| Format { grows: format.grows && pieces::utf16(&head).is_none(), ..format }))
+    let format = FORMATS.iter().find(|format| format.recognises(&head, file_name));
+    let is_printed = !format.is_some_and(|format| format.has_marks) && fn16::fits(masks, &Beginning::new(file_name, &head));
+    Ok(if is_printed { Some(&fn16::FORMAT) } else { format })
 }
 
 /// The endings of all formats, each once, for file dialogs.

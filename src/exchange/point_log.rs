@@ -24,9 +24,9 @@ pub(super) const FORMAT: Format = Format {
     recognises: |beginning| point_log::is_log(&beginning.text()),
     read,
     plan: None,
-    grows: false,
+    line_ends: b"",
     has_marks: true,
-    is_closed: true,
+    shows_end: true,
 };
 
 fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {

@@ -170,6 +170,15 @@ pub enum ImportWarningKind {
 }
 
 impl ImportWarningKind {
+    /// Whether something of the file that may have been measured is not read.
+    pub const fn is_loss(&self) -> bool {
+        match self {
+            Self::NotUsed { .. } | Self::Comment | Self::SheetsLeft { .. } | Self::QifCount { .. } | Self::QifTwice { .. } => true,
+            Self::Aqdef(warning) => warning.is_loss(),
+            _ => false,
+        }
+    }
+
     /// That the cells of a line above the measurements are not used.
     pub(super) fn not_used(cells: &csv::StringRecord) -> Self {
         let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");

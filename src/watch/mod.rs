@@ -3,32 +3,40 @@
 //! | file | what |
 //! |---|---|
 //! | here | one look at the folder: which files are ready, and what they hold |
-//! | `folder` | what lies in the folder, and since when it is unchanged |
-//! | `known` | what was taken already, by content; how much of a file that has grown |
+//! | `folder`, `closed` | what lies in the folder, since when it is unchanged, and whether anybody still writes it |
+//! | `reading` | what of a file is taken now: what is complete and new |
+//! | `known`, `lines` | what was taken already, by content; how much of a file that has grown |
 //! | `part` | the first bytes of a file as a file of their own |
 //! | `note` | what is written beside a file that could not be taken whole |
+//! | `alone` | that one program watches a folder for a journal |
 //!
 //! The folder is looked at again and again: shares of a network send no notifications. Nothing is moved or deleted in it. What was taken is
 //! remembered by the SHA-256 of its bytes, which the journal keeps with every entry, so that a restart needs no other memory and a renamed
 //! file is not taken twice.
 //!
-//! A file of lines (a log, a CSV, AQDEF) may grow: of such a file the whole lines are taken, and when it has grown, the lines that are new.
-//! Its last line without a line end may be cut off in the middle of a number, so it waits until nothing was written for a while. A file of
-//! another form (XML, a workbook, a table with an end mark) is taken when it can be read to its end.
+//! A file of lines (a log, a CSV, prints, AQDEF) may grow: of such a file the whole lines are taken, and when it has grown, the lines that are
+//! new. Its last line without a line end may be cut off in the middle of a number, so it waits until nothing was written for a while. A file
+//! of another form (XML, a workbook) is taken when it can be read to its end. What shows nothing of its end (AQDEF, CALYPSO, contacts) is taken
+//! when its writer has closed it, or where that is not known, when it was unchanged for a while.
 
+mod alone;
+mod closed;
 mod folder;
 mod known;
+mod lines;
 mod note;
 mod part;
+mod reading;
 
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use jiff::civil::DateTime;
 
+pub use alone::Alone;
 use crate::control::mask::Mask;
-use crate::exchange::{ByPlan, Given, Item, MOST_ROWS, import_from, recognised};
-use crate::files::{self, FileError};
+use crate::exchange::Item;
+use crate::files::FileError;
 use crate::journal::chain::Hash;
 use crate::message::{Message, Say};
 use crate::part::Plan;
@@ -36,7 +44,6 @@ use crate::tolerance::Sources;
 use folder::{Folder, Found};
 pub use known::Known;
 pub use note::{NOTE_ENDING, note_of};
-use part::Beginning;
 
 /// How long a file has to be unchanged before it is looked into.
 const QUIET: Duration = Duration::from_millis(100);
@@ -77,9 +84,13 @@ pub struct Batch {
     pub items: Vec<Item>,
     /// Everything of it that is no check, in words: rows that cannot be used or judged, or why nothing can.
     pub problems: Vec<Message>,
+    /// What else is to be said: values that were taken before from another file, or from the same one before it was replaced.
+    pub remarks: Vec<Message>,
+    /// Whether anything was measured.
+    has_values: bool,
     /// How it was when it was read.
     found: Found,
-    /// Whether its last line is still waited for.
+    /// Whether there is, or may be, more of it.
     is_open: bool,
 }
 
@@ -103,7 +114,8 @@ pub struct Look {
     pub ready: Vec<Batch>,
     /// Files that are not ready yet, by name.
     pub waiting: Vec<(String, Waiting)>,
-    /// Files of which nothing is taken, because their content was taken before under another name: the name, and that one.
+    /// Files of which nothing is taken, because their content was taken before: the name, and the name that it had then, the same one where
+    /// the file was written again.
     pub same: Vec<(String, String)>,
 }
 
@@ -119,12 +131,14 @@ impl Look {
 pub struct Watcher {
     folder: Folder,
     known: Known,
+    /// The clock at the first look.
+    begun: Option<Duration>,
 }
 
 impl Watcher {
     /// A folder, and what was taken from it or elsewhere before.
     pub fn new(folder: &Path, known: Known) -> Self {
-        Self { folder: Folder::new(folder), known }
+        Self { folder: Folder::new(folder), known, begun: None }
     }
 
     /// One look; `clock` is any clock that only goes forward.
@@ -133,20 +147,16 @@ impl Watcher {
     /// [`FileError`] where the folder cannot be read: a share may be gone for a while, and the next look tries again.
     pub fn look(&mut self, judging: Judging<'_>, clock: Duration) -> Result<Look, FileError> {
         let mut look = Look::default();
+        let is_young = clock.saturating_sub(*self.begun.get_or_insert(clock)) < PATIENCE;
         for found in self.folder.look(clock)? {
-            if found.quiet < QUIET {
-                look.waiting.push((found.name.clone(), Waiting::Written));
+            if found.quiet < QUIET || MOST_FILES <= look.ready.len() {
+                look.waiting.push((found.name, Waiting::Written));
                 continue;
             }
-            if MOST_FILES <= look.ready.len() {
-                look.waiting.push((found.name.clone(), Waiting::Written));
-                continue;
-            }
-            let name = found.name.clone();
-            match self.read(found, judging, &mut look.same) {
+            match reading::read(&found, judging, &mut self.known, is_young, &mut look) {
                 Ok(Some(batch)) => look.ready.push(batch),
-                Ok(None) => {}
-                Err(waiting) => look.waiting.push((name, waiting)),
+                Ok(None) => self.folder.done(&found),
+                Err(waiting) => look.waiting.push((found.name, waiting)),
             }
         }
         Ok(look)
@@ -158,106 +168,13 @@ impl Watcher {
     /// # Errors
     /// [`FileError`] where the note cannot be written; the file counts as taken all the same.
     pub fn taken(&mut self, batch: &Batch, words: &dyn Fn(&Message) -> String) -> Result<(), FileError> {
-        self.known.add(batch.sha256, &batch.name);
+        // What could not be read may be read another time: with the file beside it, with another mask, when there is more of it.
+        if batch.has_values {
+            self.known.add(batch.sha256, &batch.name);
+        }
         if !batch.is_open {
             self.folder.done(&batch.found);
         }
-        let problems: Vec<String> = batch.problems.iter().map(words).collect();
-        note::write(&batch.path, &problems)
-    }
-
-    /// Looks into a file; `None` where all of it was taken before, or it is gone.
-    fn read(
-        &mut self,
-        found: Found,
-        judging: Judging<'_>,
-        same: &mut Vec<(String, String)>,
-    ) -> Result<Option<Batch>, Waiting> {
-        let path = found.path.clone();
-        let file = match files::open(&path) {
-            Ok((file, _)) => file,
-            Err(FileError::Missing { .. }) => return Ok(None),
-            Err(error) => return Err(Waiting::Locked { reason: error.to_string() }),
-        };
-        let is_patient = PATIENCE <= found.quiet;
-        let locked = |error: &std::io::Error| Waiting::Locked { reason: error.to_string() };
-        let mut body = &file;
-        let format = recognised(&found.name, &mut body).map_err(|error| locked(&error))?;
-        let grows = format.is_some_and(|format| format.grows);
-        // What neither grows line by line nor shows its end may be cut off anywhere, also where it can be read.
-        if !grows && !is_patient && format.is_some_and(|format| !format.is_closed) {
-            return Err(Waiting::Written);
-        }
-        let extent = self.known.extent(&found.name, &mut body, grows).map_err(|error| locked(&error))?;
-        if extent.is_known {
-            let known = self.known.name_of(&extent.hash).filter(|known| !known.is_empty() && *known != found.name);
-            same.extend(known.map(|known| (found.name.clone(), known.to_owned())));
-            self.folder.done(&found);
-            return Ok(None);
-        }
-        // A last line without its end may be half a number.
-        let ends_in_line = grows && extent.lines_end < extent.end && !is_patient;
-        let (end, sha256) =
-            if ends_in_line { (extent.lines_end, extent.lines_hash) } else { (extent.end, extent.hash) };
-        if ends_in_line && end <= extent.known_end {
-            return Err(Waiting::Written);
-        }
-        let has_marks = format.is_some_and(|format| format.has_marks);
-        let masks = if has_marks { &[] } else { judging.masks };
-        let all = read_all(&file, &found, end, Judging { masks, ..judging });
-        // What no mask has printed may be a table of its own.
-        let is_printed = masks.is_empty() || all.iter().any(|item| !matches!(item, Item::Error(_) | Item::Warning(_)));
-        let all = if is_printed { all } else { read_all(&file, &found, end, Judging { masks: &[], ..judging }) };
-        // A note tells of the whole file, also of what was taken before.
-        let problems: Vec<Message> = all.iter().filter_map(problem).collect();
-        let is_new = |item: &Item| extent.known_lines == 0 || extent.known_lines < line_of(item);
-        let items: Vec<Item> = all.into_iter().filter(is_new).collect();
-        // What changed while it was read may be half old and half new.
-        if !found.is_unchanged() {
-            return Err(Waiting::Written);
-        }
-        // An unfinished file cannot be told from a broken one but by waiting.
-        let is_unfinished = |item: &Item| matches!(item, Item::Error(_));
-        let waits = if grows { items.last().is_some_and(is_unfinished) } else { items.iter().any(is_unfinished) };
-        if waits && !is_patient {
-            return Err(Waiting::Written);
-        }
-        Ok(Some(Batch { path, name: found.name.clone(), sha256, items, problems, found, is_open: ends_in_line }))
-    }
-}
-
-/// What the first bytes of a file hold, judged by the plan.
-fn read_all(file: &std::fs::File, found: &Found, end: u64, judging: Judging<'_>) -> Vec<Item> {
-    let beside = |ending: &str| files::beside(&found.path, ending);
-    let usual = Given::new(judging.sources, judging.now);
-    let given = Given { beside: &beside, masks: judging.masks, most_rows: MOST_ROWS, ..usual };
-    let (mut items, mut by_plan) = (Vec::new(), judging.plan.map(ByPlan::new));
-    import_from(&found.name, &mut Beginning::new(file, end), given, &mut |item| match &mut by_plan {
-        Some(by_plan) => by_plan.item(item, &mut |item| items.push(item)),
-        None => items.push(item),
-    });
-    items
-}
-
-/// The line of a thing in its file.
-fn line_of(item: &Item) -> usize {
-    match item {
-        Item::Record { line, .. } => *line,
-        Item::Unjudged(unjudged) => unjudged.line,
-        Item::Error(error) => error.place.line.unwrap_or(usize::MAX),
-        Item::Warning(warning) => warning.what.row.or(warning.place.line).unwrap_or(usize::MAX),
-        Item::Contacts(_) => usize::MAX,
-    }
-}
-
-/// What is to be said of a thing that is no check.
-fn problem(item: &Item) -> Option<Message> {
-    match item {
-        Item::Record { .. } | Item::Warning(_) | Item::Contacts(_) => None,
-        Item::Error(error) => Some(error.message()),
-        Item::Unjudged(unjudged) => {
-            let at = crate::message::Located::in_line(unjudged.line, unjudged.why.clone());
-            Some(at.message())
-        }
+        note::write(&batch.path, &batch.problems, words)
     }
 }

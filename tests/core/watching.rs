@@ -7,8 +7,10 @@ use std::path::{Path, PathBuf};
 use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
+use fitcheck::control::mask::Mask;
 use fitcheck::exchange::Item;
 use fitcheck::files;
+use fitcheck::journal::chain::Hash;
 use fitcheck::tolerance::Sources;
 use fitcheck::watch::{Batch, Judging, Known, Watcher};
 
@@ -25,13 +27,19 @@ struct Watched {
     clock: Duration,
     /// What was told to be the same as another file.
     same: Vec<(String, String)>,
+    /// What the journal would know.
+    recorded: Vec<(String, Hash)>,
+    /// What else was told.
+    remarks: Vec<String>,
+    masks: Vec<(String, Mask)>,
 }
 
 impl Watched {
     fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         let watcher = Watcher::new(folder.path(), Known::default());
-        Self { folder, watcher, clock: Duration::ZERO, same: Vec::new() }
+        let (clock, same, recorded) = (Duration::ZERO, Vec::new(), Vec::new());
+        Self { folder, watcher, clock, same, recorded, remarks: Vec::new(), masks: Vec::new() }
     }
 
     fn path(&self, name: &str) -> PathBuf {
@@ -52,15 +60,29 @@ impl Watched {
         let (plan, sources) = (plan(), Sources::default());
         let now = jiff::civil::date(2026, 11, 23).at(8, 0, 0, 0);
         let look =
-            self.watcher.look(Judging { plan: Some(&plan), sources: &sources, masks: &[], now }, self.clock).unwrap();
+            self.watcher.look(Judging { plan: Some(&plan), sources: &sources, masks: &self.masks, now }, self.clock).unwrap();
         self.same.extend(look.same);
         look.ready
+    }
+
+    /// The same folder watched by a program that knows what this one has recorded.
+    fn restarted(&mut self, after: u64) {
+        let mut known = Known::default();
+        for (name, sha256) in &self.recorded {
+            known.add(*sha256, name);
+        }
+        self.watcher = Watcher::new(self.folder.path(), known);
+        self.clock += Duration::from_millis(after);
     }
 
     /// Looks until a file is unchanged for a moment, and takes what is there.
     fn take(&mut self, after: u64) -> Vec<String> {
         let mut ready = self.look(0);
         ready.extend(self.look(after));
+        let is_check = |item: &Item| matches!(item, Item::Record { .. });
+        let recorded = ready.iter().filter(|batch| batch.items.iter().any(is_check));
+        self.recorded.extend(recorded.map(|batch| (batch.name.clone(), batch.sha256)));
+        self.remarks.extend(ready.iter().flat_map(|batch| &batch.remarks).map(ToString::to_string));
         for batch in &ready {
             self.watcher.taken(batch, &|message| message.to_string()).unwrap();
         }
@@ -99,7 +121,8 @@ fn a_file_is_taken_once_it_is_unchanged_for_a_moment_and_only_once() {
     watched.write("b.csv", &format!("{HEAD}BORE_A;12.03\n"));
     watched.write("a.csv", &format!("{HEAD}BORE_A;12.03\n"));
     assert_eq!(watched.look(0).len() + watched.look(10_000).len(), 0);
-    assert_eq!(watched.same, [("b.csv".to_owned(), "a.csv".to_owned())], "and it is said, once");
+    let said = watched.same.iter().map(|(name, known)| format!("{name} is {known}")).collect::<Vec<_>>();
+    assert_eq!(said, ["b.csv is a.csv", "a.csv is a.csv"], "and it is said, once");
     // Other content of the same name is.
     watched.write("a.csv", &format!("{HEAD}BORE_A;12.05\n"));
     assert_eq!(watched.take(150), ["a.csv BORE_A 12.05 GOOD"]);
@@ -120,6 +143,148 @@ fn of_a_file_that_grows_the_new_lines_are_taken_and_never_half_a_number() {
     // What is written behind it makes another line of it, and only of it.
     watched.append("a.csv", "1\nPIN;19.984\n");
     assert_eq!(watched.take(150), ["a.csv PIN 19.9851 GOOD", "a.csv PIN 19.984 GOOD"]);
+}
+
+#[test]
+fn a_last_line_that_was_taken_without_its_end_is_not_taken_again_with_it() {
+    for end in ["\n", "\r\n", "\r"] {
+        let mut watched = Watched::new();
+        watched.write("a.csv", &format!("name;measured{end}BORE_A;12.03{end}PIN;19.99"));
+        let mut taken = watched.take(150);
+        taken.extend(watched.take(3_500));
+        assert_eq!(taken, ["a.csv BORE_A 12.03 GOOD", "a.csv PIN 19.99 GOOD"], "{end:?}");
+        watched.append("a.csv", &format!("{end}PIN;19.985{end}"));
+        assert_eq!(watched.take(150), ["a.csv PIN 19.985 GOOD"], "{end:?}");
+        watched.restarted(0);
+        assert_eq!(watched.take(4_000), [""; 0], "{end:?}");
+    }
+}
+
+#[test]
+fn utf_16_grows_by_its_lines() {
+    let text = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
+    let mut watched = Watched::new();
+    std::fs::write(watched.path("a.csv"), text("\u{feff}name;measured\nBORE_A;12.03\nPIN;19.9")).unwrap();
+    assert_eq!(watched.take(150), ["a.csv BORE_A 12.03 GOOD"]);
+    let mut file = OpenOptions::new().append(true).open(watched.path("a.csv")).unwrap();
+    file.write_all(&text("85\n")).unwrap();
+    assert_eq!(watched.take(150), ["a.csv PIN 19.985 GOOD"]);
+}
+
+#[test]
+fn a_file_that_is_written_anew_and_seen_in_between_is_not_taken_twice() {
+    let mut watched = Watched::new();
+    watched.write("a.csv", &format!("{HEAD}BORE_A;12.03\nPIN;19.99\n"));
+    assert_eq!(watched.take(150).len(), 2);
+    watched.write("a.csv", &format!("{HEAD}BORE_A;12.03\n"));
+    assert_eq!(watched.take(1_000), [""; 0], "its first line again");
+    watched.append("a.csv", "PIN;19.99\nPIN;19.985\n");
+    assert_eq!(watched.take(150), ["a.csv PIN 19.985 GOOD"]);
+    // The same after a restart, when only the hash of the whole is known.
+    watched.restarted(0);
+    watched.write("a.csv", &format!("{HEAD}BORE_A;12.03\n"));
+    assert_eq!(watched.take(1_000), [""; 0]);
+    watched.append("a.csv", "PIN;19.99\nPIN;19.985\nPIN;19.984\n");
+    assert_eq!(watched.take(150), ["a.csv PIN 19.984 GOOD"]);
+}
+
+#[test]
+fn a_file_that_is_replaced_by_another_one_says_what_of_it_was_there_before() {
+    let mut watched = Watched::new();
+    watched.write("a.csv", &format!("{HEAD}BORE_A;12.03\nPIN;19.99\n"));
+    watched.take(150);
+    watched.write("a.csv", &format!("{HEAD}BORE_A;12.03\nPIN;19.985\n"));
+    assert_eq!(watched.take(150), ["a.csv BORE_A 12.03 GOOD", "a.csv PIN 19.985 GOOD"]);
+    assert_eq!(watched.remarks, ["the file was written anew and begins as before: one value taken again"]);
+}
+
+#[test]
+fn a_unit_that_pauses_in_its_middle_is_taken_when_it_is_complete_and_its_note_goes() {
+    let log = include_str!("../data/samples/logs/en/TCHPR421.TXT");
+    let places = [("40.0", "50.0"), ("39.9", "49.9"), ("30.0", "65.0"), ("29.9", "64.9")];
+    let log = places.iter().fold(log.to_owned(), |text, (from, to)| text.replace(from, to));
+    let log = log.replace("25.0210", "12.0590").replace("25.0134", "12.0300").replace("0.0134", "0.0300");
+    let log = log.replace("25.0000", "12.0000");
+    // However a log is cut: it is never lost, never there twice, and never another one.
+    for cut in (0..=log.len()).step_by(7) {
+        let mut watched = Watched::new();
+        let (begun, rest) = log.split_at(cut);
+        watched.write("TCHPR421.TXT", &format!("{log}\r\n{begun}"));
+        let mut taken = watched.take(150);
+        taken.extend(watched.take(4_000));
+        assert!(!taken.is_empty(), "the first one, cut at {cut}");
+        watched.append("TCHPR421.TXT", rest);
+        taken.extend(watched.take(4_000));
+        let good: Vec<&String> = taken.iter().filter(|taken| taken.ends_with("GOOD")).collect();
+        assert_eq!(good, ["TCHPR421.TXT BORE_A 12.03 GOOD", "TCHPR421.TXT BORE_A 12.03 GOOD"], "cut at {cut}: {taken:?}");
+        assert_eq!(watched.note("TCHPR421.TXT"), None, "cut at {cut}");
+    }
+}
+
+#[test]
+fn values_of_aqdef_that_are_added_are_taken_and_none_twice() {
+    let head = "K0100 1\nK2001/1 1\nK2002/1 BORE_A\nK2101/1 12\nK2110/1 12.016\nK2111/1 12.059\nK2142/1 mm\n";
+    let mut watched = Watched::new();
+    watched.write("a.dfq", &format!("{head}K0001/1 12.03\nK0002/1 0\n"));
+    // Its name came when it was complete.
+    assert_eq!(watched.take(150), ["a.dfq BORE_A 12.03 GOOD"]);
+    watched.append("a.dfq", "K0001/1 12.05\nK0002/1 0\n");
+    assert_eq!(watched.take(150), ["a.dfq BORE_A 12.05 GOOD"]);
+    watched.restarted(0);
+    assert_eq!(watched.take(4_000), [""; 0]);
+    // A writer that keeps it open may have more to say of the value.
+    let mut file = OpenOptions::new().append(true).open(watched.path("a.dfq")).unwrap();
+    file.write_all(b"K0001/1 12.04\n").unwrap();
+    let early = watched.take(1_000);
+    file.write_all(b"K0002/1 255\n").unwrap();
+    drop(file);
+    let late = watched.take(1_000);
+    assert_eq!((early.len(), late.len()), (0, 0), "{early:?} {late:?}: it is no value");
+}
+
+#[test]
+fn a_description_that_comes_later_than_its_values_is_used() {
+    let mut watched = Watched::new();
+    watched.write("a.dfx", "K0001/1 12.03\nK0002/1 0\n");
+    assert_eq!(watched.take(4_000).len(), 1, "an error");
+    assert!(watched.note("a.dfx").is_some());
+    watched.write("a.DFD", "K0100 1\nK2001/1 1\nK2002/1 BORE_A\nK2101/1 12\nK2110/1 12.016\nK2111/1 12.059\n");
+    assert_eq!(watched.take(4_000), ["a.dfx BORE_A 12.03 GOOD"]);
+    assert_eq!(watched.note("a.dfx"), None);
+}
+
+#[test]
+fn lines_that_no_mask_has_printed_are_told_beside_the_file() {
+    let mask = "\"Bore %-8s %8.3f\",QS1,Q153;\n";
+    let mut watched = Watched::new();
+    watched.masks.push(("m.a".to_owned(), Mask::read(mask.as_bytes()).unwrap().0));
+    watched.write("p.txt", "Bore BORE_A     12.030\n");
+    println!("{:?}", watched.take(4_000));
+}
+
+#[test]
+fn a_note_of_somebody_else_is_left_alone() {
+    let mut watched = Watched::new();
+    watched.write("a.csv", &format!("{HEAD}BORE_A;12.O3\nPIN;19.99\n"));
+    std::fs::write(watched.path("a.csv.why.txt"), "mine").unwrap();
+    let ready = [watched.look(0), watched.look(150)].concat();
+    let [batch] = ready.as_slice() else { panic!("{ready:?}") };
+    let error = watched.watcher.taken(batch, &|message| message.to_string()).unwrap_err();
+    assert!(error.to_string().contains("a.csv.why.txt"), "{error}");
+    assert_eq!(watched.note("a.csv").as_deref(), Some("mine"));
+}
+
+#[test]
+fn a_folder_is_watched_for_a_journal_by_one_program_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let journal = folder.path().join("j.sqlite");
+    let first = fitcheck::watch::Alone::take(folder.path(), &journal).unwrap();
+    assert!(first.is_some());
+    assert!(fitcheck::watch::Alone::take(folder.path(), &journal).unwrap().is_none());
+    let other = folder.path().join("k.sqlite");
+    assert!(fitcheck::watch::Alone::take(folder.path(), &other).unwrap().is_some(), "another journal");
+    drop(first);
+    assert!(fitcheck::watch::Alone::take(folder.path(), &journal).unwrap().is_some());
 }
 
 #[test]

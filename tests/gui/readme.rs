@@ -170,25 +170,3 @@ fn a_budget() {
         send(window, BudgetCommand::Use);
     });
 }
-
-#[test]
-fn a_part_is_measured_feature_by_feature() {
-    taken("walk", Theme::Light, DESK, |window| {
-        let plan = b"number;name;kind;axis;callout;callout2;x;y;z\n1;BORE;;;25 H7;;40;30;-8\n2;PIN;;;20 g6;;40;90;-8\n\
-            3;SLOT;width;Y;16 H8;;100;90;-8\n4;RIDGE;width;X;30 h9;;160;30;-8\n5;TOP;face;-Z;10 h9;;220;30;10\n\
-            6;BOSS;boss;;18 s7;16 h9;140;200;-8\n7;POINT;point;-Z;\xc2\xb10.05;;260;30;12\n8;D8;;;8 H7;;10;10;-5\n";
-        let result = Ok(Box::new(fitcheck::part::Document::read(plan).unwrap()));
-        send(window, Command::OpenPage(Page::Parts));
-        send(window, PartsCommand::Plan(PlanCommand::Read { path: "/plans/flange.csv".into(), result }));
-        send(window, PartsCommand::Type(PartsField::Serial, "A-0099".to_owned()));
-        send(window, WalkCommand::Begin);
-        for value in ["25.0134", "19.988", "16.0135"] {
-            send(window, PartsCommand::Type(PartsField::Value, value.to_owned()));
-            send(window, WalkCommand::Take);
-        }
-        send(window, WalkCommand::Skip("The gauge is missing".to_owned()));
-        send(window, PartsCommand::Type(PartsField::Value, "10.004".to_owned()));
-        send(window, WalkCommand::Take);
-        window.remove_cursor();
-    });
-}

@@ -227,4 +227,4 @@ cli-warning-plan-more-parts = meer dan { $most } onderdelen: van de andere wordt
 cli-remark-watching = { $folder } wordt in het oog gehouden; eerder genomen bestanden: { $known }
 cli-warning-see-note = niet alles was bruikbaar: het bestand ernaast dat op { $note } eindigt zegt waarom
 cli-not-seconds = { $given } is geen tijd in seconden
-cli-warning-same-content = dezelfde inhoud is eerder genomen als { $known }: er wordt niets opnieuw vastgelegd
+cli-warning-same-content = dezelfde inhoud is eerder overgenomen als { $known }: er wordt niets opnieuw vastgelegd

@@ -175,3 +175,10 @@ pub enum AqdefWarning {
         reason: Message,
     },
 }
+
+impl AqdefWarning {
+    /// Whether values of the file are not read.
+    pub const fn is_loss(&self) -> bool {
+        matches!(self, Self::Fewer { .. } | Self::Late { .. } | Self::CutOff { .. } | Self::ValuesLeft { .. })
+    }
+}

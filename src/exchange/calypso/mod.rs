@@ -27,9 +27,9 @@ pub(super) const FORMAT: Format = Format {
     recognises,
     read,
     plan: Some(plan),
-    grows: false,
+    line_ends: b"",
     has_marks: true,
-    is_closed: false,
+    shows_end: false,
 };
 
 /// The last line.

@@ -17,7 +17,7 @@ use std::collections::VecDeque;
 use super::Format;
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
 use super::imported::Sink;
-use super::source::Source;
+use super::source::{Beginning, Source};
 use crate::control::mask::{Found, Inverse, Mask, Printed};
 use crate::control::text;
 use crate::message::{Place, Say as _};
@@ -32,9 +32,9 @@ pub(super) const FORMAT: Format = Format {
     recognises: |_beginning| false,
     read,
     plan: None,
-    grows: true,
+    line_ends: text::LINE_END_BYTES,
     has_marks: false,
-    is_closed: false,
+    shows_end: true,
 };
 
 /// A mask that fits, and what the beginning of the file has of it.
@@ -58,7 +58,7 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
         );
     }
     let judging = Judging { slots: inverse.slots(), roles: &roles, context: &context };
-    let mut pieces = source.pieces(b"\n\r\0")?;
+    let mut pieces = source.pieces(text::LINE_END_BYTES)?;
     let mut window = Window { inverse: &inverse, lines: VecDeque::new() };
     let mut next = 1;
     while let Some(piece) = pieces.next()? {
@@ -76,6 +76,11 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
         }
     }
     if sink.rows() == 0 { Err(ImportErrorKind::NoRows) } else { Ok(()) }
+}
+
+/// Whether one of the masks, or several, seem to have printed a file.
+pub(super) fn fits(masks: &[(String, Mask)], beginning: &Beginning<'_>) -> bool {
+    !masks.is_empty() && !matches!(fitting(masks, &beginning.text()), Err(ImportErrorKind::MaskNone { .. }))
 }
 
 /// The one mask that fits the beginning of a file.

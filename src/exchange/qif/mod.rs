@@ -41,9 +41,9 @@ pub(super) const FORMAT: Format = Format {
     recognises,
     read,
     plan: Some(plan),
-    grows: false,
+    line_ends: b"",
     has_marks: true,
-    is_closed: true,
+    shows_end: true,
 };
 
 /// The attributes that anything is known by.

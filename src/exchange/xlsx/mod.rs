@@ -31,9 +31,9 @@ pub(super) const FORMAT: Format = Format {
     recognises: |beginning| is_zip(beginning) || is_compound(beginning),
     read: |source, sink| read(source, sink, None),
     plan: None,
-    grows: false,
+    line_ends: b"",
     has_marks: true,
-    is_closed: true,
+    shows_end: true,
 };
 
 /// The most cells that are given as texts.
