@@ -108,6 +108,8 @@ pub(super) enum CliError {
     NotANumber,
     /// A folder that does not exist.
     NoFolder { path: PathBuf },
+    /// A folder that another program watches for the same journal.
+    WatchedAlready { path: PathBuf },
     /// Not a time in seconds.
     NotSeconds { given: String },
     /// A program that is neither in a file nor built in.

@@ -318,6 +318,11 @@ impl StreamArgs {
 }
 
 impl Stream {
+    /// The journal's file at this station.
+    pub(super) fn file(&self) -> &Path {
+        &self.file
+    }
+
     /// The bodies of all entries so far.
     pub(super) fn each(&self, see: &mut dyn FnMut(&[u8])) -> Result<(), CliError> {
         let reader = Reader::open(&self.file).map_err(refused)?;

@@ -172,6 +172,8 @@ pub(super) enum CliWarning<'a> {
     PlanMissingOf { who: String, names: String },
     /// A file whose content was taken before under another name: nothing of it is recorded again.
     SameContent { known: String },
+    /// It is not known whether another program watches the same folder for the same journal.
+    NotAlone { reason: String },
     /// What could not be used of a file is written beside it, in a file with this ending.
     SeeNote { note: &'static str },
     /// More parts than are known one by one.

@@ -15,7 +15,10 @@ use crate::message::Message;
 use crate::part::Plan;
 use crate::tolerance::Sources;
 use crate::verdict::Status;
-use crate::watch::{Batch, EVERY, Judging, Known, Watcher};
+use crate::watch::{Alone, Batch, EVERY, Judging, Known, Watcher};
+
+/// How long after a journal that refused it is tried again.
+const LATER: Duration = Duration::from_secs(1);
 
 const EXAMPLES: &str = "\
 Each file is taken once, completely written or not at all, in the order in which the files were written, and \
@@ -97,6 +100,13 @@ impl Args {
         }
         let part = plan.as_ref().map(|plan| plan.head.part.as_str());
         let journal = self.record.stream(part, io)?;
+        let alone = Alone::take(&self.folder, journal.file());
+        match &alone {
+            Ok(Some(_)) => {}
+            Ok(None) => return Err(CliError::WatchedAlready { path: self.folder.clone() }),
+            // Some shares have no locks.
+            Err(error) => io.warn(&CliWarning::NotAlone { reason: error.to_string() }),
+        }
         let mut known = Known::default();
         journal.each(&mut |body| known.see(body))?;
         io.tell(CliRemark::Watching { folder: self.folder.display().to_string(), known: known.len() });
@@ -123,7 +133,6 @@ impl Run<'_> {
             let judging = Judging { plan: self.plan, sources: self.sources, masks: self.masks, now: super::now() };
             match watcher.look(judging, begun.elapsed()) {
                 Ok(look) => {
-                    told = None;
                     if !look.is_idle() {
                         last = Instant::now();
                     }
@@ -134,16 +143,21 @@ impl Run<'_> {
                             io.warn_about(name, &CliWarning::SameContent { known: known.clone() });
                         }
                     }
-                    self.take(watcher, &look.ready, io)?;
+                    match self.take(watcher, &look.ready, io) {
+                        // The journal may be held, or the disk full: nothing is taken, and the next look tries again.
+                        Err(error @ CliError::NotRecorded { .. }) if idle.is_none() => {
+                            self.tell_once(&error.to_string(), &mut told, io);
+                            std::thread::sleep(LATER);
+                        }
+                        result => {
+                            told = None;
+                            result?;
+                        }
+                    }
                 }
                 // A share may be gone for a while: it is told once.
                 Err(error) => {
-                    let said = error.to_string();
-                    if told.as_ref() != Some(&said) {
-                        io.fail(&said);
-                        self.is_bad = true;
-                        told = Some(said);
-                    }
+                    self.tell_once(&error.to_string(), &mut told, io);
                 }
             }
             if Duration::from_secs(1) <= last.elapsed() {
@@ -153,6 +167,15 @@ impl Run<'_> {
                 return Ok(());
             }
             std::thread::sleep(EVERY);
+        }
+    }
+
+    /// Tells what stops the watch for a while, once.
+    fn tell_once(&mut self, said: &str, told: &mut Option<String>, io: &mut Io<'_>) {
+        if told.as_deref() != Some(said) {
+            io.fail(&said);
+            self.is_bad = true;
+            *told = Some(said.to_owned());
         }
     }
 

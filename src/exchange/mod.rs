@@ -254,7 +254,8 @@ pub fn recognised(
     body.take(most).read_to_end(&mut head)?;
     body.rewind()?;
     let format = FORMATS.iter().find(|format| format.recognises(&head, file_name));
-    let is_printed = !format.is_some_and(|format| format.has_marks) && fn16::fits(masks, &Beginning::new(file_name, &head));
+    let is_printed =
+        !format.is_some_and(|format| format.has_marks) && fn16::fits(masks, &Beginning::new(file_name, &head));
     Ok(if is_printed { Some(&fn16::FORMAT) } else { format })
 }
 

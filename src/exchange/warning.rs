@@ -173,7 +173,11 @@ impl ImportWarningKind {
     /// Whether something of the file that may have been measured is not read.
     pub const fn is_loss(&self) -> bool {
         match self {
-            Self::NotUsed { .. } | Self::Comment | Self::SheetsLeft { .. } | Self::QifCount { .. } | Self::QifTwice { .. } => true,
+            Self::NotUsed { .. }
+            | Self::Comment
+            | Self::SheetsLeft { .. }
+            | Self::QifCount { .. }
+            | Self::QifTwice { .. } => true,
             Self::Aqdef(warning) => warning.is_loss(),
             _ => false,
         }

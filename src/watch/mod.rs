@@ -33,7 +33,6 @@ use std::time::Duration;
 
 use jiff::civil::DateTime;
 
-pub use alone::Alone;
 use crate::control::mask::Mask;
 use crate::exchange::Item;
 use crate::files::FileError;
@@ -41,6 +40,7 @@ use crate::journal::chain::Hash;
 use crate::message::{Message, Say};
 use crate::part::Plan;
 use crate::tolerance::Sources;
+pub use alone::Alone;
 use folder::{Folder, Found};
 pub use known::Known;
 pub use note::{NOTE_ENDING, note_of};

@@ -142,8 +142,8 @@ impl Reading<'_> {
         let again = if *known_lines == 0 { up_to(*same_lines) } else { 0 };
         let again = (0 < again).then(|| Message::new("watch-again").count("count", again));
         let as_other = begins_as.as_ref().map(|(known, lines)| (known, up_to(*lines))).filter(|(_, count)| 0 < *count);
-        let as_other = as_other
-            .map(|(known, count)| Message::new("watch-begins-as").text("known", known).count("count", count));
+        let as_other =
+            as_other.map(|(known, count)| Message::new("watch-begins-as").text("known", known).count("count", count));
         Batch {
             path: self.found.path.clone(),
             name: self.found.name.clone(),
@@ -200,7 +200,9 @@ fn line_of(item: &Item) -> usize {
 fn problem(item: &Item) -> Option<Message> {
     match item {
         Item::Record { .. } | Item::Contacts(_) => None,
-        Item::Warning(warning) => (warning.what.row.is_none() && warning.what.kind.is_loss()).then(|| warning.message()),
+        Item::Warning(warning) => {
+            (warning.what.row.is_none() && warning.what.kind.is_loss()).then(|| warning.message())
+        }
         Item::Error(error) => Some(error.message()),
         Item::Unjudged(unjudged) => Some(Located::in_line(unjudged.line, unjudged.why.clone()).message()),
     }

@@ -59,8 +59,10 @@ impl Watched {
         self.clock += Duration::from_millis(after);
         let (plan, sources) = (plan(), Sources::default());
         let now = jiff::civil::date(2026, 11, 23).at(8, 0, 0, 0);
-        let look =
-            self.watcher.look(Judging { plan: Some(&plan), sources: &sources, masks: &self.masks, now }, self.clock).unwrap();
+        let look = self
+            .watcher
+            .look(Judging { plan: Some(&plan), sources: &sources, masks: &self.masks, now }, self.clock)
+            .unwrap();
         self.same.extend(look.same);
         look.ready
     }
@@ -77,8 +79,12 @@ impl Watched {
 
     /// Looks until a file is unchanged for a moment, and takes what is there.
     fn take(&mut self, after: u64) -> Vec<String> {
-        let mut ready = self.look(0);
-        ready.extend(self.look(after));
+        [0, after].into_iter().flat_map(|after| self.take_once(after)).collect()
+    }
+
+    /// Looks once, and takes what is there.
+    fn take_once(&mut self, after: u64) -> Vec<String> {
+        let ready = self.look(after);
         let is_check = |item: &Item| matches!(item, Item::Record { .. });
         let recorded = ready.iter().filter(|batch| batch.items.iter().any(is_check));
         self.recorded.extend(recorded.map(|batch| (batch.name.clone(), batch.sha256)));
@@ -86,10 +92,10 @@ impl Watched {
         for batch in &ready {
             self.watcher.taken(batch, &|message| message.to_string()).unwrap();
         }
-        ready
-            .iter()
-            .flat_map(|batch| batch.items.iter().filter_map(said).map(|said| format!("{} {said}", batch.name)))
-            .collect()
+        let said = |batch: &Batch| -> Vec<String> {
+            batch.items.iter().filter_map(said).map(|said| format!("{} {said}", batch.name)).collect()
+        };
+        ready.iter().flat_map(said).collect()
     }
 
     fn note(&self, name: &str) -> Option<String> {
@@ -216,7 +222,11 @@ fn a_unit_that_pauses_in_its_middle_is_taken_when_it_is_complete_and_its_note_go
         watched.append("TCHPR421.TXT", rest);
         taken.extend(watched.take(4_000));
         let good: Vec<&String> = taken.iter().filter(|taken| taken.ends_with("GOOD")).collect();
-        assert_eq!(good, ["TCHPR421.TXT BORE_A 12.03 GOOD", "TCHPR421.TXT BORE_A 12.03 GOOD"], "cut at {cut}: {taken:?}");
+        assert_eq!(
+            good,
+            ["TCHPR421.TXT BORE_A 12.03 GOOD", "TCHPR421.TXT BORE_A 12.03 GOOD"],
+            "cut at {cut}: {taken:?}"
+        );
         assert_eq!(watched.note("TCHPR421.TXT"), None, "cut at {cut}");
     }
 }
@@ -254,12 +264,33 @@ fn a_description_that_comes_later_than_its_values_is_used() {
 }
 
 #[test]
-fn lines_that_no_mask_has_printed_are_told_beside_the_file() {
-    let mask = "\"Bore %-8s %8.3f\",QS1,Q153;\n";
+fn prints_of_a_mask_are_taken_once_and_lines_that_it_has_not_printed_are_told() {
+    let mask = "\"Bore %-8s\",QS1;\n\"D %8.3f\",Q153;\n";
     let mut watched = Watched::new();
     watched.masks.push(("m.a".to_owned(), Mask::read(mask.as_bytes()).unwrap().0));
-    watched.write("p.txt", "Bore BORE_A     12.030\n");
-    println!("{:?}", watched.take(4_000));
+    watched.write("p.txt", "Bore BORE_A  \nD   12.030\nCoolant is low\nBore PIN     \n");
+    assert_eq!(watched.take(150), ["p.txt BORE_A 12.03 GOOD"]);
+    let late = watched.take(4_000).concat();
+    assert!(late.contains("line 5: the record ends too early"), "{late}");
+    let note = watched.note("p.txt").unwrap();
+    assert!(note.contains("Coolant is low") && note.contains("line 5"), "{note}");
+    watched.append("p.txt", "D   19.985\n");
+    assert_eq!(watched.take(150), ["p.txt PIN 19.985 GOOD"]);
+    let note = watched.note("p.txt").unwrap();
+    assert!(note.contains("Coolant is low") && !note.contains("line 5"), "{note}");
+    watched.restarted(0);
+    assert_eq!(watched.take(4_000), [""; 0]);
+}
+
+#[test]
+fn a_long_file_is_taken_part_by_part() {
+    let mut watched = Watched::new();
+    let row = |at: usize| format!("BORE_A;12.{:05}\n", 1_600 + at % 4_300);
+    let rows: String = (0..60_000).map(row).collect();
+    watched.write("a.csv", &format!("{HEAD}{rows}"));
+    assert_eq!(watched.take(150).len(), 50_000 - 1, "with the header");
+    assert_eq!(watched.take(150).len(), 10_001);
+    assert_eq!(watched.take(4_000).len(), 0);
 }
 
 #[test]

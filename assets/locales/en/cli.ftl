@@ -67,6 +67,7 @@ cli-not-a-pair = { $text }: write a parameter as NAME=VALUE
 cli-not-a-position = position { $text }: expected three numbers X,Y,Z in mm
 cli-not-a-number = this is not a number
 cli-no-folder = no such folder: { $path }
+cli-watched-already = another program watches { $path } for this journal
 cli-no-program = { $error }; built-in programs are { $names }
 cli-option-beside-plan = --{ $option } is for a single callout: a plan has a column for it
 cli-option-missing = --{ $option } is missing: a single callout needs --x, --y and --z
@@ -228,3 +229,4 @@ cli-remark-watching = watching { $folder }; files taken before: { $known }
 cli-warning-see-note = not everything could be used: the file beside it that ends in { $note } says why
 cli-not-seconds = { $given } is not a time in seconds
 cli-warning-same-content = the same content was taken before as { $known }: nothing is recorded again
+cli-warning-not-alone = it is not known whether another program watches this folder for the same journal: { $reason }
