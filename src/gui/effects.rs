@@ -104,10 +104,10 @@ impl Runner {
             Effect::JudgeRows { run, path } => return self.judge_rows(ctx, (run, path), Arc::clone(sources)),
             Effect::ReadRows { run, wanted } => return self.read_rows(ctx, run, wanted),
             Effect::Watch { run, folder, plan } => {
-                let (known, language) = (self.desk.known(), words.language());
+                let (known, journal, language) = (self.desk.known(), self.desk.file(), words.language());
                 let (ctx, answers, clock) = (ctx.clone(), self.sender.clone(), self.clock);
                 let sources = Arc::clone(sources);
-                let watch = Watch { run, folder, plan, sources, language, clock, known, ctx, answers };
+                let watch = Watch { run, folder, plan, sources, language, clock, known, journal, ctx, answers };
                 return self.watching.begin(watch);
             }
             Effect::WatchTaken { run, look } => return self.watching.taken(run, look),

@@ -13,7 +13,7 @@ use crate::part::Plan;
 use crate::session::Command;
 use crate::session::parts::{WalkCommand, WatchNews, WatchedFile};
 use crate::tolerance::Sources;
-use crate::watch::{Batch, EVERY, Judging, Known, Look, Watcher};
+use crate::watch::{Alone, Batch, EVERY, Judging, Known, Look, PATIENCE, Watcher};
 use crate::words::{Language, Words};
 
 /// Reads what the journal knows already.
@@ -29,6 +29,8 @@ pub(super) struct Watch {
     pub language: Language,
     pub clock: fn() -> DateTime,
     pub known: KnownOf,
+    /// The journal, where there is one: nobody else watches the folder for it.
+    pub journal: Option<PathBuf>,
     pub ctx: Context,
     pub answers: Sender<Command>,
 }
@@ -76,6 +78,7 @@ struct Told {
 
 impl Watch {
     fn run(mut self, taken: &Receiver<u64>) {
+        let Some(_alone) = self.alone(taken) else { return };
         let nothing: KnownOf = Box::new(|| Ok(Known::default()));
         let known = match std::mem::replace(&mut self.known, nothing)() {
             Ok(known) => known,
@@ -109,6 +112,37 @@ impl Watch {
         }
     }
 
+    /// Waits until nobody else watches the folder for the journal: `None` where this one is ended meanwhile.
+    fn alone(&self, taken: &Receiver<u64>) -> Option<Option<Alone>> {
+        let Some(journal) = &self.journal else { return Some(None) };
+        let begun = Instant::now();
+        let mut is_told = false;
+        loop {
+            match Alone::take(&self.folder, journal) {
+                Ok(Some(alone)) => {
+                    if is_told {
+                        self.say(WatchNews::Trouble(None));
+                    }
+                    return Some(Some(alone));
+                }
+                Ok(None) => {}
+                // Some shares have no locks.
+                Err(error) => {
+                    log::warn!("it is not known whether another program watches the folder: {error}");
+                    return Some(None);
+                }
+            }
+            // A watch of this window that is replaced needs a moment to end.
+            if !is_told && PATIENCE <= begun.elapsed() {
+                is_told = true;
+                self.say(WatchNews::Trouble(Some(Message::new("watch-by-another"))));
+            }
+            if matches!(taken.recv_timeout(EVERY), Err(RecvTimeoutError::Disconnected)) {
+                return None;
+            }
+        }
+    }
+
     /// Tells what has changed: what is waited for, and whether the folder can be read. Returns what is ready.
     fn tell(&self, look: Result<Look, Message>, told: &mut Told) -> Vec<Batch> {
         let (Look { ready, waiting, same }, trouble) = match look {
@@ -120,7 +154,16 @@ impl Watch {
             self.say(WatchNews::Trouble(trouble));
         }
         // A copy of what was taken stays in the list: nothing of it will come.
-        told.same.extend(same.into_iter().map(|(name, known)| (name, Message::new("watch-same").text("known", known))));
+        for (name, known) in same {
+            let why = if name == known {
+                Message::new("watch-same-again")
+            } else {
+                Message::new("watch-same").text("known", known)
+            };
+            // It is told again when it was written again.
+            told.same.retain(|(other, _)| *other != name);
+            told.same.push((name, why));
+        }
         let waiting = waiting.into_iter().map(|(name, why)| (name, why.message()));
         let waiting: Vec<_> = waiting.chain(told.same.iter().cloned()).collect();
         if waiting != told.waiting {
@@ -149,5 +192,6 @@ fn is_recorded(taken: &Receiver<u64>, number: u64) -> bool {
 }
 
 fn file(batch: &Batch) -> WatchedFile {
-    WatchedFile { name: batch.name.clone(), sha256: batch.sha256, items: batch.items.clone() }
+    let Batch { name, sha256, items, remarks, .. } = batch;
+    WatchedFile { name: name.clone(), sha256: *sha256, items: items.clone(), remarks: remarks.clone() }
 }

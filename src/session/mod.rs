@@ -91,7 +91,9 @@ pub use program::{ProgramCommand, ProgramField, ProgramPage};
 pub use recording::{Keeping, MOST_NAMES, Named, OpenJournal, RESTORED, Recorded, Recording};
 pub use records::{RecordRow, RecordsCommand, RecordsField, RecordsPage};
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
-pub use saved::{Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk};
+pub use saved::{
+    Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
+};
 pub use shared::{MaskChoice, Notice};
 pub use step::Step;
 pub use tables::{TablesCommand, TablesField, TablesPage};
@@ -153,7 +155,8 @@ impl Session {
         let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));
         let budget = saved.budget.map(|path| Effect::Read(Purpose::UseBudget, path));
         // The plan of a part that was interrupted.
-        let plan = saved.walk.plan.map(|path| Effect::Read(Purpose::OpenPlan, path));
+        let plan = saved.walk.plan.or_else(|| saved.walk.watched.map(|watched| watched.plan));
+        let plan = plan.map(|path| Effect::Read(Purpose::OpenPlan, path));
         (session, tables.into_iter().chain(budget).chain(plan).collect())
     }
 

@@ -77,6 +77,17 @@ pub struct SavedWalk {
     pub since: u64,
     /// The sizes that were left out, with the reasons.
     pub skipped: BTreeMap<String, String>,
+    /// The folder that is watched.
+    pub watched: Option<SavedWatch>,
+}
+
+/// What is kept of a watched folder; what was taken from it is in the journal.
+#[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
+pub struct SavedWatch {
+    /// The folder.
+    pub folder: PathBuf,
+    /// The file of the plan that its values are judged by.
+    pub plan: PathBuf,
 }
 
 /// What is kept of files.

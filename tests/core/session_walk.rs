@@ -430,7 +430,7 @@ fn look(session: &Session, number: u64, text: &str) -> WatchNews {
     for item in items(text) {
         by_plan.item(item, &mut |item| judged.push(item));
     }
-    let file = WatchedFile { name: "m.csv".to_owned(), sha256: Hash([9; 32]), items: judged };
+    let file = WatchedFile { name: "m.csv".to_owned(), sha256: Hash([9; 32]), items: judged, remarks: Vec::new() };
     WatchNews::Look { number, files: vec![file] }
 }
 

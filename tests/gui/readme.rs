@@ -7,10 +7,8 @@ use std::path::Path;
 use eframe::egui::{Key, Theme, Vec2, vec2};
 use egui_kittest::Harness;
 use fitcheck::gui::App;
-use fitcheck::session::parts::{PlanCommand, WalkCommand};
 use fitcheck::session::{
-    BudgetCommand, CheckCommand, CheckField, Command, CycleFile, FilesCommand, MeasureBy, Page, PartsCommand,
-    PartsField, Purpose,
+    BudgetCommand, CheckCommand, CheckField, Command, CycleFile, FilesCommand, MeasureBy, Page, Purpose,
 };
 use fitcheck::verdict::rules::RuleName;
 

@@ -221,6 +221,31 @@ fn the_watched_folder_takes_nothing_twice_and_an_idle_one_asks_for_no_frame() {
 }
 
 #[test]
+fn a_watched_folder_is_watched_again_after_a_restart_and_by_one_window_alone() {
+    let folder = tempfile::tempdir().unwrap();
+    let drops = folder.path().join("drops");
+    std::fs::create_dir(&drops).unwrap();
+    let mut page = begun(folder.path());
+    let ctx = page.ctx.clone();
+    page.state_mut().send(&ctx, WalkCommand::Watch { folder: drops.clone(), is_folder: true }.into());
+    until(&mut page, |page| page.state().session().parts().watched().known().is_some());
+    let state = folder.path().join("state.toml");
+    until(&mut page, |_| std::fs::read_to_string(&state).is_ok_and(|text| text.contains("drops")));
+    let window = || Window { files: Vec::new(), ..window_of(folder.path(), DESK) };
+    let mut other = window().open();
+    other.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
+    other.run();
+    until(&mut other, |other| other.query_by_label_contains("another program watches this folder").is_some());
+    // The folder is free when the first one is gone.
+    drop(page);
+    until(&mut other, |other| other.state().session().parts().watched().known().is_some());
+    put(&drops.join("d.csv"), "name;measured\nD10;10.005\n");
+    until(&mut other, |other| other.state().session().parts().watched().count() == 1);
+    assert!(other.query_by_label_contains("another program watches this folder").is_none());
+    assert_eq!(recorded(folder.path()), 1);
+}
+
+#[test]
 fn touch_alone_does_the_walk() {
     let folder = tempfile::tempdir().unwrap();
     let mut page = window_of(folder.path(), vec2(1024.0, 768.0)).open();

@@ -13,3 +13,4 @@ watch-begins-as = the file begins as { $known }, which was taken before: { $coun
    *[other] { $count } values
 } taken again
 watch-same-again = written again with the same content, so nothing of it is taken
+watch-by-another = another program watches this folder for the same journal

@@ -67,7 +67,7 @@ cli-not-a-pair = { $text }: schrijf een parameter als NAAM=WAARDE
 cli-not-a-position = positie { $text }: drie getallen X,Y,Z in mm verwacht
 cli-not-a-number = dit is geen getal
 cli-no-folder = de map bestaat niet: { $path }
-cli-watched-already = een ander programma bewaakt { $path } al voor dit journaal
+cli-watched-already = een ander programma bewaakt { $path } al voor dit logboek
 cli-no-program = { $error }; de ingebouwde programma's zijn { $names }
 cli-option-beside-plan = --{ $option } is voor één losse passing: een plan heeft daar een kolom voor
 cli-option-missing = --{ $option } ontbreekt: voor een losse passing zijn --x, --y en --z nodig
@@ -229,4 +229,4 @@ cli-remark-watching = { $folder } wordt in het oog gehouden; eerder genomen best
 cli-warning-see-note = niet alles was bruikbaar: het bestand ernaast dat op { $note } eindigt zegt waarom
 cli-not-seconds = { $given } is geen tijd in seconden
 cli-warning-same-content = dezelfde inhoud is eerder overgenomen als { $known }: er wordt niets opnieuw vastgelegd
-cli-warning-not-alone = het is niet bekend of een ander programma deze map voor hetzelfde journaal bewaakt: { $reason }
+cli-warning-not-alone = het is niet bekend of een ander programma deze map voor hetzelfde logboek bewaakt: { $reason }

@@ -13,3 +13,4 @@ watch-begins-as = het bestand begint als { $known }, dat al is overgenomen: { $c
    *[other] { $count } waarden
 } opnieuw overgenomen
 watch-same-again = opnieuw geschreven met dezelfde inhoud, dus niets ervan wordt overgenomen
+watch-by-another = een ander programma bewaakt deze map al voor hetzelfde logboek

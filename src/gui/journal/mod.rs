@@ -278,6 +278,11 @@ impl Desk {
         None
     }
 
+    /// The journal's file; none where no records are kept.
+    pub fn file(&self) -> Option<PathBuf> {
+        lock(&self.file).clone()
+    }
+
     /// Reads which files the journal knows; nothing where no records are kept.
     pub fn known(&self) -> KnownOf {
         let (journals, file) = (Arc::clone(&self.records.journals), lock(&self.file).clone());

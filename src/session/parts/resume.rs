@@ -9,10 +9,10 @@ use super::walking::Value;
 use crate::journal::ask::Question;
 use crate::journal::entry::Checked;
 use crate::message::Message;
-use crate::session::command::Effect;
+use crate::session::command::{Effect, Purpose};
 use crate::session::recording::{Keeping, Recorded};
 use crate::session::records::RecordRow;
-use crate::session::saved::SavedWalk;
+use crate::session::saved::{SavedWalk, SavedWatch};
 use crate::session::shared::Shared;
 
 /// The most values of a part that come back: every size of the largest plan, some of them several times.
@@ -29,17 +29,24 @@ pub(super) struct Resume {
     until: u64,
     /// Whether it is being answered.
     is_asked: bool,
+    /// The folder that is to be watched again.
+    pub(super) watched: Option<SavedWatch>,
 }
 
 impl Resume {
-    pub(super) fn new(saved: SavedWalk) -> Self {
-        Self { saved: saved.plan.is_some().then_some(saved), ..Self::default() }
+    pub(super) fn new(mut saved: SavedWalk) -> Self {
+        let watched = saved.watched.take();
+        Self { saved: saved.plan.is_some().then_some(saved), watched, ..Self::default() }
     }
 }
 
 impl PartsPage {
     /// What is kept of the part that is being measured, or that waits to come back.
     pub(in crate::session) fn saved_walk(&self) -> SavedWalk {
+        SavedWalk { watched: self.resume.watched.clone().or_else(|| self.watched.saved()), ..self.saved_part() }
+    }
+
+    fn saved_part(&self) -> SavedWalk {
         if let Some(saved) = &self.resume.saved {
             return saved.clone();
         }
@@ -48,11 +55,20 @@ impl PartsPage {
             return SavedWalk::default();
         }
         let (serial, skipped) = (self.walking.serial().to_owned(), self.walking.skipped());
-        SavedWalk { plan, serial, since: self.walking.since, skipped }
+        SavedWalk { plan, serial, since: self.walking.since, skipped, watched: None }
+    }
+
+    /// Watches the folder of the last time again once its plan is there.
+    fn try_watch_again(&mut self) {
+        let Some(plan) = self.document.path().filter(|_| self.document.plan().is_some()) else { return };
+        if let Some(watched) = self.resume.watched.take_if(|watched| watched.plan == *plan) {
+            self.errands.push(Effect::Read(Purpose::WatchFolder, watched.folder));
+        }
     }
 
     /// Begins the interrupted part once its plan is there, and asks the journal for its values once that is open.
     pub(super) fn try_resume(&mut self, shared: &mut Shared) {
+        self.try_watch_again();
         let Some(saved) = &self.resume.saved else { return };
         let is_its = self.document.path() == saved.plan.as_deref();
         let Some(plan) = self.document.plan().filter(|_| is_its).map(Arc::clone) else { return };

@@ -18,6 +18,7 @@ use crate::message::Message;
 use crate::part::Plan;
 use crate::session::command::Effect;
 use crate::session::recording::Keeping;
+use crate::session::saved::SavedWatch;
 use crate::session::shared::Shared;
 use crate::verdict::Status;
 
@@ -51,6 +52,8 @@ pub struct WatchedFile {
     pub sha256: Hash,
     /// What it holds, judged by the plan.
     pub items: Vec<Item>,
+    /// What else is to be said of it.
+    pub remarks: Vec<Message>,
 }
 
 /// A file that was taken.
@@ -71,6 +74,8 @@ pub struct TakenFile {
 pub struct Watched {
     folder: Option<PathBuf>,
     plan: Option<Arc<Plan>>,
+    /// The file of the plan, where it has one.
+    plan_path: Option<PathBuf>,
     /// The number of the watch.
     run: u64,
     /// Whether it waits for the journal to be opened.
@@ -120,6 +125,12 @@ impl Watched {
         self.pending.is_some()
     }
 
+    /// What is kept of it until the next time; a plan without a file cannot be.
+    pub(super) fn saved(&self) -> Option<SavedWatch> {
+        let (folder, plan) = (self.folder.clone()?, self.plan_path.clone()?);
+        Some(SavedWatch { folder, plan }).filter(|saved| saved.folder.to_str().and(saved.plan.to_str()).is_some())
+    }
+
     /// Ends the watch; what was taken stays listed.
     pub(super) fn stop(&mut self) -> Option<Effect> {
         self.run += 1;
@@ -138,13 +149,20 @@ impl PartsPage {
         };
         let Some(folder) = shared.file_answered(result) else { return };
         let plan = self.walking.plan().or(self.document.plan()).map(Arc::clone);
+        let plan_path = if self.walking.plan().is_some() {
+            self.walking.path.clone()
+        } else {
+            self.document.path().map(Path::to_owned)
+        };
         let Some(plan) = plan else { return shared.tell(Message::new("walk-page-watch-no-plan")) };
         if shared.recording.has_failed_to_open() {
             return shared.tell(Message::new("walk-page-watch-no-journal"));
         }
         self.watched.run += 1;
         let run = self.watched.run;
-        self.watched = Watched { folder: Some(folder), plan: Some(plan), run, is_late: true, ..Watched::default() };
+        self.resume.watched = None;
+        let (folder, plan) = (Some(folder), Some(plan));
+        self.watched = Watched { folder, plan, plan_path, run, is_late: true, ..Watched::default() };
         self.begin_watch(shared);
     }
 
@@ -171,6 +189,7 @@ impl PartsPage {
         }
         watched.run += 1;
         (watched.plan, watched.is_late) = (Some(Arc::clone(plan)), true);
+        watched.plan_path.clone_from(&self.walking.path);
         (watched.pending, watched.waiting) = (None, Vec::new());
         self.begin_watch(shared);
     }
@@ -192,7 +211,7 @@ impl PartsPage {
     fn look(&mut self, number: u64, files: Vec<WatchedFile>, shared: &mut Shared, now: DateTime) {
         let Some(plan) = self.watched.plan.clone() else { return };
         let mut values = Vec::new();
-        for WatchedFile { name, sha256, items } in files {
+        for WatchedFile { name, sha256, items, remarks } in files {
             let file = UsedFile { role: FileRole::Measurements, name: name.as_str().into(), sha256 };
             let arrived = self.arrive(&plan, items, Some(&file), shared);
             let count = |status: Status| {
@@ -201,7 +220,7 @@ impl PartsPage {
             };
             let counts = Status::ALL.into_iter().map(|status| (status, count(status))).collect();
             let others = said_of_others(&arrived);
-            let said = arrived.problems.into_iter().chain(others).chain(arrived.warnings).collect();
+            let said = arrived.problems.into_iter().chain(remarks).chain(others).chain(arrived.warnings).collect();
             self.watched.files.push_front(TakenFile { name, time: now, counts, said });
             self.watched.files.truncate(MOST);
             self.watched.count += 1;
