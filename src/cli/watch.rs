@@ -173,7 +173,7 @@ impl Run<'_> {
     /// Tells what stops the watch for a while, once.
     fn tell_once(&mut self, said: &str, told: &mut Option<String>, io: &mut Io<'_>) {
         if told.as_deref() != Some(said) {
-            io.fail(&said);
+            io.fail(said);
             self.is_bad = true;
             *told = Some(said.to_owned());
         }

@@ -78,7 +78,7 @@ struct Told {
 
 impl Watch {
     fn run(mut self, taken: &Receiver<u64>) {
-        let Some(_alone) = self.alone(taken) else { return };
+        let Ok(_alone) = self.alone(taken) else { return };
         let nothing: KnownOf = Box::new(|| Ok(Known::default()));
         let known = match std::mem::replace(&mut self.known, nothing)() {
             Ok(known) => known,
@@ -112,9 +112,9 @@ impl Watch {
         }
     }
 
-    /// Waits until nobody else watches the folder for the journal: `None` where this one is ended meanwhile.
-    fn alone(&self, taken: &Receiver<u64>) -> Option<Option<Alone>> {
-        let Some(journal) = &self.journal else { return Some(None) };
+    /// Waits until nobody else watches the folder for the journal; an error where this one is ended meanwhile.
+    fn alone(&self, taken: &Receiver<u64>) -> Result<Option<Alone>, RecvTimeoutError> {
+        let Some(journal) = &self.journal else { return Ok(None) };
         let begun = Instant::now();
         let mut is_told = false;
         loop {
@@ -123,13 +123,13 @@ impl Watch {
                     if is_told {
                         self.say(WatchNews::Trouble(None));
                     }
-                    return Some(Some(alone));
+                    return Ok(Some(alone));
                 }
                 Ok(None) => {}
                 // Some shares have no locks.
                 Err(error) => {
                     log::warn!("it is not known whether another program watches the folder: {error}");
-                    return Some(None);
+                    return Ok(None);
                 }
             }
             // A watch of this window that is replaced needs a moment to end.
@@ -137,8 +137,8 @@ impl Watch {
                 is_told = true;
                 self.say(WatchNews::Trouble(Some(Message::new("watch-by-another"))));
             }
-            if matches!(taken.recv_timeout(EVERY), Err(RecvTimeoutError::Disconnected)) {
-                return None;
+            if let Err(ended @ RecvTimeoutError::Disconnected) = taken.recv_timeout(EVERY) {
+                return Err(ended);
             }
         }
     }

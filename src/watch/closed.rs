@@ -13,7 +13,7 @@ pub(super) struct Closed {
     events: Option<std::os::fd::OwnedFd>,
     #[cfg(target_os = "linux")]
     folder: PathBuf,
-    closed: BTreeSet<PathBuf>,
+    paths: BTreeSet<PathBuf>,
 }
 
 #[cfg(target_os = "linux")]
@@ -26,7 +26,7 @@ impl Closed {
             rustix::io::Result::Ok(events)
         };
         // Where there are too many of them already, files have to be unchanged for a while.
-        Self { events: begin().ok(), folder: folder.to_owned(), closed: BTreeSet::new() }
+        Self { events: begin().ok(), folder: folder.to_owned(), paths: BTreeSet::new() }
     }
 
     /// Hears what has happened since the last time.
@@ -39,28 +39,28 @@ impl Closed {
         let mut reader = Reader::new(events, &mut buffer);
         while let Ok(event) = reader.next() {
             if event.events().contains(ReadFlags::QUEUE_OVERFLOW) {
-                self.closed.clear();
+                self.paths.clear();
             }
             let Some(name) = event.file_name() else { continue };
             let path = self.folder.join(std::ffi::OsStr::from_bytes(name.to_bytes()));
             if event.events().intersects(ReadFlags::CLOSE_WRITE | ReadFlags::MOVED_TO) {
-                self.closed.insert(path);
+                self.paths.insert(path);
             } else {
-                self.closed.remove(&path);
+                self.paths.remove(&path);
             }
         }
     }
 
     /// Whether a file was closed, and not written since.
     pub(super) fn is_closed(&self, path: &Path) -> bool {
-        self.closed.contains(path)
+        self.paths.contains(path)
     }
 }
 
 #[cfg(not(target_os = "linux"))]
 impl Closed {
     pub(super) fn new(_folder: &Path) -> Self {
-        Self { closed: BTreeSet::new() }
+        Self { paths: BTreeSet::new() }
     }
 
     /// Nothing is told by itself.
@@ -85,6 +85,6 @@ impl Closed {
 impl Closed {
     /// Forgets the files that are gone.
     pub(super) fn forget_all_but(&mut self, there: &BTreeSet<PathBuf>) {
-        self.closed.retain(|path| there.contains(path));
+        self.paths.retain(|path| there.contains(path));
     }
 }
