@@ -177,7 +177,7 @@ fn a_last_line_that_was_taken_without_its_end_is_not_taken_again_with_it() {
 fn utf_16_grows_by_its_lines() {
     let text = |text: &str| text.encode_utf16().flat_map(u16::to_le_bytes).collect::<Vec<u8>>();
     let mut watched = Watched::new();
-    std::fs::write(watched.path("a.csv"), text("\u{feff}name;measured\nBORE_A;12.03\nPIN;19.9")).unwrap();
+    files::write(&watched.path("a.csv"), &text("\u{feff}name;measured\nBORE_A;12.03\nPIN;19.9")).unwrap();
     assert_eq!(watched.take(150), ["a.csv BORE_A 12.03 GOOD"]);
     let mut file = OpenOptions::new().append(true).open(watched.path("a.csv")).unwrap();
     file.write_all(&text("85\n")).unwrap();
@@ -304,7 +304,7 @@ fn a_long_file_is_taken_part_by_part() {
 fn a_note_of_somebody_else_is_left_alone() {
     let mut watched = Watched::new();
     watched.write("a.csv", &format!("{HEAD}BORE_A;12.O3\nPIN;19.99\n"));
-    std::fs::write(watched.path("a.csv.why.txt"), "mine").unwrap();
+    watched.write("a.csv.why.txt", "mine");
     let ready = [watched.look(0), watched.look(150)].concat();
     let [batch] = ready.as_slice() else { panic!("{ready:?}") };
     let error = watched.watcher.taken(batch, &|message| message.to_string()).unwrap_err();
