@@ -131,6 +131,7 @@ mod twin;
 mod verdicts;
 mod wall_cycles;
 mod warm;
+mod watch_cli;
 mod watching;
 mod workpieces;
 mod xlsx;

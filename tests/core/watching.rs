@@ -1,11 +1,10 @@
 //! The watched folder: each file once, whole or not at all, whatever happens meanwhile.
 
-use std::collections::{BTreeMap, BTreeSet};
+use std::collections::BTreeSet;
 use std::fs::OpenOptions;
 use std::io::Write as _;
-use std::path::{Path, PathBuf};
-use std::process::{Child, Command, Stdio};
-use std::time::{Duration, Instant};
+use std::path::PathBuf;
+use std::time::Duration;
 
 use fitcheck::control::mask::Mask;
 use fitcheck::exchange::Item;
@@ -14,7 +13,7 @@ use fitcheck::journal::chain::Hash;
 use fitcheck::tolerance::Sources;
 use fitcheck::watch::{Batch, Judging, Known, Watcher};
 
-const PLAN: &str = "name;callout;x;y;z\nBORE_A;12 F9;50;65;-8\nPIN;20 g6;100;65;-8\n";
+pub(crate) const PLAN: &str = "name;callout;x;y;z\nBORE_A;12 F9;50;65;-8\nPIN;20 g6;100;65;-8\n";
 
 fn plan() -> fitcheck::part::Plan {
     crate::plans::plan(PLAN)
@@ -389,89 +388,4 @@ fn files_come_in_the_order_in_which_they_were_written_and_unfinished_names_are_l
     assert_eq!(watched.take(150), ["z.csv BORE_A 12.03 GOOD", "a.csv BORE_A 12.04 GOOD"]);
     std::fs::rename(watched.path("b.csv.part"), watched.path("b.csv")).unwrap();
     assert_eq!(watched.take(150), ["b.csv BORE_A 12.05 GOOD"]);
-}
-
-struct Running(Child);
-
-impl Running {
-    fn start(folder: &Path) -> Self {
-        let mut command = Command::new(env!("CARGO_BIN_EXE_fitcheck"));
-        command.current_dir(folder).args([
-            "watch",
-            "in",
-            "--plan",
-            "plan.csv",
-            "--journal",
-            "j.sqlite",
-            "--until-idle",
-            "4",
-        ]);
-        command.env("XDG_DATA_HOME", folder).env("XDG_CONFIG_HOME", folder).env_remove("FITCHECK_JOURNAL");
-        Self(command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap())
-    }
-}
-
-impl Drop for Running {
-    fn drop(&mut self) {
-        let _gone = self.0.kill();
-        let _code = self.0.wait();
-    }
-}
-
-/// 500 files at once, half of them written in slow pieces, and the program killed in the middle of it, three times.
-#[test]
-fn five_hundred_files_are_taken_once_each_whoever_is_killed_meanwhile() {
-    let folder = tempfile::tempdir().unwrap();
-    let input = folder.path().join("in");
-    std::fs::create_dir(&input).unwrap();
-    files::write(&folder.path().join("plan.csv"), PLAN.as_bytes()).unwrap();
-    // Every value is another one, within the zone from 12.016 to 12.059.
-    let value = |file: usize, row: usize| format!("12.{:05}", 1_600 + 2 * (2 * file + row));
-    let writer = {
-        let input = input.clone();
-        let write = move || {
-            let rows = |file: usize| format!("BORE_A;{}\nBORE_A;{}\n", value(file, 0), value(file, 1));
-            let mut slow = Vec::new();
-            for file in 0..500 {
-                let text = format!("name;measured\n{}", rows(file));
-                let path = input.join(format!("m{file:03}.csv"));
-                if file % 2 == 0 {
-                    files::write(&path, text.as_bytes()).unwrap();
-                } else {
-                    slow.push((path, text));
-                }
-            }
-            // Seven bytes at a time: in the middle of names and numbers.
-            for piece in 0..12 {
-                for (path, text) in &slow {
-                    let bytes = text.as_bytes().chunks(7).nth(piece).unwrap_or_default();
-                    OpenOptions::new().create(true).append(true).open(path).unwrap().write_all(bytes).unwrap();
-                }
-                std::thread::sleep(Duration::from_millis(150));
-            }
-            assert!(slow.iter().all(|(path, text)| std::fs::read_to_string(path).unwrap() == *text));
-        };
-        std::thread::Builder::new().name("writer".to_owned()).spawn(write).unwrap()
-    };
-    for pause in [700, 900, 600] {
-        let running = Running::start(folder.path());
-        std::thread::sleep(Duration::from_millis(pause));
-        drop(running);
-    }
-    writer.join().unwrap();
-    let begun = Instant::now();
-    let mut last = Running::start(folder.path());
-    let code = last.0.wait().unwrap();
-    assert_eq!(code.code(), Some(0), "every value is good");
-    println!("the rest in {:?}", begun.elapsed());
-    let reader = fitcheck::store::local::Reader::open(&folder.path().join("j.sqlite")).unwrap();
-    let mut counts: BTreeMap<String, usize> = BTreeMap::new();
-    for kept in reader.entries(1, 10_000).unwrap() {
-        let entry = fitcheck::journal::body::read(&kept.body).unwrap();
-        if let Some(fitcheck::journal::entry::Checked::Size(record)) = entry.check().map(|check| &check.what) {
-            *counts.entry(record.measurement.diameter.to_string()).or_default() += 1;
-        }
-    }
-    assert_eq!(counts.len(), 1000, "none is lost");
-    assert!(counts.values().all(|count| *count == 1), "none is there twice: {counts:?}");
 }
