@@ -202,7 +202,10 @@ impl eframe::App for App {
         let commands = view.commands;
         if self.first_frame {
             self.first_frame = false;
-            ui.memory_mut(|memory| memory.request_focus(field::id(CheckField::Callout)));
+            // A file that was given has opened its own page.
+            if self.session.page() == Page::Check {
+                ui.memory_mut(|memory| memory.request_focus(field::id(CheckField::Callout)));
+            }
         }
         let ctx = ui.ctx().clone();
         self.apply(&ctx, commands);

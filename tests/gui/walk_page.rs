@@ -246,6 +246,22 @@ fn a_watched_folder_is_watched_again_after_a_restart_and_by_one_window_alone() {
 }
 
 #[test]
+fn a_scanner_types_the_serial_number_once_a_plan_is_open() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = window_of(folder.path(), DESK).open();
+    page.event(eframe::egui::Event::Text("A-7".to_owned()));
+    press(&mut page, Key::Enter);
+    assert_eq!(page.state().session().parts().walking().serial(), "A-7");
+    // The next part, too.
+    for _ in 0..2 {
+        press(&mut page, Key::F8);
+    }
+    page.event(eframe::egui::Event::Text("B-1".to_owned()));
+    press(&mut page, Key::Enter);
+    assert_eq!(page.state().session().parts().walking().serial(), "B-1");
+}
+
+#[test]
 fn touch_alone_does_the_walk() {
     let folder = tempfile::tempdir().unwrap();
     let mut page = window_of(folder.path(), vec2(1024.0, 768.0)).open();

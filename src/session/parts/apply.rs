@@ -8,10 +8,10 @@ use jiff::civil::DateTime;
 use super::document::PlanDocument;
 use super::picture::Shown;
 use super::sheet::Sheet;
-use super::{PartsCommand, PartsPage, PlanCommand};
+use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand};
 use crate::message::Message;
 use crate::part::{Document, Draft, Row};
-use crate::session::command::Effect;
+use crate::session::command::{Effect, Page};
 use crate::session::shared::{News, PageState, Shared};
 
 impl PageState for PartsPage {
@@ -27,6 +27,7 @@ impl PageState for PartsPage {
             PartsCommand::Show(view) => {
                 self.settle();
                 self.view = view;
+                self.ask_for_serial();
             }
             PartsCommand::Plan(command) => effects.extend(self.apply_plan(command, shared)),
             PartsCommand::Walk(command) => effects = self.apply_walk(command, shared, now),
@@ -38,8 +39,10 @@ impl PageState for PartsPage {
     }
 
     fn follow(&mut self, news: &News, shared: &mut Shared) {
-        if matches!(news, News::Opened(_)) {
+        if let News::Opened(page) = news {
             self.settle();
+            self.is_shown = *page == Page::Parts;
+            self.ask_for_serial();
         }
         if matches!(news, News::Sources | News::OwnTables) {
             self.document.check(&shared.sources);
@@ -99,6 +102,15 @@ impl PartsPage {
         self.document = document;
         self.sheet = Sheet::of(&self.document);
         self.shown = Shown::default();
+        self.ask_for_serial();
+    }
+
+    /// Where a part can be begun, what a reader scans is its serial number.
+    fn ask_for_serial(&mut self) {
+        let can_begin = self.document.plan().is_some() && !self.walking.is_begun();
+        if self.is_shown && self.view == PartsView::Walk && can_begin {
+            self.errands.push(Effect::Focus(PartsField::Serial.into()));
+        }
     }
 
     /// The bytes for a file.

@@ -67,6 +67,8 @@ impl PartsView {
 #[derive(Debug, Default)]
 pub struct PartsPage {
     view: PartsView,
+    /// Whether it is the open page.
+    is_shown: bool,
     texts: Texts<PartsField>,
     errors: BTreeMap<PartsField, Message>,
     document: PlanDocument,
