@@ -207,7 +207,8 @@ pub(super) fn write(draft: &Draft) -> String {
     let mut text = format!("{VERSION_KEY} = {VERSION}\n");
     for field in HeadField::ALL {
         if let Some(given) = draft.text(field) {
-            let numbers: Vec<&str> = given.split_whitespace().collect();
+            // A text that is not as two numbers are read stays a text.
+            let numbers: Vec<&str> = given.split(' ').collect();
             let value = if field.is_travel() && numbers.len() == 2 && numbers.iter().all(|word| is_number(word)) {
                 format!("[{}]", numbers.join(", "))
             } else {

@@ -224,6 +224,13 @@ fn a_mask_with_nearly_every_element_reads_back() {
     }
 }
 
+/// Found by the fuzz target `fn16`: such a character was taken for a blank.
+#[test]
+fn a_no_break_space_of_a_mask_is_a_character_of_it() {
+    let mask = "\"%02d:%02d\u{a0}%10S\u{a0}mm %9.4F\", HOUR, MIN, QS2, Q153;";
+    check(mask, "08:05\u{a0}     25 H7\u{a0}mm   25.0100\n", &["1: 25 H7 25..25.021 25.01 GOOD"]);
+}
+
 #[test]
 fn one_of_several_masks_is_found() {
     let (a, b) = ("\"A %S: %9.4F\", QS2, Q153;", "\"B %S: %9.4F\", QS2, Q153;");

@@ -3,6 +3,9 @@
 use super::{Piece, Printed, Step, Values};
 use crate::control::mask::{Format, Kind};
 
+/// What the width of a field fills up with, and what people put between fields. A no-break space is a character of the mask.
+const BLANKS: [char; 2] = [' ', '\t'];
+
 /// The longest line that is read back, in bytes; a control's has some hundred.
 const LONGEST_LINE: usize = 1 << 10;
 
@@ -115,7 +118,7 @@ impl Ways<'_> {
         let pieces = self.pieces;
         let is_read = match pieces.get(piece) {
             None => {
-                let is_end = rest.trim_start().is_empty();
+                let is_end = rest.trim_start_matches(BLANKS).is_empty();
                 if is_end {
                     let text = |(start, end): (usize, usize)| self.line.get(start..end).unwrap_or_default().to_owned();
                     let values: Values = values.iter().map(|(slot, range)| (*slot, text(*range))).collect();
@@ -195,18 +198,18 @@ impl Ways<'_> {
                 // Blanks behind it belong to what comes next.
                 _ => is_end || end == 0 || !is_behind_blank,
             };
-            is_behind_blank = rest.get(end..).is_some_and(|behind| behind.starts_with(char::is_whitespace));
+            is_behind_blank = rest.get(end..).is_some_and(|behind| behind.starts_with(BLANKS));
             if self.left == 0 {
                 break;
             }
             if !may_end || self.has_failed(piece + 1, at + end) {
                 continue;
             }
-            let text = rest.get(..end).unwrap_or_default().trim();
+            let text = rest.get(..end).unwrap_or_default().trim_matches(BLANKS);
             if most != usize::MAX && most < text.chars().count() || wants_text && text.is_empty() {
                 continue;
             }
-            let start = at + (end - rest.get(..end).unwrap_or_default().trim_start().len());
+            let start = at + (end - rest.get(..end).unwrap_or_default().trim_start_matches(BLANKS).len());
             is_read |= self.with((number, (start, start + text.len())), (piece + 1, at + end), values);
         }
         is_read
@@ -215,12 +218,12 @@ impl Ways<'_> {
 
 /// Where a literal text ends in a line that begins with it: a run of blanks matches any run, or the end of the line.
 fn literal_end(literal: &str, line: &str, is_first: bool) -> Option<usize> {
-    let literal = if is_first { literal.trim_start() } else { literal };
+    let literal = if is_first { literal.trim_start_matches(BLANKS) } else { literal };
     if literal.is_empty() {
         return Some(0);
     }
     // The width of the field before may have put blanks there.
-    let mut rest = if is_first || !literal.starts_with(' ') { line.trim_start() } else { line };
+    let mut rest = if is_first || !literal.starts_with(' ') { line.trim_start_matches(BLANKS) } else { line };
     let mut wants_blank = false;
     for c in literal.chars() {
         if c == ' ' {
@@ -244,13 +247,13 @@ fn literal_end(literal: &str, line: &str, is_first: bool) -> Option<usize> {
 
 /// What comes behind at least one blank.
 fn behind_blanks(text: &str) -> Option<&str> {
-    let rest = text.trim_start();
+    let rest = text.trim_start_matches(BLANKS);
     (rest.len() < text.len()).then_some(rest)
 }
 
 /// Where a number with so many decimals begins and ends. With `touches` another field may begin behind it.
 fn number_end(line: &str, decimals: usize, touches: bool) -> Option<(usize, usize)> {
-    let rest = line.trim_start();
+    let rest = line.trim_start_matches(BLANKS);
     let start = line.len() - rest.len();
     let unsigned = rest.strip_prefix(['+', '-', '\u{2212}']).unwrap_or(rest);
     let digits = |text: &str| text.bytes().take_while(u8::is_ascii_digit).count();
