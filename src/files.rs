@@ -7,6 +7,7 @@ mod folder;
 mod folders;
 mod listing;
 mod names;
+mod stopping;
 mod straight;
 mod tables;
 mod unfinished;
@@ -19,6 +20,7 @@ pub use beside::beside;
 pub use folder::{make_folder, no_half_set, write_folder, write_into};
 pub use folders::Folders;
 pub use listing::{Entry, Listing, MOST_ENTRIES, list, list_up_to};
+pub use stopping::Stop;
 pub use tables::{OwnTables, OwnTablesError, read_tables};
 
 use crate::message::Say;

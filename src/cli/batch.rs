@@ -13,22 +13,22 @@ mod parquet;
     reason = "the shape of the other, with nothing to do"
 )]
 mod parquet;
-mod progress;
 mod summary;
 
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
+use std::sync::atomic::Ordering::Relaxed;
 
 use super::{CliError, CliRemark, Io, Outcome, TableArgs};
 use crate::batch::{self, Failed, Form, Input, Manner, Packing, Stream, Summary, Watch};
 use crate::cli::args::one_of;
+use crate::cli::progress::Work;
 use crate::exchange::ImportErrorKind;
 use crate::exchange::batch::{ADDED, BLOCK, Court, Cutter, Layout};
 use crate::files;
 use crate::message::Say as _;
 use crate::tolerance::Sources;
 use judging::{Above, Judging, Rows};
-use progress::Progress;
 use summary::Told;
 
 /// Judge every row of CSV or Parquet files of any length, order kept
@@ -339,8 +339,12 @@ impl Job<'_> {
         }
         let court = Court::new(&layout, self.sources);
         let is_packed = matches!(&from, From::Text(stream) if stream.packing != Packing::Plain);
-        let progress = Progress::new(&name, size.filter(|_| !is_packed));
-        let (manner, watch, mut tick) = (self.manner(), Watch::default(), |watch: &Watch| progress.show(watch));
+        let work = Work::on(&name, size.filter(|_| !is_packed));
+        let (manner, watch) = (self.manner(), Watch::default());
+        let mut tick = |watch: &Watch| {
+            work.at(watch.rows.load(Relaxed), watch.bytes.load(Relaxed));
+            watch.stop.fetch_or(work.is_stopped(), Relaxed);
+        };
         let mut input;
         let rows = match from {
             From::Text(stream) => {
@@ -366,7 +370,10 @@ impl Job<'_> {
                 Rows::Parquet(file) => writer.add(file, &court, manner.workers, &watch, &mut tick),
             },
         };
-        progress.end();
+        if work.is_stopped() {
+            return Err(CliError::Stopped { rows: watch.rows.load(Relaxed) });
+        }
+        drop(work);
         match summary {
             Ok(mut summary) => {
                 summary.tally.not_utf8 += u64::from(!layout.is_utf8);

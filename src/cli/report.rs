@@ -1,21 +1,28 @@
 //! `fitcheck report`
 
+mod part;
+
 use std::io;
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
 use super::args::one_of;
 use super::judging::{Judge, JudgeArgs, Warned};
 use super::measured::Measured;
+use super::progress::{Watched, Work, stopped};
 use super::{CliError, CliWarning, Io, Outcome, TableArgs};
-use crate::exchange::{self, Item, import_from};
+use part::Parts;
+use crate::exchange::{self, ByPlan, Item, import_from};
 use crate::files::{self, FileError};
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say};
+use crate::part::Plan;
 use crate::probing::{Measurement, Origin};
 use crate::report::csv::More;
+use crate::report::part::PartSheet;
 use crate::report::{self, Checks, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
 use crate::verdict::Status;
@@ -64,6 +71,10 @@ pub(super) struct Args {
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
     time: Option<DateTime>,
 
+    /// Judge by a part plan: each value finds its feature, and the report shows the whole part with its picture
+    #[arg(long, value_name = "PLAN", requires = "files")]
+    plan: Option<PathBuf>,
+
     #[command(flatten)]
     tables: TableArgs,
 
@@ -79,11 +90,16 @@ Examples:
   fitcheck report bores.csv TCHPR421.TXT -o report.html
   fitcheck report bores.csv --rule iso14253-2017 --budget station3.toml -o report.html
   fitcheck report bores.csv --temperature 26 --material steel -o report.html
+  fitcheck report --plan flange.toml results.qif TCHPR421.TXT -o flange.html
   fitcheck report --check \"25 H7=25.012\" -o - --format json
 
+With --plan the page begins with each part: its status, what is missing, its picture with a balloon
+a feature, and where each value is from. JSON has the same as parts, without places on the picture.
+
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
-error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. CSV has
-the checks alone: standard error tells what it does not hold.";
+error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. It is 1, too,
+where a part of the plan lacks a value. CSV has the checks alone, with the name of the picture: standard
+error tells what it does not hold.";
 
 /// Why a `--check` is not a check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
@@ -133,19 +149,40 @@ const MOST_NOTES: usize = 1_000;
 /// The checks of files and options. The files are read again for every look at the checks, so that they may be of any size.
 #[derive(Debug)]
 struct Given {
-    files: Vec<(PathBuf, Measured)>,
+    files: Vec<(PathBuf, Measured, Work)>,
     /// From options.
     typed: Vec<Record>,
     sources: Sources,
     now: DateTime,
     judge: Judge,
+    plan: Option<Arc<Plan>>,
 }
 
 impl Given {
-    fn read(&self, path: &Path, file: &Measured, take: &mut dyn FnMut(Item)) {
+    fn read(&self, (path, file, work): (&Path, &Measured, &Work), take: &mut dyn FnMut(Item)) {
         let beside = |ending: &str| files::beside(path, ending);
         let given = exchange::Given { beside: &beside, ..exchange::Given::new(&self.sources, self.now) };
-        file.read(|body| import_from(&name(path), body, given, take));
+        let mut by_plan = self.plan.as_deref().map(ByPlan::new);
+        let mut take = |item: Item| {
+            // What comes after the wish to stop is what it broke.
+            if work.is_stopped() {
+                return;
+            }
+            if item.is_row() {
+                work.row();
+            }
+            match &mut by_plan {
+                Some(by_plan) => by_plan.item(item, take),
+                None => take(item),
+            }
+        };
+        file.read(|body| import_from(&name(path), &mut Watched::new(body, work), given, &mut take));
+    }
+
+    /// How many rows were done, where Ctrl+C ended it.
+    fn stopped(&self) -> Option<CliError> {
+        let is_stopped = self.files.iter().any(|(.., work)| work.is_stopped());
+        is_stopped.then(|| CliError::Stopped { rows: self.files.iter().map(|(.., work)| work.rows()).sum() })
     }
 }
 
@@ -156,9 +193,10 @@ fn name(path: &Path) -> String {
 
 impl Checks for Given {
     fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
-        for (path, file) in &self.files {
+        for (path, file, work) in &self.files {
             let mut seen = Ok(());
-            self.read(path, file, &mut |item| {
+            work.again(&name(path));
+            self.read((path, file, work), &mut |item| {
                 // What cannot be judged was noted at the first look.
                 if seen.is_ok()
                     && let Item::Record { record, .. } = item
@@ -168,6 +206,10 @@ impl Checks for Given {
                 }
             });
             seen?;
+            if work.is_stopped() {
+                return Err(stopped());
+            }
+            work.line().end();
             if !file.is_unchanged() {
                 return Err(io::Error::other(FileError::Changed { path: path.clone() }.to_string()));
             }
@@ -189,6 +231,8 @@ struct Collected {
     more_notes: usize,
     bad: bool,
     warned: Warned,
+    /// The whole parts, with a plan.
+    parts: Option<Parts>,
 }
 
 impl Args {
@@ -199,14 +243,24 @@ impl Args {
         let words = Words::new(self.language);
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
-        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, judge };
+        if let Some(path) = &self.plan {
+            collected.parts = Some(Parts::read(path, &sources, io)?);
+        }
+        let plan = collected.parts.as_ref().map(|parts| Arc::clone(&parts.plan));
+        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, judge, plan };
         given.judge.tell(io);
         super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {
             match Measured::open(path) {
                 Ok(file) => {
-                    collected.file(path, &file, &given, io);
-                    given.files.push((path.clone(), file));
+                    let work = Work::on(&name(path), file.size());
+                    io.watch(&work);
+                    collected.file((path, &file, &work), &given, io);
+                    work.line().end();
+                    given.files.push((path.clone(), file, work));
+                    if let Some(stopped) = given.stopped() {
+                        return Err(stopped);
+                    }
                 }
                 Err(error) => {
                     collected.refuse(Message::new("report-note").text("place", name(path)), error.message(), io);
@@ -223,23 +277,30 @@ impl Args {
                 Err(error) => collected.refuse(Message::new("report-note").text("place", text), error, io),
             }
         }
+        let checks = Arc::new(given);
+        let (parts, of_plan) = collected.end_parts(io);
         let Some(worst) = collected.worst else { return Err(CliError::ReportEmpty) };
         let bad = collected.bad;
         let report = Report {
             title: self.title.clone().unwrap_or_default(),
-            part: self.part.clone(),
+            part: self.part.clone().or(of_plan),
             order: self.order.clone(),
             inspector: self.inspector.clone(),
             notes: collected.notes(),
-            ..Report::new(now, given)
+            parts,
+            ..Report::new(now, Arc::clone(&checks))
         };
         if rendering.name == report::csv::RENDERING.name {
             self.warn_of_csv(report.notes.len(), io);
         }
-        match &self.output {
-            Output::Standard => (rendering.render)(&report, &words, io.data())?,
-            Output::File(path, _) => super::save_with(path, &mut |out| (rendering.render)(&report, &words, out), io)?,
+        let written = match &self.output {
+            Output::Standard => (rendering.render)(&report, &words, io.data()).map_err(CliError::from),
+            Output::File(path, _) => super::save_with(path, &mut |out| (rendering.render)(&report, &words, out), io),
+        };
+        if let Some(stopped) = checks.stopped() {
+            return Err(stopped);
         }
+        written?;
         Ok(if bad { Outcome::BadData } else { Outcome::Judged(worst) })
     }
 
@@ -276,12 +337,15 @@ impl Args {
 
 impl Collected {
     /// Looks at a file of measurements.
-    fn file(&mut self, path: &Path, file: &Measured, given: &Given, io: &mut Io<'_>) {
+    fn file(&mut self, (path, file, work): (&Path, &Measured, &Work), given: &Given, io: &mut Io<'_>) {
         let name = &name(path);
         let line = |line: usize| Message::new("report-note-line").text("place", name).text("line", line);
-        given.read(path, file, &mut |item| match item {
-            Item::Record { record, line: at, .. } => match given.judge.judged(*record) {
-                Ok(record) => self.see(&record, io),
+        given.read((path, file, work), &mut |item| match item {
+            Item::Record { record, line: at, labels } => match given.judge.judged(*record) {
+                Ok(record) => {
+                    self.see(&record, io);
+                    self.parts.iter_mut().for_each(|parts| parts.see(&record, &labels));
+                }
                 Err(error) => self.refuse(line(at), error.message(), io),
             },
             Item::Unjudged(unjudged) => self.refuse(line(unjudged.line), unjudged.why.message(), io),
@@ -291,6 +355,19 @@ impl Collected {
             }
             Item::Contacts(_) => {}
         });
+    }
+
+    /// The whole parts, and the name of the part that the plan is of. What keeps them from being complete is told.
+    fn end_parts(&mut self, io: &mut Io<'_>) -> (Vec<PartSheet>, Option<String>) {
+        let Some(parts) = self.parts.take() else { return (Vec::new(), None) };
+        if let Some(why) = parts.unseen() {
+            io.warn(why);
+        }
+        let name = Some(parts.plan.head.part.clone()).filter(|name| !name.is_empty());
+        let (sheets, is_complete, more) = parts.end(io);
+        self.bad |= !is_complete;
+        self.notes.extend(more);
+        (sheets, name)
     }
 
     fn see(&mut self, record: &Record, io: &mut Io<'_>) {
