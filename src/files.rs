@@ -62,6 +62,11 @@ pub enum FileError {
         /// The path.
         path: PathBuf,
     },
+    /// It was written no further, as somebody wished.
+    Stopped {
+        /// The path.
+        path: PathBuf,
+    },
     /// The file is larger than [`LARGEST`].
     #[say(args(limit = LARGEST >> 20))]
     TooLarge {

@@ -56,6 +56,7 @@ mod locales;
 mod log_reading;
 mod log_writing;
 mod logs;
+mod long_work;
 mod machine;
 mod masks;
 mod materials;
