@@ -17,12 +17,11 @@ mod summary;
 
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
-use std::sync::atomic::Ordering::Relaxed;
 
+use super::args::one_of;
+use super::progress::Work;
 use super::{CliError, CliRemark, Io, Outcome, TableArgs};
 use crate::batch::{self, Failed, Form, Input, Manner, Packing, Stream, Summary, Watch};
-use crate::cli::args::one_of;
-use crate::cli::progress::Work;
 use crate::exchange::ImportErrorKind;
 use crate::exchange::batch::{ADDED, BLOCK, Court, Cutter, Layout};
 use crate::files;
@@ -340,11 +339,7 @@ impl Job<'_> {
         let court = Court::new(&layout, self.sources);
         let is_packed = matches!(&from, From::Text(stream) if stream.packing != Packing::Plain);
         let work = Work::on(&name, size.filter(|_| !is_packed));
-        let (manner, watch) = (self.manner(), Watch::default());
-        let mut tick = |watch: &Watch| {
-            work.at(watch.rows.load(Relaxed), watch.bytes.load(Relaxed));
-            watch.stop.fetch_or(work.is_stopped(), Relaxed);
-        };
+        let (manner, watch, mut tick) = (self.manner(), Watch::default(), |watch: &Watch| work.follow(watch));
         let mut input;
         let rows = match from {
             From::Text(stream) => {
@@ -371,7 +366,8 @@ impl Job<'_> {
             },
         };
         if work.is_stopped() {
-            return Err(CliError::Stopped { rows: watch.rows.load(Relaxed) });
+            work.follow(&watch);
+            return Err(CliError::Stopped { rows: work.rows() });
         }
         drop(work);
         match summary {

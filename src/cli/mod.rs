@@ -153,7 +153,8 @@ impl Cli {
             Ok(outcome) => outcome.code(),
             Err(CliError::Stream(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => 0,
             Err(error) => {
-                let outcome = if matches!(error, CliError::Stopped { .. }) { Outcome::Stopped } else { Outcome::BadData };
+                let outcome =
+                    if matches!(error, CliError::Stopped { .. }) { Outcome::Stopped } else { Outcome::BadData };
                 io.fail(error);
                 outcome.code()
             }

@@ -7,6 +7,7 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
+use crate::batch::Watch;
 use crate::exchange::Body;
 use crate::files::Stop;
 
@@ -89,10 +90,11 @@ impl Work {
         self.show();
     }
 
-    /// So many rows and bytes are done.
-    pub(super) fn at(&self, rows: u64, bytes: u64) {
-        self.done.rows.store(rows, Relaxed);
-        self.done.bytes.store(bytes, Relaxed);
+    /// Shows how far workers are, and asks them to end where Ctrl+C did.
+    pub(super) fn follow(&self, watch: &Watch) {
+        self.done.rows.store(watch.rows.load(Relaxed), Relaxed);
+        self.done.bytes.store(watch.bytes.load(Relaxed), Relaxed);
+        watch.stop.fetch_or(self.is_stopped(), Relaxed);
         self.show();
     }
 

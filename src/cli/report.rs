@@ -1,32 +1,27 @@
 //! `fitcheck report`
 
 mod part;
+mod reading;
 
-use std::io;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
 use super::args::one_of;
-use super::judging::{Judge, JudgeArgs, Warned};
+use super::judging::JudgeArgs;
 use super::measured::Measured;
-use super::progress::{Watched, Work, stopped};
+use super::progress::Work;
 use super::{CliError, CliWarning, Io, Outcome, TableArgs};
-use part::Parts;
-use crate::exchange::{self, ByPlan, Item, import_from};
-use crate::files::{self, FileError};
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say};
-use crate::part::Plan;
 use crate::probing::{Measurement, Origin};
-use crate::report::csv::More;
-use crate::report::part::PartSheet;
-use crate::report::{self, Checks, EndingError, RENDERINGS, Rendering, Report};
+use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
-use crate::verdict::Status;
 use crate::words::{Language, Words};
+use part::Parts;
+use reading::{Collected, Given, name};
 
 /// Write an inspection report of one or more checks
 #[derive(Debug, clap::Args)]
@@ -97,9 +92,9 @@ With --plan the page begins with each part: its status, what is missing, its pic
 a feature, and where each value is from. JSON has the same as parts, without places on the picture.
 
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
-error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. It is 1, too,
-where a part of the plan lacks a value. CSV has the checks alone, with the name of the picture: standard
-error tells what it does not hold.";
+error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. It is
+also 1 where a part of the plan lacks a value. CSV has the checks alone, with the name of the
+picture: standard error tells what it does not hold.";
 
 /// Why a `--check` is not a check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
@@ -141,98 +136,6 @@ fn output(text: &str) -> Result<Output, EndingError> {
         return Ok(Output::Standard);
     }
     Ok(Output::File(PathBuf::from(text), report::rendering_for(Path::new(text))?))
-}
-
-/// The most notes on a report; all of them are on standard error.
-const MOST_NOTES: usize = 1_000;
-
-/// The checks of files and options. The files are read again for every look at the checks, so that they may be of any size.
-#[derive(Debug)]
-struct Given {
-    files: Vec<(PathBuf, Measured, Work)>,
-    /// From options.
-    typed: Vec<Record>,
-    sources: Sources,
-    now: DateTime,
-    judge: Judge,
-    plan: Option<Arc<Plan>>,
-}
-
-impl Given {
-    fn read(&self, (path, file, work): (&Path, &Measured, &Work), take: &mut dyn FnMut(Item)) {
-        let beside = |ending: &str| files::beside(path, ending);
-        let given = exchange::Given { beside: &beside, ..exchange::Given::new(&self.sources, self.now) };
-        let mut by_plan = self.plan.as_deref().map(ByPlan::new);
-        let mut take = |item: Item| {
-            // What comes after the wish to stop is what it broke.
-            if work.is_stopped() {
-                return;
-            }
-            if item.is_row() {
-                work.row();
-            }
-            match &mut by_plan {
-                Some(by_plan) => by_plan.item(item, take),
-                None => take(item),
-            }
-        };
-        file.read(|body| import_from(&name(path), &mut Watched::new(body, work), given, &mut take));
-    }
-
-    /// How many rows were done, where Ctrl+C ended it.
-    fn stopped(&self) -> Option<CliError> {
-        let is_stopped = self.files.iter().any(|(.., work)| work.is_stopped());
-        is_stopped.then(|| CliError::Stopped { rows: self.files.iter().map(|(.., work)| work.rows()).sum() })
-    }
-}
-
-/// The name of a file without its folder.
-fn name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-impl Checks for Given {
-    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
-        for (path, file, work) in &self.files {
-            let mut seen = Ok(());
-            work.again(&name(path));
-            self.read((path, file, work), &mut |item| {
-                // What cannot be judged was noted at the first look.
-                if seen.is_ok()
-                    && let Item::Record { record, .. } = item
-                    && let Ok(record) = self.judge.judged(*record)
-                {
-                    seen = see(&record);
-                }
-            });
-            seen?;
-            if work.is_stopped() {
-                return Err(stopped());
-            }
-            work.line().end();
-            if !file.is_unchanged() {
-                return Err(io::Error::other(FileError::Changed { path: path.clone() }.to_string()));
-            }
-        }
-        self.typed.iter().try_for_each(see)
-    }
-
-    /// One way judges all of them.
-    fn more(&self) -> io::Result<More> {
-        Ok(self.judge.more())
-    }
-}
-
-/// What a first look at the checks finds, and what did not become a check.
-#[derive(Debug, Default)]
-struct Collected {
-    worst: Option<Status>,
-    notes: Vec<Message>,
-    more_notes: usize,
-    bad: bool,
-    warned: Warned,
-    /// The whole parts, with a plan.
-    parts: Option<Parts>,
 }
 
 impl Args {
@@ -331,70 +234,6 @@ impl Args {
             (Output::File(_, rendering), _) => Ok(rendering),
             // Without a format, clap has already refused standard output.
             (Output::Standard, named) => Ok(named.unwrap_or(&report::html::RENDERING)),
-        }
-    }
-}
-
-impl Collected {
-    /// Looks at a file of measurements.
-    fn file(&mut self, (path, file, work): (&Path, &Measured, &Work), given: &Given, io: &mut Io<'_>) {
-        let name = &name(path);
-        let line = |line: usize| Message::new("report-note-line").text("place", name).text("line", line);
-        given.read((path, file, work), &mut |item| match item {
-            Item::Record { record, line: at, labels } => match given.judge.judged(*record) {
-                Ok(record) => {
-                    self.see(&record, io);
-                    self.parts.iter_mut().for_each(|parts| parts.see(&record, &labels));
-                }
-                Err(error) => self.refuse(line(at), error.message(), io),
-            },
-            Item::Unjudged(unjudged) => self.refuse(line(unjudged.line), unjudged.why.message(), io),
-            Item::Error(error) => self.refuse(Message::new("report-note").text("place", name), error.message(), io),
-            Item::Warning(warning) => {
-                self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io);
-            }
-            Item::Contacts(_) => {}
-        });
-    }
-
-    /// The whole parts, and the name of the part that the plan is of. What keeps them from being complete is told.
-    fn end_parts(&mut self, io: &mut Io<'_>) -> (Vec<PartSheet>, Option<String>) {
-        let Some(parts) = self.parts.take() else { return (Vec::new(), None) };
-        if let Some(why) = parts.unseen() {
-            io.warn(why);
-        }
-        let name = Some(parts.plan.head.part.clone()).filter(|name| !name.is_empty());
-        let (sheets, is_complete, more) = parts.end(io);
-        self.bad |= !is_complete;
-        self.notes.extend(more);
-        (sheets, name)
-    }
-
-    fn see(&mut self, record: &Record, io: &mut Io<'_>) {
-        self.warned.see(record, io);
-        self.worst = self.worst.max(Some(record.verdict.status()));
-    }
-
-    /// The notes of the report; the last one says how many more there are.
-    fn notes(self) -> Vec<Message> {
-        let more = (0 < self.more_notes).then(|| Message::new("report-note-more").count("count", self.more_notes));
-        self.notes.into_iter().chain(more).collect()
-    }
-
-    /// Notes what is not a check, so that nobody takes the report for complete.
-    fn refuse(&mut self, place: Message, what: Message, io: &mut Io<'_>) {
-        self.bad = true;
-        self.note(place, what, io);
-    }
-
-    /// Puts a sentence on the report, and in English on standard error.
-    fn note(&mut self, place: Message, what: Message, io: &mut Io<'_>) {
-        let note = place.message("what", what);
-        io.fail(&note);
-        if self.notes.len() < MOST_NOTES {
-            self.notes.push(note);
-        } else {
-            self.more_notes += 1;
         }
     }
 }

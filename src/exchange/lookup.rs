@@ -4,7 +4,9 @@ use std::cell::{OnceCell, RefCell};
 use std::collections::HashMap;
 
 use crate::length::Length;
-use crate::tolerance::{Callout, CalloutError, Deviations, Limits, LimitsError, Source, Sources, Tolerance, ToleranceClass};
+use crate::tolerance::{
+    Callout, CalloutError, Deviations, Limits, LimitsError, Source, Sources, Tolerance, ToleranceClass,
+};
 
 /// The most texts and the most classes in a step that are remembered; others are read each time.
 const MOST: usize = 4_096;

@@ -79,7 +79,10 @@ impl Rules<'_> {
             Err(_) => class().map(ToleranceClass::feature),
         };
         if found.is_some_and(|found| found != feature) {
-            return Err((Cell { at: self.columns.tolerance, text }, ImportErrorKind::OtherFeature { given: given.into_owned(), feature }));
+            return Err((
+                Cell { at: self.columns.tolerance, text },
+                ImportErrorKind::OtherFeature { given: given.into_owned(), feature },
+            ));
         }
         Ok(Found { measured, asked: None, is_simulated: self.is_simulated(cells)? })
     }

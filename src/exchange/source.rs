@@ -122,7 +122,8 @@ impl<'a> Source<'a> {
             std::io::Result::Ok(length)
         };
         let length = begin(&mut head).map_err(|error| read_error(&error))?;
-        let context = Context { file: file_name.into(), sources: given.sources, now: given.now, lookup: Lookup::default() };
+        let context =
+            Context { file: file_name.into(), sources: given.sources, now: given.now, lookup: Lookup::default() };
         Ok(Self { context, head, length, body, given })
     }
 

@@ -22,7 +22,7 @@ use crate::message::Message;
 use crate::session::parts::PlanCommand;
 use crate::session::{
     Command, Content, Effect, Fate, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose,
-    RecordsCommand, RowsCommand, WorkpieceCommand, Working,
+    RecordsCommand, RowsCommand, Working, WorkpieceCommand,
 };
 use crate::tolerance::Sources;
 use crate::words::Words;
@@ -285,7 +285,8 @@ fn answers(
 
 fn save(job: &Job, path: PathBuf, content: &Content, replace: bool) -> Vec<Command> {
     let result = files::save_with(&path, replace, &mut |out| content.write(&mut Watched::new(out, job)));
-    let result = result.map_err(|error| if job.is_stopped() { FileError::Stopped { path: path.clone() } } else { error });
+    let result =
+        result.map_err(|error| if job.is_stopped() { FileError::Stopped { path: path.clone() } } else { error });
     vec![Command::Saved { path, result }]
 }
 

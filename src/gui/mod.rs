@@ -55,8 +55,8 @@ mod top_bar;
 mod verdict_card;
 mod view;
 mod watching;
-mod working;
 mod who;
+mod working;
 
 pub use app::{App, Setup};
 pub use effects::Errands;

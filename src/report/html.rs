@@ -53,7 +53,7 @@ trait Part: Template {
     /// Writes it on a line of its own.
     fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let text = self.render().map_err(io::Error::other)?;
-        out.write_all(printable(text.trim_end_matches('\n')).as_bytes())?;
+        out.write_all(printable(text.trim_matches('\n')).as_bytes())?;
         out.write_all(b"\n")
     }
 }

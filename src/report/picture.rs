@@ -66,7 +66,14 @@ pub(super) fn verdict(status: Status, words: &Words) -> askama::Result<String> {
     let word = words.told(&status);
     // 250 units are free for the word; a bold capital is about 0.72 of its size wide.
     let size = (347 / word.chars().count().max(1)).clamp(12, 40);
-    VerdictPicture { class: status_class(status), shape: shape(Some(status)), word, size, baseline: 36 + size * 36 / 100 }.render()
+    VerdictPicture {
+        class: status_class(status),
+        shape: shape(Some(status)),
+        word,
+        size,
+        baseline: 36 + size * 36 / 100,
+    }
+    .render()
 }
 
 struct SidePicture {

@@ -91,6 +91,7 @@ mod reader_language;
 mod renderings;
 mod report;
 mod report_cli;
+mod report_parts;
 
 mod rows;
 mod rules;
@@ -105,6 +106,7 @@ mod session_filter;
 mod session_fit;
 mod session_history;
 mod session_pairing;
+mod session_part_report;
 mod session_parts;
 mod session_plan;
 mod session_program;

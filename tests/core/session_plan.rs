@@ -3,9 +3,9 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use fitcheck::report::image::Image;
 use fitcheck::message::Message;
 use fitcheck::part::{Column, Document, Draft, HeadField, Row, Spot};
+use fitcheck::report::image::Image;
 use fitcheck::session::parts::{PartPicture, PartsView, PlanCommand, PlanField, Sight};
 use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, Purpose, Session, Step};
 use fitcheck::words::{Language, Words};

@@ -75,7 +75,10 @@ impl Args {
             Source::Journal { numbers, .. } => u64::try_from(numbers.len()).map_or(Size::Open, Size::Rows),
             Source::Server(_) => Size::Open,
         };
-        let work = Work::of(&self.output.as_ref().map_or_else(|| "journal".to_owned(), |path| path.display().to_string()), size);
+        let work = Work::of(
+            &self.output.as_ref().map_or_else(|| "journal".to_owned(), |path| path.display().to_string()),
+            size,
+        );
         io.watch(&work);
         let mut export = Export { from: &from, work: &work, failed: None, unread: Vec::new() };
         let written = if let Some(path) = &self.output {

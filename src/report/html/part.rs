@@ -91,7 +91,10 @@ impl Parts {
             is_simulated: 0 < standing.simulated,
             lacks: lacks(part, words),
             picture: self.picture(part, words),
-            sizes: part.sizes().map(|(size, step, record)| size_view(&size, step, record.map(AsRef::as_ref), words)).collect(),
+            sizes: part
+                .sizes()
+                .map(|(size, step, record)| size_view(&size, step, record.map(AsRef::as_ref), words))
+                .collect(),
         })
     }
 
@@ -139,12 +142,7 @@ fn shown(part: &PartSheet, image: &Image, said: String, words: &Words) -> Pictur
     }
 }
 
-fn balloon(
-    [x, y]: [f64; 2],
-    label: String,
-    (name, standing): (&str, &FeatureStanding),
-    words: &Words,
-) -> BalloonView {
+fn balloon([x, y]: [f64; 2], label: String, (name, standing): (&str, &FeatureStanding), words: &Words) -> BalloonView {
     let FeatureStanding { status, is_simulated, is_skipped, .. } = *standing;
     let word = match status {
         None if is_skipped => words.get("parts-page-balloon-skipped"),
