@@ -15,19 +15,21 @@ static HEARING: AtomicUsize = AtomicUsize::new(0);
 ///
 /// Where the system has no such signals, Ctrl+C ends the program at once.
 #[derive(Debug)]
-pub struct Stop(());
+pub struct Stop {
+    asked: &'static AtomicBool,
+}
 
 impl Stop {
     /// From here on Ctrl+C is heard.
     pub fn heard() -> Self {
         unfinished::remove_at_signals();
         HEARING.fetch_add(1, SeqCst);
-        Self(())
+        Self { asked: &ASKED }
     }
 
     /// Whether what goes on is to end.
     pub fn is_asked(&self) -> bool {
-        ASKED.load(SeqCst)
+        self.asked.load(SeqCst)
     }
 }
 

@@ -76,7 +76,7 @@ impl Runner {
         }
         let desk = Desk::new(errands, records, clock, sender.clone());
         let (rows, works, watching) = (Arc::default(), Arc::default(), Watching::default());
-        Self { errands, sender, receiver, files, rows, works, watching, clock, desk }
+        Self { errands, clock, sender, receiver, files, rows, works, watching, desk }
     }
 
     /// Who keeps and reads records.
@@ -204,10 +204,13 @@ impl Filters {
     }
 }
 
+/// Begins a file that is read, or written.
+type Begins<'a> = dyn Fn(&Path, bool) -> Job + 'a;
+
 fn answers(
     effect: Effect,
     (errands, filters): (Errands, Option<Filters>),
-    (sources, job): (&Sources, &dyn Fn(&Path, bool) -> Job),
+    (sources, job): (&Sources, &Begins<'_>),
     now: DateTime,
 ) -> Vec<Command> {
     match effect {

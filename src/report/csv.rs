@@ -290,7 +290,9 @@ mod tests {
         ) {
             let mut own = CsvLine::default();
             for cells in lines {
-                cells.iter().for_each(|cell| own.cell(cell));
+                for cell in &cells {
+                    own.cell(cell);
+                }
                 let mut writer = csv::WriterBuilder::new().from_writer(Vec::new());
                 writer.write_record(&cells).unwrap();
                 proptest::prop_assert_eq!(own.end(), writer.into_inner().unwrap());

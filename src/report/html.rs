@@ -86,7 +86,7 @@ struct Whole<'a> {
 #[template(path = "notes.html", config = "assets/report/askama.toml")]
 struct Notes<'a> {
     words: &'a Words,
-    notes: Vec<String>,
+    told: Vec<String>,
     summary: Option<Summary>,
 }
 
@@ -219,10 +219,10 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     }
     let notes = Notes {
         words,
-        notes: seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note))).collect(),
+        told: seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note))).collect(),
         summary: (1 < seen.total).then(|| summary(&seen, words)),
     };
-    if !notes.notes.is_empty() || notes.summary.is_some() {
+    if !notes.told.is_empty() || notes.summary.is_some() {
         notes.write(out)?;
     }
     let made = |number, record: &Record| check(number, record, words).map_err(io::Error::other);

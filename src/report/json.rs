@@ -47,7 +47,8 @@ struct Head<'a> {
 /// A whole part.
 #[derive(Serialize)]
 struct Part<'a> {
-    part: &'a str,
+    #[serde(rename = "part")]
+    name: &'a str,
     serial: &'a str,
     status: Option<&'static str>,
     measured: usize,
@@ -69,7 +70,7 @@ impl<'a> Part<'a> {
         let standing = sheet.standing();
         let left_out = sheet.left_out().into_iter().map(|(name, reason)| LeftOut { name, reason });
         Self {
-            part: &sheet.plan.head.part,
+            name: &sheet.plan.head.part,
             serial: sheet.serial(),
             status: sheet.status().map(Status::word),
             measured: standing.measured,

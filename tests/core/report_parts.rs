@@ -84,12 +84,10 @@ fn dot() -> Vec<u8> {
 /// Asserts that texts stand one behind the other.
 #[track_caller]
 fn in_order(page: &str, texts: &[&str]) {
-    let mut from = 0;
+    let mut rest = page;
     for text in texts {
-        let at = page[from..]
-            .find(text)
-            .unwrap_or_else(|| panic!("{text:?} is missing from here:\n{:.4000}", &page[from..]));
-        from += at + text.len();
+        let found = rest.split_once(text);
+        (_, rest) = found.unwrap_or_else(|| panic!("{text:?} is missing from here:\n{rest:.4000}"));
     }
 }
 

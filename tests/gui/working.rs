@@ -75,7 +75,7 @@ fn the_part_that_is_measured_is_reported_with_its_picture_and_what_is_missing() 
     type_into(&mut page, "File", path.to_str().unwrap());
     press(&mut page, Key::Enter);
     let report = std::fs::read_to_string(&path).unwrap();
-    let mut from = 0;
+    let mut rest = report.as_str();
     for text in [
         "Flange, serial number A-7",
         "<svg class=\"verdict rework\"",
@@ -87,7 +87,7 @@ fn the_part_that_is_measured_is_reported_with_its_picture_and_what_is_missing() 
         "<bdi>PIN</bdi>",
         "<section class=\"check\"",
     ] {
-        let at = report[from..].find(text).unwrap_or_else(|| panic!("{text:?} is missing in\n{report}"));
-        from += at;
+        let found = rest.split_once(text);
+        (_, rest) = found.unwrap_or_else(|| panic!("{text:?} is missing in\n{report}"));
     }
 }

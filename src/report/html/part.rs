@@ -128,7 +128,7 @@ fn shown(part: &PartSheet, image: &Image, said: String, words: &Words) -> Pictur
         .filter_map(|((place, feature), standing)| {
             let [x, y] = feature.balloon?;
             let label = if feature.number.is_empty() { place.to_string() } else { feature.number.clone() };
-            Some(balloon([x, y], label, (&feature.name, standing), words))
+            Some(balloon([x, y], &label, (&feature.name, standing), words))
         })
         .collect();
     let beside = standings.len() - balloons.len();
@@ -142,7 +142,7 @@ fn shown(part: &PartSheet, image: &Image, said: String, words: &Words) -> Pictur
     }
 }
 
-fn balloon([x, y]: [f64; 2], label: String, (name, standing): (&str, &FeatureStanding), words: &Words) -> BalloonView {
+fn balloon([x, y]: [f64; 2], label: &str, (name, standing): (&str, &FeatureStanding), words: &Words) -> BalloonView {
     let FeatureStanding { status, is_simulated, is_skipped, .. } = *standing;
     let word = match status {
         None if is_skipped => words.get("parts-page-balloon-skipped"),
@@ -152,7 +152,7 @@ fn balloon([x, y]: [f64; 2], label: String, (name, standing): (&str, &FeatureSta
         }
         Some(status) => words.told(&status),
     };
-    let said = Message::new("parts-page-balloon").text("label", &label).text("name", name).text("status", word);
+    let said = Message::new("parts-page-balloon").text("label", label).text("name", name).text("status", word);
     let percent = |share: f64| format!("{:.2}", share.clamp(0.0, 1.0) * 100.0);
     BalloonView {
         class: status.map_or(if is_skipped { "skipped" } else { "open" }, status_class),

@@ -22,7 +22,9 @@ impl PartsPage {
                 sheet.take(at, Arc::clone(&value.record));
             }
             let reason = self.walking.walk().steps().get(at).and_then(|step| step.skipped.clone());
-            reason.iter().for_each(|reason| sheet.skip(at, reason));
+            if let Some(reason) = reason {
+                sheet.skip(at, &reason);
+            }
         }
         sheet.picture = (!plan.head.picture.is_empty()).then(|| self.image(&plan.head.picture));
         let records: Vec<Arc<Record>> = sheet.records().map(Arc::clone).collect();
