@@ -23,7 +23,7 @@ impl Place {
         for row in 0..rows {
             writeln!(text, "P{row};25 H7;25.0{:02}", row % 20).unwrap();
         }
-        std::fs::write(folder.path().join("rows.csv"), text).unwrap();
+        fitcheck::files::write(&folder.path().join("rows.csv"), text.as_bytes()).unwrap();
         Self(folder)
     }
 
@@ -141,7 +141,7 @@ fn a_batch_that_is_stopped_ends_with_a_whole_line_and_writes_no_half_file() {
 #[test]
 fn what_is_stopped_writes_no_half_file_over_an_old_one() {
     let place = Place::new(ROWS);
-    std::fs::write(place.at("report.html"), "the old one").unwrap();
+    fitcheck::files::write(&place.at("report.html"), b"the old one").unwrap();
     let mut command = place.command("env");
     let command = command.args(heard()).args(["report", "rows.csv", "-o", "report.html"]);
     let child = command.stdout(Stdio::null()).stderr(Stdio::piped()).spawn().unwrap();
@@ -161,7 +161,7 @@ fn what_is_stopped_writes_no_half_file_over_an_old_one() {
 fn an_import_that_is_stopped_before_it_records_says_that_nothing_is_recorded() {
     let place = Place::new(ROWS);
     // What was recorded before stays.
-    std::fs::write(place.at("one.csv"), "id;callout;measured\nA;25 H7;25.01\n").unwrap();
+    fitcheck::files::write(&place.at("one.csv"), b"id;callout;measured\nA;25 H7;25.01\n").unwrap();
     let record = ["--record", "--journal", "j.sqlite"];
     let first = place.command(program()).args(["import", "one.csv"]).args(record).output().unwrap();
     assert!(first.status.success());
