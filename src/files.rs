@@ -7,6 +7,7 @@ mod folder;
 mod folders;
 mod listing;
 mod names;
+mod stopping;
 mod straight;
 mod tables;
 mod unfinished;
@@ -20,6 +21,7 @@ pub(crate) use beside::beside_path;
 pub use folder::{make_folder, no_half_set, write_folder, write_into};
 pub use folders::Folders;
 pub use listing::{Entry, Listing, MOST_ENTRIES, list, list_up_to};
+pub use stopping::Stop;
 pub use tables::{OwnTables, OwnTablesError, read_tables};
 
 use crate::message::Say;
@@ -58,6 +60,11 @@ pub enum FileError {
     },
     /// A file that is read several times is another one than at first.
     Changed {
+        /// The path.
+        path: PathBuf,
+    },
+    /// It was written no further, as somebody wished.
+    Stopped {
         /// The path.
         path: PathBuf,
     },

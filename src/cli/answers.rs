@@ -9,7 +9,7 @@ use serde::Serialize;
 
 use super::{CliError, CliRemark, Format, Io};
 use crate::control::text::decode;
-use crate::report::csv::cell;
+use crate::report::csv::{CsvLine, cell};
 pub(super) use lines::LONGEST_LINE;
 use lines::{Found, Line};
 
@@ -163,11 +163,9 @@ impl Answers {
 
 /// A line of CSV; a text that a spreadsheet would compute gets an apostrophe, as in every CSV of Fitcheck.
 pub(super) fn csv_line<T: AsRef<str>>(cells: impl IntoIterator<Item = T>, io: &mut Io<'_>) -> Result<(), CliError> {
-    // Into memory first: the writer's own flush would reach the stream at every line.
-    let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(Vec::new());
-    writer.write_record(cells.into_iter().map(|text| cell(text.as_ref())))?;
-    let line = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
-    Ok(io.data().write_all(&line)?)
+    let mut line = CsvLine::default();
+    cells.into_iter().for_each(|text| line.cell(&cell(text.as_ref())));
+    Ok(io.data().write_all(line.end())?)
 }
 
 /// A text without control characters: it goes to a terminal, and one line of input stays one line of output.

@@ -13,22 +13,21 @@ mod parquet;
     reason = "the shape of the other, with nothing to do"
 )]
 mod parquet;
-mod progress;
 mod summary;
 
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
+use super::args::one_of;
+use super::progress::Work;
 use super::{CliError, CliRemark, Io, Outcome, TableArgs};
 use crate::batch::{self, Failed, Form, Input, Manner, Packing, Stream, Summary, Watch};
-use crate::cli::args::one_of;
 use crate::exchange::ImportErrorKind;
 use crate::exchange::batch::{ADDED, BLOCK, Court, Cutter, Layout};
 use crate::files;
 use crate::message::Say as _;
 use crate::tolerance::Sources;
 use judging::{Above, Judging, Rows};
-use progress::Progress;
 use summary::Told;
 
 /// Judge every row of CSV or Parquet files of any length, order kept
@@ -339,8 +338,8 @@ impl Job<'_> {
         }
         let court = Court::new(&layout, self.sources);
         let is_packed = matches!(&from, From::Text(stream) if stream.packing != Packing::Plain);
-        let progress = Progress::new(&name, size.filter(|_| !is_packed));
-        let (manner, watch, mut tick) = (self.manner(), Watch::default(), |watch: &Watch| progress.show(watch));
+        let work = Work::on(&name, size.filter(|_| !is_packed));
+        let (manner, watch, mut tick) = (self.manner(), Watch::default(), |watch: &Watch| work.follow(watch));
         let mut input;
         let rows = match from {
             From::Text(stream) => {
@@ -366,7 +365,11 @@ impl Job<'_> {
                 Rows::Parquet(file) => writer.add(file, &court, manner.workers, &watch, &mut tick),
             },
         };
-        progress.end();
+        if work.is_stopped() {
+            work.follow(&watch);
+            return Err(CliError::Stopped { rows: work.rows() });
+        }
+        drop(work);
         match summary {
             Ok(mut summary) => {
                 summary.tally.not_utf8 += u64::from(!layout.is_utf8);

@@ -78,6 +78,12 @@ pub(super) enum CliError {
     /// Several tables for one file.
     SeveralTables,
 
+    /// Ctrl+C ended it before it was done.
+    Stopped {
+        #[say(with = printed)]
+        rows: u64,
+    },
+
     /// `--format` asks for a format other than that of the file's ending.
     ReportFormat { format: &'static str, file: PathBuf },
     /// No check could be used.

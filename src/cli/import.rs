@@ -11,6 +11,7 @@ use jiff::civil::DateTime;
 
 use super::judging::{Judge, JudgeArgs};
 use super::measured::{Hashing, Measured};
+use super::progress::{Watched, Work};
 use super::record::RecordArgs;
 use super::said::CliWarning;
 use super::{CliError, Format, Io, Outcome, Refused as _, TableArgs, said};
@@ -139,11 +140,16 @@ impl Args {
             }),
             by_plan: plan.as_ref().map(ByPlan::new),
             printed: Ok(()),
+            rows: 0,
+            is_stopped: false,
         };
         super::io::warn_of_repeats(&self.files, io);
         // What is recorded waits in memory until the end.
         let most_rows = if import.keeping.is_some() { MOST_ROWS } else { usize::MAX };
         for path in &self.files {
+            if import.is_stopped {
+                break;
+            }
             match Measured::open(path) {
                 Ok(file) => {
                     let beside = |ending: &str| files::beside(path, ending);
@@ -170,6 +176,10 @@ struct Import<'a> {
     by_plan: Option<ByPlan<'a>>,
     /// After an error of the stream nobody reads on, and what is recorded is recorded all the same.
     printed: Result<(), CliError>,
+    /// How many rows there were so far.
+    rows: u64,
+    /// Whether Ctrl+C ended it.
+    is_stopped: bool,
 }
 
 impl Import<'_> {
@@ -180,9 +190,18 @@ impl Import<'_> {
             keeping.reads(&name);
         }
         let is_kept = self.keeping.is_some();
+        let work = Work::on(&name, file.size());
+        io.watch(&work);
         // The plan is asked while its answers are taken.
         let mut by_plan = self.by_plan.take();
         let mut take_one = |item: Item| {
+            // What comes after the wish to stop is what it broke.
+            if work.is_stopped() {
+                return;
+            }
+            if item.is_row() {
+                work.row();
+            }
             warn(path, &item, io);
             if (self.printed.is_ok() || is_kept)
                 && let Some(row) = rows.row(item)
@@ -197,8 +216,13 @@ impl Import<'_> {
             Some(by_plan) => by_plan.item(item, &mut take_one),
             None => take_one(item),
         };
-        let hash = file.read(|body| read(body, &name, given, is_kept, &mut take));
+        let hash = file.read(|body| read(&mut Watched::new(body, &work), &name, given, is_kept, &mut take));
         self.by_plan = by_plan;
+        self.rows += work.rows();
+        self.is_stopped = work.is_stopped();
+        if self.is_stopped {
+            return Ok(());
+        }
         if let (Some(hash), Some(keeping)) = (hash, &mut self.keeping) {
             keeping.has_read(hash.map_err(|error| files::system(path, &error))?);
         }
@@ -215,6 +239,13 @@ impl Import<'_> {
 
     fn end(mut self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let printed = self.printed.and_then(|()| self.printer.end(io));
+        if self.is_stopped {
+            printed?;
+            if self.keeping.is_some() {
+                io.warn(&CliWarning::StoppedUnrecorded);
+            }
+            return Err(CliError::Stopped { rows: self.rows });
+        }
         if let Some(by_plan) = &self.by_plan {
             tell_missing(by_plan, io);
         }

@@ -1,10 +1,11 @@
 //! The standard streams and files: what every subcommand reads and writes.
 
 use std::fmt::Display;
-use std::io::{BufRead, BufReader, BufWriter, Read as _, Write};
+use std::io::{BufRead, BufReader, BufWriter, IsTerminal as _, Read as _, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use super::progress::{Line, Work};
 use super::said::{CliRemark, CliWarning, about, remark, warning};
 use super::{CliError, Refused as _, What};
 use crate::control::deviations;
@@ -26,12 +27,16 @@ pub struct Io<'a> {
     err: &'a mut dyn Write,
     /// The files that were read, where they are to be remembered.
     files: Option<Vec<UsedFile>>,
+    /// The line that tells how far something is.
+    line: Option<Line>,
+    /// Whether answers come to a terminal, where the line would stand among them.
+    is_terminal: bool,
 }
 
 impl<'a> Io<'a> {
     /// Standard input, standard output (buffered) and standard error.
     pub fn new(input: &'a mut (dyn BufRead + Send), out: &'a mut (dyn Write + Send), err: &'a mut dyn Write) -> Self {
-        Self { input, out: Tame { out }, err, files: None }
+        Self { input, out: Tame { out }, err, files: None, line: None, is_terminal: false }
     }
 
     /// Runs with the process's own streams.
@@ -40,7 +45,8 @@ impl<'a> Io<'a> {
         let mut out = BufWriter::new(std::io::stdout());
         let mut err = std::io::stderr();
         let mut input = BufReader::new(std::io::stdin());
-        run(&mut Io::new(&mut input, &mut out, &mut err))
+        let is_terminal = std::io::stdout().is_terminal();
+        run(&mut Io { is_terminal, ..Io::new(&mut input, &mut out, &mut err) })
     }
 
     /// From here on the files that are read are remembered: what was decided with them is to be recorded.
@@ -62,17 +68,31 @@ impl<'a> Io<'a> {
 
     /// Standard output for an answer that a person reads.
     pub(super) fn people(&mut self) -> &mut dyn Write {
+        self.give_way();
         &mut self.out
     }
 
     /// Standard output for JSON, CSV and files: byte for byte.
     pub(super) fn data(&mut self) -> &mut dyn Write {
+        self.give_way();
         self.out.out
     }
 
     /// Standard input, output and error for workers that read and write in turns.
     pub(super) fn streams(&mut self) -> (&mut (dyn BufRead + Send), &mut (dyn Write + Send), Listener<'_>) {
         (self.input, self.out.out, Listener(self.err))
+    }
+
+    /// From here on what is told stands above the line of a work.
+    pub(super) fn watch(&mut self, work: &Work) {
+        self.line = Some(work.line());
+    }
+
+    /// The line goes where answers come to the same terminal.
+    fn give_way(&self) {
+        if let Some(line) = self.line.as_ref().filter(|_| self.is_terminal) {
+            line.give_way();
+        }
     }
 
     /// Standard input beside standard output, for an answer to each line.
@@ -83,7 +103,11 @@ impl<'a> Io<'a> {
     /// Writes a line to standard error. It is not an error if nobody listens there or nothing more fits: the answer and
     /// the exit code stand without it.
     pub(super) fn tell(&mut self, line: impl Display) {
-        Listener(self.err).tell(line);
+        let mut listener = Listener(self.err);
+        match &self.line {
+            Some(shown) => shown.beside(|| listener.tell(line)),
+            None => listener.tell(line),
+        }
     }
 
     /// Prints an answer for programs.

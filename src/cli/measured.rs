@@ -29,6 +29,14 @@ impl Measured {
         Ok(Self::File(file, stamp))
     }
 
+    /// How many bytes it has, where that is known.
+    pub(super) fn size(&self) -> Option<u64> {
+        match self {
+            Self::File(_, stamp) => stamp.map(|(length, _)| length),
+            Self::Bytes(bytes) => u64::try_from(bytes.len()).ok(),
+        }
+    }
+
     /// Reads it from its beginning.
     pub(super) fn read<T>(&self, read: impl FnOnce(&mut dyn Body) -> T) -> T {
         match self {

@@ -1,7 +1,7 @@
 //! The command line: one file per subcommand, each a short walk through the rooms.
 //!
-//! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage. A closed pipe ends the
-//! program quietly. Nothing here needs a display.
+//! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage, 130 stopped by Ctrl+C. A closed
+//! pipe ends the program quietly. Nothing here needs a display.
 //!
 //! A new subcommand is a file with its `Args`, a `mod` line and a line in the table `subcommands!`. They share:
 //!
@@ -9,6 +9,7 @@
 //! |---|---|
 //! | `args` | arguments of several subcommands: format, tables, dialogue language |
 //! | `io` | the standard streams, reading and saving files |
+//! | `progress` | how far something long has come, and its end by Ctrl+C |
 //! | `material` | materials of parts; the temperature of a measured part |
 //! | `record` | what is judged, kept in a journal |
 //! | `rule` | the decision rule and the uncertainty |
@@ -56,6 +57,7 @@ mod measured;
 mod nc;
 mod pair;
 mod plan;
+mod progress;
 mod record;
 mod report;
 mod rule;
@@ -91,7 +93,7 @@ pub struct Cli {
     command: Option<Command>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage.";
+const EXIT_CODES: &str = "Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage, 130 stopped by Ctrl+C.";
 
 subcommands! {
     Limits(limits::Args),
@@ -123,6 +125,8 @@ enum Outcome {
     Judged(Status),
     /// Some of the data could not be used; the rest was answered.
     BadData,
+    /// Ctrl+C ended it: what was answered until then stays.
+    Stopped,
 }
 
 impl Outcome {
@@ -134,6 +138,8 @@ impl Outcome {
             Self::Judged(Status::Scrap) => 11,
             Self::Judged(Status::ReMeasure) => 12,
             Self::BadData => 1,
+            // As every shell says it of a program that SIGINT has ended.
+            Self::Stopped => 130,
         }
     }
 }
@@ -147,8 +153,10 @@ impl Cli {
             Ok(outcome) => outcome.code(),
             Err(CliError::Stream(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => 0,
             Err(error) => {
+                let outcome =
+                    if matches!(error, CliError::Stopped { .. }) { Outcome::Stopped } else { Outcome::BadData };
                 io.fail(error);
-                Outcome::BadData.code()
+                outcome.code()
             }
         }
     }

@@ -1,25 +1,27 @@
 //! `fitcheck report`
 
-use std::io;
+mod part;
+mod reading;
+
 use std::path::{Path, PathBuf};
+use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
 use super::args::one_of;
-use super::judging::{Judge, JudgeArgs, Warned};
+use super::judging::JudgeArgs;
 use super::measured::Measured;
+use super::progress::Work;
 use super::{CliError, CliWarning, Io, Outcome, TableArgs};
-use crate::exchange::{self, Item, import_from};
-use crate::files::{self, FileError};
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
 use crate::message::{Message, Say};
 use crate::probing::{Measurement, Origin};
-use crate::report::csv::More;
-use crate::report::{self, Checks, EndingError, RENDERINGS, Rendering, Report};
+use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
-use crate::verdict::Status;
 use crate::words::{Language, Words};
+use part::Parts;
+use reading::{Collected, Given, name};
 
 /// Write an inspection report of one or more checks
 #[derive(Debug, clap::Args)]
@@ -64,6 +66,10 @@ pub(super) struct Args {
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
     time: Option<DateTime>,
 
+    /// Judge by a part plan: each value finds its feature, and the report shows the whole part with its picture
+    #[arg(long, value_name = "PLAN", requires = "files")]
+    plan: Option<PathBuf>,
+
     #[command(flatten)]
     tables: TableArgs,
 
@@ -79,11 +85,16 @@ Examples:
   fitcheck report bores.csv TCHPR421.TXT -o report.html
   fitcheck report bores.csv --rule iso14253-2017 --budget station3.toml -o report.html
   fitcheck report bores.csv --temperature 26 --material steel -o report.html
+  fitcheck report --plan flange.toml results.qif TCHPR421.TXT -o flange.html
   fitcheck report --check \"25 H7=25.012\" -o - --format json
 
+With --plan the page begins with each part: its status, what is missing, its picture with a balloon
+a feature, and where each value is from. JSON has the same as parts, without places on the picture.
+
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
-error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. CSV has
-the checks alone: standard error tells what it does not hold.";
+error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. It is
+also 1 where a part of the plan lacks a value. CSV has the checks alone, with the name of the
+picture: standard error tells what it does not hold.";
 
 /// Why a `--check` is not a check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
@@ -127,70 +138,6 @@ fn output(text: &str) -> Result<Output, EndingError> {
     Ok(Output::File(PathBuf::from(text), report::rendering_for(Path::new(text))?))
 }
 
-/// The most notes on a report; all of them are on standard error.
-const MOST_NOTES: usize = 1_000;
-
-/// The checks of files and options. The files are read again for every look at the checks, so that they may be of any size.
-#[derive(Debug)]
-struct Given {
-    files: Vec<(PathBuf, Measured)>,
-    /// From options.
-    typed: Vec<Record>,
-    sources: Sources,
-    now: DateTime,
-    judge: Judge,
-}
-
-impl Given {
-    fn read(&self, path: &Path, file: &Measured, take: &mut dyn FnMut(Item)) {
-        let beside = |ending: &str| files::beside(path, ending);
-        let given = exchange::Given { beside: &beside, ..exchange::Given::new(&self.sources, self.now) };
-        file.read(|body| import_from(&name(path), body, given, take));
-    }
-}
-
-/// The name of a file without its folder.
-fn name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
-}
-
-impl Checks for Given {
-    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
-        for (path, file) in &self.files {
-            let mut seen = Ok(());
-            self.read(path, file, &mut |item| {
-                // What cannot be judged was noted at the first look.
-                if seen.is_ok()
-                    && let Item::Record { record, .. } = item
-                    && let Ok(record) = self.judge.judged(*record)
-                {
-                    seen = see(&record);
-                }
-            });
-            seen?;
-            if !file.is_unchanged() {
-                return Err(io::Error::other(FileError::Changed { path: path.clone() }.to_string()));
-            }
-        }
-        self.typed.iter().try_for_each(see)
-    }
-
-    /// One way judges all of them.
-    fn more(&self) -> io::Result<More> {
-        Ok(self.judge.more())
-    }
-}
-
-/// What a first look at the checks finds, and what did not become a check.
-#[derive(Debug, Default)]
-struct Collected {
-    worst: Option<Status>,
-    notes: Vec<Message>,
-    more_notes: usize,
-    bad: bool,
-    warned: Warned,
-}
-
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let rendering = self.rendering()?;
@@ -199,14 +146,24 @@ impl Args {
         let words = Words::new(self.language);
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
-        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, judge };
+        if let Some(path) = &self.plan {
+            collected.parts = Some(Parts::read(path, &sources, io)?);
+        }
+        let plan = collected.parts.as_ref().map(|parts| Arc::clone(&parts.plan));
+        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, judge, plan };
         given.judge.tell(io);
         super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {
             match Measured::open(path) {
                 Ok(file) => {
-                    collected.file(path, &file, &given, io);
-                    given.files.push((path.clone(), file));
+                    let work = Work::on(&name(path), file.size());
+                    io.watch(&work);
+                    collected.file((path, &file, &work), &given, io);
+                    work.line().end();
+                    given.files.push((path.clone(), file, work));
+                    if let Some(stopped) = given.stopped() {
+                        return Err(stopped);
+                    }
                 }
                 Err(error) => {
                     collected.refuse(Message::new("report-note").text("place", name(path)), error.message(), io);
@@ -223,23 +180,30 @@ impl Args {
                 Err(error) => collected.refuse(Message::new("report-note").text("place", text), error, io),
             }
         }
+        let checks = Arc::new(given);
+        let (parts, of_plan) = collected.end_parts(io);
         let Some(worst) = collected.worst else { return Err(CliError::ReportEmpty) };
         let bad = collected.bad;
         let report = Report {
             title: self.title.clone().unwrap_or_default(),
-            part: self.part.clone(),
+            part: self.part.clone().or(of_plan),
             order: self.order.clone(),
             inspector: self.inspector.clone(),
             notes: collected.notes(),
-            ..Report::new(now, given)
+            parts,
+            ..Report::new(now, Arc::clone(&checks))
         };
         if rendering.name == report::csv::RENDERING.name {
             self.warn_of_csv(report.notes.len(), io);
         }
-        match &self.output {
-            Output::Standard => (rendering.render)(&report, &words, io.data())?,
-            Output::File(path, _) => super::save_with(path, &mut |out| (rendering.render)(&report, &words, out), io)?,
+        let written = match &self.output {
+            Output::Standard => (rendering.render)(&report, &words, io.data()).map_err(CliError::from),
+            Output::File(path, _) => super::save_with(path, &mut |out| (rendering.render)(&report, &words, out), io),
+        };
+        if let Some(stopped) = checks.stopped() {
+            return Err(stopped);
         }
+        written?;
         Ok(if bad { Outcome::BadData } else { Outcome::Judged(worst) })
     }
 
@@ -270,54 +234,6 @@ impl Args {
             (Output::File(_, rendering), _) => Ok(rendering),
             // Without a format, clap has already refused standard output.
             (Output::Standard, named) => Ok(named.unwrap_or(&report::html::RENDERING)),
-        }
-    }
-}
-
-impl Collected {
-    /// Looks at a file of measurements.
-    fn file(&mut self, path: &Path, file: &Measured, given: &Given, io: &mut Io<'_>) {
-        let name = &name(path);
-        let line = |line: usize| Message::new("report-note-line").text("place", name).text("line", line);
-        given.read(path, file, &mut |item| match item {
-            Item::Record { record, line: at, .. } => match given.judge.judged(*record) {
-                Ok(record) => self.see(&record, io),
-                Err(error) => self.refuse(line(at), error.message(), io),
-            },
-            Item::Unjudged(unjudged) => self.refuse(line(unjudged.line), unjudged.why.message(), io),
-            Item::Error(error) => self.refuse(Message::new("report-note").text("place", name), error.message(), io),
-            Item::Warning(warning) => {
-                self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io);
-            }
-            Item::Contacts(_) => {}
-        });
-    }
-
-    fn see(&mut self, record: &Record, io: &mut Io<'_>) {
-        self.warned.see(record, io);
-        self.worst = self.worst.max(Some(record.verdict.status()));
-    }
-
-    /// The notes of the report; the last one says how many more there are.
-    fn notes(self) -> Vec<Message> {
-        let more = (0 < self.more_notes).then(|| Message::new("report-note-more").count("count", self.more_notes));
-        self.notes.into_iter().chain(more).collect()
-    }
-
-    /// Notes what is not a check, so that nobody takes the report for complete.
-    fn refuse(&mut self, place: Message, what: Message, io: &mut Io<'_>) {
-        self.bad = true;
-        self.note(place, what, io);
-    }
-
-    /// Puts a sentence on the report, and in English on standard error.
-    fn note(&mut self, place: Message, what: Message, io: &mut Io<'_>) {
-        let note = place.message("what", what);
-        io.fail(&note);
-        if self.notes.len() < MOST_NOTES {
-            self.notes.push(note);
-        } else {
-            self.more_notes += 1;
         }
     }
 }

@@ -166,6 +166,8 @@ pub(super) enum Recorded {
 #[derive(Debug, Say)]
 #[say(prefix = "cli-warning")]
 pub(super) enum CliWarning<'a> {
+    /// Rows were to be recorded together, and were not all read.
+    StoppedUnrecorded,
     /// Features of a plan without a value.
     PlanMissing { names: String },
     /// The same of one part among several.

@@ -59,6 +59,8 @@ struct Reader<'a> {
     /// How far lines have been counted.
     byte: usize,
     line: usize,
+    /// How many bytes and cells a row has had so far, at most.
+    room: (usize, usize),
 }
 
 impl<'a> Rows<'a> {
@@ -107,7 +109,7 @@ impl<'a> Rows<'a> {
             .delimiter(self.separator)
             .buffer_capacity(text.len().min(64 << 10))
             .from_reader(text.as_bytes());
-        self.reader = Some(Reader { csv, text, byte: 0, line: first });
+        self.reader = Some(Reader { csv, text, byte: 0, line: first, room: (0, 0) });
     }
 
     /// Takes the lines in which a quotation mark of the line before is closed; `false` if there are none.
@@ -144,7 +146,9 @@ impl<'a> Iterator for Rows<'a> {
 
 impl<'a> Reader<'a> {
     fn next_row(&mut self) -> Option<Item<'a>> {
-        let mut cells = StringRecord::new();
+        // As much room as the row before has needed.
+        let (bytes, count) = self.room;
+        let mut cells = StringRecord::with_capacity(bytes, count);
         match self.csv.read_record(&mut cells) {
             Ok(true) => {}
             Ok(false) => return None,
@@ -154,6 +158,7 @@ impl<'a> Reader<'a> {
                 return Some(Item::OpenQuote { line, text: "" });
             }
         }
+        self.room = (self.room.0.max(cells.as_slice().len()), self.room.1.max(cells.len()));
         // The position is the end of the row before: empty lines may come between.
         let start = cells.position().map_or(0, csv::Position::byte);
         self.count_to(start.try_into().unwrap_or(usize::MAX));

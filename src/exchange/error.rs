@@ -1,5 +1,7 @@
 //! Errors of a file or a row: what is wrong, and what was given.
 
+use std::borrow::Cow;
+
 use super::aqdef::AqdefFault;
 use super::calypso::CalypsoFault;
 use super::contacts::ContactsError;
@@ -418,4 +420,10 @@ const LONGEST_GIVEN: usize = 60;
 /// A cell as errors repeat it.
 pub(super) fn shorten(cell: &str) -> String {
     shortened(cell, LONGEST_GIVEN)
+}
+
+/// The same, without a copy of a cell that stays as it is.
+pub(super) fn shorten_cell(cell: &str) -> Cow<'_, str> {
+    let is_plain = cell.len() <= LONGEST_GIVEN && cell.bytes().all(|byte| (b' '..0x7f).contains(&byte));
+    if is_plain { Cow::Borrowed(cell) } else { Cow::Owned(shorten(cell)) }
 }

@@ -213,10 +213,17 @@ pub enum Item {
     Contacts(Vec<Contact>),
 }
 
+impl Item {
+    /// Whether it is a row or log: a record, a measurement that makes none, or an error.
+    pub const fn is_row(&self) -> bool {
+        !matches!(self, Self::Warning(_) | Self::Contacts(_))
+    }
+}
+
 impl Imported {
     /// Keeps a thing that was read.
     pub(super) fn keep(&mut self, item: Item) {
-        self.rows += usize::from(!matches!(item, Item::Warning(_) | Item::Contacts(_)));
+        self.rows += usize::from(item.is_row());
         match item {
             Item::Record { line, record, .. } => {
                 self.records.push(*record);
@@ -280,7 +287,7 @@ impl<'a> Sink<'a> {
 
     /// Passes on what another reader has read.
     pub(super) fn pass(&mut self, item: Item) {
-        self.rows += usize::from(!matches!(item, Item::Warning(_) | Item::Contacts(_)));
+        self.rows += usize::from(item.is_row());
         (self.take)(item);
     }
 

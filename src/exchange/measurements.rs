@@ -251,7 +251,8 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     fn rules(&self) -> Rules<'a> {
-        Rules { columns: self.columns, has_commas: self.separator == b',', sources: self.source.sources }
+        let Context { sources, lookup, .. } = self.source;
+        Rules { columns: self.columns, has_commas: self.separator == b',', sources, lookup: Some(lookup) }
     }
 
     /// Judges a row and keeps it, or names the cell that cannot be used.

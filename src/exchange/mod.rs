@@ -24,6 +24,7 @@
 //! | `sizes` | what was measured alone, of holes or of shafts |
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
 //! | `mapping` | which column is which as the user says |
+//! | `lookup` | callouts that are read, and limits that are looked up, once for many rows |
 //! | `own` | what a CSV of Fitcheck says of its values beside them |
 //! | `cells` | what a cell or a row of a CSV seems to hold |
 //! | `tables` | tables of deviations for controls and other tools |
@@ -50,6 +51,7 @@ pub mod gauge;
 mod guarded;
 pub mod imported;
 mod logs;
+mod lookup;
 mod mapping;
 mod measurements;
 mod own;
@@ -82,7 +84,7 @@ use imported::Sink;
 pub use imported::{Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged};
 pub use mapping::{Detected, Mapping, MappingError};
 pub use plans::{PLAN_ENDINGS, read_plan};
-pub use sizes::{Size, Sizes, SizesWarning, sizes};
+pub use sizes::{Size, Sizes, SizesWarning, sizes, sizes_from};
 use source::{Beginning, Source};
 pub use source::{Body, Given, WHOLE};
 

@@ -6,7 +6,8 @@ use csv::StringRecord;
 
 use super::cells;
 use super::columns::{Columns, LengthColumn};
-use super::error::{ImportErrorKind, shorten};
+use super::error::{ImportErrorKind, shorten, shorten_cell};
+use super::lookup::Lookup;
 use crate::length::Length;
 use crate::tolerance::{Callout, CalloutError, Feature, Limits, Sources, ToleranceClass};
 
@@ -35,6 +36,8 @@ pub(super) struct Rules<'a> {
     /// Whether cells stand between commas, where a decimal comma may have become a separator.
     pub(super) has_commas: bool,
     pub(super) sources: &'a Sources,
+    /// What was asked before; `None` where that is remembered elsewhere.
+    pub(super) lookup: Option<&'a Lookup>,
 }
 
 impl Rules<'_> {
@@ -47,7 +50,11 @@ impl Rules<'_> {
             self.columns.own.decided_by_size(cells)?;
             return Ok(Found { measured, asked: None, is_simulated: self.is_simulated(cells)? });
         };
-        let limits = self.sources.limits(&callout, None).map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
+        let limits = match self.lookup {
+            Some(lookup) => lookup.limits(&callout, self.sources),
+            None => self.sources.limits(&callout, None),
+        };
+        let limits = limits.map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
         let is_simulated = self.is_simulated(cells)?;
         self.columns.own.decided_by_size(cells)?;
         Ok(Found { measured, asked: Some((callout, limits)), is_simulated })
@@ -65,14 +72,17 @@ impl Rules<'_> {
         self.right_length(cells, None)?;
         let measured = self.measured(cells)?;
         let text = self.columns.tolerance.and_then(|at| cells.get(at)).unwrap_or_default().trim();
-        let given = shorten(text);
+        let given = shorten_cell(text);
         let class = || given.parse::<ToleranceClass>().ok().filter(|class| class.has_grade());
         let found = match given.parse::<Callout>() {
             Ok(callout) => callout.feature(),
             Err(_) => class().map(ToleranceClass::feature),
         };
         if found.is_some_and(|found| found != feature) {
-            return Err((Cell { at: self.columns.tolerance, text }, ImportErrorKind::OtherFeature { given, feature }));
+            return Err((
+                Cell { at: self.columns.tolerance, text },
+                ImportErrorKind::OtherFeature { given: given.into_owned(), feature },
+            ));
         }
         Ok(Found { measured, asked: None, is_simulated: self.is_simulated(cells)? })
     }
@@ -143,7 +153,7 @@ impl Rules<'_> {
             return Ok(None);
         }
         let begins_with_letter = text.starts_with(|c: char| c.is_ascii_alphabetic());
-        let given = shorten(text);
+        let given = shorten_cell(text);
         let nominal = match self.columns.nominal {
             Some(column) if begins_with_letter || !is_blank(cells, column.at) => {
                 Some(length(cells, column, ImportErrorKind::Nominal)?)
@@ -154,7 +164,7 @@ impl Rules<'_> {
             Some((_, nominal)) if begins_with_letter => {
                 given.parse().map_err(CalloutError::from).and_then(|class| Callout::new(nominal, class))
             }
-            _ => given.parse::<Callout>(),
+            _ => self.lookup.map_or_else(|| given.parse::<Callout>(), |lookup| lookup.callout(&given)),
         };
         let callout = read.map_err(|error| (cell, ImportErrorKind::Callout(error)))?;
         if let Some((_, nominal)) = nominal.filter(|(_, nominal)| *nominal != callout.nominal()) {
@@ -213,6 +223,6 @@ fn length(
 ) -> Result<(Cell<'_>, Length), Refused<'_>> {
     let text = cells.get(column.at).unwrap_or_default().trim();
     let cell = Cell { at: Some(column.at), text };
-    let length = Length::parse_in(&shorten(text), column.unit).map_err(|error| (cell, reason(error)))?;
+    let length = Length::parse_in(&shorten_cell(text), column.unit).map_err(|error| (cell, reason(error)))?;
     Ok((cell, length))
 }

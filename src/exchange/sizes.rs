@@ -9,7 +9,7 @@ use jiff::civil::DateTime;
 
 use super::error::{ImportError, ImportErrorKind, ImportWarning};
 use super::imported::{Item, MOST_ROWS, Sink, Unjudged, WhyUnjudged};
-use super::source::{Given, Source};
+use super::source::{Body, Given, Source};
 use super::{FORMATS, measurements, xlsx};
 use crate::length::Length;
 use crate::message::{Located, Place, Say};
@@ -80,9 +80,13 @@ type Reads = fn(&mut Source<'_>, &mut Sink<'_>, SizesOf<'_>) -> Result<(), Impor
 /// assert_eq!(read.errors[0].to_string(), "line 3, column 2: measured: a length is missing");
 /// ```
 pub fn sizes(file_name: &str, bytes: &[u8], feature: Feature) -> Sizes {
-    let sources = Sources::default();
+    sizes_from(file_name, &mut Cursor::new(bytes), feature, &mut || {})
+}
+
+/// The same from a file that is read piece by piece; `row` is called after each of its rows.
+pub fn sizes_from(file_name: &str, body: &mut dyn Body, feature: Feature, row: &mut dyn FnMut()) -> Sizes {
     let mut read = Sizes::default();
-    if let Err(reason) = read_sizes(&mut read, file_name, bytes, feature, &sources) {
+    if let Err(reason) = read_sizes(&mut read, (file_name, body), feature, row) {
         read.refuse(1, reason);
     }
     read
@@ -90,14 +94,13 @@ pub fn sizes(file_name: &str, bytes: &[u8], feature: Feature) -> Sizes {
 
 fn read_sizes(
     read: &mut Sizes,
-    file_name: &str,
-    bytes: &[u8],
+    (file_name, body): (&str, &mut dyn Body),
     feature: Feature,
-    sources: &Sources,
+    row: &mut dyn FnMut(),
 ) -> Result<(), ImportErrorKind> {
-    let mut body = Cursor::new(bytes);
+    let sources = Sources::default();
     // No record comes of it, so nobody sees the time.
-    let mut source = Source::new(file_name, &mut body, Given::new(sources, DateTime::MIN))?;
+    let mut source = Source::new(file_name, body, Given::new(&sources, DateTime::MIN))?;
     if source.is_blank() {
         return Err(ImportErrorKind::Empty);
     }
@@ -107,7 +110,11 @@ fn read_sizes(
         name if name == measurements::FORMAT.name => measurements::read_sizes,
         name if name == xlsx::FORMAT.name => xlsx::read_sizes,
         _ => {
-            return (format.read)(&mut source, &mut Sink::up_to(MOST_ROWS, &mut |item| read.take(item, feature)));
+            let mut take = |item| {
+                row();
+                read.take(item, feature);
+            };
+            return (format.read)(&mut source, &mut Sink::up_to(MOST_ROWS, &mut take));
         }
     };
     let Sizes { measured, errors, warnings } = read;
@@ -117,7 +124,11 @@ fn read_sizes(
         // A row of sizes becomes nothing else.
         Item::Record { .. } | Item::Unjudged(_) | Item::Contacts(_) => {}
     };
-    let sizes = SizesOf { feature, take: &mut |size| measured.push(size) };
+    let mut take = |size| {
+        row();
+        measured.push(size);
+    };
+    let sizes = SizesOf { feature, take: &mut take };
     reads_sizes(&mut source, &mut Sink::up_to(MOST_ROWS, &mut beside), sizes)
 }
 

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::error::ImportErrorKind;
+use super::lookup::Lookup;
 use super::mapping::Mapping;
 use super::pieces::Pieces;
 use crate::control::mask::Mask;
@@ -91,6 +92,8 @@ pub(super) struct Context<'a> {
     pub(super) sources: &'a Sources,
     /// The time of measurements whose file has none.
     pub(super) now: DateTime,
+    /// What its rows have asked so far.
+    pub(super) lookup: Lookup,
 }
 
 /// A file and what is needed to judge its contents.
@@ -119,7 +122,8 @@ impl<'a> Source<'a> {
             std::io::Result::Ok(length)
         };
         let length = begin(&mut head).map_err(|error| read_error(&error))?;
-        let context = Context { file: file_name.into(), sources: given.sources, now: given.now };
+        let context =
+            Context { file: file_name.into(), sources: given.sources, now: given.now, lookup: Lookup::default() };
         Ok(Self { context, head, length, body, given })
     }
 

@@ -215,12 +215,13 @@ fn target(folder: &Path, path: &NcPath) -> Result<PathBuf, StoreError> {
 fn of_file(error: FileError, path: &NcPath) -> StoreError {
     let path = path.clone();
     match error {
-        // Nothing here asks for a file that must not exist yet, writes a set or reads a file twice.
+        // Nothing here asks for a file that must not exist yet, writes a set, reads a file twice or stops.
         FileError::IsFolder { .. }
         | FileError::NotAFile { .. }
         | FileError::HalfSet { .. }
         | FileError::Exists { .. }
-        | FileError::Changed { .. } => StoreError::NoFile { path },
+        | FileError::Changed { .. }
+        | FileError::Stopped { .. } => StoreError::NoFile { path },
         FileError::Missing { .. } => StoreError::Missing { path },
         FileError::TooLarge { .. } => StoreError::TooLarge { path, most: LARGEST >> 20 },
         FileError::System { reason, .. } => StoreError::System { path, reason },

@@ -4,6 +4,9 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
+#[cfg(unix)]
+use super::stopping;
+
 /// Everything unfinished at this moment.
 static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
 
@@ -54,13 +57,16 @@ pub(super) fn remove(path: &Path) {
     drop(if is_folder { std::fs::remove_dir_all(path) } else { std::fs::remove_file(path) });
 }
 
-/// From the first unfinished name on, SIGINT, SIGTERM and SIGHUP first remove what is unfinished and then end the
-/// program as ever. Without a thread for it they end it at once.
+/// How long whatever goes on has to end after Ctrl+C; it may wait for a pipe that gives nothing.
 #[cfg(unix)]
-fn remove_at_signals() {
+const PATIENCE: std::time::Duration = std::time::Duration::from_secs(2);
+
+/// From the first unfinished name on, SIGINT, SIGTERM and SIGHUP first remove what is unfinished and then end the
+/// program as ever. Without a thread for it they end it at once. A SIGINT that is heard as a wish to stop ends nothing by itself.
+#[cfg(unix)]
+pub(super) fn remove_at_signals() {
     use signal_hook::consts::{SIGHUP, SIGINT, SIGTERM};
     use signal_hook::iterator::Signals;
-    use signal_hook::low_level::emulate_default_handler;
     static STARTED: std::sync::Once = std::sync::Once::new();
     STARTED.call_once(|| {
         // Whoever started the program with a signal ignored, as `nohup` does, still wants it ignored.
@@ -68,8 +74,11 @@ fn remove_at_signals() {
         let Ok(mut signals) = Signals::new(wanted) else { return };
         let handle = move || {
             for signal in signals.forever() {
-                with_all(|all| all.iter().for_each(|path| remove_all(path)));
-                drop(emulate_default_handler(signal));
+                if signal == SIGINT && stopping::ask() {
+                    end_later(signal);
+                } else {
+                    end_by(signal);
+                }
             }
         };
         drop(std::thread::Builder::new().name("signals".to_owned()).spawn(handle));
@@ -77,7 +86,26 @@ fn remove_at_signals() {
 }
 
 #[cfg(not(unix))]
-const fn remove_at_signals() {}
+pub(super) const fn remove_at_signals() {}
+
+/// Ends the program by a signal, once what is unfinished is removed.
+#[cfg(unix)]
+fn end_by(signal: i32) {
+    with_all(|all| all.iter().for_each(|path| remove_all(path)));
+    drop(signal_hook::low_level::emulate_default_handler(signal));
+}
+
+/// The same in a while, unless what goes on has ended by then. Without a thread for it the next Ctrl+C does it.
+#[cfg(unix)]
+fn end_later(signal: i32) {
+    let wait = move || {
+        std::thread::sleep(PATIENCE);
+        if stopping::is_awaited() {
+            end_by(signal);
+        }
+    };
+    drop(std::thread::Builder::new().name("stopping".to_owned()).spawn(wait));
+}
 
 /// Removes what is still being written: until a folder is gone, more files may come into it.
 #[cfg(unix)]

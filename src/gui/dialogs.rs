@@ -8,6 +8,7 @@ use super::field::select_all;
 use super::folder_list::{folder_list_ui, has_room};
 use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
+use super::working::working_ui;
 use crate::message::Message;
 use crate::session::parts::PlanCommand;
 use crate::session::{
@@ -97,6 +98,12 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
         Modal::new(Id::unique("discarding")).show(ui, |ui| discarding_ui(ui, view));
     } else if let Some(dialog) = session.dialog() {
         Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, dialog));
+    } else if let Some(working) = session.working() {
+        let title = view.text("working");
+        fixed_window("working", title, Align2::CENTER_BOTTOM, -space(46.0)).show(ui, |ui| {
+            ui.set_max_width(space(150.0));
+            working_ui(ui, view, working);
+        });
     } else if let Some(notice) = view.session.notices().first().cloned() {
         let title = view.text(if notice.is_problem { "notice-problem" } else { "notice" });
         fixed_window("notice", title, Align2::CENTER_BOTTOM, -space(46.0)).show(ui, |ui| notice_ui(ui, view, &notice));
@@ -165,7 +172,7 @@ pub(super) const fn title_id(purpose: Purpose) -> &'static str {
         Purpose::Import | Purpose::ImportValues => "dialog-import",
         Purpose::LoadMask => "dialog-mask",
         Purpose::LoadTables => "dialog-tables",
-        Purpose::Export(_) | Purpose::ReportRecords(_) => "dialog-export",
+        Purpose::Export(_) | Purpose::ReportRecords(_) | Purpose::ReportPart(_) => "dialog-export",
         Purpose::ExportStatus => "dialog-export-status",
         Purpose::OpenCycleFile(CycleFile::Contacts) => "cycles-dialog-contacts",
         Purpose::OpenCycleFile(CycleFile::Workpiece) => "cycles-dialog-workpiece",
@@ -249,6 +256,8 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
         ui.set_min_height(space(5.0));
         if let Some(text) = &dialog.problem {
             problem(ui, view.words.say(text));
+        } else if let Some(working) = view.session.working().filter(|_| dialog.busy) {
+            working_ui(ui, view, working);
         } else if dialog.busy {
             quiet(ui, view.text("dialog-busy"));
         } else if dialog.nothing_picked {

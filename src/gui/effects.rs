@@ -15,13 +15,14 @@ use super::picture;
 use super::reading::{is_read, read};
 use super::rows::Runs;
 use super::watching::{Watch, Watching};
+use super::working::{Job, Watched, Works};
 use crate::exchange::batch::Part;
-use crate::files;
+use crate::files::{self, FileError};
 use crate::message::Message;
 use crate::session::parts::PlanCommand;
 use crate::session::{
     Command, Content, Effect, Fate, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose,
-    RecordsCommand, RowsCommand, WorkpieceCommand,
+    RecordsCommand, RowsCommand, Working, WorkpieceCommand,
 };
 use crate::tolerance::Sources;
 use crate::words::Words;
@@ -49,6 +50,8 @@ pub(super) struct Runner {
     files: Sender<Errand>,
     /// The run over a large file.
     rows: Arc<Runs>,
+    /// The file that is being read or written.
+    works: Arc<Works>,
     /// The folder that is watched.
     watching: Watching,
     /// Who keeps and reads records.
@@ -59,6 +62,7 @@ impl Drop for Runner {
     /// A window that is closed waits for no run.
     fn drop(&mut self) {
         self.rows.stop();
+        self.works.stop();
         self.watching.stop();
     }
 }
@@ -71,7 +75,8 @@ impl Runner {
             on_thread("files", Box::new(move || queue.into_iter().for_each(|errand| errand())));
         }
         let desk = Desk::new(errands, records, clock, sender.clone());
-        Self { errands, sender, receiver, files, rows: Arc::default(), watching: Watching::default(), clock, desk }
+        let (rows, works, watching) = (Arc::default(), Arc::default(), Watching::default());
+        Self { errands, clock, sender, receiver, files, rows, works, watching, desk }
     }
 
     /// Who keeps and reads records.
@@ -101,6 +106,7 @@ impl Runner {
             Effect::AskForClipboard => return ctx.send_viewport_cmd(ViewportCommand::RequestPaste),
             Effect::Leave => return ctx.send_viewport_cmd(ViewportCommand::Close),
             Effect::StopRows => return self.rows.stop(),
+            Effect::StopWorking => return self.works.stop(),
             Effect::JudgeRows { run, path } => return self.judge_rows(ctx, (run, path), Arc::clone(sources)),
             Effect::ReadRows { run, wanted } => return self.read_rows(ctx, run, wanted),
             Effect::Watch { run, folder, plan } => {
@@ -127,8 +133,17 @@ impl Runner {
             Effect::Read(purpose, _) => purpose.is_folder(),
             _ => false,
         };
+        let works = Arc::clone(&self.works);
         let errand: Errand = Box::new(move || {
-            for command in answers(effect, (errands, filters), &sources, now) {
+            let job = |path: &Path, is_writing: bool| {
+                let (sender, ctx) = (sender.clone(), ctx.clone());
+                let say = move |far: Option<Working>| {
+                    let _closed = sender.send(FilesCommand::Working(far.map(Box::new)).into());
+                    ctx.request_repaint();
+                };
+                works.begin(path, is_writing, Box::new(say))
+            };
+            for command in answers(effect, (errands, filters), (&sources, &job), now) {
                 // A closed window hears no answer; that is not an error.
                 let _closed = sender.send(command);
             }
@@ -189,15 +204,18 @@ impl Filters {
     }
 }
 
+/// Begins a file that is read, or written.
+type Begins<'a> = dyn Fn(&Path, bool) -> Job + 'a;
+
 fn answers(
     effect: Effect,
     (errands, filters): (Errands, Option<Filters>),
-    sources: &Sources,
+    (sources, job): (&Sources, &Begins<'_>),
     now: DateTime,
 ) -> Vec<Command> {
     match effect {
         Effect::ForDialog(dialog, errand) => {
-            let answers = answers(*errand, (errands, filters), sources, now).into_iter();
+            let answers = answers(*errand, (errands, filters), (sources, job), now).into_iter();
             answers.map(|answer| Command::Answered(dialog, Box::new(answer))).collect()
         }
         Effect::Browse { purpose, folder, name } => {
@@ -213,7 +231,7 @@ fn answers(
             vec![FilesCommand::IsFolder(path).into()]
         }
         Effect::Read(purpose, path) => {
-            let (command, sha256) = read(purpose, path.clone(), sources, now);
+            let (command, sha256) = read(purpose, path.clone(), (sources, now), &job(&path, false));
             let fate = match &command {
                 _ if matches!(path.try_exists(), Ok(false)) => Fate::Gone,
                 command if is_read(command) => Fate::Read,
@@ -227,8 +245,8 @@ fn answers(
             let seen = FilesCommand::Seen { purpose, path, fate }.into();
             std::iter::once(seen).chain(measured).chain([command]).collect()
         }
-        Effect::Save(path, content) => save(path, &content, false),
-        Effect::Replace(path, content) => save(path, &content, true),
+        Effect::Save(path, content) => save(&job(&path, true), path, &content, false),
+        Effect::Replace(path, content) => save(&job(&path, true), path, &content, true),
         Effect::Launch(path, how) => {
             let result = match errands {
                 Errands::OnThread => launch(&path, how),
@@ -250,6 +268,7 @@ fn answers(
         | Effect::Leave
         | Effect::JudgeRows { .. }
         | Effect::StopRows
+        | Effect::StopWorking
         | Effect::ReadRows { .. }
         | Effect::OpenJournal { .. }
         | Effect::SendTo(_)
@@ -267,8 +286,10 @@ fn answers(
     }
 }
 
-fn save(path: PathBuf, content: &Content, replace: bool) -> Vec<Command> {
-    let result = files::save_with(&path, replace, &mut |out| content.write(out));
+fn save(job: &Job, path: PathBuf, content: &Content, replace: bool) -> Vec<Command> {
+    let result = files::save_with(&path, replace, &mut |out| content.write(&mut Watched::new(out, job)));
+    let result =
+        result.map_err(|error| if job.is_stopped() { FileError::Stopped { path: path.clone() } } else { error });
     vec![Command::Saved { path, result }]
 }
 

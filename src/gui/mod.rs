@@ -5,6 +5,7 @@
 //! | `app` | one frame: panels, commands, effects |
 //! | `effects`, `reading` | files, dialogs and the clipboard, off the frame's thread |
 //! | `rows` | the workers behind the rows of a large file |
+//! | `working` | a file that is read or written: how far it is, and how it is stopped |
 //! | `store` | the state file |
 //! | `journal` | who keeps and reads records |
 //! | `theme` | colours, sizes, fonts |
@@ -55,6 +56,7 @@ mod verdict_card;
 mod view;
 mod watching;
 mod who;
+mod working;
 
 pub use app::{App, Setup};
 pub use effects::Errands;

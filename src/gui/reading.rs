@@ -7,6 +7,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::rows;
+use super::working::{Job, Watched};
 use crate::control::deviations;
 use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
@@ -56,11 +57,16 @@ pub(super) const fn is_read(command: &Command) -> bool {
 }
 
 /// Reads what a dialog of this purpose asks for, with SHA-256 of the file where a record may name it.
-pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> (Command, Option<Hash>) {
+pub(super) fn read(
+    purpose: Purpose,
+    path: PathBuf,
+    (sources, now): (&Sources, DateTime),
+    job: &Job,
+) -> (Command, Option<Hash>) {
     let (name, mut seen) = (name(&path), None);
     let command = match purpose {
         Purpose::Import => match rows::large(&path) {
-            Ok(None) => CheckCommand::Imported { result: import(&path, sources, now, &mut seen), name }.into(),
+            Ok(None) => CheckCommand::Imported { result: import(&path, (sources, now), job, &mut seen), name }.into(),
             Ok(Some(large)) => RowsCommand::Opened { name, result: Ok((path, large)) }.into(),
             Err(problem) => RowsCommand::Opened { name, result: Err(problem) }.into(),
         },
@@ -83,12 +89,12 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: Date
         Purpose::OpenPlan => PartsCommand::Plan(PlanCommand::Read { result: read_plan(&path, &mut seen), path }).into(),
         Purpose::OpenPicture => PartsCommand::Plan(PlanCommand::ChoosePicture(path)).into(),
         Purpose::ImportValues => {
-            WalkCommand::Imported { result: read_items(&path, sources, now, &mut seen), name }.into()
+            WalkCommand::Imported { result: read_items(&path, (sources, now), job, &mut seen), name }.into()
         }
         Purpose::WatchFolder => WalkCommand::Watch { is_folder: path.is_dir(), folder: path }.into(),
         Purpose::OpenReadings => BudgetCommand::ReadingsRead { result: read_readings(&path), name }.into(),
         Purpose::OpenParts(feature) => {
-            PairingCommand::Read { feature, result: read_parts(&path, &name, feature), path }.into()
+            PairingCommand::Read { feature, result: read_parts(&path, &name, feature, job), path }.into()
         }
         // These purposes write files.
         _ => Command::Picked(None),
@@ -116,24 +122,43 @@ fn name(path: &Path) -> String {
 
 fn import(
     path: &Path,
-    sources: &Sources,
-    now: DateTime,
+    (sources, now): (&Sources, DateTime),
+    job: &Job,
     seen: &mut Option<Hash>,
 ) -> Result<Box<exchange::Imported>, Message> {
     let bytes = bytes_of(path, seen)?;
+    job.has(bytes.len());
     let beside = |ending: &str| files::beside(path, ending);
     let given = exchange::Given { beside: &beside, ..exchange::Given::new(sources, now) };
-    Ok(Box::new(exchange::import_given(&name(path), &mut Cursor::new(bytes), given)))
+    let mut body = Cursor::new(bytes);
+    let imported = exchange::import_given(&name(path), &mut Watched::new(&mut body, job), given);
+    whole(Box::new(imported), job)
+}
+
+/// What was read, unless that was stopped: of half a file nothing is taken.
+fn whole<T>(read: T, job: &Job) -> Result<T, Message> {
+    if job.is_stopped() { Err(job.stopped()) } else { Ok(read) }
 }
 
 /// Everything that a file holds, one after the other: a plan judges it later.
-fn read_items(path: &Path, sources: &Sources, now: DateTime, seen: &mut Option<Hash>) -> Result<Vec<Item>, Message> {
+fn read_items(
+    path: &Path,
+    (sources, now): (&Sources, DateTime),
+    job: &Job,
+    seen: &mut Option<Hash>,
+) -> Result<Vec<Item>, Message> {
     let bytes = bytes_of(path, seen)?;
+    job.has(bytes.len());
     let beside = |ending: &str| files::read_file(&path.with_extension(ending)).ok();
     let given = Given { beside: &beside, most_rows: MOST_ROWS, ..Given::new(sources, now) };
-    let mut items = Vec::new();
-    exchange::import_from(&name(path), &mut std::io::Cursor::new(bytes), given, &mut |item| items.push(item));
-    Ok(items)
+    let (mut items, mut body) = (Vec::new(), Cursor::new(bytes));
+    exchange::import_from(&name(path), &mut Watched::new(&mut body, job), given, &mut |item| {
+        if item.is_row() {
+            job.row();
+        }
+        items.push(item);
+    });
+    whole(items, job)
 }
 
 fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
@@ -201,9 +226,12 @@ fn read_readings(path: &Path) -> Result<Box<BothSizes>, Message> {
     Ok(Box::new(BothSizes::read(&name(path), &bytes)))
 }
 
-fn read_parts(path: &Path, name: &str, feature: Feature) -> Result<Arc<Parts>, Message> {
+fn read_parts(path: &Path, name: &str, feature: Feature, job: &Job) -> Result<Arc<Parts>, Message> {
     let bytes = files::read_file(path).map_err(|error| error.message())?;
-    usable(name, Parts::of_file(name, exchange::sizes(name, &bytes, feature)))
+    job.has(bytes.len());
+    let mut body = Cursor::new(bytes);
+    let sizes = exchange::sizes_from(name, &mut Watched::new(&mut body, job), feature, &mut || job.row());
+    usable(name, Parts::of_file(name, whole(sizes, job)?))
 }
 
 fn read_tools(path: &Path) -> Result<Box<ToolTable>, Message> {

@@ -12,6 +12,7 @@
 //! | `csv`, `file` | plans as CSV, and as TOML |
 //! | `find` | which feature a value is of |
 //! | `walk` | one part on its way through a plan |
+//! | `standing` | what that makes of each feature |
 //! | `workpiece` | a plan as a simulated part |
 //! | `simulated` | a feature measured by its cycle on it |
 //!
@@ -29,6 +30,7 @@ mod find;
 mod kind;
 mod plan;
 mod simulated;
+mod standing;
 mod values;
 mod walk;
 mod workpiece;
@@ -42,6 +44,7 @@ pub use find::{By, Clues, Finder, NotFound};
 pub(crate) use kind::band_text;
 pub use kind::{Direction, Kind, Towards, WidthAxis};
 pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, Head, MOST_FEATURES, Material, Plan, PlanFeature, Size};
+pub use standing::{FeatureStanding, standings};
 pub use walk::{Standing, Step, Taken, Walk};
 
 use crate::message::Located;

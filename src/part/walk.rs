@@ -71,6 +71,11 @@ impl Standing {
         let is_open = 0 < self.missing || 0 < self.skipped;
         self.worst.filter(|worst| *worst != Status::Good || !is_open)
     }
+
+    /// The status as a card or a report may say it: nothing is good while something is missing, left out or simulated.
+    pub fn said(&self) -> Option<Status> {
+        self.status().filter(|status| *status != Status::Good || self.is_complete())
+    }
 }
 
 impl Walk {

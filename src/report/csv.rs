@@ -9,12 +9,15 @@
 //! one. Such a text gets an apostrophe in front, as in a spreadsheet itself: it is shown as text and never computed.
 //! Columns of numbers never get one, so a negative deviation stays a number.
 
+use std::borrow::Cow;
 use std::io::{self, Write};
 
 use super::columns::{Cell as _, Column, cells, names};
+use super::part::PartSheet;
 use super::row::Row;
 use super::{RenderError, Rendering, Report};
 use crate::journal::Record;
+use crate::length::{Length, Line};
 use crate::words::Words;
 
 /// This rendering.
@@ -22,9 +25,18 @@ pub const RENDERING: Rendering = Rendering { name: "csv", endings: &["csv"], ren
 
 fn render_report(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Result<()> {
     let more = report.checks.more()?;
-    header(more, out)?;
-    report.checks.each(&mut |record| check(&Row::of(record), more, out))
+    // The picture of the part is named beside every check of it.
+    let picture = report.parts.iter().find_map(PartSheet::picture_name).map(harmless);
+    let name = picture.as_ref().map(|_| PICTURE);
+    line(names(&COLUMNS).into_iter().chain(more.names()).chain(name), out)?;
+    report.checks.each(&mut |record| {
+        let row = Row::of(record);
+        line(cells(&COLUMNS, &row).chain(more.of_row(&row)).chain(picture.clone()), out)
+    })
 }
+
+/// The last column of a report of whole parts whose plan has a picture.
+const PICTURE: &str = "picture";
 
 /// The records as CSV, with a header, in their order.
 pub fn render(records: &[Record]) -> Result<Vec<u8>, RenderError> {
@@ -119,10 +131,72 @@ fn check(row: &Row, more: More, out: &mut dyn Write) -> io::Result<()> {
 }
 
 /// Writes a line. Into memory first: so an error of the stream stays what it is.
-pub(crate) fn line<T: AsRef<[u8]>>(cells: impl IntoIterator<Item = T>, out: &mut dyn Write) -> io::Result<()> {
-    let mut writer = csv::WriterBuilder::new().buffer_capacity(1 << 10).from_writer(Vec::new());
-    writer.write_record(cells).map_err(io::Error::other)?;
-    out.write_all(&writer.into_inner().map_err(csv::IntoInnerError::into_error)?)
+pub(crate) fn line<T: AsRef<str>>(cells: impl IntoIterator<Item = T>, out: &mut dyn Write) -> io::Result<()> {
+    let mut line = CsvLine::default();
+    cells.into_iter().for_each(|cell| line.cell(cell.as_ref()));
+    out.write_all(line.end())
+}
+
+/// Cells of a CSV, one behind the other: a cell with a comma, a quotation mark or a line end stands in quotation marks. One of these
+/// serves for all lines of a file.
+#[derive(Debug, Default)]
+pub(crate) struct CsvLine {
+    line: Line,
+    cells: usize,
+    /// Whether the next cell begins another line.
+    is_ended: bool,
+}
+
+impl CsvLine {
+    /// The next cell.
+    pub(crate) fn cell(&mut self, text: &str) {
+        self.next();
+        if !text.bytes().any(|byte| matches!(byte, b',' | b'"' | b'\n' | b'\r')) {
+            return self.line.append(text.as_bytes());
+        }
+        self.line.push(b'"');
+        for piece in text.split_inclusive('"') {
+            self.line.append(piece.as_bytes());
+            if piece.ends_with('"') {
+                self.line.push(b'"');
+            }
+        }
+        self.line.push(b'"');
+    }
+
+    /// The next cell: a length in millimetres, with at least so many decimals, at most 6.
+    pub(crate) fn mm(&mut self, length: Length, decimals: u8) {
+        self.next();
+        self.line.pieces(|window| length.put_mm(decimals, window));
+    }
+
+    /// The next cell: a length in micrometres, with the decimals that it has.
+    pub(crate) fn um(&mut self, length: Length) {
+        self.next();
+        self.line.pieces(|window| length.put_um(0, window));
+    }
+
+    fn next(&mut self) {
+        if self.is_ended {
+            self.line.clear();
+            (self.cells, self.is_ended) = (0, false);
+        }
+        if 0 < self.cells {
+            self.line.push(b',');
+        }
+        self.cells += 1;
+    }
+
+    /// The line with its end; the next cell begins another one.
+    pub(crate) fn end(&mut self) -> &[u8] {
+        // A single cell without a text would be an empty line, which is none.
+        if self.cells == 1 && self.line.bytes().is_empty() {
+            self.line.append(b"\"\"");
+        }
+        self.line.push(b'\n');
+        self.is_ended = true;
+        self.line.bytes()
+    }
 }
 
 /// Millimetres have at least three decimals, except in the nominal size.
@@ -188,14 +262,41 @@ fn contacts(row: &Row) -> Option<String> {
 }
 
 /// A cell of any CSV that Fitcheck writes: a number as it is, any other text so that no spreadsheet computes it.
-pub(crate) fn cell(text: &str) -> String {
-    if text.parse::<f64>().is_ok() { text.to_owned() } else { harmless(text) }
+pub(crate) fn cell(text: &str) -> Cow<'_, str> {
+    if is_formula(text) && text.parse::<f64>().is_err() { Cow::Owned(format!("'{text}")) } else { Cow::Borrowed(text) }
 }
 
 /// A text that no spreadsheet computes. Blanks and control characters in front do not hide a formula, and the wide
 /// signs of East Asian keyboards are formulas to some spreadsheets, too.
 pub(crate) fn harmless(text: &str) -> String {
+    if is_formula(text) { format!("'{text}") } else { text.to_owned() }
+}
+
+/// Whether a spreadsheet may compute a text.
+fn is_formula(text: &str) -> bool {
     let first = text.trim_start_matches(|c: char| c.is_whitespace() || c.is_control()).chars().next();
-    let formula = first.is_some_and(|c| "=+-@\u{ff1d}\u{ff0b}\u{ff0d}\u{ff20}".contains(c));
-    if formula { format!("'{text}") } else { text.to_owned() }
+    first.is_some_and(|c| "=+-@\u{ff1d}\u{ff0b}\u{ff0d}\u{ff20}".contains(c))
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    proptest::proptest! {
+        /// The `csv` crate knows when a cell needs quotation marks.
+        #[test]
+        fn lines_are_those_of_the_csv_crate(lines in proptest::collection::vec(
+            proptest::collection::vec("[a\",;\r\n =ä\\t]{0,20}", 1..5), 1..4)
+        ) {
+            let mut own = CsvLine::default();
+            for cells in lines {
+                for cell in &cells {
+                    own.cell(cell);
+                }
+                let mut writer = csv::WriterBuilder::new().from_writer(Vec::new());
+                writer.write_record(&cells).unwrap();
+                proptest::prop_assert_eq!(own.end(), writer.into_inner().unwrap());
+            }
+        }
+    }
 }

@@ -8,6 +8,7 @@
 //! The page is written check by check, and only one of them is in memory.
 
 mod origins;
+mod part;
 mod seen;
 mod shared;
 
@@ -52,23 +53,41 @@ trait Part: Template {
     /// Writes it on a line of its own.
     fn write(&self, out: &mut dyn Write) -> io::Result<()> {
         let text = self.render().map_err(io::Error::other)?;
-        out.write_all(printable(text.trim_end_matches('\n')).as_bytes())?;
+        out.write_all(printable(text.trim_matches('\n')).as_bytes())?;
         out.write_all(b"\n")
     }
 }
 
-/// Up to the head of the list of checks.
+/// Up to what the report is about.
 #[derive(Template)]
 #[template(path = "head.html", config = "assets/report/askama.toml")]
 struct Head<'a> {
     words: &'a Words,
     title: String,
     entries: Vec<Entry>,
-    notes: Vec<String>,
-    summary: Option<Summary>,
     /// Whether a check has guard bands, which have their own look.
     has_guards: bool,
+    /// Whether it is about whole parts, and whether these have pictures.
+    has_parts: bool,
+    has_pictures: bool,
     program: &'a str,
+}
+
+/// A whole part.
+#[derive(Template)]
+#[template(path = "part.html", config = "assets/report/askama.toml")]
+struct Whole<'a> {
+    words: &'a Words,
+    part: part::PartView,
+}
+
+/// Notes and counts, up to the head of the list of checks.
+#[derive(Template)]
+#[template(path = "notes.html", config = "assets/report/askama.toml")]
+struct Notes<'a> {
+    words: &'a Words,
+    told: Vec<String>,
+    summary: Option<Summary>,
 }
 
 /// A check in the list.
@@ -114,7 +133,7 @@ macro_rules! parts {
     )+};
 }
 
-parts!(Head, Line, Section, Annex, Foot);
+parts!(Head, Whole, Notes, Line, Section, Annex, Foot);
 
 /// A label and what it says.
 struct Entry {
@@ -188,12 +207,24 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
         words,
         title: if report.title.is_empty() { words.get("report-title") } else { report.title.clone() },
         entries: entries(report, &seen, words),
-        notes: seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note))).collect(),
-        summary: (1 < seen.total).then(|| summary(&seen, words)),
         has_guards: seen.has_guards,
+        has_parts: !report.parts.is_empty(),
+        has_pictures: part::have_pictures(&report.parts),
         program: &report.program,
     };
     head.write(out)?;
+    let mut parts = part::Parts::default();
+    for part in &report.parts {
+        Whole { words, part: parts.view(part, words).map_err(io::Error::other)? }.write(out)?;
+    }
+    let notes = Notes {
+        words,
+        told: seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note))).collect(),
+        summary: (1 < seen.total).then(|| summary(&seen, words)),
+    };
+    if !notes.told.is_empty() || notes.summary.is_some() {
+        notes.write(out)?;
+    }
     let made = |number, record: &Record| check(number, record, words).map_err(io::Error::other);
     if 1 < seen.total {
         seen.each(report, &mut |number, record| Line { words, check: &made(number, record)? }.write(out))?;

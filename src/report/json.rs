@@ -2,16 +2,19 @@
 //!
 //! An object with the file's `version`, now 1, and `checks`: one object per check with the names of the CSV's columns.
 //! Figures are numbers, contacts are arrays of x, y, z in millimetres, warnings are an array of sentences; missing
-//! values are null. A report also has its head: `title`, `created`, `program`, `part`, `order`, `inspector`, `notes`.
+//! values are null. A report also has its head: `title`, `created`, `program`, `part`, `order`, `inspector`, `notes`; and one of whole
+//! parts has `parts`: `part`, `serial`, `status` (null where it has no verdict), `measured`, `missing`, `left_out`, `simulated`, `picture`.
 
 use std::io::{self, Write};
 
 use serde::Serialize;
 
 use super::csv::More;
+use super::part::PartSheet;
 use super::row::Row;
 use super::{Checks, RenderError, Rendering, Report};
 use crate::journal::Record;
+use crate::verdict::Status;
 use crate::words::Words;
 
 /// This rendering.
@@ -37,6 +40,46 @@ struct Head<'a> {
     order: Option<&'a str>,
     inspector: Option<&'a str>,
     notes: Vec<String>,
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    parts: Vec<Part<'a>>,
+}
+
+/// A whole part.
+#[derive(Serialize)]
+struct Part<'a> {
+    #[serde(rename = "part")]
+    name: &'a str,
+    serial: &'a str,
+    status: Option<&'static str>,
+    measured: usize,
+    missing: Vec<String>,
+    left_out: Vec<LeftOut>,
+    simulated: usize,
+    picture: Option<&'a str>,
+}
+
+/// A size without a value, and why.
+#[derive(Serialize)]
+struct LeftOut {
+    name: String,
+    reason: String,
+}
+
+impl<'a> Part<'a> {
+    fn of(sheet: &'a PartSheet) -> Self {
+        let standing = sheet.standing();
+        let left_out = sheet.left_out().into_iter().map(|(name, reason)| LeftOut { name, reason });
+        Self {
+            name: &sheet.plan.head.part,
+            serial: sheet.serial(),
+            status: sheet.status().map(Status::word),
+            measured: standing.measured,
+            missing: sheet.missing(),
+            left_out: left_out.collect(),
+            simulated: standing.simulated,
+            picture: sheet.picture_name(),
+        }
+    }
 }
 
 fn render_report(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Result<()> {
@@ -48,6 +91,7 @@ fn render_report(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Re
         order: report.order.as_deref(),
         inspector: report.inspector.as_deref(),
         notes: report.notes.iter().map(ToString::to_string).collect(),
+        parts: report.parts.iter().map(Part::of).collect(),
     };
     write(Some(head), &*report.checks, out)
 }

@@ -6,6 +6,7 @@
 //! | `csv`, `json` | the checks in figures, for spreadsheets and programs, the same in every language |
 //! | `row` | the names and figures that CSV and JSON share |
 //! | `figure` | an exact decimal in files for programs |
+//! | `part`, `image` | a whole part by its plan, and its picture |
 //! | `pairing` | which parts go together, and its files |
 //! | `band` | the limit band's geometry, for the report and the window |
 //! | `picture` | the limit band and the verdict's sign as SVG |
@@ -20,8 +21,10 @@ pub mod columns;
 pub mod csv;
 pub mod figure;
 pub mod html;
+pub mod image;
 pub mod json;
 pub mod pairing;
+pub mod part;
 mod picture;
 mod row;
 pub mod text;
@@ -31,6 +34,7 @@ use std::path::Path;
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
+use part::PartSheet;
 
 use crate::journal::Record;
 use crate::message::{Message, Say};
@@ -57,6 +61,8 @@ pub struct Report {
     pub checks: Arc<dyn Checks>,
     /// Errors and warnings: nothing is left out in silence.
     pub notes: Vec<Message>,
+    /// The whole parts whose values the checks are.
+    pub parts: Vec<PartSheet>,
 }
 
 /// The checks of a report, one after the other, as often as a rendering asks for them: a report of many checks is
@@ -79,6 +85,16 @@ pub trait Checks: std::fmt::Debug + Send + Sync {
             Ok(())
         })?;
         Ok(more)
+    }
+}
+
+impl<T: Checks> Checks for Arc<T> {
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
+        self.as_ref().each(see)
+    }
+
+    fn more(&self) -> io::Result<csv::More> {
+        self.as_ref().more()
     }
 }
 
@@ -112,6 +128,7 @@ impl Report {
             inspector: None,
             checks: Arc::new(checks),
             notes: Vec::new(),
+            parts: Vec::new(),
         }
     }
 }

@@ -29,7 +29,7 @@ const SWATCH: f64 = 28.0;
 const LABEL: f64 = 100.0;
 
 /// The CSS class of a status.
-const fn status_class(status: Status) -> &'static str {
+pub(super) const fn status_class(status: Status) -> &'static str {
     match status {
         Status::Good => "good",
         Status::Rework => "rework",
@@ -42,17 +42,38 @@ const fn status_class(status: Status) -> &'static str {
 #[template(path = "verdict.svg", config = "assets/report/askama.toml")]
 struct VerdictPicture {
     class: &'static str,
+    shape: &'static str,
     word: String,
     size: usize,
     baseline: usize,
 }
 
-/// The verdict's word beside its shape: check mark, turning arrow, loop or cross.
+/// The shape of a status around 38, 36: check mark, turning arrow, loop or cross; a dash where there is none.
+pub(super) const fn shape(status: Option<Status>) -> &'static str {
+    match status {
+        Some(Status::Good) => "M20 38 L33 52 L57 20",
+        Some(Status::Rework) => "M20 54 L20 36 A15 15 0 0 1 50 36 L50 50 M40 42 L50 53 L60 42",
+        Some(Status::Scrap) => "M22 20 L54 52 M54 20 L22 52",
+        Some(Status::ReMeasure) => {
+            "M22.3 29.5 A17 17 0 0 1 54.6 31 M56 19 L55.3 31.8 L43 29 M53.7 42.5 A17 17 0 0 1 21.4 41 M20 53 L20.7 40.2 L33 43"
+        }
+        None => "M22 36 L54 36",
+    }
+}
+
+/// The verdict's word beside its shape.
 pub(super) fn verdict(status: Status, words: &Words) -> askama::Result<String> {
     let word = words.told(&status);
     // 250 units are free for the word; a bold capital is about 0.72 of its size wide.
     let size = (347 / word.chars().count().max(1)).clamp(12, 40);
-    VerdictPicture { class: status_class(status), word, size, baseline: 36 + size * 36 / 100 }.render()
+    VerdictPicture {
+        class: status_class(status),
+        shape: shape(Some(status)),
+        word,
+        size,
+        baseline: 36 + size * 36 / 100,
+    }
+    .render()
 }
 
 struct SidePicture {

@@ -198,6 +198,8 @@ pub enum Purpose {
     SavePairs(usize),
     /// Writing the chosen records in a format of the report's list, by its number there.
     ReportRecords(usize),
+    /// Writing the part that is being measured in a format of the report's list, by its number there.
+    ReportPart(usize),
 }
 
 impl Purpose {
@@ -218,7 +220,8 @@ impl Purpose {
             | Self::SaveBudget
             | Self::SavePlan(_)
             | Self::SavePairs(_)
-            | Self::ReportRecords(_) => false,
+            | Self::ReportRecords(_)
+            | Self::ReportPart(_) => false,
             Self::Import
             | Self::LoadMask
             | Self::LoadTables
@@ -350,6 +353,8 @@ pub enum Effect {
     Save(PathBuf, Content),
     /// Write a file over another one and send [`Command::Saved`].
     Replace(PathBuf, Content),
+    /// Stop reading or writing the file that is at work, if there is one.
+    StopWorking,
     /// Start the program for a file and send [`FilesCommand::Launched`].
     Launch(PathBuf, Launch),
     /// Judge the rows of a large file and send [`RowsCommand::Judged`] again and again.

@@ -9,6 +9,7 @@
 //! | `kinds` | kinds of files, their endings, and what a file is opened for |
 //! | `names` | proposed names |
 //! | `places` | last folders and recent files |
+//! | `working` | the file that is being read or written |
 
 mod command;
 mod content;
@@ -17,6 +18,7 @@ mod folder_list;
 mod kinds;
 mod names;
 mod places;
+mod working;
 
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -30,6 +32,7 @@ pub use folder_list::FolderList;
 pub use kinds::{HEAD, OpenError};
 pub(super) use places::Places;
 pub use places::RecentFile;
+pub use working::Working;
 
 use super::Session;
 use super::command::{Effect, Page, Purpose};
@@ -58,6 +61,8 @@ impl Session {
                 let written = self.shared.notices.first().and_then(|notice| notice.file.clone());
                 return written.map(|path| Effect::Launch(path, how)).into_iter().collect();
             }
+            FilesCommand::Working(working) => self.shared.working = working,
+            FilesCommand::StopWorking => return vec![Effect::StopWorking],
             FilesCommand::Launched(Ok(())) => {}
             FilesCommand::Launched(Err(problem)) => self.shared.tell_first(problem),
             FilesCommand::IsFolder(path) => {
@@ -97,6 +102,12 @@ impl Session {
                 let records = self.records.for_report();
                 names::of_records(records.iter().map(Arc::as_ref), &several, now, ending(purpose))
             }
+            Purpose::ReportPart(_) => self.parts.report(now).map_or_else(String::new, |report| {
+                let walking = self.parts.walking();
+                let part = report.part.unwrap_or_else(|| Words::new(self.shared.language).get("file-name-checks"));
+                let name = [part.as_str(), walking.serial()].into_iter().filter(|text| !text.is_empty());
+                names::dated(&names::allowed(&name.collect::<Vec<_>>().join("-")), now, ending(purpose))
+            }),
             Purpose::ExportStatus => {
                 let part = self.check.shown().map(|shown| names::of_record(&shown.record)).unwrap_or_default();
                 names::dated(&names::allowed(&format!("{part}-status")), now, ending(purpose))
@@ -197,6 +208,7 @@ impl Session {
             Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?.into(),
             Purpose::Export(format) => self.export(format, now)?,
             Purpose::ReportRecords(format) => self.report_records(format, now)?,
+            Purpose::ReportPart(format) => self.report_part(format, now)?,
             Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?.into(),
             Purpose::SaveTools => self.tools_bytes()?.into(),
             Purpose::SaveBudget => self.budget.bytes(&path).into(),
@@ -233,6 +245,13 @@ impl Session {
         let journal = self.shared.recording.journal().map(|journal| (journal.chain, journal.head));
         let report = Box::new(self.records.report(now, journal));
         Ok(Content::Report { report, rendering, language: self.shared.language })
+    }
+
+    /// The part that is being measured as a report.
+    fn report_part(&self, format: usize, now: DateTime) -> Result<Content, Message> {
+        let report = RENDERINGS.get(format).zip(self.parts.report(now));
+        let (rendering, report) = report.ok_or_else(|| Message::new("dialog-no-path"))?;
+        Ok(Content::Report { report: Box::new(report), rendering, language: self.shared.language })
     }
 
     pub(super) fn close(&mut self) {

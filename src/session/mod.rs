@@ -77,7 +77,7 @@ pub use cycles::{
     WorkpieceForm,
 };
 pub use field::Field;
-pub use files::{Content, Dialog, Fate, FilesCommand, FolderList, HEAD, Launch, OpenError, RecentFile};
+pub use files::{Content, Dialog, Fate, FilesCommand, FolderList, HEAD, Launch, OpenError, RecentFile, Working};
 pub use fit::{
     ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
 };

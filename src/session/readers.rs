@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::Session;
 use super::command::{Density, Page, Theme};
 use super::cycles::WorkpieceForm;
-use super::files::{Dialog, RecentFile};
+use super::files::{Dialog, RecentFile, Working};
 use super::history::History;
 use super::recording::{Recorded, Recording};
 use super::records::RecordsPage;
@@ -136,6 +136,11 @@ impl Session {
     /// Sets the folder in which dialogs begin until another one was used.
     pub fn use_home(&mut self, home: PathBuf) {
         self.shared.places.home = Some(home);
+    }
+
+    /// The file that is being read or written, where that takes long.
+    pub fn working(&self) -> Option<&Working> {
+        self.shared.working.as_deref()
     }
 
     /// The notices, oldest first.

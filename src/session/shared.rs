@@ -12,7 +12,7 @@ use jiff::civil::DateTime;
 use super::budget::OpenBudget;
 use super::check::Worth;
 use super::command::{Density, DialogId, Effect, Page, Purpose, Theme};
-use super::files::{Dialog, Places};
+use super::files::{Dialog, Places, Working};
 use super::history::{ChangeId, History};
 use super::recording::Recording;
 use super::saved::SavedRecords;
@@ -157,6 +157,8 @@ pub(super) struct Shared {
     pub answered: Option<DialogId>,
     pub places: Places,
     pub notices: Vec<Notice>,
+    /// The file that is being read or written, where that takes long.
+    pub working: Option<Box<Working>>,
     /// Whether the user wants to close the window and something is unsaved.
     pub leaving: bool,
     news: VecDeque<News>,

@@ -98,7 +98,9 @@ impl GeneralClass {
 
     /// The class of a small letter.
     pub fn from_letter(letter: &str) -> Option<Self> {
-        Self::ALL.into_iter().find(|class| class.to_string() == letter)
+        let mut letters = letter.chars();
+        let only = letters.next().filter(|_| letters.next().is_none())?;
+        Self::ALL.into_iter().find(|class| class.letter() == only)
     }
 
     fn half_width(self, micrometres: [Option<i32>; 4]) -> Option<Length> {

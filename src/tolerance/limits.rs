@@ -72,7 +72,7 @@ pub enum Source {
         /// up to and including this.
         to: Length,
         /// Its name and step, and what a reader should know about the figure.
-        said: Message,
+        said: Arc<Message>,
         /// Why the figure may be wrong for a reader: contested, for trial use.
         doubt: Option<Message>,
     },
@@ -152,7 +152,7 @@ impl Source {
 impl Say for Source {
     fn message(&self) -> Message {
         match self {
-            Self::Standard { said, .. } => said.clone(),
+            Self::Standard { said, .. } => said.as_ref().clone(),
             Self::Iso2768 { class, over, to } => {
                 Message::new("source-iso2768").with("class", class).with("over", over).with("to", to)
             }

@@ -68,6 +68,7 @@ const ROOMS: [(&str, &[&str]); 22] = [
             "pairing",
             "probing",
             "budget",
+            "part",
             "journal",
             "exchange",
         ],

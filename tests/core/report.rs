@@ -27,7 +27,12 @@ fn limits(callout: &str, upper: i32, lower: i32, source: Source) -> Limits {
 
 fn iso() -> Source {
     let (over, to) = (um(18_000), um(30_000));
-    Source::Standard { over, to, said: Message::new("source-iso286").with("over", &over).with("to", &to), doubt: None }
+    Source::Standard {
+        over,
+        to,
+        said: Message::new("source-iso286").with("over", &over).with("to", &to).into(),
+        doubt: None,
+    }
 }
 
 fn record(

@@ -5,6 +5,7 @@ use std::sync::Arc;
 
 use fitcheck::message::Message;
 use fitcheck::part::{Column, Document, Draft, HeadField, Row, Spot};
+use fitcheck::report::image::Image;
 use fitcheck::session::parts::{PartPicture, PartsView, PlanCommand, PlanField, Sight};
 use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, Purpose, Session, Step};
 use fitcheck::words::{Language, Words};
@@ -308,7 +309,8 @@ fn fields_of_the_part_are_one_change_each() {
 }
 
 fn dots() -> Arc<PartPicture> {
-    Arc::new(PartPicture { size: [2, 1], dots: vec![255; 8] })
+    let file = Image::read("plate.svg", b"<svg width=\"2\" height=\"1\"/>").unwrap();
+    Arc::new(PartPicture { size: [2, 1], dots: vec![255; 8], file })
 }
 
 #[test]

@@ -26,3 +26,4 @@ mod sizes;
 mod table_page;
 mod tools;
 mod walk_page;
+mod working;

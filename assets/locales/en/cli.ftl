@@ -53,6 +53,7 @@ cli-table-ending = { $path }: the name of a control table ends in .tab
 cli-format-ending = { $path }: a file of format { $format } ends in .{ $endings }
 cli-several-tables = a control table is one file: name one table, or classes of one feature
 cli-report-format = --format { $format } does not fit the ending of { $file }: leave one of them out
+cli-stopped = stopped by Ctrl+C after { $rows } rows
 cli-report-empty = no check was usable, so no report was written
 cli-inputs-too-large = the inputs of a cycle have at most { $most } KiB
 cli-not-an-object = the inputs must be a JSON object such as {"{"}"Q263": 35{"}"}: { $error }
@@ -124,6 +125,7 @@ cli-remark-backed-up = copied up to entry { $number } to { $path } (hash { $hash
 cli-remark-no-head-known = no entry of this journal is known elsewhere: that its newest entries were cut off would not be found
 
 # Warnings
+cli-warning-stopped-unrecorded = nothing of this call is recorded: its rows are recorded together, once all of them are read
 cli-warning-column-not-used = column { $column } is skipped
 cli-warning-expansion-unconfirmed = the expansion of { $expansion } · 10⁻⁶/K is a common value that no document here confirms
 cli-warning-file-twice = this file is named twice: its rows are counted twice

@@ -105,3 +105,19 @@ report-note-more = { $count ->
     [one] 1 more note is not listed
    *[other] { $count } more notes are not listed
 }
+
+## A whole part
+report-balloon = Balloon
+report-picture-room = { $name } is not shown here: pictures of all parts would make the page too large
+report-picture-beside = { $count ->
+    [one] one feature has no balloon on it
+   *[other] { $count } features have no balloon on it
+}
+report-part-older = { $count ->
+    [one] One earlier value is not listed: the last one of a size counts
+   *[other] { $count } earlier values are not listed: the last one of a size counts
+}
+report-more-parts = { $count ->
+    [one] One more part is not shown as a whole; its values are in the list
+   *[other] { $count } more parts are not shown as a whole, only the first { $most } are; their values are in the list
+}

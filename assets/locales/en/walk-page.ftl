@@ -104,3 +104,5 @@ walk-page-watch-count = { $count ->
         [one] One file taken
        *[other] { $count } files taken
     }
+walk-page-report = Report…
+walk-page-report-other-picture = { $name }: the plan has named another picture since this part was begun

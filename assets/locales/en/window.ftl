@@ -647,3 +647,12 @@ rows-unread = the rows cannot be read again: { $reason }
 rows-no-copy = the unpacked text cannot be kept: { $reason }
 rows-too-much = the unpacked text is larger than { $most } GiB
 rows-panicked = an internal error ended the run
+
+## A file that is read or written
+working = Working
+working-reading = Reading { $name }: { $rows } rows, { $done } of { $all } MB, { $rate } rows a second
+working-reading-bytes = Reading { $name }: { $done } of { $all } MB, { $seconds } s
+working-writing = Writing { $name }: { $done } MB, { $seconds } s
+working-progress = How much of the file is read
+working-stop = Stop
+working-stopped = Stopped after { $rows } rows: nothing of { $name } was taken

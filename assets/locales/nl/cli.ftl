@@ -53,6 +53,7 @@ cli-table-ending = { $path }: de naam van een besturingstabel eindigt op .tab
 cli-format-ending = { $path }: een bestand in formaat { $format } eindigt op .{ $endings }
 cli-several-tables = een besturingstabel is één bestand: noem één tabel, of klassen voor alleen boringen of alleen assen
 cli-report-format = --format { $format } past niet bij de extensie van { $file }: laat een van beide weg
+cli-stopped = gestopt met Ctrl+C na { $rows } rijen
 cli-report-empty = geen enkele controle was bruikbaar, dus er is geen rapport geschreven
 cli-inputs-too-large = de invoer van een cyclus heeft hoogstens { $most } KiB
 cli-not-an-object = de invoer moet een JSON-object zijn, zoals {"{"}"Q263": 35{"}"}: { $error }
@@ -124,6 +125,7 @@ cli-remark-backed-up = gekopieerd tot en met vermelding { $number } naar { $path
 cli-remark-no-head-known = van dit logboek is elders geen vermelding bekend: dat de nieuwste vermeldingen zijn afgesneden, zou niet worden gevonden
 
 # Waarschuwingen
+cli-warning-stopped-unrecorded = van deze aanroep is niets vastgelegd: de rijen worden samen vastgelegd, zodra ze alle gelezen zijn
 cli-warning-column-not-used = kolom { $column } is overgeslagen
 cli-warning-expansion-unconfirmed = de uitzetting van { $expansion } · 10⁻⁶/K is een gangbare waarde die hier door geen document is bevestigd
 cli-warning-file-twice = dit bestand is tweemaal genoemd: de rijen tellen dubbel

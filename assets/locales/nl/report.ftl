@@ -105,3 +105,19 @@ report-note-more = { $count ->
     [one] nog één staat hier niet
    *[other] nog { $count } staan hier niet
 }
+
+## A whole part
+report-balloon = Ballon
+report-picture-room = { $name } staat hier niet: met afbeeldingen van alle onderdelen zou de pagina te groot worden
+report-picture-beside = { $count ->
+    [one] één kenmerk heeft er geen ballon op
+   *[other] { $count } kenmerken hebben er geen ballon op
+}
+report-part-older = { $count ->
+    [one] Eén eerdere waarde staat niet in de lijst: de laatste van een maat telt
+   *[other] { $count } eerdere waarden staan niet in de lijst: de laatste van een maat telt
+}
+report-more-parts = { $count ->
+    [one] Nog één onderdeel staat er niet als geheel in; zijn waarden staan in de lijst
+   *[other] Nog { $count } onderdelen staan er niet als geheel in, alleen de eerste { $most }; hun waarden staan in de lijst
+}

@@ -105,6 +105,7 @@ file-exists = er bestaat al een bestand of map met deze naam: { $path }
 file-half-set = het schrijven van een reeks bestanden is halverwege gestopt, dus sommige bestanden in de map zijn oud en andere nieuw; de reeks opnieuw schrijven maakt het af, en wat nog verplaatst moet worden staat in { $path }
 file-not-a-file = dit is een pipe of een apparaat, geen bestand: { $path }
 file-changed = het bestand is veranderd terwijl het werd gelezen; lees het opnieuw: { $path }
+file-stopped = gestopt: er is niets geschreven: { $path }
 file-too-large = het bestand is groter dan { $limit } MiB: { $path }
 file-system = { $reason }: { $path }
 

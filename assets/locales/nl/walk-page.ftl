@@ -104,3 +104,5 @@ walk-page-watch-count = { $count ->
         [one] Eén bestand genomen
        *[other] { $count } bestanden genomen
     }
+walk-page-report = Rapport…
+walk-page-report-other-picture = { $name }: het plan noemt een andere afbeelding sinds met dit onderdeel begonnen is

@@ -647,3 +647,12 @@ rows-unread = de rijen kunnen niet opnieuw worden gelezen: { $reason }
 rows-no-copy = de uitgepakte tekst kan niet worden bewaard: { $reason }
 rows-too-much = de uitgepakte tekst is groter dan { $most } GiB
 rows-panicked = een interne fout heeft het beoordelen beëindigd
+
+## A file that is read or written
+working = Bezig
+working-reading = { $name } lezen: { $rows } rijen, { $done } van { $all } MB, { $rate } rijen per seconde
+working-reading-bytes = { $name } lezen: { $done } van { $all } MB, { $seconds } s
+working-writing = { $name } schrijven: { $done } MB, { $seconds } s
+working-progress = Hoeveel van het bestand gelezen is
+working-stop = Stoppen
+working-stopped = Gestopt na { $rows } rijen: uit { $name } is niets overgenomen

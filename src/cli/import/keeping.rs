@@ -55,7 +55,7 @@ impl Keeping {
 
     /// A row: a check is kept.
     pub(super) fn see(&mut self, row: &Row) {
-        let place = || row.line.map_or_else(|| row.file.clone(), |line| format!("{}:{line}", row.file));
+        let place = || row.line.map_or_else(|| row.file.to_string(), |line| format!("{}:{line}", row.file));
         let why = match &row.judged {
             Some(record) => match self.recorder.size_of(Arc::clone(record), &row.labels, self.files.clone()) {
                 Ok(()) => return,

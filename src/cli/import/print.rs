@@ -6,12 +6,11 @@ use std::fmt;
 use serde_json::{Number, Value as Json};
 
 use super::row::{COLUMNS, Row, Value};
-use crate::cli::answers::csv_line;
 use crate::cli::io::heard_or_not;
 use crate::cli::{CliError, Format, Io, Refused as _};
 use crate::length::{Length, Unit};
 use crate::report::columns::names;
-use crate::report::csv::More;
+use crate::report::csv::{CsvLine, More, cell};
 use crate::report::json;
 use crate::verdict::Status;
 
@@ -27,6 +26,7 @@ pub(in crate::cli) struct Printer {
     /// The columns besides those of every import.
     more: More,
     is_first: bool,
+    line: CsvLine,
     table: Table,
     summary: Summary,
 }
@@ -41,18 +41,22 @@ impl Printer {
             }
             Format::Json => write!(io.data(), "[")?,
         }
-        Ok(Self { format, more, is_first: true, table: Table::default(), summary: Summary::default() })
+        let (line, table, summary) = (CsvLine::default(), Table::default(), Summary::default());
+        Ok(Self { format, more, is_first: true, line, table, summary })
     }
 
     pub(in crate::cli) fn row(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
             Format::Text => self.text(row, io),
             Format::Csv => {
-                let more = match &row.judged {
-                    Some(record) => self.more.cells(record),
-                    None => self.more.names().map(|_name| String::new()).collect(),
-                };
-                csv_line(COLUMNS.map(|(_, value)| value(row).csv()).into_iter().chain(more), io)
+                for (_, value) in &COLUMNS {
+                    value(row).put(&mut self.line);
+                }
+                match &row.judged {
+                    Some(record) => self.more.cells(record).iter().for_each(|text| self.line.cell(&cell(text))),
+                    None => self.more.names().for_each(|_name| self.line.cell("")),
+                }
+                Ok(io.data().write_all(self.line.end())?)
             }
             Format::Json => self.json(row, io),
         }
@@ -157,25 +161,30 @@ impl Value<'_> {
         match self {
             Self::Nothing => Json::Null,
             Self::Text(text) => Json::from(*text),
-            // A length has at most 16 figures, so the nearest float is written as the same decimal number.
-            Self::Number(number) => number
-                .parse::<u64>()
-                .map(Number::from)
-                .ok()
-                .or_else(|| number.parse().ok().and_then(Number::from_f64))
-                .map_or(Json::Null, Json::Number),
+            Self::Count(count) => Json::from(*count),
+            Self::Millimetres(length, decimals) => number(&length.exact(Unit::Millimetre, usize::from(*decimals))),
+            Self::Micrometres(length) => number(&length.exact(Unit::Micrometre, 0)),
             Self::Texts(texts) => Json::from(*texts),
         }
     }
 
-    fn csv(&self) -> String {
+    /// Puts it into a line of CSV.
+    fn put(&self, line: &mut CsvLine) {
         match self {
-            Self::Nothing => String::new(),
-            Self::Text(text) => (*text).to_owned(),
-            Self::Number(number) => number.clone(),
-            Self::Texts(texts) => texts.join("; "),
+            Self::Nothing => line.cell(""),
+            Self::Text(text) => line.cell(&cell(text)),
+            Self::Count(count) => line.cell(&count.to_string()),
+            Self::Millimetres(length, decimals) => line.mm(*length, *decimals),
+            Self::Micrometres(length) => line.um(*length),
+            Self::Texts(texts) => line.cell(&cell(&texts.join("; "))),
         }
     }
+}
+
+/// A decimal number: a length has at most 16 figures, so the nearest float is written as the same one.
+fn number(text: &str) -> Json {
+    let whole = text.parse::<u64>().map(Number::from).ok();
+    whole.or_else(|| text.parse().ok().and_then(Number::from_f64)).map_or(Json::Null, Json::Number)
 }
 
 const HEADINGS: [&str; 9] =
@@ -202,7 +211,7 @@ fn cells(row: &Row) -> [String; 9] {
         deviation,
         row.status.map_or_else(|| "not judged".to_owned(), |status| format!("{status}{remove}")),
         row.position_word().unwrap_or_default().to_owned(),
-        row.source.clone().unwrap_or_default(),
+        row.source.as_deref().unwrap_or_default().to_owned(),
     ]
 }
 

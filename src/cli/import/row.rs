@@ -7,7 +7,7 @@ use crate::cli::judging::Judge;
 use crate::cli::{CliRemark, CliWarning};
 use crate::exchange::{ImportError, Item, Labels, Unjudged, WhyUnjudged};
 use crate::journal::Record;
-use crate::length::{Length, Unit};
+use crate::length::Length;
 use crate::message::Located;
 use crate::tolerance::{Deviations, Source};
 use crate::verdict::{PositionVerdict, Status};
@@ -18,7 +18,7 @@ pub(in crate::cli) type Column = (&'static str, fn(&Row) -> Value<'_>);
 /// The columns of the CSV and the names in JSON, in order. They must not change.
 pub(in crate::cli) const COLUMNS: [Column; 15] = [
     ("file", |row| Value::Text(&row.file)),
-    ("line", |row| row.line.map_or(Value::Nothing, |line| Value::Number(line.to_string()))),
+    ("line", |row| row.line.map_or(Value::Nothing, Value::Count)),
     ("id", |row| Value::Text(&row.id)),
     ("callout", |row| text(row.callout.as_deref())),
     ("nominal_mm", |row| mm(row.nominal, 0)),
@@ -38,18 +38,18 @@ fn text(text: Option<&str>) -> Value<'_> {
     text.map_or(Value::Nothing, Value::Text)
 }
 
-fn mm(length: Option<Length>, decimals: usize) -> Value<'static> {
-    length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Millimetre, decimals)))
+fn mm(length: Option<Length>, decimals: u8) -> Value<'static> {
+    length.map_or(Value::Nothing, |length| Value::Millimetres(length, decimals))
 }
 
 fn um(length: Option<Length>) -> Value<'static> {
-    length.map_or(Value::Nothing, |length| Value::Number(length.exact(Unit::Micrometre, 0)))
+    length.map_or(Value::Nothing, Value::Micrometres)
 }
 
 /// What is known of one row of a file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(in crate::cli) struct Row {
-    pub(in crate::cli) file: String,
+    pub(in crate::cli) file: Arc<str>,
     /// Its line; `None` where the file could not be read.
     pub(in crate::cli) line: Option<usize>,
     /// Where an error is in its line.
@@ -66,7 +66,7 @@ pub(in crate::cli) struct Row {
     /// To the nearest limit.
     pub(in crate::cli) remove: Option<Length>,
     pub(in crate::cli) position: Option<PositionVerdict>,
-    pub(in crate::cli) source: Option<String>,
+    pub(in crate::cli) source: Option<Arc<str>>,
     pub(in crate::cli) warnings: Vec<String>,
     pub(in crate::cli) error: Option<String>,
     /// What its file says of it besides its name.
@@ -80,10 +80,17 @@ pub(in crate::cli) struct Row {
 pub(in crate::cli) enum Value<'a> {
     Nothing,
     Text(&'a str),
-    /// An exact decimal number.
-    Number(String),
+    /// A whole number.
+    Count(usize),
+    /// Exactly, with at least so many decimals.
+    Millimetres(Length, u8),
+    /// Exactly.
+    Micrometres(Length),
     Texts(&'a [String]),
 }
+
+/// So many sources are remembered; others are put into words each time.
+const MOST_SOURCES: usize = 100;
 
 /// Makes the rows of a file from what is read from it.
 pub(in crate::cli) struct Rows<'a> {
@@ -91,9 +98,11 @@ pub(in crate::cli) struct Rows<'a> {
     /// Whether the check of a row is wanted even where it has no more to say than a control.
     wants_checks: bool,
     /// The path as the user gave it.
-    path: String,
+    path: Arc<str>,
     /// The name without its folder.
     name: Arc<str>,
+    /// Where limits came from so far, in words.
+    sources: Vec<(Source, Arc<str>)>,
     /// The line of the row that comes next, and the warnings about it.
     warnings: (usize, Vec<String>),
 }
@@ -101,7 +110,8 @@ pub(in crate::cli) struct Rows<'a> {
 impl<'a> Rows<'a> {
     pub(in crate::cli) fn of(path: &Path, judge: &'a Judge, wants_checks: bool) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy().as_ref().into();
-        Self { judge, wants_checks, path: path.display().to_string(), name, warnings: (0, Vec::new()) }
+        let path = path.display().to_string().into();
+        Self { judge, wants_checks, path, name, sources: Vec::new(), warnings: (0, Vec::new()) }
     }
 
     /// The row of what was read; none for a warning, which goes to the row that follows, and for contacts, which have
@@ -127,11 +137,11 @@ impl<'a> Rows<'a> {
             }
             Item::Contacts(_) => return None,
         };
-        row.file.clone_from(&self.path);
+        row.file = Arc::clone(&self.path);
         row.line = Some(line);
         // A coordinate's limits come from its log.
         if row.minimum.is_some() && row.source.is_none() {
-            row.source = Some(Source::File(Arc::clone(&self.name)).to_string());
+            row.source = Some(self.said(&Source::File(Arc::clone(&self.name))));
         }
         if self.warnings.0 == line {
             row.warnings.append(&mut self.warnings.1);
@@ -141,15 +151,28 @@ impl<'a> Rows<'a> {
 }
 
 impl Rows<'_> {
+    /// Where limits come from, in words. Rows of one file have few sources.
+    fn said(&mut self, source: &Source) -> Arc<str> {
+        if let Some((_, said)) = self.sources.iter().find(|(known, _)| known == source) {
+            return Arc::clone(said);
+        }
+        let said: Arc<str> = source.to_string().into();
+        if self.sources.len() < MOST_SOURCES {
+            self.sources.push((source.clone(), Arc::clone(&said)));
+        }
+        said
+    }
+
     /// The row of a record, as the judge of this import says.
-    fn record(&self, record: Box<Record>) -> Row {
+    fn record(&mut self, record: Box<Record>) -> Row {
+        let source = Some(self.said(&record.limits.source));
         if self.judge.is_plain() {
-            let row = Row::of(&record);
+            let row = Row { source, ..Row::of(&record) };
             return Row { judged: self.wants_checks.then(|| Arc::from(record)), ..row };
         }
         let (id, measured) = (record.id.clone(), record.measurement.diameter);
         match self.judge.judged(*record) {
-            Ok(record) => Row { judged: Some(Arc::new(record.clone())), ..Row::of(&record) },
+            Ok(record) => Row { judged: Some(Arc::new(record.clone())), source, ..Row::of(&record) },
             Err(error) => Row { id, measured: Some(measured), error: Some(error.to_string()), ..Row::default() },
         }
     }
@@ -180,7 +203,6 @@ impl Row {
             status: Some(size.status),
             remove: size.removal.map(|removal| removal.to_limit),
             position: record.verdict.position,
-            source: Some(limits.source.to_string()),
             warnings,
             ..Self::default()
         }
@@ -238,7 +260,7 @@ impl Row {
 
     /// The row for a file that could not be read at all.
     pub(in crate::cli) fn of_file(path: &Path, error: String) -> Self {
-        Self { file: path.display().to_string(), error: Some(error), ..Self::default() }
+        Self { file: path.display().to_string().into(), error: Some(error), ..Self::default() }
     }
 
     /// The part's status: also scrap where its centre is out of position.

@@ -10,6 +10,7 @@ use super::{
     CliError, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, heard_or_not, save_with, server,
 };
 use crate::cli::args::one_of;
+use crate::cli::progress::{Size, Work, stopped};
 use crate::cli::record::Place;
 use crate::journal::chain::ChainId;
 use crate::message::{Message, Say as _};
@@ -70,12 +71,24 @@ impl Args {
             }
             Place::Server(address) => Source::Server(Box::new(server::pages(&address, question, io)?)),
         };
-        let mut export = Export { from: &from, failed: None, unread: Vec::new() };
+        let size = match &from {
+            Source::Journal { numbers, .. } => u64::try_from(numbers.len()).map_or(Size::Open, Size::Rows),
+            Source::Server(_) => Size::Open,
+        };
+        let work = Work::of(
+            &self.output.as_ref().map_or_else(|| "journal".to_owned(), |path| path.display().to_string()),
+            size,
+        );
+        io.watch(&work);
+        let mut export = Export { from: &from, work: &work, failed: None, unread: Vec::new() };
         let written = if let Some(path) = &self.output {
             save_with(path, &mut |out| export.write(self.format, out), io)
         } else {
             heard_or_not(export.write(self.format, io.data()))
         };
+        if work.is_stopped() {
+            return Err(CliError::Stopped { rows: work.rows() });
+        }
         // The journal's own words come first: its error only passes through the file's.
         if let Some(failed) = &export.failed {
             return Err(CliError::Said(failed.clone()));
@@ -115,6 +128,7 @@ impl Source {
 
 struct Export<'a> {
     from: &'a Source,
+    work: &'a Work,
     /// Why the journal could not be read to its end.
     failed: Option<Message>,
     /// Entries that this version cannot read.
@@ -123,12 +137,16 @@ struct Export<'a> {
 
 impl Export<'_> {
     fn write(&mut self, format: &str, out: &mut dyn Write) -> std::io::Result<()> {
-        let Self { from, failed, unread } = self;
+        let Self { from, work, failed, unread } = self;
         let is_csv = format == "csv";
         if is_csv {
             csv::line(header(), out)?;
         }
         let read = from.each(&mut |chain, row| {
+            if work.is_stopped() {
+                return Err(stopped());
+            }
+            work.row();
             if is_csv {
                 csv::line(row::line(&row), out)?;
             } else {

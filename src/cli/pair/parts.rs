@@ -1,11 +1,13 @@
 //! The measured parts of a file; everything about it that has to be said goes to standard error.
 
+use std::io::Cursor;
 use std::path::Path;
 
 use crate::cli::CliError;
 use crate::cli::io::{Io, read_input};
+use crate::cli::progress::{Watched, Work};
 use crate::cli::said::warning;
-use crate::exchange::{ImportError, sizes};
+use crate::exchange::{ImportError, sizes_from};
 use crate::message::Located;
 use crate::report::pairing::{Note, Parts};
 use crate::tolerance::Feature;
@@ -14,7 +16,15 @@ use crate::tolerance::Feature;
 pub(in crate::cli) fn read_parts(path: &Path, feature: Feature, io: &mut Io<'_>) -> Result<Parts, CliError> {
     let (name, bytes) = read_input(path, io)?;
     let file = if path.as_os_str() == "-" { name.clone() } else { path.display().to_string() };
-    let parts = Parts::of_file(file, sizes(&name, &bytes, feature));
+    let work = Work::on(&name, u64::try_from(bytes.len()).ok());
+    io.watch(&work);
+    let mut body = Cursor::new(bytes.as_slice());
+    let sizes = sizes_from(&name, &mut Watched::new(&mut body, &work), feature, &mut || work.row());
+    if work.is_stopped() {
+        return Err(CliError::Stopped { rows: work.rows() });
+    }
+    drop(work);
+    let parts = Parts::of_file(file, sizes);
     for note in &parts.notes {
         tell(&parts, note, io);
     }

@@ -12,6 +12,7 @@ use super::marks::{Fate, Part};
 use super::row::Row;
 use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::imported::{Imported, Sink, WhyUnjudged};
+use crate::exchange::lookup::Lookup;
 use crate::exchange::rules::Rules;
 use crate::exchange::source::Context;
 use crate::exchange::{cells, measurements};
@@ -92,6 +93,7 @@ impl Picker<'_> {
             columns: &court.layout().columns,
             has_commas: court.layout().has_commas(),
             sources: court.sources(),
+            lookup: None,
         };
         match rules.read(cells) {
             Err((_, reason)) => reason.message(),
@@ -138,7 +140,7 @@ impl Picked {
     /// What an import makes of this row: a record, or why there is none.
     pub fn imported(&self, layout: &Layout, file: &str, sources: &Sources, now: DateTime) -> Imported {
         let mut imported = Imported::default();
-        let source = Context { file: Arc::from(file), sources, now };
+        let source = Context { file: Arc::from(file), sources, now, lookup: Lookup::default() };
         let cells: StringRecord = self.cells.iter().collect();
         let mut keep = |item| imported.keep(item);
         let columns = (&layout.columns, layout.separator);

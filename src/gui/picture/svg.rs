@@ -5,9 +5,9 @@ use std::sync::Arc;
 use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Group, ImageHrefResolver, Node, Options, Tree};
 
-use super::{LONGEST, broken, check_size};
+use super::{Dots, LONGEST};
 use crate::message::Message;
-use crate::session::parts::PartPicture;
+use crate::report::image::{broken, check_dots};
 
 /// The most shapes, each counted as often as it is drawn.
 const MOST_SHAPES: usize = 200_000;
@@ -23,7 +23,7 @@ const LARGEST_TILE: f32 = 1_000.0;
 const MOST_COVERS: f32 = 1_000.0;
 
 /// SVG: shapes and texts, in the size in which they are shown. Other files and pictures within it are left out.
-pub(super) fn shapes(name: &str, bytes: &[u8]) -> Result<PartPicture, Message> {
+pub(super) fn shapes(name: &str, bytes: &[u8]) -> Result<Dots, Message> {
     let mut options = Options {
         resources_dir: None,
         image_href_resolver: ImageHrefResolver {
@@ -52,7 +52,7 @@ pub(super) fn shapes(name: &str, bytes: &[u8]) -> Result<PartPicture, Message> {
     } else {
         size.scale_to_width(LONGEST).unwrap_or(size)
     };
-    check_size(name, scaled.width(), scaled.height())?;
+    check_dots(name, (scaled.width(), scaled.height()))?;
     let (x, y) = (ratio(scaled.width(), tree.size().width()), ratio(scaled.height(), tree.size().height()));
     let mut map = Pixmap::new(scaled.width(), scaled.height()).ok_or_else(|| broken(name, &"0 × 0"))?;
     resvg::render(&tree, Transform::from_scale(x, y), &mut map.as_mut());
@@ -60,11 +60,8 @@ pub(super) fn shapes(name: &str, bytes: &[u8]) -> Result<PartPicture, Message> {
         let dot = dot.demultiply();
         [dot.red(), dot.green(), dot.blue(), dot.alpha()]
     });
-    let dots = dots.collect();
-    Ok(PartPicture {
-        size: [scaled.width(), scaled.height()].map(|side| usize::try_from(side).unwrap_or_default()),
-        dots,
-    })
+    let size = [scaled.width(), scaled.height()].map(|side| usize::try_from(side).unwrap_or_default());
+    Ok((size, dots.collect()))
 }
 
 /// How much larger something is drawn.

@@ -147,7 +147,7 @@ fn csv(answer: &Answer, out: &mut dyn Write) -> Result<()> {
         .chain(figures.groups.into_iter().flatten().map(|group| Row { group: Some(group), ..of("group") }))
         .chain(figures.refused.into_iter().map(|row| Row { refused: Some(row), ..of("refused") }));
     for row in rows {
-        writer.write_record(columns::cells(&Row::COLUMNS, &row).map(|text| cell(&text)))?;
+        writer.write_record(columns::cells(&Row::COLUMNS, &row).map(|text| cell(&text).into_owned()))?;
     }
     writer.flush()
 }

@@ -365,6 +365,10 @@ actions! {
     CopyRecords;
     /// Writes the chosen records in a format of the report's list, by its number there.
     ReportRecords(usize): 0..RENDERINGS.len();
+    /// Writes the part that is being measured in a format of the report's list, by its number there.
+    ReportPart(usize): 0..RENDERINGS.len();
+    /// Stops reading or writing the file that is at work.
+    StopWorking;
     /// Goes back to the list.
     CloseRecord;
     /// Takes what the record asked for to the check page.

@@ -64,7 +64,7 @@ impl Action {
             Self::Export(number) => {
                 RENDERINGS.get(number).map(|to| words.get(&format!("export-{}", to.name))).unwrap_or_default()
             }
-            Self::ReportRecords(number) => {
+            Self::ReportRecords(number) | Self::ReportPart(number) => {
                 RENDERINGS.get(number).map(|to| words.get(&format!("export-{}", to.name))).unwrap_or_default()
             }
             Self::SavePairs(number) => PAIR_FORMATS

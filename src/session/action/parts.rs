@@ -227,6 +227,10 @@ pub(super) fn import() -> Row {
     of_walk("walk-page-import", Command::OpenDialog(Purpose::ImportValues))
 }
 
+pub(super) fn report(number: usize) -> Row {
+    of_walk("walk-page-report", Command::OpenDialog(Purpose::ReportPart(number)))
+}
+
 pub(super) fn watch() -> Row {
     let row = of_walk("walk-page-watch", Command::OpenDialog(Purpose::WatchFolder)).hint("walk-page-watch-hint");
     row.when(|session| {

@@ -403,6 +403,10 @@ pub(super) fn row(action: Action) -> Row {
         Action::WithSimulated => records::with_simulated(),
         Action::CopyRecords => records::copy(),
         Action::ReportRecords(number) => records::report(number),
+        Action::ReportPart(number) => parts::report(number),
+        Action::StopWorking => {
+            everywhere("working-stop", FilesCommand::StopWorking.into()).when(|session| session.working().is_some())
+        }
         Action::CloseRecord => records::close(),
         Action::MeasureAgain => records::measure_again(),
         Action::CorrectRecord => records::correct(),

@@ -5,6 +5,7 @@ use std::path::PathBuf;
 use crate::files::{FileError, Listing};
 use crate::message::Message;
 use crate::session::command::Purpose;
+use crate::session::files::Working;
 use crate::session::step::Step;
 
 /// Something about files.
@@ -54,6 +55,10 @@ pub enum FilesCommand {
     Launch(Launch),
     /// A program was started, or not.
     Launched(Result<(), Message>),
+    /// How far the file is that is being read or written; nothing once it is done.
+    Working(Option<Box<Working>>),
+    /// Stops reading or writing it.
+    StopWorking,
 }
 
 /// What came of reading a file.

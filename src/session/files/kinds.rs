@@ -60,7 +60,7 @@ impl Purpose {
             Self::WatchFolder => "watched",
             Self::LoadMask => "mask",
             Self::LoadTables => "own-tables",
-            Self::Export(_) | Self::ReportRecords(_) => "report",
+            Self::Export(_) | Self::ReportRecords(_) | Self::ReportPart(_) => "report",
             Self::ExportStatus => "status",
             Self::OpenTable | Self::SaveTable(_) => "table",
             Self::OpenCycleFile(CycleFile::Contacts) => "contacts",
@@ -97,7 +97,7 @@ impl Purpose {
             }
             Self::LoadMask => vec!["a"],
             Self::LoadTables | Self::OpenTable => vec!["tab"],
-            Self::Export(number) | Self::ReportRecords(number) => {
+            Self::Export(number) | Self::ReportRecords(number) | Self::ReportPart(number) => {
                 RENDERINGS.get(number).map(|format| format.endings.to_vec()).unwrap_or_default()
             }
             Self::SaveTable(number) => {

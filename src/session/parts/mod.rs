@@ -10,6 +10,7 @@
 //! | `measuring`, `judging`, `serials` | what is done on the walk; a value becomes a check; serial numbers are counted up |
 //! | `arriving`, `watched` | values from files; a folder that is watched |
 //! | `resume` | an interrupted part comes back |
+//! | `reporting` | the part as a report |
 //! | `field`, `command`, `apply` | its text fields, what can be done, and how |
 
 mod apply;
@@ -22,6 +23,7 @@ mod judging;
 mod measuring;
 mod paste;
 mod picture;
+mod reporting;
 mod resume;
 mod serials;
 mod sheet;

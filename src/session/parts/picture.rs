@@ -2,12 +2,13 @@
 
 use std::collections::BTreeMap;
 use std::fmt;
-use std::path::{Component, Path, PathBuf};
+use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::PartsPage;
 use crate::message::Message;
-use crate::part::{Column, HeadField, Plan, Size, Step as SizeStep};
+use crate::part::{Column, FeatureStanding, HeadField, Plan, Step as SizeStep, standings};
+use crate::report::image::{Image, is_plain_name};
 use crate::verdict::Status;
 
 /// How far an arrow key moves a balloon: a two-hundredth of the picture.
@@ -20,6 +21,8 @@ pub struct PartPicture {
     pub size: [usize; 2],
     /// Red, green, blue and opacity of every dot, from the top left.
     pub dots: Vec<u8>,
+    /// Its file, for reports.
+    pub file: Image,
 }
 
 impl fmt::Debug for PartPicture {
@@ -92,7 +95,7 @@ impl PartsPage {
     pub(super) fn ask_for_picture(&mut self) -> Option<PathBuf> {
         let wanted = match self.document.draft().text(HeadField::Picture) {
             None => Ok(None),
-            Some(name) if !is_plain(name) => Err(Message::new("parts-page-picture-folder").text("given", name)),
+            Some(name) if !is_plain_name(name) => Err(Message::new("parts-page-picture-folder").text("given", name)),
             Some(name) => {
                 let folder = self.document.path().map(|path| path.parent().unwrap_or(Path::new("")).to_owned());
                 let folder = folder.or_else(|| self.shown.folder.clone());
@@ -180,21 +183,18 @@ impl PartsPage {
 /// What the walk knows of a feature.
 struct Known {
     name: String,
-    first: usize,
-    status: Option<Status>,
-    is_simulated: bool,
-    is_skipped: bool,
+    standing: FeatureStanding,
     is_next: bool,
 }
 
 impl Known {
     fn balloon(&self, row: usize, label: &str) -> Balloon {
         Balloon {
-            status: self.status,
-            is_simulated: self.is_simulated,
-            is_skipped: self.is_skipped,
+            status: self.standing.status,
+            is_simulated: self.standing.is_simulated,
+            is_skipped: self.standing.is_skipped,
             is_next: self.is_next,
-            first: Some(self.first),
+            first: Some(self.standing.first),
             ..Balloon::open(row, label.to_owned(), self.name.clone())
         }
     }
@@ -221,40 +221,10 @@ impl Balloon {
 }
 
 fn known(plan: &Plan, steps: &[SizeStep], next: Option<usize>) -> Vec<Known> {
-    let sizes: Vec<Size<'_>> = plan.sizes().collect();
-    let mut all: Vec<Known> = Vec::new();
-    let mut is_whole = true;
-    for (place, (size, step)) in sizes.iter().zip(steps).enumerate() {
-        if size.side == 0 {
-            is_whole = true;
-            let name = size.feature.name.clone();
-            all.push(Known {
-                name,
-                first: place,
-                status: None,
-                is_simulated: false,
-                is_skipped: false,
-                is_next: false,
-            });
-        }
-        let Some(last) = all.last_mut() else { continue };
-        let counts = step.counts();
-        is_whole &= counts.is_some();
-        last.status = last.status.max(counts.map(|taken| taken.status));
-        last.is_simulated |= counts.is_some_and(|taken| taken.is_simulated);
-        last.is_skipped |= counts.is_none() && step.skipped.is_some();
-        last.is_next |= next == Some(place);
-        let is_last = sizes.get(place + 1).is_none_or(|size| size.side == 0);
-        // Good is said of a feature of which every side was measured.
-        if is_last && !is_whole {
-            last.status = last.status.filter(|status| *status != Status::Good);
-        }
-    }
-    all
-}
-
-/// Whether a text is the name of a file without a folder.
-fn is_plain(name: &str) -> bool {
-    let mut parts = Path::new(name).components();
-    matches!((parts.next(), parts.next()), (Some(Component::Normal(_)), None)) && !name.contains(['/', '\\', ':'])
+    let features = plan.features().iter().zip(standings(plan, steps));
+    let known = features.map(|(feature, standing)| {
+        let places = standing.first..standing.first + feature.limits.len();
+        Known { name: feature.name.clone(), standing, is_next: next.is_some_and(|next| places.contains(&next)) }
+    });
+    known.collect()
 }

@@ -196,8 +196,7 @@ impl Walking {
 
     /// The verdict of the part as a card may say it: nothing is good while something is missing, left out or simulated.
     pub fn status(&self) -> Option<Status> {
-        let standing = self.standing();
-        standing.status().filter(|status| *status != Status::Good || standing.is_complete())
+        self.standing().said()
     }
 
     /// The position of a size by its name.

@@ -46,7 +46,7 @@ pub use reading::halves;
 use super::class::{Feature, ToleranceClass};
 use super::iso2768::GeneralClass;
 use super::limits::Deviations;
-use crate::length::Length;
+use crate::length::{Length, Unit};
 use crate::message::{Arg, IntoArg};
 
 /// A nominal size above zero and its tolerance; the minimum limit that it states is also above zero.
@@ -244,6 +244,11 @@ impl fmt::Display for Callout {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let nominal = self.nominal;
         f.pad(&match self.tolerance {
+            // The usual one, as it is usually asked for.
+            Tolerance::Class(class) if f.width().is_none() && f.precision().is_none() => {
+                f.write_str(&nominal.exact(Unit::Millimetre, 0))?;
+                return write!(f, " {class}");
+            }
             Tolerance::Class(class) => format!("{nominal} {class}"),
             Tolerance::Fit { hole, shaft } => format!("{nominal} {hole}/{shaft}"),
             Tolerance::General(class) => format!("{nominal}{class}"),

@@ -33,7 +33,7 @@ fn um(um: i32) -> Length {
 fn limits(callout: &str, upper: i32, lower: i32) -> Limits {
     let callout: Callout = callout.parse().unwrap();
     let (over, to) = (um(18_000), um(30_000));
-    let said = Message::new("source-iso286").with("over", &over).with("to", &to);
+    let said = Message::new("source-iso286").with("over", &over).with("to", &to).into();
     let source = Source::Standard { over, to, said, doubt: None };
     let deviations = Deviations::new(um(upper), um(lower)).unwrap();
     Limits::new(callout.feature().unwrap(), callout.nominal(), deviations, source).unwrap()

@@ -7,6 +7,7 @@ use crate::gui::theme::{control, space};
 use crate::gui::verdict_card::{Card, card_ui, chip_ui, lines_below_ui, status_id};
 use crate::gui::view::{View, doubt_text, heading, problem, quiet};
 use crate::message::{Message, Say as _};
+use crate::report::RENDERINGS;
 use crate::session::parts::{Value, Walking};
 use crate::session::{Action, Keeping, Recorded};
 
@@ -55,7 +56,7 @@ fn card(view: &View<'_>, walking: &Walking) -> Card {
 }
 
 /// By which rule, what a gauge said besides, and the part as a whole.
-pub(super) fn answer_ui(ui: &mut Ui, view: &View<'_>) {
+pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let walking = session.parts().walking();
     if walking.question().is_none() {
@@ -81,7 +82,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &View<'_>) {
 }
 
 /// What the values make of the part: good is said of a part that is complete alone.
-fn standing_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
+fn standing_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
     let standing = walking.standing();
     heading(ui, view.text("walk-page-part-status"));
     match walking.status() {
@@ -92,6 +93,11 @@ fn standing_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
     if 0 < standing.simulated {
         problem(ui, view.words.say(&Message::new("walk-page-simulated").count("count", standing.simulated)));
     }
+    ui.menu_button(view.text("walk-page-report"), |ui| {
+        for number in 0..RENDERINGS.len() {
+            view.menu_item(ui, Action::ReportPart(number));
+        }
+    });
     if 0 < standing.missing {
         let named: Vec<&str> = walking.open().take(NAMED).collect();
         let more = if named.len() < standing.missing { " …" } else { "" };

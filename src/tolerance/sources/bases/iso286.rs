@@ -1,5 +1,7 @@
 //! ISO 286 as a source of limits.
 
+use std::sync::Arc;
+
 use super::{Declaration, Standard};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
@@ -28,5 +30,6 @@ fn deviations(class: ToleranceClass, nominal: Length, options: Options) -> Resul
         Some(remark) => Message::new("source-iso286-remark").with("remark", &remark),
     };
     let doubt = remark.filter(|remark| remark.is_doubt()).map(|remark| remark.message());
-    Ok((deviations, Source::Standard { over, to, said: said.with("over", &over).with("to", &to), doubt }))
+    let said = Arc::new(said.with("over", &over).with("to", &to));
+    Ok((deviations, Source::Standard { over, to, said, doubt }))
 }

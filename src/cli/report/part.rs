@@ -1,0 +1,98 @@
+//! `--plan`: the whole parts that values of files belong to.
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::Path;
+use std::sync::Arc;
+
+use super::super::{CliError, CliWarning, Io};
+use crate::exchange::Labels;
+use crate::files;
+use crate::journal::Record;
+use crate::message::{Message, Say as _};
+use crate::part::Plan;
+use crate::report::image::{Image, is_plain_name};
+use crate::report::part::PartSheet;
+use crate::tolerance::Sources;
+
+/// The most parts that a report shows as a whole.
+const MOST: usize = 20;
+
+/// Name and serial number, as the files have them.
+type Key = (String, String);
+
+/// What is known of the parts of a report.
+#[derive(Debug)]
+pub(super) struct Parts {
+    pub(super) plan: Arc<Plan>,
+    picture: Option<Result<Image, Message>>,
+    /// The place of each size, by its name.
+    places: BTreeMap<String, usize>,
+    sheets: Vec<(Key, PartSheet)>,
+    /// Those that are not shown as a whole.
+    others: BTreeSet<Key>,
+}
+
+impl Parts {
+    /// By a plan, with the picture beside it.
+    pub(super) fn read(path: &Path, sources: &Sources, io: &mut Io<'_>) -> Result<Self, CliError> {
+        let plan = Arc::new(super::super::plan::read_plan(path, sources, io)?);
+        let name = Some(plan.head.picture.as_str()).filter(|name| !name.is_empty());
+        let picture = name.map(|name| image(path, name));
+        let places = plan.sizes().map(|size| size.name()).zip(0..).collect();
+        Ok(Self { plan, picture, places, sheets: Vec::new(), others: BTreeSet::new() })
+    }
+
+    /// A value of a part.
+    pub(super) fn see(&mut self, record: &Record, labels: &Labels) {
+        let Some(at) = self.places.get(&record.id).copied() else { return };
+        let key = (labels.part.clone(), labels.serial.clone());
+        if let Some((_, sheet)) = self.sheets.iter_mut().find(|(known, _)| *known == key) {
+            return sheet.take(at, Arc::new(record.clone()));
+        }
+        if MOST <= self.sheets.len() {
+            self.others.insert(key);
+            return;
+        }
+        let mut sheet = PartSheet::new(&self.plan, &labels.serial);
+        sheet.picture.clone_from(&self.picture);
+        sheet.take(at, Arc::new(record.clone()));
+        self.sheets.push((key, sheet));
+    }
+
+    /// Why the picture is not shown.
+    pub(super) fn unseen(&self) -> Option<&Message> {
+        self.picture.as_ref().and_then(|picture| picture.as_ref().err())
+    }
+
+    /// The parts; whether all of them are complete, and a note where there are more. What is missing is told.
+    pub(super) fn end(self, io: &mut Io<'_>) -> (Vec<PartSheet>, bool, Option<Message>) {
+        let mut is_complete = self.others.is_empty();
+        let is_one = self.sheets.len() == 1 && self.others.is_empty();
+        for ((part, serial), sheet) in &self.sheets {
+            let missing = sheet.missing();
+            if missing.is_empty() {
+                continue;
+            }
+            is_complete = false;
+            let names = missing.join(", ");
+            let who: Vec<&str> = [part.as_str(), serial].into_iter().filter(|text| !text.is_empty()).collect();
+            if is_one || who.is_empty() {
+                io.warn(&CliWarning::PlanMissing { names });
+            } else {
+                io.warn(&CliWarning::PlanMissingOf { who: who.join(" "), names });
+            }
+        }
+        let more = self.others.len();
+        let note = (0 < more).then(|| Message::new("report-more-parts").count("count", more).count("most", MOST));
+        (self.sheets.into_iter().map(|(_, sheet)| sheet).collect(), is_complete, note)
+    }
+}
+
+/// The picture beside a plan.
+fn image(plan: &Path, name: &str) -> Result<Image, Message> {
+    if !is_plain_name(name) {
+        return Err(Message::new("parts-page-picture-folder").text("given", name));
+    }
+    let bytes = files::read_file(&plan.with_file_name(name)).map_err(|error| error.message())?;
+    Image::read(name, &bytes)
+}

@@ -1,0 +1,179 @@
+//! The checks of files and options: what a first look finds, and every look after it.
+
+use std::io;
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use jiff::civil::DateTime;
+
+use super::super::judging::{Judge, Warned};
+use super::super::measured::Measured;
+use super::super::progress::{Watched, Work, stopped};
+use super::super::{CliError, Io};
+use super::part::Parts;
+use crate::exchange::{self, ByPlan, Item, import_from};
+use crate::files::{self, FileError};
+use crate::journal::Record;
+use crate::message::{Message, Say as _};
+use crate::part::Plan;
+use crate::report::Checks;
+use crate::report::csv::More;
+use crate::report::part::PartSheet;
+use crate::tolerance::Sources;
+use crate::verdict::Status;
+
+/// The most notes on a report; all of them are on standard error.
+const MOST_NOTES: usize = 1_000;
+
+/// The checks of files and options. The files are read again for every look at the checks, so that they may be of any size.
+#[derive(Debug)]
+pub(super) struct Given {
+    pub(super) files: Vec<(PathBuf, Measured, Work)>,
+    /// From options.
+    pub(super) typed: Vec<Record>,
+    pub(super) sources: Sources,
+    pub(super) now: DateTime,
+    pub(super) judge: Judge,
+    pub(super) plan: Option<Arc<Plan>>,
+}
+
+impl Given {
+    fn read(&self, (path, file, work): (&Path, &Measured, &Work), take: &mut dyn FnMut(Item)) {
+        let beside = |ending: &str| files::beside(path, ending);
+        let given = exchange::Given { beside: &beside, ..exchange::Given::new(&self.sources, self.now) };
+        let mut by_plan = self.plan.as_deref().map(ByPlan::new);
+        let mut take = |item: Item| {
+            // What comes after the wish to stop is what it broke.
+            if work.is_stopped() {
+                return;
+            }
+            if item.is_row() {
+                work.row();
+            }
+            match &mut by_plan {
+                Some(by_plan) => by_plan.item(item, take),
+                None => take(item),
+            }
+        };
+        file.read(|body| import_from(&name(path), &mut Watched::new(body, work), given, &mut take));
+    }
+
+    /// How many rows were done, where Ctrl+C ended it.
+    pub(super) fn stopped(&self) -> Option<CliError> {
+        let is_stopped = self.files.iter().any(|(.., work)| work.is_stopped());
+        is_stopped.then(|| CliError::Stopped { rows: self.files.iter().map(|(.., work)| work.rows()).sum() })
+    }
+}
+
+/// The name of a file without its folder.
+pub(super) fn name(path: &Path) -> String {
+    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+}
+
+impl Checks for Given {
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
+        for (path, file, work) in &self.files {
+            let mut seen = Ok(());
+            work.again(&name(path));
+            self.read((path, file, work), &mut |item| {
+                // What cannot be judged was noted at the first look.
+                if seen.is_ok()
+                    && let Item::Record { record, .. } = item
+                    && let Ok(record) = self.judge.judged(*record)
+                {
+                    seen = see(&record);
+                }
+            });
+            seen?;
+            if work.is_stopped() {
+                return Err(stopped());
+            }
+            work.line().end();
+            if !file.is_unchanged() {
+                return Err(io::Error::other(FileError::Changed { path: path.clone() }.to_string()));
+            }
+        }
+        self.typed.iter().try_for_each(see)
+    }
+
+    /// One way judges all of them.
+    fn more(&self) -> io::Result<More> {
+        Ok(self.judge.more())
+    }
+}
+
+/// What a first look at the checks finds, and what did not become a check.
+#[derive(Debug, Default)]
+pub(super) struct Collected {
+    pub(super) worst: Option<Status>,
+    pub(super) notes: Vec<Message>,
+    more_notes: usize,
+    pub(super) bad: bool,
+    warned: Warned,
+    /// The whole parts, with a plan.
+    pub(super) parts: Option<Parts>,
+}
+
+impl Collected {
+    /// Looks at a file of measurements.
+    pub(super) fn file(&mut self, (path, file, work): (&Path, &Measured, &Work), given: &Given, io: &mut Io<'_>) {
+        let name = &name(path);
+        let line = |line: usize| Message::new("report-note-line").text("place", name).text("line", line);
+        given.read((path, file, work), &mut |item| match item {
+            Item::Record { record, line: at, labels } => match given.judge.judged(*record) {
+                Ok(record) => {
+                    self.see(&record, io);
+                    self.parts.iter_mut().for_each(|parts| parts.see(&record, &labels));
+                }
+                Err(error) => self.refuse(line(at), error.message(), io),
+            },
+            Item::Unjudged(unjudged) => self.refuse(line(unjudged.line), unjudged.why.message(), io),
+            Item::Error(error) => self.refuse(Message::new("report-note").text("place", name), error.message(), io),
+            Item::Warning(warning) => {
+                self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io);
+            }
+            Item::Contacts(_) => {}
+        });
+    }
+
+    /// The whole parts, and the name of the part that the plan is of. What keeps them from being complete is told.
+    pub(super) fn end_parts(&mut self, io: &mut Io<'_>) -> (Vec<PartSheet>, Option<String>) {
+        let Some(parts) = self.parts.take() else { return (Vec::new(), None) };
+        if let Some(why) = parts.unseen() {
+            io.warn(why);
+        }
+        let name = Some(parts.plan.head.part.clone()).filter(|name| !name.is_empty());
+        let (sheets, is_complete, more) = parts.end(io);
+        self.bad |= !is_complete;
+        self.notes.extend(more);
+        (sheets, name)
+    }
+
+    pub(super) fn see(&mut self, record: &Record, io: &mut Io<'_>) {
+        self.warned.see(record, io);
+        self.worst = self.worst.max(Some(record.verdict.status()));
+    }
+
+    /// The notes of the report; the last one says how many more there are.
+    pub(super) fn notes(self) -> Vec<Message> {
+        let more = (0 < self.more_notes).then(|| Message::new("report-note-more").count("count", self.more_notes));
+        self.notes.into_iter().chain(more).collect()
+    }
+
+    /// Notes what is not a check, so that nobody takes the report for complete.
+    pub(super) fn refuse(&mut self, place: Message, what: Message, io: &mut Io<'_>) {
+        self.bad = true;
+        self.note(place, what, io);
+    }
+
+    /// Puts a sentence on the report, and in English on standard error.
+    fn note(&mut self, place: Message, what: Message, io: &mut Io<'_>) {
+        let note = place.message("what", what);
+        io.fail(&note);
+        if self.notes.len() < MOST_NOTES {
+            self.notes.push(note);
+        } else {
+            self.more_notes += 1;
+        }
+    }
+}
