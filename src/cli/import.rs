@@ -147,8 +147,8 @@ impl Args {
             match Measured::open(path) {
                 Ok(file) => {
                     let beside = |ending: &str| files::beside(path, ending);
-                    let (masks, mapping) = (masks.as_slice(), mapping.as_ref());
-                    let given = Given { beside: &beside, masks, mapping, most_rows, ..Given::new(&sources, now) };
+                    let (masks, mapping, has_plan) = (masks.as_slice(), mapping.as_ref(), plan.is_some());
+                    let given = Given { beside: &beside, masks, mapping, most_rows, has_plan, ..Given::new(&sources, now) };
                     import.file(path, &file, given, io)?;
                 }
                 Err(error) => {

@@ -12,9 +12,11 @@ use jiff::civil::DateTime;
 
 use super::journal::{Desk, Records};
 use super::picture;
-use super::reading::{is_read, read};
+use super::measurements;
+use super::reading::{Found, With, is_read, read};
 use super::rows::Runs;
 use super::watching::{Watch, Watching};
+use crate::exchange::Remembered;
 use crate::exchange::batch::Part;
 use crate::files;
 use crate::message::Message;
@@ -33,6 +35,16 @@ pub enum Errands {
     OnThread,
     /// At once: for tests. File dialogs answer that nothing was picked, and no program is started.
     AtOnce,
+}
+
+/// What effects need besides themselves, as it is when they are sent.
+#[derive(Clone, Copy)]
+pub(super) struct Beside<'a> {
+    pub sources: &'a Arc<Sources>,
+    /// The columns of files as they were corrected.
+    pub columns: &'a Arc<Remembered>,
+    pub words: &'a Words,
+    pub now: DateTime,
 }
 
 /// Something to do outside.
@@ -94,7 +106,8 @@ impl Runner {
     }
 
     /// Runs an effect; the frame itself does the clipboard.
-    pub fn run(&self, ctx: &Context, effect: Effect, (sources, words): (&Arc<Sources>, &Words), now: DateTime) {
+    pub fn run(&self, ctx: &Context, effect: Effect, beside: &Beside<'_>) {
+        let Beside { sources, columns, words, now } = *beside;
         let Some(effect) = self.desk.run(ctx, effect) else { return };
         let effect = match effect {
             Effect::Copy(text) => return ctx.copy_text(text),
@@ -114,7 +127,8 @@ impl Runner {
             Effect::StopWatch => return self.watching.stop(),
             effect => effect,
         };
-        let (sender, ctx, sources) = (self.sender.clone(), ctx.clone(), Arc::clone(sources));
+        let (sender, ctx, sources, columns) =
+            (self.sender.clone(), ctx.clone(), Arc::clone(sources), Arc::clone(columns));
         let (errands, filters) = (self.errands, Filters::of(effect.errand(), words));
         let may_wait = match effect.errand() {
             // A large picture takes a while.
@@ -128,7 +142,7 @@ impl Runner {
             _ => false,
         };
         let errand: Errand = Box::new(move || {
-            for command in answers(effect, (errands, filters), &sources, now) {
+            for command in answers(effect, (errands, filters), With { sources: &sources, columns: &columns, now }) {
                 // A closed window hears no answer; that is not an error.
                 let _closed = sender.send(command);
             }
@@ -192,12 +206,11 @@ impl Filters {
 fn answers(
     effect: Effect,
     (errands, filters): (Errands, Option<Filters>),
-    sources: &Sources,
-    now: DateTime,
+    with: With<'_>,
 ) -> Vec<Command> {
     match effect {
         Effect::ForDialog(dialog, errand) => {
-            let answers = answers(*errand, (errands, filters), sources, now).into_iter();
+            let answers = answers(*errand, (errands, filters), with).into_iter();
             answers.map(|answer| Command::Answered(dialog, Box::new(answer))).collect()
         }
         Effect::Browse { purpose, folder, name } => {
@@ -213,19 +226,12 @@ fn answers(
             vec![FilesCommand::IsFolder(path).into()]
         }
         Effect::Read(purpose, path) => {
-            let (command, sha256) = read(purpose, path.clone(), sources, now);
-            let fate = match &command {
-                _ if matches!(path.try_exists(), Ok(false)) => Fate::Gone,
-                command if is_read(command) => Fate::Read,
-                _ => Fate::Refused,
-            };
-            // A file is remembered as what it is.
-            let is_part = matches!(command, Command::Workpiece(WorkpieceCommand::PartRead { .. }));
-            let purpose = if is_part { Purpose::OpenPart } else { purpose };
-            let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-            let measured = sha256.map(|sha256| RecordsCommand::Measured { name, sha256 }.into());
-            let seen = FilesCommand::Seen { purpose, path, fate }.into();
-            std::iter::once(seen).chain(measured).chain([command]).collect()
+            let read = read(purpose, path.clone(), with);
+            seen(purpose, path, read)
+        }
+        Effect::ReadColumns { into, path, mapping } => {
+            let read = measurements::read(into, path.clone(), Some(&mapping), with);
+            seen(into.purpose(), path, read)
         }
         Effect::Save(path, content) => save(path, &content, false),
         Effect::Replace(path, content) => save(path, &content, true),
@@ -265,6 +271,26 @@ fn answers(
         | Effect::VerifyRecords { .. }
         | Effect::StopVerify => Vec::new(),
     }
+}
+
+/// What a file holds, after what is to be known before it is used.
+fn seen(purpose: Purpose, path: PathBuf, read: Found) -> Vec<Command> {
+    let Found { before, command, sha256 } = read;
+    let fate = match &command {
+        _ if matches!(path.try_exists(), Ok(false)) => Fate::Gone,
+        command if is_read(command) => Fate::Read,
+        _ => Fate::Refused,
+    };
+    // A file is remembered as what it is.
+    let purpose = match (purpose, &command) {
+        (_, Command::Workpiece(WorkpieceCommand::PartRead { .. })) => Purpose::OpenPart,
+        (Purpose::AskColumns(into), _) => into.purpose(),
+        (purpose, _) => purpose,
+    };
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    let measured = sha256.map(|sha256| RecordsCommand::Measured { name, sha256 }.into());
+    let seen = FilesCommand::Seen { purpose, path, fate }.into();
+    std::iter::once(seen).chain(measured).chain(before).chain([command]).collect()
 }
 
 fn save(path: PathBuf, content: &Content, replace: bool) -> Vec<Command> {
@@ -337,7 +363,9 @@ mod tests {
         for number in 0..20 {
             let bytes = vec![b'x'; if number == 0 { 4 << 20 } else { 1 }];
             let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
-            runner.run(&ctx, Effect::Save(path(number), bytes.into()), (&Arc::default(), &words), now);
+            let (sources, columns) = (Arc::default(), Arc::default());
+            let beside = Beside { sources: &sources, columns: &columns, words: &words, now };
+            runner.run(&ctx, Effect::Save(path(number), bytes.into()), &beside);
         }
         let answers: Vec<Command> = runner.receiver.iter().take(20).collect();
         for (number, answer) in answers.iter().enumerate() {

@@ -1,19 +1,18 @@
 //! What a file holds, as the command that takes it: read whole, and refused with its reason.
 
-use std::io::Cursor;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::rows;
+use super::measurements;
 use crate::control::deviations;
 use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
 use crate::control::tool_table::ToolTable;
 use crate::exchange::contacts::{self, Contacts};
-use crate::exchange::{self, Given, Item, MOST_ROWS};
+use crate::exchange::{self, Given, Remembered};
 use crate::files;
 use crate::journal::chain::Hash;
 use crate::message::{Message, Say as _};
@@ -24,7 +23,7 @@ use crate::report::pairing::Parts;
 use crate::session::parts::{PlanCommand, WalkCommand};
 use crate::session::program::Document;
 use crate::session::{
-    BothSizes, BudgetCommand, CheckCommand, Command, CycleFile, CyclesCommand, PairingCommand, PartsCommand,
+    BothSizes, BudgetCommand, CheckCommand, ColumnsCommand, Command, CycleFile, CyclesCommand, ImportInto, PairingCommand, PartsCommand,
     ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand, usable,
 };
 use crate::tolerance::{DeviationTable, Feature, Sources};
@@ -33,6 +32,7 @@ use crate::tolerance::{DeviationTable, Feature, Sources};
 pub(super) const fn is_read(command: &Command) -> bool {
     match command {
         Command::Check(CheckCommand::Imported { result, .. }) => result.is_ok(),
+        Command::Columns(ColumnsCommand::Ask(_)) => true,
         Command::Check(CheckCommand::Rows(RowsCommand::Opened { result, .. })) => result.is_ok(),
         Command::MaskRead { result, .. } => result.is_ok(),
         Command::TablesRead { result, .. } => result.is_ok(),
@@ -55,15 +55,32 @@ pub(super) const fn is_read(command: &Command) -> bool {
     }
 }
 
-/// Reads what a dialog of this purpose asks for, with SHA-256 of the file where a record may name it.
-pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: DateTime) -> (Command, Option<Hash>) {
+/// What files are read with.
+#[derive(Clone, Copy)]
+pub(super) struct With<'a> {
+    pub sources: &'a Sources,
+    /// The columns of files as they were corrected.
+    pub columns: &'a Remembered,
+    pub now: DateTime,
+}
+
+/// What a file holds.
+pub(super) struct Found {
+    /// What is to be known before.
+    pub before: Option<Command>,
+    /// The command that takes it.
+    pub command: Command,
+    /// SHA-256 of the file where a record may name it.
+    pub sha256: Option<Hash>,
+}
+
+/// Reads what a dialog of this purpose asks for.
+pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> Found {
     let (name, mut seen) = (name(&path), None);
     let command = match purpose {
-        Purpose::Import => match rows::large(&path) {
-            Ok(None) => CheckCommand::Imported { result: import(&path, sources, now, &mut seen), name }.into(),
-            Ok(Some(large)) => RowsCommand::Opened { name, result: Ok((path, large)) }.into(),
-            Err(problem) => RowsCommand::Opened { name, result: Err(problem) }.into(),
-        },
+        Purpose::Import => return measurements::read(ImportInto::History, path, None, with),
+        Purpose::ImportValues => return measurements::read(ImportInto::Part, path, None, with),
+        Purpose::AskColumns(into) => return measurements::ask(into, path, with),
         Purpose::LoadMask => Command::MaskRead { name, result: read_mask(&path) },
         Purpose::LoadTables => Command::TablesRead { result: read_tables(&path), folder: path },
         Purpose::OpenTable => TablesCommand::Read { name, result: read_table(&path) }.into(),
@@ -82,9 +99,6 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: Date
         Purpose::UseBudget => BudgetCommand::UsedRead { result: read_text(&path, &mut seen), path }.into(),
         Purpose::OpenPlan => PartsCommand::Plan(PlanCommand::Read { result: read_plan(&path, &mut seen), path }).into(),
         Purpose::OpenPicture => PartsCommand::Plan(PlanCommand::ChoosePicture(path)).into(),
-        Purpose::ImportValues => {
-            WalkCommand::Imported { result: read_items(&path, sources, now, &mut seen), name }.into()
-        }
         Purpose::WatchFolder => WalkCommand::Watch { is_folder: path.is_dir(), folder: path }.into(),
         Purpose::OpenReadings => BudgetCommand::ReadingsRead { result: read_readings(&path), name }.into(),
         Purpose::OpenParts(feature) => {
@@ -93,11 +107,11 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, sources: &Sources, now: Date
         // These purposes write files.
         _ => Command::Picked(None),
     };
-    (command, seen)
+    Found { before: None, command, sha256: seen }
 }
 
 /// The bytes of a file that a record may name.
-fn bytes_of(path: &Path, seen: &mut Option<Hash>) -> Result<Vec<u8>, Message> {
+pub(super) fn bytes_of(path: &Path, seen: &mut Option<Hash>) -> Result<Vec<u8>, Message> {
     let bytes = files::read_file(path).map_err(|error| error.message())?;
     *seen = Some(Hash::of_file(&bytes));
     Ok(bytes)
@@ -110,30 +124,8 @@ fn read_plan(path: &Path, seen: &mut Option<Hash>) -> Result<Box<part::Document>
     exchange::read_plan(&name(path), &bytes, given).map(Box::new).map_err(|error| error.message())
 }
 
-fn name(path: &Path) -> String {
+pub(super) fn name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
-}
-
-fn import(
-    path: &Path,
-    sources: &Sources,
-    now: DateTime,
-    seen: &mut Option<Hash>,
-) -> Result<Box<exchange::Imported>, Message> {
-    let bytes = bytes_of(path, seen)?;
-    let beside = |ending: &str| files::beside(path, ending);
-    let given = exchange::Given { beside: &beside, ..exchange::Given::new(sources, now) };
-    Ok(Box::new(exchange::import_given(&name(path), &mut Cursor::new(bytes), given)))
-}
-
-/// Everything that a file holds, one after the other: a plan judges it later.
-fn read_items(path: &Path, sources: &Sources, now: DateTime, seen: &mut Option<Hash>) -> Result<Vec<Item>, Message> {
-    let bytes = bytes_of(path, seen)?;
-    let beside = |ending: &str| files::read_file(&path.with_extension(ending)).ok();
-    let given = Given { beside: &beside, most_rows: MOST_ROWS, ..Given::new(sources, now) };
-    let mut items = Vec::new();
-    exchange::import_from(&name(path), &mut std::io::Cursor::new(bytes), given, &mut |item| items.push(item));
-    Ok(items)
 }
 
 fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {

@@ -11,6 +11,7 @@ use jiff::civil::DateTime;
 
 use super::budget::OpenBudget;
 use super::check::Worth;
+use super::columns::{Columns, NoticeColumns};
 use super::command::{Density, DialogId, Effect, Page, Purpose, Theme};
 use super::files::{Dialog, Places};
 use super::history::{ChangeId, History};
@@ -57,12 +58,14 @@ pub struct Notice {
     pub change: Option<ChangeId>,
     /// Whether it tells of checks that could not be recorded.
     pub records: bool,
+    /// The file whose columns it tells of.
+    pub columns: Option<NoticeColumns>,
 }
 
 impl Notice {
     /// A headline alone.
     pub(super) const fn of(message: Message, is_problem: bool) -> Self {
-        Self { message, details: Vec::new(), is_problem, file: None, change: None, records: false }
+        Self { message, details: Vec::new(), is_problem, file: None, change: None, records: false, columns: None }
     }
 }
 
@@ -156,6 +159,7 @@ pub(super) struct Shared {
     /// The dialog whose answer is being applied.
     pub answered: Option<DialogId>,
     pub places: Places,
+    pub columns: Columns,
     pub notices: Vec<Notice>,
     /// Whether the user wants to close the window and something is unsaved.
     pub leaving: bool,
@@ -209,7 +213,13 @@ impl Shared {
             return effects.into_iter().chain(std::mem::take(&mut self.held)).collect();
         }
         let is_judged =
-            |effect: &Effect| matches!(effect.errand(), Effect::Read(Purpose::Import | Purpose::ImportValues, _));
+            |effect: &Effect| match effect.errand() {
+                Effect::Read(purpose, _) => {
+                    matches!(purpose, Purpose::Import | Purpose::ImportValues | Purpose::AskColumns(_))
+                }
+                Effect::ReadColumns { .. } => true,
+                _ => false,
+            };
         let (held, others): (Vec<_>, Vec<_>) = effects.into_iter().partition(is_judged);
         self.held.extend(held);
         others

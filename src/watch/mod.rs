@@ -230,7 +230,8 @@ impl Watcher {
 fn read_all(file: &std::fs::File, found: &Found, end: u64, judging: Judging<'_>) -> Vec<Item> {
     let beside = |ending: &str| files::beside(&found.path, ending);
     let usual = Given::new(judging.sources, judging.now);
-    let given = Given { beside: &beside, masks: judging.masks, most_rows: MOST_ROWS, ..usual };
+    let has_plan = judging.plan.is_some();
+    let given = Given { beside: &beside, masks: judging.masks, most_rows: MOST_ROWS, has_plan, ..usual };
     let (mut items, mut by_plan) = (Vec::new(), judging.plan.map(ByPlan::new));
     import_from(&found.name, &mut Beginning::new(file, end), given, &mut |item| match &mut by_plan {
         Some(by_plan) => by_plan.item(item, &mut |item| items.push(item)),

@@ -92,6 +92,7 @@ impl Picker<'_> {
             columns: &court.layout().columns,
             has_commas: court.layout().has_commas(),
             sources: court.sources(),
+            has_plan: false,
         };
         match rules.read(cells) {
             Err((_, reason)) => reason.message(),
