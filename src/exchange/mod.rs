@@ -81,7 +81,8 @@ pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, 
 use imported::Sink;
 pub use imported::{Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged};
 pub use mapping::{
-    Choice, DECIMAL_WORDS, Detected, FirstRows, Kept, MOST_KEPT, Mapping, MappingError, Remembered, SEPARATOR_WORDS, UNIT_WORDS,
+    Choice, DECIMAL_WORDS, Detected, FirstRows, Kept, MOST_KEPT, Mapping, MappingError, Remembered, SEPARATOR_WORDS,
+    UNIT_WORDS,
 };
 pub use plans::{PLAN_ENDINGS, read_plan};
 pub use sizes::{Size, Sizes, SizesWarning, sizes};

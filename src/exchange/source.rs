@@ -46,7 +46,15 @@ pub struct Given<'a> {
 impl<'a> Given<'a> {
     /// No file beside it, and as many rows as it has.
     pub fn new(sources: &'a Sources, now: DateTime) -> Self {
-        Self { sources, now, beside: &|_ending| None, masks: &[], mapping: None, has_plan: false, most_rows: usize::MAX }
+        Self {
+            sources,
+            now,
+            beside: &|_ending| None,
+            masks: &[],
+            mapping: None,
+            has_plan: false,
+            most_rows: usize::MAX,
+        }
     }
 }
 

@@ -8,7 +8,7 @@ use super::theme::{self, control, sizes, space};
 use super::view::{View, heading, keep_focus, list_ui, live, problem, quiet};
 use crate::exchange::{DECIMAL_WORDS, Role, SEPARATOR_WORDS, UNIT_WORDS};
 use crate::message::Message;
-use crate::session::{Action, ColumnChoice, ColumnsCommand, OpenColumns, role_id};
+use crate::session::{Action, ColumnChoice, ColumnsCommand, OpenColumns, role_id, unit_id};
 
 /// What a column may hold, in the order of the list.
 const ROLES: [Role; 13] = [
@@ -26,6 +26,17 @@ const ROLES: [Role; 13] = [
     Role::Z,
     Role::Simulated,
 ];
+
+/// The names of the separators.
+const SEPARATORS: [&str; 4] = [
+    "columns-page-separator-semicolon",
+    "columns-page-separator-comma",
+    "columns-page-separator-tab",
+    "columns-page-separator-pipe",
+];
+
+/// The names of the decimal signs.
+const DECIMALS: [&str; 2] = ["columns-page-decimal-point", "columns-page-decimal-comma"];
 
 /// The most characters of a cell that are shown.
 const LONGEST: usize = 28;
@@ -106,25 +117,23 @@ fn file_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
         named_list_ui(ui, view, "columns-page-sheet", sheets.iter().map(entry).collect());
     }
     if sheets.is_empty() {
-        let entry = |word: &'static str| {
-            let text = view.text(&format!("columns-page-separator-{word}"));
-            (text, choice.separator.as_deref() == Some(word), ColumnChoice::Separator(word))
+        let entry = |(word, id): (&'static str, &str)| {
+            (view.text(id), choice.separator.as_deref() == Some(word), ColumnChoice::Separator(word))
         };
-        let entries = SEPARATOR_WORDS.into_iter().map(entry).collect();
+        let entries = SEPARATOR_WORDS.into_iter().zip(SEPARATORS).map(entry).collect();
         named_list_ui(ui, view, "columns-page-separator", entries);
     }
-    let words = |words: &[&'static str], prefix: &str, none: &str, now: Option<&str>, of: fn(Option<&'static str>) -> ColumnChoice| {
-        let none = (view.text(none), now.is_none(), of(None));
-        let entry = |word: &&'static str| (view.text(&format!("{prefix}-{word}")), now == Some(*word), of(Some(*word)));
-        std::iter::once(none).chain(words.iter().map(entry)).collect::<Vec<Entry>>()
+    let decimal = |word: Option<&'static str>, id: &str| {
+        (view.text(id), choice.decimal.as_deref() == word, ColumnChoice::Decimal(word))
     };
-    let decimal = choice.decimal.as_deref();
-    let decimals =
-        words(&DECIMAL_WORDS, "columns-page-decimal", "columns-page-as-found", decimal, ColumnChoice::Decimal);
-    let unit = choice.unit.as_deref();
-    let units = words(&UNIT_WORDS, "columns-page-unit", "columns-page-unit-names", unit, ColumnChoice::Unit);
-    let place = choice.place_unit.as_deref();
-    let places = words(&UNIT_WORDS, "columns-page-unit", "columns-page-unit-names", place, ColumnChoice::PlaceUnit);
+    let own = DECIMAL_WORDS.into_iter().zip(DECIMALS).map(|(word, id)| decimal(Some(word), id));
+    let decimals = std::iter::once(decimal(None, "columns-page-as-found")).chain(own).collect();
+    let units = |now: Option<&str>, of: fn(Option<&'static str>) -> ColumnChoice| {
+        let words = std::iter::once(None).chain(UNIT_WORDS.into_iter().map(Some));
+        words.map(|word| (view.text(unit_id(word)), now == word, of(word))).collect::<Vec<Entry>>()
+    };
+    let places = units(choice.place_unit.as_deref(), ColumnChoice::PlaceUnit);
+    let units = units(choice.unit.as_deref(), ColumnChoice::Unit);
     named_list_ui(ui, view, "columns-page-decimal", decimals);
     named_list_ui(ui, view, "columns-page-unit", units);
     if open.has_place() {
@@ -147,7 +156,8 @@ fn table_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
         for at in 0..open.width() {
             let name = Message::new("columns-page-column").text("number", at + 1).text("name", open.column_name(at));
             let name = view.words.say(&name).trim().to_owned();
-            let entry = |role: Option<Role>| (view.text(&role_id(role)), open.role(at) == role, ColumnChoice::Role(at, role));
+            let entry =
+                |role: Option<Role>| (view.text(&role_id(role)), open.role(at) == role, ColumnChoice::Role(at, role));
             let entries = std::iter::once(None).chain(ROLES.into_iter().map(Some)).map(entry).collect();
             ui.vertical(|ui| {
                 let name = quiet(ui, short(&name));

@@ -11,8 +11,8 @@ use eframe::egui::{Context, ViewportCommand};
 use jiff::civil::DateTime;
 
 use super::journal::{Desk, Records};
-use super::picture;
 use super::measurements;
+use super::picture;
 use super::reading::{Found, With, is_read, read};
 use super::rows::Runs;
 use super::watching::{Watch, Watching};
@@ -119,8 +119,8 @@ impl Runner {
             Effect::Watch { run, folder, plan } => {
                 let (known, language) = (self.desk.known(), words.language());
                 let (ctx, answers, clock) = (ctx.clone(), self.sender.clone(), self.clock);
-                let sources = Arc::clone(sources);
-                let watch = Watch { run, folder, plan, sources, language, clock, known, ctx, answers };
+                let (sources, columns) = (Arc::clone(sources), Arc::clone(columns));
+                let watch = Watch { run, folder, plan, sources, columns, language, clock, known, ctx, answers };
                 return self.watching.begin(watch);
             }
             Effect::WatchTaken { run, look } => return self.watching.taken(run, look),
@@ -203,11 +203,7 @@ impl Filters {
     }
 }
 
-fn answers(
-    effect: Effect,
-    (errands, filters): (Errands, Option<Filters>),
-    with: With<'_>,
-) -> Vec<Command> {
+fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with: With<'_>) -> Vec<Command> {
     match effect {
         Effect::ForDialog(dialog, errand) => {
             let answers = answers(*errand, (errands, filters), with).into_iter();

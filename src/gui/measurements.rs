@@ -10,7 +10,9 @@ use crate::files;
 use crate::journal::chain::Hash;
 use crate::message::Message;
 use crate::session::parts::WalkCommand;
-use crate::session::{AskedColumns, CheckCommand, ColumnsCommand, Command, ImportInto, RowsCommand, UsedColumns, refusal};
+use crate::session::{
+    AskedColumns, CheckCommand, ColumnsCommand, Command, ImportInto, RowsCommand, UsedColumns, refusal,
+};
 
 /// A file with its beginning, where it is read by its columns.
 struct Looked {
@@ -152,7 +154,9 @@ impl Looked {
             ColumnsCommand::Used(Box::new(used)).into()
         });
         let command = match into {
-            ImportInto::History => CheckCommand::Imported { result: Ok(import(&path, bytes, mapping, with)), name }.into(),
+            ImportInto::History => {
+                CheckCommand::Imported { result: Ok(import(&path, bytes, mapping, with)), name }.into()
+            }
             ImportInto::Part => WalkCommand::Imported { result: Ok(items(&path, bytes, mapping, with)), name }.into(),
         };
         Found { before: used, command, sha256 }

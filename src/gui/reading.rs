@@ -23,8 +23,9 @@ use crate::report::pairing::Parts;
 use crate::session::parts::{PlanCommand, WalkCommand};
 use crate::session::program::Document;
 use crate::session::{
-    BothSizes, BudgetCommand, CheckCommand, ColumnsCommand, Command, CycleFile, CyclesCommand, ImportInto, PairingCommand, PartsCommand,
-    ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand, usable,
+    BothSizes, BudgetCommand, CheckCommand, ColumnsCommand, Command, CycleFile, CyclesCommand, ImportInto,
+    PairingCommand, PartsCommand, ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand,
+    usable,
 };
 use crate::tolerance::{DeviationTable, Feature, Sources};
 

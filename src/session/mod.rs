@@ -73,7 +73,10 @@ pub use budget::{
 pub use check::{
     Asked, CheckCommand, CheckField, CheckPage, Judging, Lot, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
 };
-pub use columns::{Asked as AskedColumns, ColumnChoice, ColumnsCommand, NoticeColumns, OpenColumns, UsedColumns, refusal, role_id};
+pub use columns::{
+    Asked as AskedColumns, ColumnChoice, ColumnsCommand, NoticeColumns, OpenColumns, UsedColumns, refusal, role_id,
+    unit_id,
+};
 pub use command::{Command, CycleFile, Density, DialogId, Effect, ImportInto, Page, Purpose, Theme};
 pub use cycles::{
     Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Standing, WorkpieceField,

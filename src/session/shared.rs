@@ -94,6 +94,8 @@ pub(super) enum News {
     Budget,
     /// The record of a number was corrected or withdrawn.
     TakenBack(u64),
+    /// Other columns of files are remembered.
+    Columns,
     /// The journal is open, or cannot be opened.
     Journal,
     /// The journal has answered about a batch of checks: whether they are on disk.
@@ -212,14 +214,13 @@ impl Shared {
         if !self.awaits_tables() {
             return effects.into_iter().chain(std::mem::take(&mut self.held)).collect();
         }
-        let is_judged =
-            |effect: &Effect| match effect.errand() {
-                Effect::Read(purpose, _) => {
-                    matches!(purpose, Purpose::Import | Purpose::ImportValues | Purpose::AskColumns(_))
-                }
-                Effect::ReadColumns { .. } => true,
-                _ => false,
-            };
+        let is_judged = |effect: &Effect| match effect.errand() {
+            Effect::Read(purpose, _) => {
+                matches!(purpose, Purpose::Import | Purpose::ImportValues | Purpose::AskColumns(_))
+            }
+            Effect::ReadColumns { .. } => true,
+            _ => false,
+        };
         let (held, others): (Vec<_>, Vec<_>) = effects.into_iter().partition(is_judged);
         self.held.extend(held);
         others

@@ -21,13 +21,14 @@ mod known;
 mod note;
 mod part;
 
+use std::io::{Read as _, Seek as _};
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use jiff::civil::DateTime;
 
 use crate::control::mask::Mask;
-use crate::exchange::{ByPlan, Given, Item, MOST_ROWS, import_from, recognised};
+use crate::exchange::{ByPlan, FirstRows, Given, Item, MOST_ROWS, Mapping, Remembered, WHOLE, import_from, recognised};
 use crate::files::{self, FileError};
 use crate::journal::chain::Hash;
 use crate::message::{Message, Say};
@@ -60,6 +61,8 @@ pub struct Judging<'a> {
     pub sources: &'a Sources,
     /// Masks of a control: a text that one of them printed is read back through it.
     pub masks: &'a [(String, Mask)],
+    /// The columns of files as the user corrected them, by the shape of the file.
+    pub columns: Option<&'a Remembered>,
     /// The time of values whose file has none.
     pub now: DateTime,
 }
@@ -230,14 +233,25 @@ impl Watcher {
 fn read_all(file: &std::fs::File, found: &Found, end: u64, judging: Judging<'_>) -> Vec<Item> {
     let beside = |ending: &str| files::beside(&found.path, ending);
     let usual = Given::new(judging.sources, judging.now);
-    let has_plan = judging.plan.is_some();
-    let given = Given { beside: &beside, masks: judging.masks, most_rows: MOST_ROWS, has_plan, ..usual };
+    let (masks, has_plan, mapping) = (judging.masks, judging.plan.is_some(), remembered(file, found, end, judging));
+    let mapping = mapping.as_ref();
+    let given = Given { beside: &beside, masks, mapping, most_rows: MOST_ROWS, has_plan, ..usual };
     let (mut items, mut by_plan) = (Vec::new(), judging.plan.map(ByPlan::new));
     import_from(&found.name, &mut Beginning::new(file, end), given, &mut |item| match &mut by_plan {
         Some(by_plan) => by_plan.item(item, &mut |item| items.push(item)),
         None => items.push(item),
     });
     items
+}
+
+/// The columns of a file as the user corrected them for files of its shape.
+fn remembered(file: &std::fs::File, found: &Found, end: u64, judging: Judging<'_>) -> Option<Mapping> {
+    let columns = judging.columns.filter(|columns| !columns.is_empty() && judging.masks.is_empty())?;
+    let (mut body, mut bytes) = (Beginning::new(file, end), Vec::new());
+    body.rewind().ok()?;
+    body.take(WHOLE).read_to_end(&mut bytes).ok()?;
+    let first = FirstRows::of(&found.name, &bytes)?;
+    columns.find(&first).map(|(.., mapping)| mapping)
 }
 
 /// The line of a thing in its file.

@@ -51,8 +51,10 @@ impl Watched {
         self.clock += Duration::from_millis(after);
         let (plan, sources) = (plan(), Sources::default());
         let now = jiff::civil::date(2026, 11, 23).at(8, 0, 0, 0);
-        let look =
-            self.watcher.look(Judging { plan: Some(&plan), sources: &sources, masks: &[], now }, self.clock).unwrap();
+        let look = self
+            .watcher
+            .look(Judging { plan: Some(&plan), sources: &sources, masks: &[], columns: None, now }, self.clock)
+            .unwrap();
         self.same.extend(look.same);
         look.ready
     }

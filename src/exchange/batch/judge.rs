@@ -336,7 +336,8 @@ impl Judge<'_> {
             return if is_line { take.line(whole) } else { take.refused(row, "") };
         }
         let columns = &self.court.layout.columns;
-        let rules = Rules { columns, has_commas: self.court.fast.has_commas, sources: self.court.sources, has_plan: false };
+        let rules =
+            Rules { columns, has_commas: self.court.fast.has_commas, sources: self.court.sources, has_plan: false };
         if self.court.fast.has_comments && cells::is_comment(&cells) {
             if rules.hides_measurement(&cells) {
                 return Self::refuse(row, None, &ImportErrorKind::Comment, tally, take);

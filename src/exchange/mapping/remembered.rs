@@ -89,7 +89,8 @@ impl Kept {
         }
         let kept = Mapping::from_toml(&self.mapping).ok()?;
         let sheets = first.sheets();
-        let sheets: Vec<Option<&str>> = if sheets.is_empty() { vec![None] } else { sheets.into_iter().map(Some).collect() };
+        let sheets: Vec<Option<&str>> =
+            if sheets.is_empty() { vec![None] } else { sheets.into_iter().map(Some).collect() };
         sheets.into_iter().find_map(|sheet| {
             let mapping = Mapping { sheet: sheet.map(str::to_owned), ..kept.clone() };
             let sample = first.sample(&mapping);

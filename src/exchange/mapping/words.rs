@@ -29,8 +29,7 @@ const OF_THE_FILE: [&str; 6] = ["separator", "decimal", "unit", "place-unit", "f
 
 pub(super) const SEPARATORS: [(&str, u8); 4] = [("semicolon", b';'), ("comma", b','), ("tab", b'\t'), ("pipe", b'|')];
 pub(super) const DECIMALS: [(&str, char); 2] = [("point", '.'), ("comma", ',')];
-pub(super) const UNITS: [(&str, Unit); 3] =
-    [("mm", Unit::Millimetre), ("um", Unit::Micrometre), ("inch", Unit::Inch)];
+pub(super) const UNITS: [(&str, Unit); 3] = [("mm", Unit::Millimetre), ("um", Unit::Micrometre), ("inch", Unit::Inch)];
 
 impl Role {
     /// Everything that a column may hold.

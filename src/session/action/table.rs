@@ -18,7 +18,8 @@ use crate::session::tables::{self, TablesCommand, TablesField};
 use crate::session::tools::ToolsCommand;
 use crate::session::workpiece::WorkpieceCommand;
 use crate::session::{
-    Command, CycleFile, Density, ImportInto, ListCommand, MeasureBy, Page, Purpose, Rows, RowsCommand, Session, Step, Theme,
+    Command, CycleFile, Density, ImportInto, ListCommand, MeasureBy, Page, Purpose, Rows, RowsCommand, Session, Step,
+    Theme,
 };
 use crate::tolerance::Feature;
 use crate::tolerance::iso286::{Edition, JsHalves, Options};

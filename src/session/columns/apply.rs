@@ -9,6 +9,7 @@ use crate::message::Message;
 use crate::part::Plan;
 use crate::session::Session;
 use crate::session::command::{Effect, ImportInto, Purpose};
+use crate::session::shared::News;
 
 impl Session {
     /// Does something about the columns of a file.
@@ -36,6 +37,7 @@ impl Session {
                 let shape = notice.columns.as_mut().and_then(|columns| columns.shape.take());
                 if shape.is_some_and(|shape| Arc::make_mut(&mut self.shared.columns.remembered).forget(&shape)) {
                     notice.details.insert(0, Message::new("columns-page-forgotten"));
+                    self.shared.spread(News::Columns);
                 }
             }
         }
@@ -73,6 +75,7 @@ impl Session {
         let Some(open) = columns.open.pop_front_if(|open| open.refusal().is_none()) else { return Vec::new() };
         if let Some(kept) = open.kept(now) {
             Arc::make_mut(&mut columns.remembered).keep(kept);
+            self.shared.spread(News::Columns);
         }
         let (asked, mapping) = (open.asked(), Box::new(open.mapping()));
         vec![Effect::ReadColumns { into: asked.into, path: asked.path.clone(), mapping }]

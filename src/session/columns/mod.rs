@@ -85,6 +85,16 @@ pub fn role_id(role: Option<Role>) -> String {
     format!("columns-page-role-{}", role.map_or("none", Role::word))
 }
 
+/// The name of a unit; `None` is the one that the names of the columns say.
+pub fn unit_id(word: Option<&str>) -> &'static str {
+    match word {
+        Some("mm") => "columns-page-unit-mm",
+        Some("um") => "columns-page-unit-um",
+        Some("inch") => "columns-page-unit-inch",
+        _ => "columns-page-unit-names",
+    }
+}
+
 impl Shared {
     /// A notice of a file says what its columns were taken for, and offers to correct that.
     pub fn add_columns(&mut self, notice: &mut Notice, name: &str) {
@@ -99,9 +109,9 @@ impl Shared {
             Some(words.say(&message))
         };
         let columns: Vec<String> = (0..).zip(&detected.roles).filter_map(of_column).collect();
-        let unit = detected.mapping.unit_word().map(|unit| words.get(&format!("columns-page-unit-{unit}")));
-        let message = Message::new("columns-page-taken").text("columns", columns.join(", "));
-        let message = message.text("unit", unit.unwrap_or_else(|| words.get("columns-page-unit-names")));
+        let message = Message::new("columns-page-taken")
+            .text("columns", columns.join(", "))
+            .text("unit", words.get(unit_id(detected.mapping.unit_word())));
         let remembered = used.remembered.as_ref();
         let said = remembered.map(|(_, day)| Message::new("columns-page-remembered").text("day", day));
         notice.details.extend(said.into_iter().chain([message]));

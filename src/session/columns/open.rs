@@ -105,7 +105,10 @@ impl OpenColumns {
                 self.lines = detected.rows.iter().map(|(line, _)| *line).filter(is_shown).collect();
                 self.refusal = refusal(self.asked.into, |role| detected.has(role));
             }
-            Err(error) => self.refusal = Some(error.message()),
+            Err(error) => {
+                let chosen = refusal(self.asked.into, |role| self.choice.roles.contains(&Some(role)));
+                self.refusal = Some(chosen.unwrap_or_else(|| error.message()));
+            }
         }
         let given = Given { has_plan: plan.is_some(), ..Given::new(sources, now) };
         let Ok(items) = self.asked.first.items(&mapping, given) else { return };

@@ -89,7 +89,9 @@ impl Purpose {
     /// without an ending gets.
     pub fn endings(self) -> Vec<&'static str> {
         match self {
-            Self::Import | Self::ImportValues | Self::AskColumns(_) => exchange::endings().into_iter().chain(PACKED).collect(),
+            Self::Import | Self::ImportValues | Self::AskColumns(_) => {
+                exchange::endings().into_iter().chain(PACKED).collect()
+            }
             Self::OpenReadings => exchange::endings().into_iter().collect(),
             Self::OpenParts(_) => exchange::endings(),
             Self::SavePairs(number) => {
