@@ -82,8 +82,8 @@ A header in English, Dutch, German or Italian tells them apart; without one thei
 Comma, semicolon, tab and pipe separate; point or comma is the decimal sign. \
 A unit may stand in the header: measured [mm], measured_um, Istmaß (inch). \
 --columns says it where none of that does: name, number, part, serial, who, callout, nominal, measured, time, simulated, x, y and z \
-are columns; separator (semicolon, comma, tab, pipe), decimal (point, comma), unit (mm, um, inch) and first-row (a line) are said \
-likewise, and - is no column. --show-columns prints what would be taken, also as the TOML that --columns reads with --format json.
+are columns; separator (semicolon, comma, tab, pipe), decimal (point, comma), unit of sizes and place-unit of x, y and z (mm, um, \
+inch), first-row (a line) and sheet (of a workbook) are said likewise, and - is no column. Each is said once. --show-columns prints what would be taken, also as the TOML that --columns reads with --format json.
 
 Columns of --format csv, and names in JSON:
   {}
@@ -153,8 +153,9 @@ impl Args {
             match Measured::open(path) {
                 Ok(file) => {
                     let beside = |ending: &str| files::beside(path, ending);
-                    let (masks, mapping) = (masks.as_slice(), mapping.as_ref());
-                    let given = Given { beside: &beside, masks, mapping, most_rows, ..Given::new(&sources, now) };
+                    let (masks, mapping, has_plan) = (masks.as_slice(), mapping.as_ref(), plan.is_some());
+                    let given =
+                        Given { beside: &beside, masks, mapping, most_rows, has_plan, ..Given::new(&sources, now) };
                     import.file(path, &file, given, io)?;
                 }
                 Err(error) => {

@@ -130,7 +130,8 @@ impl Run<'_> {
         let begun = Instant::now();
         let (mut last, mut told) = (begun, None);
         loop {
-            let judging = Judging { plan: self.plan, sources: self.sources, masks: self.masks, now: super::now() };
+            let judging =
+                Judging { plan: self.plan, sources: self.sources, masks: self.masks, columns: None, now: super::now() };
             match watcher.look(judging, begun.elapsed()) {
                 Ok(look) => {
                     if !look.is_idle() {

@@ -5,12 +5,12 @@ use std::collections::BTreeMap;
 
 use jiff::civil::DateTime;
 
-use super::error::{ImportWarning, ImportWarningKind};
+use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
 use super::imported::{Item, Labels, Unjudged, WhyUnjudged};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Located, Place};
-use crate::part::{By, Clues, Finder, NotFound, Plan, Size, Taken, Walk};
+use crate::part::{By, Clues, Finder, Kind, NotFound, Plan, Size, Taken, Walk};
 use crate::probing::Measurement;
 use crate::verdict::PositionVerdict;
 
@@ -121,6 +121,11 @@ impl<'a> ByPlan<'a> {
             _ => &[],
         };
         match self.find(&unjudged.id, &unjudged.labels, (nominal, kinds)) {
+            Ok((at, _)) if self.refuses(at, &unjudged.why) => {
+                let WhyUnjudged::NotPositive { given, column } = unjudged.why else { return };
+                let what = ImportError { kind: ImportErrorKind::NotPositive { given: given.clone() }, given };
+                take(Item::Error(Box::new(Located { what, place: Place::in_line(unjudged.line, column) })));
+            }
             Ok((at, by)) => {
                 let line = unjudged.line;
                 self.tell(at, by, &mut |kind| take(warning(line, kind)));
@@ -155,6 +160,12 @@ impl<'a> ByPlan<'a> {
             }
             _ => Ok((at, by)),
         }
+    }
+
+    /// Whether a value is refused because it is not above zero: only faces and points have deviations and coordinates.
+    fn refuses(&self, at: usize, why: &WhyUnjudged) -> bool {
+        let may_be_any = |size: &Size<'_>| matches!(size.feature.kind, Kind::Face(..) | Kind::Point(..));
+        matches!(why, WhyUnjudged::NotPositive { .. }) && !self.sizes.get(at).is_some_and(may_be_any)
     }
 
     fn name(&self, at: usize) -> String {
@@ -205,6 +216,7 @@ const fn is_plain(why: &WhyUnjudged) -> bool {
     matches!(
         why,
         WhyUnjudged::NoCallout
+            | WhyUnjudged::NotPositive { .. }
             | WhyUnjudged::NoLimits { .. }
             | WhyUnjudged::NoFeature { .. }
             | WhyUnjudged::OneLimit

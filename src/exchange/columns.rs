@@ -25,7 +25,7 @@ pub(super) const NO_SEPARATOR: u8 = b'\t';
 const SAMPLE_BYTES: usize = 512 << 10;
 
 /// How many lines may come before a header.
-const ABOVE_HEADER: usize = 20;
+pub(super) const ABOVE_HEADER: usize = 20;
 
 /// How many columns a message names at most.
 const NAMED: usize = 8;

@@ -54,6 +54,13 @@ pub enum ImportErrorKind {
         /// The most, MiB.
         most: u64,
     },
+    /// A workbook without the sheet that is asked for.
+    NoSheet {
+        /// The sheet.
+        given: String,
+        /// Those that it has.
+        sheets: String,
+    },
     /// No format recognises the file.
     NotRecognised,
     /// Another format than the one that was expected.

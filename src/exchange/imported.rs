@@ -84,6 +84,15 @@ pub struct Unjudged {
 pub enum WhyUnjudged {
     /// The row has no callout.
     NoCallout,
+    /// A value of zero or less without a callout: a plan may know that it is no diameter.
+    #[say(id = "exchange-not-positive")]
+    NotPositive {
+        /// What is given.
+        given: String,
+        /// Its column, from 1.
+        #[say(skip)]
+        column: usize,
+    },
     /// The log's limits of size are both 0: the control did not monitor the diameter.
     NoLimits {
         /// The log's nominal diameter.

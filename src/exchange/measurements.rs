@@ -25,7 +25,7 @@ use crate::message::Place;
 use crate::probing::{Measurement, Origin};
 
 /// The bytes that end a row.
-const LINE_ENDS: &[u8] = b"\n\r";
+pub(super) const LINE_ENDS: &[u8] = b"\n\r";
 
 pub(super) const FORMAT: Format = Format {
     name: "measurements",
@@ -61,6 +61,7 @@ pub(super) fn read_sizes(
 fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>) -> Result<(), ImportErrorKind> {
     let context = source.context.clone();
     let (mapping, detects) = (source.given.mapping, Mapping::default());
+    let has_plan = source.given.has_plan;
     let mut pieces = source.pieces(LINE_ENDS)?;
     let head = head(&mut pieces)?;
     let (text, first_line, separator) = without_separator_line(&head);
@@ -70,7 +71,7 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
     let columns = mapping.columns(&mut sample)?;
     // The first rows are read once more with the rest.
     drop(sample);
-    let mut reader = Reader { source: &context, columns: &columns, separator, sink, is_open: false, sizes };
+    let mut reader = Reader { source: &context, columns: &columns, separator, has_plan, sink, is_open: false, sizes };
     reader.warn_of_columns(first_line);
     let mut rows = Rows::new(text, first_line, separator);
     let mut line = reader.rows(&mut rows);
@@ -93,11 +94,12 @@ impl<'a, 's, 'z> Cells<'a, 's, 'z> {
     pub(super) fn new(
         source: &'a Context<'a>,
         columns: &'a Columns,
+        has_plan: bool,
         sink: &'a mut Sink<'s>,
         sizes: Option<SizesOf<'z>>,
     ) -> Self {
         let separator = columns::NO_SEPARATOR;
-        let mut reader = Reader { source, columns, separator, sink, is_open: false, sizes };
+        let mut reader = Reader { source, columns, separator, has_plan, sink, is_open: false, sizes };
         reader.warn_of_columns(1);
         Self(reader)
     }
@@ -119,8 +121,21 @@ impl<'a, 's, 'z> Cells<'a, 's, 'z> {
     }
 }
 
+/// Reads some rows of a file of which no more are known.
+pub(super) fn read_these<'r>(
+    source: &Context<'_>,
+    (columns, separator, has_plan): (&Columns, u8, bool),
+    rows: impl Iterator<Item = &'r (usize, StringRecord)>,
+    sink: &mut Sink<'_>,
+) {
+    let mut reader = Reader { source, columns, separator, has_plan, sink, is_open: false, sizes: None };
+    for (line, cells) in rows {
+        reader.row(*line, cells);
+    }
+}
+
 /// The beginning of a text, by which its columns are known: down to rows below comments and header.
-fn head(pieces: &mut Pieces<'_>) -> Result<String, ImportErrorKind> {
+pub(super) fn head(pieces: &mut Pieces<'_>) -> Result<String, ImportErrorKind> {
     let most = WHOLE.try_into().unwrap_or(usize::MAX);
     let mut head = String::new();
     while let Some(piece) = pieces.next()? {
@@ -143,7 +158,7 @@ pub(super) fn read_row(
     (line, cells): (usize, &StringRecord),
     sink: &mut Sink<'_>,
 ) {
-    let mut reader = Reader { source, columns, separator, sink, is_open: false, sizes: None };
+    let mut reader = Reader { source, columns, separator, has_plan: false, sink, is_open: false, sizes: None };
     if let Err((cell, reason)) = reader.measurement(line, cells) {
         reader.refuse(line, cell, reason);
     }
@@ -153,6 +168,7 @@ struct Reader<'a, 's, 'z> {
     source: &'a Context<'a>,
     columns: &'a Columns,
     separator: u8,
+    has_plan: bool,
     sink: &'a mut Sink<'s>,
     /// Whether the row is the last one and has no line end.
     is_open: bool,
@@ -252,7 +268,8 @@ impl<'a> Reader<'a, '_, '_> {
 
     fn rules(&self) -> Rules<'a> {
         let Context { sources, lookup, .. } = self.source;
-        Rules { columns: self.columns, has_commas: self.separator == b',', sources, lookup: Some(lookup) }
+        let (has_commas, has_plan) = (self.separator == b',', self.has_plan);
+        Rules { columns: self.columns, has_commas, sources, has_plan, lookup: Some(lookup) }
     }
 
     /// Judges a row and keeps it, or names the cell that cannot be used.
@@ -267,8 +284,11 @@ impl<'a> Reader<'a, '_, '_> {
         let file = Arc::clone(&self.source.file);
         let origin = if is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } };
         let Some((callout, limits)) = asked else {
-            let (why, measured) = (WhyUnjudged::NoCallout, Some(measured));
-            let labels = self.labels(line, cells);
+            let column = self.columns.measured.at;
+            let given = shorten(cells.get(column).unwrap_or_default().trim());
+            let below = WhyUnjudged::NotPositive { given, column: column + 1 };
+            let why = if measured <= Length::ZERO { below } else { WhyUnjudged::NoCallout };
+            let (labels, measured) = (self.labels(line, cells), Some(measured));
             self.sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position: None, why });
             return Ok(());
         };

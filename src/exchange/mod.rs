@@ -82,7 +82,10 @@ use characteristic::Characteristic;
 pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, Role};
 use imported::Sink;
 pub use imported::{Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged};
-pub use mapping::{Detected, Mapping, MappingError};
+pub use mapping::{
+    Choice, DECIMAL_WORDS, Detected, FirstRows, Kept, MOST_KEPT, Mapping, MappingError, Remembered, SEPARATOR_WORDS,
+    UNIT_WORDS,
+};
 pub use plans::{PLAN_ENDINGS, read_plan};
 pub use sizes::{Size, Sizes, SizesWarning, sizes, sizes_from};
 use source::{Beginning, Source};

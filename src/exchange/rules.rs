@@ -38,13 +38,16 @@ pub(super) struct Rules<'a> {
     pub(super) sources: &'a Sources,
     /// What was asked before; `None` where that is remembered elsewhere.
     pub(super) lookup: Option<&'a Lookup>,
+    /// Whether a plan judges values without a callout: some of them are deviations or coordinates, which may be below zero.
+    pub(super) has_plan: bool,
 }
 
 impl Rules<'_> {
     /// What a row says, or the first cell that cannot be used.
     pub(super) fn read<'c>(&self, cells: &'c StringRecord) -> Result<Found, Refused<'c>> {
         self.right_length(cells, self.columns.tolerance)?;
-        let measured = self.measured(cells)?;
+        let asks = self.columns.tolerance.is_some_and(|at| !is_blank(cells, at));
+        let measured = if self.has_plan && !asks { self.any_measured(cells)? } else { self.measured(cells)? };
         let Some((callout, cell)) = self.callout(cells, measured)? else {
             // A plan may judge it: what a file of Fitcheck says against it counts all the same.
             self.columns.own.decided_by_size(cells)?;
@@ -116,7 +119,18 @@ impl Rules<'_> {
         Ok(())
     }
 
+    /// The measured value of a diameter.
     fn measured<'c>(&self, cells: &'c StringRecord) -> Result<Length, Refused<'c>> {
+        let measured = self.any_measured(cells)?;
+        if measured <= Length::ZERO {
+            let at = self.columns.measured.at;
+            let text = cells.get(at).unwrap_or_default().trim();
+            return Err((Cell { at: Some(at), text }, ImportErrorKind::NotPositive { given: shorten(text) }));
+        }
+        Ok(measured)
+    }
+
+    fn any_measured<'c>(&self, cells: &'c StringRecord) -> Result<Length, Refused<'c>> {
         let (cell, measured) = length(cells, self.columns.measured, ImportErrorKind::Measured)?;
         let given = || shorten(cell.text);
         if let Some(sign) = self.columns.decimal_sign
@@ -133,9 +147,6 @@ impl Rules<'_> {
         {
             let joined = format!("{},{}", given(), shorten(behind.trim()));
             return Err((cell, ImportErrorKind::DecimalComma { joined }));
-        }
-        if measured <= Length::ZERO {
-            return Err((cell, ImportErrorKind::NotPositive { given: given() }));
         }
         Ok(measured)
     }

@@ -38,6 +38,8 @@ pub struct Given<'a> {
     pub masks: &'a [(String, Mask)],
     /// Which column of a CSV is which, as the user says: with it, every file is read as a CSV or a workbook of measurements.
     pub mapping: Option<&'a Mapping>,
+    /// Whether a plan judges what is read: a value of zero or less may be a deviation or a coordinate, and the plan knows.
+    pub has_plan: bool,
     /// The most rows that are read, where all of them are kept in memory; an error says that there are more.
     pub most_rows: usize,
 }
@@ -45,7 +47,15 @@ pub struct Given<'a> {
 impl<'a> Given<'a> {
     /// No file beside it, and as many rows as it has.
     pub fn new(sources: &'a Sources, now: DateTime) -> Self {
-        Self { sources, now, beside: &|_ending| None, masks: &[], mapping: None, most_rows: usize::MAX }
+        Self {
+            sources,
+            now,
+            beside: &|_ending| None,
+            masks: &[],
+            mapping: None,
+            has_plan: false,
+            most_rows: usize::MAX,
+        }
     }
 }
 

@@ -6,7 +6,7 @@ use std::time::Duration;
 use eframe::egui::{Context, Event, ThemePreference, Ui, ViewportCommand};
 use jiff::civil::DateTime;
 
-use super::effects::{Errands, Runner};
+use super::effects::{Beside, Errands, Runner};
 use super::journal::Records;
 use super::keeping::Keeper;
 use super::store::Store;
@@ -136,7 +136,8 @@ impl App {
         if let Effect::Focus(field) = effect {
             return field::go_to(ctx, field, self.session.text(field));
         }
-        self.runner.run(ctx, effect, (self.session.sources(), &self.words), (self.clock)());
+        let (sources, columns) = (self.session.sources(), self.session.remembered_columns());
+        self.runner.run(ctx, effect, &Beside { sources, columns, words: &self.words, now: (self.clock)() });
     }
 
     /// Closes the window once every record is on disk; a user is asked where that fails or takes too long.

@@ -4,6 +4,7 @@ use std::path::Path;
 
 use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Window, vec2};
 
+use super::columns_panel::columns_ui;
 use super::field::select_all;
 use super::folder_list::{folder_list_ui, has_room};
 use super::theme::{control, sizes, space};
@@ -98,6 +99,8 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
         Modal::new(Id::unique("discarding")).show(ui, |ui| discarding_ui(ui, view));
     } else if let Some(dialog) = session.dialog() {
         Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, dialog));
+    } else if let Some(open) = session.open_columns() {
+        Modal::new(Id::unique("columns-panel")).show(ui, |ui| columns_ui(ui, view, open));
     } else if let Some(working) = session.working() {
         let title = view.text("working");
         fixed_window("working", title, Align2::CENTER_BOTTOM, -space(46.0)).show(ui, |ui| {
@@ -170,6 +173,7 @@ fn discarding_ui(ui: &mut Ui, view: &mut View<'_>) {
 pub(super) const fn title_id(purpose: Purpose) -> &'static str {
     match purpose {
         Purpose::Import | Purpose::ImportValues => "dialog-import",
+        Purpose::AskColumns(_) => "columns-page-dialog",
         Purpose::LoadMask => "dialog-mask",
         Purpose::LoadTables => "dialog-tables",
         Purpose::Export(_) | Purpose::ReportRecords(_) | Purpose::ReportPart(_) => "dialog-export",
@@ -337,6 +341,13 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
         if notice.records {
             let again = view.named(Action::RecordAgain).min_size(vec2(space(24.0), control(ui)));
             view.button_as(ui, Action::RecordAgain, again);
+        }
+        let of_columns = notice.columns.iter().flat_map(|columns| {
+            let forget = columns.shape.is_some().then_some(Action::ForgetColumns);
+            std::iter::once(Action::CorrectColumns).chain(forget)
+        });
+        for action in of_columns {
+            view.field_button(ui, action);
         }
         let of_file = [Action::OpenWritten, Action::ShowWritten].into_iter().filter(|_| notice.file.is_some());
         for action in of_file.chain([Action::Close]) {

@@ -11,11 +11,13 @@ use eframe::egui::{Context, ViewportCommand};
 use jiff::civil::DateTime;
 
 use super::journal::{Desk, Records};
+use super::measurements;
 use super::picture;
-use super::reading::{is_read, read};
+use super::reading::{Found, With, is_read, read};
 use super::rows::Runs;
 use super::watching::{Watch, Watching};
 use super::working::{Job, Watched, Works};
+use crate::exchange::Remembered;
 use crate::exchange::batch::Part;
 use crate::files::{self, FileError};
 use crate::message::Message;
@@ -34,6 +36,16 @@ pub enum Errands {
     OnThread,
     /// At once: for tests. File dialogs answer that nothing was picked, and no program is started.
     AtOnce,
+}
+
+/// What effects need besides themselves, as it is when they are sent.
+#[derive(Clone, Copy)]
+pub(super) struct Beside<'a> {
+    pub sources: &'a Arc<Sources>,
+    /// The columns of files as they were corrected.
+    pub columns: &'a Arc<Remembered>,
+    pub words: &'a Words,
+    pub now: DateTime,
 }
 
 /// Something to do outside.
@@ -99,7 +111,8 @@ impl Runner {
     }
 
     /// Runs an effect; the frame itself does the clipboard.
-    pub fn run(&self, ctx: &Context, effect: Effect, (sources, words): (&Arc<Sources>, &Words), now: DateTime) {
+    pub fn run(&self, ctx: &Context, effect: Effect, beside: &Beside<'_>) {
+        let Beside { sources, columns, words, now } = *beside;
         let Some(effect) = self.desk.run(ctx, effect) else { return };
         let effect = match effect {
             Effect::Copy(text) => return ctx.copy_text(text),
@@ -112,15 +125,17 @@ impl Runner {
             Effect::Watch { run, folder, plan } => {
                 let (known, journal, language) = (self.desk.known(), self.desk.file(), words.language());
                 let (ctx, answers, clock) = (ctx.clone(), self.sender.clone(), self.clock);
-                let sources = Arc::clone(sources);
-                let watch = Watch { run, folder, plan, sources, language, clock, known, journal, ctx, answers };
+                let (sources, columns) = (Arc::clone(sources), Arc::clone(columns));
+                let watch =
+                    Watch { run, folder, plan, sources, columns, language, clock, known, journal, ctx, answers };
                 return self.watching.begin(watch);
             }
             Effect::WatchTaken { run, look } => return self.watching.taken(run, look),
             Effect::StopWatch => return self.watching.stop(),
             effect => effect,
         };
-        let (sender, ctx, sources) = (self.sender.clone(), ctx.clone(), Arc::clone(sources));
+        let (sender, ctx, sources, columns) =
+            (self.sender.clone(), ctx.clone(), Arc::clone(sources), Arc::clone(columns));
         let (errands, filters) = (self.errands, Filters::of(effect.errand(), words));
         let may_wait = match effect.errand() {
             // A large picture takes a while.
@@ -135,7 +150,7 @@ impl Runner {
         };
         let works = Arc::clone(&self.works);
         let errand: Errand = Box::new(move || {
-            let job = |path: &Path, is_writing: bool| {
+            let begins = |path: &Path, is_writing: bool| {
                 let (sender, ctx) = (sender.clone(), ctx.clone());
                 let say = move |far: Option<Working>| {
                     let _closed = sender.send(FilesCommand::Working(far.map(Box::new)).into());
@@ -143,7 +158,8 @@ impl Runner {
                 };
                 works.begin(path, is_writing, Box::new(say))
             };
-            for command in answers(effect, (errands, filters), (&sources, &job), now) {
+            let with = With { sources: &sources, columns: &columns, now, begins: &begins };
+            for command in answers(effect, (errands, filters), with) {
                 // A closed window hears no answer; that is not an error.
                 let _closed = sender.send(command);
             }
@@ -204,18 +220,10 @@ impl Filters {
     }
 }
 
-/// Begins a file that is read, or written.
-type Begins<'a> = dyn Fn(&Path, bool) -> Job + 'a;
-
-fn answers(
-    effect: Effect,
-    (errands, filters): (Errands, Option<Filters>),
-    (sources, job): (&Sources, &Begins<'_>),
-    now: DateTime,
-) -> Vec<Command> {
+fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with: With<'_>) -> Vec<Command> {
     match effect {
         Effect::ForDialog(dialog, errand) => {
-            let answers = answers(*errand, (errands, filters), (sources, job), now).into_iter();
+            let answers = answers(*errand, (errands, filters), with).into_iter();
             answers.map(|answer| Command::Answered(dialog, Box::new(answer))).collect()
         }
         Effect::Browse { purpose, folder, name } => {
@@ -231,22 +239,15 @@ fn answers(
             vec![FilesCommand::IsFolder(path).into()]
         }
         Effect::Read(purpose, path) => {
-            let (command, sha256) = read(purpose, path.clone(), (sources, now), &job(&path, false));
-            let fate = match &command {
-                _ if matches!(path.try_exists(), Ok(false)) => Fate::Gone,
-                command if is_read(command) => Fate::Read,
-                _ => Fate::Refused,
-            };
-            // A file is remembered as what it is.
-            let is_part = matches!(command, Command::Workpiece(WorkpieceCommand::PartRead { .. }));
-            let purpose = if is_part { Purpose::OpenPart } else { purpose };
-            let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-            let measured = sha256.map(|sha256| RecordsCommand::Measured { name, sha256 }.into());
-            let seen = FilesCommand::Seen { purpose, path, fate }.into();
-            std::iter::once(seen).chain(measured).chain([command]).collect()
+            let read = read(purpose, path.clone(), with);
+            seen(purpose, path, read)
         }
-        Effect::Save(path, content) => save(&job(&path, true), path, &content, false),
-        Effect::Replace(path, content) => save(&job(&path, true), path, &content, true),
+        Effect::ReadColumns { into, path, mapping } => {
+            let read = measurements::read(into, path.clone(), Some(&mapping), with);
+            seen(into.purpose(), path, read)
+        }
+        Effect::Save(path, content) => save(&(with.begins)(&path, true), path, &content, false),
+        Effect::Replace(path, content) => save(&(with.begins)(&path, true), path, &content, true),
         Effect::Launch(path, how) => {
             let result = match errands {
                 Errands::OnThread => launch(&path, how),
@@ -284,6 +285,26 @@ fn answers(
         | Effect::VerifyRecords { .. }
         | Effect::StopVerify => Vec::new(),
     }
+}
+
+/// What a file holds, after what is to be known before it is used.
+fn seen(purpose: Purpose, path: PathBuf, read: Found) -> Vec<Command> {
+    let Found { before, command, sha256 } = read;
+    let fate = match &command {
+        _ if matches!(path.try_exists(), Ok(false)) => Fate::Gone,
+        command if is_read(command) => Fate::Read,
+        _ => Fate::Refused,
+    };
+    // A file is remembered as what it is.
+    let purpose = match (purpose, &command) {
+        (_, Command::Workpiece(WorkpieceCommand::PartRead { .. })) => Purpose::OpenPart,
+        (Purpose::AskColumns(into), _) => into.purpose(),
+        (purpose, _) => purpose,
+    };
+    let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+    let measured = sha256.map(|sha256| RecordsCommand::Measured { name, sha256 }.into());
+    let seen = FilesCommand::Seen { purpose, path, fate }.into();
+    std::iter::once(seen).chain(measured).chain(before).chain([command]).collect()
 }
 
 fn save(job: &Job, path: PathBuf, content: &Content, replace: bool) -> Vec<Command> {
@@ -358,7 +379,9 @@ mod tests {
         for number in 0..20 {
             let bytes = vec![b'x'; if number == 0 { 4 << 20 } else { 1 }];
             let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
-            runner.run(&ctx, Effect::Save(path(number), bytes.into()), (&Arc::default(), &words), now);
+            let (sources, columns) = (Arc::default(), Arc::default());
+            let beside = Beside { sources: &sources, columns: &columns, words: &words, now };
+            runner.run(&ctx, Effect::Save(path(number), bytes.into()), &beside);
         }
         let answers: Vec<Command> = runner.receiver.iter().take(20).collect();
         for (number, answer) in answers.iter().enumerate() {

@@ -4,13 +4,14 @@
 //! |---|---|
 //! | `app` | one frame: panels, commands, effects |
 //! | `effects`, `reading` | files, dialogs and the clipboard, off the frame's thread |
+//! | `measurements` | files of measurements, and what their columns are taken for |
 //! | `rows` | the workers behind the rows of a large file |
 //! | `working` | a file that is read or written: how far it is, and how it is stopped |
 //! | `store` | the state file |
 //! | `journal` | who keeps and reads records |
 //! | `theme` | colours, sizes, fonts |
 //! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records` | the pages |
-//! | `top_bar`, `dialogs`, `folder_list` | what belongs to every page |
+//! | `top_bar`, `dialogs`, `folder_list`, `columns_panel` | what belongs to every page |
 //! | `who` | who is measuring |
 //! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
@@ -25,6 +26,7 @@ mod budget;
 mod check;
 mod class_chooser;
 mod columns;
+mod columns_panel;
 mod cycles;
 mod dialogs;
 mod effects;
@@ -38,6 +40,7 @@ mod keys;
 mod limits;
 mod long_list;
 mod material;
+mod measurements;
 mod pairing;
 mod parts;
 mod picture;

@@ -6,7 +6,7 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::rows;
+use super::measurements;
 use super::working::{Job, Watched};
 use crate::control::deviations;
 use crate::control::mask::Mask;
@@ -14,7 +14,7 @@ use crate::control::probe_table::ProbeTable;
 use crate::control::text::decode;
 use crate::control::tool_table::ToolTable;
 use crate::exchange::contacts::{self, Contacts};
-use crate::exchange::{self, Given, Item, MOST_ROWS};
+use crate::exchange::{self, Given, Remembered};
 use crate::files;
 use crate::journal::chain::Hash;
 use crate::message::{Message, Say as _};
@@ -25,8 +25,9 @@ use crate::report::pairing::Parts;
 use crate::session::parts::{PlanCommand, WalkCommand};
 use crate::session::program::Document;
 use crate::session::{
-    BothSizes, BudgetCommand, CheckCommand, Command, CycleFile, CyclesCommand, PairingCommand, PartsCommand,
-    ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand, usable,
+    BothSizes, BudgetCommand, CheckCommand, ColumnsCommand, Command, CycleFile, CyclesCommand, ImportInto,
+    PairingCommand, PartsCommand, ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand,
+    usable,
 };
 use crate::tolerance::{DeviationTable, Feature, Sources};
 
@@ -34,6 +35,7 @@ use crate::tolerance::{DeviationTable, Feature, Sources};
 pub(super) const fn is_read(command: &Command) -> bool {
     match command {
         Command::Check(CheckCommand::Imported { result, .. }) => result.is_ok(),
+        Command::Columns(ColumnsCommand::Ask(_)) => true,
         Command::Check(CheckCommand::Rows(RowsCommand::Opened { result, .. })) => result.is_ok(),
         Command::MaskRead { result, .. } => result.is_ok(),
         Command::TablesRead { result, .. } => result.is_ok(),
@@ -56,20 +58,34 @@ pub(super) const fn is_read(command: &Command) -> bool {
     }
 }
 
-/// Reads what a dialog of this purpose asks for, with SHA-256 of the file where a record may name it.
-pub(super) fn read(
-    purpose: Purpose,
-    path: PathBuf,
-    (sources, now): (&Sources, DateTime),
-    job: &Job,
-) -> (Command, Option<Hash>) {
+/// What files are read with.
+#[derive(Clone, Copy)]
+pub(super) struct With<'a> {
+    pub sources: &'a Sources,
+    /// The columns of files as they were corrected.
+    pub columns: &'a Remembered,
+    pub now: DateTime,
+    /// Begins a file that is read, or written.
+    pub begins: &'a dyn Fn(&Path, bool) -> Job,
+}
+
+/// What a file holds.
+pub(super) struct Found {
+    /// What is to be known before.
+    pub before: Option<Command>,
+    /// The command that takes it.
+    pub command: Command,
+    /// SHA-256 of the file where a record may name it.
+    pub sha256: Option<Hash>,
+}
+
+/// Reads what a dialog of this purpose asks for.
+pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> Found {
     let (name, mut seen) = (name(&path), None);
     let command = match purpose {
-        Purpose::Import => match rows::large(&path) {
-            Ok(None) => CheckCommand::Imported { result: import(&path, (sources, now), job, &mut seen), name }.into(),
-            Ok(Some(large)) => RowsCommand::Opened { name, result: Ok((path, large)) }.into(),
-            Err(problem) => RowsCommand::Opened { name, result: Err(problem) }.into(),
-        },
+        Purpose::Import => return measurements::read(ImportInto::History, path, None, with),
+        Purpose::ImportValues => return measurements::read(ImportInto::Part, path, None, with),
+        Purpose::AskColumns(into) => return measurements::ask(into, path, with),
         Purpose::LoadMask => Command::MaskRead { name, result: read_mask(&path) },
         Purpose::LoadTables => Command::TablesRead { result: read_tables(&path), folder: path },
         Purpose::OpenTable => TablesCommand::Read { name, result: read_table(&path) }.into(),
@@ -88,22 +104,22 @@ pub(super) fn read(
         Purpose::UseBudget => BudgetCommand::UsedRead { result: read_text(&path, &mut seen), path }.into(),
         Purpose::OpenPlan => PartsCommand::Plan(PlanCommand::Read { result: read_plan(&path, &mut seen), path }).into(),
         Purpose::OpenPicture => PartsCommand::Plan(PlanCommand::ChoosePicture(path)).into(),
-        Purpose::ImportValues => {
-            WalkCommand::Imported { result: read_items(&path, (sources, now), job, &mut seen), name }.into()
-        }
         Purpose::WatchFolder => WalkCommand::Watch { is_folder: path.is_dir(), folder: path }.into(),
         Purpose::OpenReadings => BudgetCommand::ReadingsRead { result: read_readings(&path), name }.into(),
-        Purpose::OpenParts(feature) => {
-            PairingCommand::Read { feature, result: read_parts(&path, &name, feature, job), path }.into()
+        Purpose::OpenParts(feature) => PairingCommand::Read {
+            feature,
+            result: read_parts(&path, &name, feature, &(with.begins)(&path, false)),
+            path,
         }
+        .into(),
         // These purposes write files.
         _ => Command::Picked(None),
     };
-    (command, seen)
+    Found { before: None, command, sha256: seen }
 }
 
 /// The bytes of a file that a record may name.
-fn bytes_of(path: &Path, seen: &mut Option<Hash>) -> Result<Vec<u8>, Message> {
+pub(super) fn bytes_of(path: &Path, seen: &mut Option<Hash>) -> Result<Vec<u8>, Message> {
     let bytes = files::read_file(path).map_err(|error| error.message())?;
     *seen = Some(Hash::of_file(&bytes));
     Ok(bytes)
@@ -116,49 +132,13 @@ fn read_plan(path: &Path, seen: &mut Option<Hash>) -> Result<Box<part::Document>
     exchange::read_plan(&name(path), &bytes, given).map(Box::new).map_err(|error| error.message())
 }
 
-fn name(path: &Path) -> String {
+pub(super) fn name(path: &Path) -> String {
     path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
 
-fn import(
-    path: &Path,
-    (sources, now): (&Sources, DateTime),
-    job: &Job,
-    seen: &mut Option<Hash>,
-) -> Result<Box<exchange::Imported>, Message> {
-    let bytes = bytes_of(path, seen)?;
-    job.has(bytes.len());
-    let beside = |ending: &str| files::beside(path, ending);
-    let given = exchange::Given { beside: &beside, ..exchange::Given::new(sources, now) };
-    let mut body = Cursor::new(bytes);
-    let imported = exchange::import_given(&name(path), &mut Watched::new(&mut body, job), given);
-    whole(Box::new(imported), job)
-}
-
 /// What was read, unless that was stopped: of half a file nothing is taken.
-fn whole<T>(read: T, job: &Job) -> Result<T, Message> {
+pub(super) fn whole<T>(read: T, job: &Job) -> Result<T, Message> {
     if job.is_stopped() { Err(job.stopped()) } else { Ok(read) }
-}
-
-/// Everything that a file holds, one after the other: a plan judges it later.
-fn read_items(
-    path: &Path,
-    (sources, now): (&Sources, DateTime),
-    job: &Job,
-    seen: &mut Option<Hash>,
-) -> Result<Vec<Item>, Message> {
-    let bytes = bytes_of(path, seen)?;
-    job.has(bytes.len());
-    let beside = |ending: &str| files::read_file(&path.with_extension(ending)).ok();
-    let given = Given { beside: &beside, most_rows: MOST_ROWS, ..Given::new(sources, now) };
-    let (mut items, mut body) = (Vec::new(), Cursor::new(bytes));
-    exchange::import_from(&name(path), &mut Watched::new(&mut body, job), given, &mut |item| {
-        if item.is_row() {
-            job.row();
-        }
-        items.push(item);
-    });
-    whole(items, job)
 }
 
 fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {

@@ -114,7 +114,7 @@ fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
         view.checkbox(ui, Action::Edition1988);
     });
     ui.separator();
-    for action in [Action::LoadTables, Action::NoOwnTables, Action::LoadMask] {
+    for action in [Action::ImportColumns, Action::LoadTables, Action::NoOwnTables, Action::LoadMask] {
         view.menu_item(ui, action);
     }
     ui.separator();

@@ -8,6 +8,7 @@ use std::time::Instant;
 use eframe::egui::Context;
 use jiff::civil::DateTime;
 
+use crate::exchange::Remembered;
 use crate::message::{Message, Say as _};
 use crate::part::Plan;
 use crate::session::Command;
@@ -25,6 +26,8 @@ pub(super) struct Watch {
     pub folder: PathBuf,
     pub plan: Arc<Plan>,
     pub sources: Arc<Sources>,
+    /// The columns of files as they were corrected.
+    pub columns: Arc<Remembered>,
     /// Of what is written beside files that cannot be used.
     pub language: Language,
     pub clock: fn() -> DateTime,
@@ -89,7 +92,8 @@ impl Watch {
         let (mut watcher, begun) = (Watcher::new(&self.folder, known), Instant::now());
         let (mut told, mut number) = (Told::default(), 0);
         loop {
-            let judging = Judging { plan: Some(&self.plan), sources: &self.sources, masks: &[], now: (self.clock)() };
+            let (plan, sources, columns) = (Some(&*self.plan), &*self.sources, Some(&*self.columns));
+            let judging = Judging { plan, sources, masks: &[], columns, now: (self.clock)() };
             let look = watcher.look(judging, begun.elapsed()).map_err(|error| error.message());
             let ready = self.tell(look, &mut told);
             if !ready.is_empty() {

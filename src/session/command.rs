@@ -7,6 +7,7 @@ use std::sync::Arc;
 
 use super::budget::BudgetCommand;
 use super::check::CheckCommand;
+use super::columns::ColumnsCommand;
 use super::cycles::CyclesCommand;
 use super::field::Field;
 use super::files::{Content, FilesCommand, Launch};
@@ -21,6 +22,7 @@ use super::tables::TablesCommand;
 use super::tools::ToolsCommand;
 use super::workpiece::WorkpieceCommand;
 use crate::control::mask::Mask;
+use crate::exchange::Mapping;
 use crate::exchange::batch::Part;
 use crate::files::FileError;
 use crate::journal::ask::Question;
@@ -52,6 +54,8 @@ pub enum Command {
     Parts(PartsCommand),
     /// Does something on the records page, or with what is recorded.
     Records(RecordsCommand),
+    /// Does something with the columns of a file of measurements.
+    Columns(ColumnsCommand),
     /// Does something with the simulated workpiece or recorded contacts.
     Workpiece(WorkpieceCommand),
     /// Does something with the tool table.
@@ -141,6 +145,7 @@ impl From<ListCommand> for Command {
 }
 
 from_variants!(Command: Pairing(PairingCommand), Budget(BudgetCommand), Records(RecordsCommand), Parts(PartsCommand));
+from_variants!(Command: Columns(ColumnsCommand));
 from_variants!(Command: Program(ProgramCommand), Workpiece(WorkpieceCommand), Tools(ToolsCommand), Files(FilesCommand));
 
 /// What a file dialog is for.
@@ -184,6 +189,8 @@ pub enum Purpose {
     OpenPlan,
     /// Reading measurements into the part that is walked through.
     ImportValues,
+    /// Reading measurements whose columns are to be seen first.
+    AskColumns(ImportInto),
     /// Watching a folder that files are dropped into.
     WatchFolder,
     /// Writing the plan: as TOML, or as CSV.
@@ -234,10 +241,30 @@ impl Purpose {
             | Self::OpenPlan
             | Self::OpenPicture
             | Self::ImportValues
+            | Self::AskColumns(_)
             | Self::WatchFolder
             | Self::UseBudget
             | Self::OpenReadings
             | Self::OpenParts(_) => true,
+        }
+    }
+}
+
+/// Where measurements of a file go.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum ImportInto {
+    /// The history of the check page.
+    History,
+    /// The part that is walked through.
+    Part,
+}
+
+impl ImportInto {
+    /// The purpose that reads them there.
+    pub const fn purpose(self) -> Purpose {
+        match self {
+            Self::History => Purpose::Import,
+            Self::Part => Purpose::ImportValues,
         }
     }
 }
@@ -345,10 +372,19 @@ pub enum Effect {
     /// Read what lies in a folder and send [`FilesCommand::Listed`].
     List(PathBuf),
     /// Read what a dialog of this purpose asks for, and send the command that takes it: [`CheckCommand::Imported`],
-    /// [`RowsCommand::Opened`] in place of it for a large one,
+    /// [`RowsCommand::Opened`] in place of it for a large one, [`ColumnsCommand::Ask`] where its columns are not certain,
     /// [`Command::MaskRead`], [`Command::TablesRead`], or the one of a page that reads such files. Before it comes
     /// [`FilesCommand::Seen`]; a folder in place of a file is only told by [`FilesCommand::IsFolder`].
     Read(Purpose, PathBuf),
+    /// Read measurements with these columns, and send what [`Self::Read`] sends.
+    ReadColumns {
+        /// Where they go.
+        into: ImportInto,
+        /// The file.
+        path: PathBuf,
+        /// Which column is which.
+        mapping: Box<Mapping>,
+    },
     /// Write a file that does not exist yet and send [`Command::Saved`].
     Save(PathBuf, Content),
     /// Write a file over another one and send [`Command::Saved`].

@@ -22,6 +22,7 @@
 //! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
+//! | `columns` | the columns of files of measurements, as they are corrected and remembered |
 //! | `saved` | what survives a restart |
 
 /// `From` the value of a variant, for variants that each hold a different type.
@@ -38,6 +39,7 @@ macro_rules! from_variants {
 pub mod action;
 mod budget;
 mod check;
+mod columns;
 mod command;
 mod cycles;
 mod field;
@@ -71,7 +73,11 @@ pub use budget::{
 pub use check::{
     Asked, CheckCommand, CheckField, CheckPage, Judging, Lot, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
 };
-pub use command::{Command, CycleFile, Density, DialogId, Effect, Page, Purpose, Theme};
+pub use columns::{
+    Asked as AskedColumns, ColumnChoice, ColumnsCommand, NoticeColumns, OpenColumns, UsedColumns, refusal, role_id,
+    unit_id,
+};
+pub use command::{Command, CycleFile, Density, DialogId, Effect, ImportInto, Page, Purpose, Theme};
 pub use cycles::{
     Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Standing, WorkpieceField,
     WorkpieceForm,
@@ -135,6 +141,7 @@ impl Session {
         shared.keypad = saved.keypad;
         shared.places = Places::restore(saved.files);
         shared.density = saved.density;
+        shared.columns = columns::Columns::restore(saved.columns);
         let awaited = saved.tables_folder.as_ref().map(|folder| Absent::Awaited(folder.to_string_lossy().into()));
         let sources = Sources::default().with_base(saved.source, shipped_tables).with_options(saved.standard);
         shared.sources = Arc::new(sources.with_absent(awaited));
@@ -182,6 +189,7 @@ impl Session {
             },
             cycles: self.cycles.saved(),
             files: self.shared.places.saved(),
+            columns: self.shared.columns.saved(),
             records: self.shared.recording.saved(),
             walk: self.parts.saved_walk(),
             ..Saved::default()
@@ -271,6 +279,7 @@ impl Session {
                 shared.set_mask(language.map_or(MaskChoice::OfLanguage, MaskChoice::Shipped));
             }
             Command::Files(command) => return self.apply_files(command, now),
+            Command::Columns(command) => return self.apply_columns(command, now),
             Command::OpenDialog(purpose) => self.open_dialog(purpose, now),
             Command::TypePath(path) => {
                 if let Some(dialog) = &mut shared.dialog {

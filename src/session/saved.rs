@@ -9,6 +9,7 @@ use serde::{Deserialize, Serialize};
 
 use super::check::{Judging, MeasureBy};
 use super::command::{Density, Theme};
+use crate::exchange::Remembered;
 use crate::message::Say;
 use crate::tolerance::{Base, Feature, iso286};
 use crate::words::Language;
@@ -43,6 +44,8 @@ pub struct Saved {
     pub cycles: SavedCycles,
     /// Folders and recent files.
     pub files: SavedFiles,
+    /// The columns of files as they were corrected.
+    pub columns: Remembered,
     /// Where checks are recorded, and who measures.
     pub records: SavedRecords,
     /// The part that is being measured.
@@ -151,6 +154,7 @@ impl Default for Saved {
             inputs: SavedInputs::default(),
             cycles: SavedCycles::default(),
             files: SavedFiles::default(),
+            columns: Remembered::default(),
             records: SavedRecords::default(),
             walk: SavedWalk::default(),
         }

@@ -11,6 +11,7 @@ use jiff::civil::DateTime;
 
 use super::budget::OpenBudget;
 use super::check::Worth;
+use super::columns::{Columns, NoticeColumns};
 use super::command::{Density, DialogId, Effect, Page, Purpose, Theme};
 use super::files::{Dialog, Places, Working};
 use super::history::{ChangeId, History};
@@ -57,12 +58,14 @@ pub struct Notice {
     pub change: Option<ChangeId>,
     /// Whether it tells of checks that could not be recorded.
     pub records: bool,
+    /// The file whose columns it tells of.
+    pub columns: Option<NoticeColumns>,
 }
 
 impl Notice {
     /// A headline alone.
     pub(super) const fn of(message: Message, is_problem: bool) -> Self {
-        Self { message, details: Vec::new(), is_problem, file: None, change: None, records: false }
+        Self { message, details: Vec::new(), is_problem, file: None, change: None, records: false, columns: None }
     }
 }
 
@@ -91,6 +94,8 @@ pub(super) enum News {
     Budget,
     /// The record of a number was corrected or withdrawn.
     TakenBack(u64),
+    /// Other columns of files are remembered.
+    Columns,
     /// The journal is open, or cannot be opened.
     Journal,
     /// The journal has answered about a batch of checks: whether they are on disk.
@@ -156,6 +161,7 @@ pub(super) struct Shared {
     /// The dialog whose answer is being applied.
     pub answered: Option<DialogId>,
     pub places: Places,
+    pub columns: Columns,
     pub notices: Vec<Notice>,
     /// The file that is being read or written, where that takes long.
     pub working: Option<Box<Working>>,
@@ -210,8 +216,13 @@ impl Shared {
         if !self.awaits_tables() {
             return effects.into_iter().chain(std::mem::take(&mut self.held)).collect();
         }
-        let is_judged =
-            |effect: &Effect| matches!(effect.errand(), Effect::Read(Purpose::Import | Purpose::ImportValues, _));
+        let is_judged = |effect: &Effect| match effect.errand() {
+            Effect::Read(purpose, _) => {
+                matches!(purpose, Purpose::Import | Purpose::ImportValues | Purpose::AskColumns(_))
+            }
+            Effect::ReadColumns { .. } => true,
+            _ => false,
+        };
         let (held, others): (Vec<_>, Vec<_>) = effects.into_iter().partition(is_judged);
         self.held.extend(held);
         others

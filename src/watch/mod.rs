@@ -34,7 +34,7 @@ use std::time::Duration;
 use jiff::civil::DateTime;
 
 use crate::control::mask::Mask;
-use crate::exchange::Item;
+use crate::exchange::{Item, Remembered};
 use crate::files::FileError;
 use crate::journal::chain::Hash;
 use crate::message::{Message, Say};
@@ -67,6 +67,8 @@ pub struct Judging<'a> {
     pub sources: &'a Sources,
     /// Masks of a control: a text that one of them printed is read back through it.
     pub masks: &'a [(String, Mask)],
+    /// The columns of files as the user corrected them, by the shape of the file.
+    pub columns: Option<&'a Remembered>,
     /// The time of values whose file has none.
     pub now: DateTime,
 }

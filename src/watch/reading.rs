@@ -5,12 +5,15 @@
 //! there is more of it.
 
 use std::fs::File;
+use std::io::{Read as _, Seek as _};
 
 use super::folder::Found;
 use super::known::{Extent, Known, Mark, until};
 use super::part::Beginning;
 use super::{Batch, Judging, Look, PATIENCE, Waiting};
-use crate::exchange::{ByPlan, Given, ImportWarningKind, Item, MOST_ROWS, import_from, recognised};
+use crate::exchange::{
+    ByPlan, FirstRows, Given, ImportWarningKind, Item, MOST_ROWS, Mapping, WHOLE, import_from, recognised,
+};
 use crate::files::{self, FileError};
 use crate::message::{Located, Message, Say as _};
 
@@ -159,15 +162,28 @@ impl Reading<'_> {
 
     /// What the first bytes of the file hold, judged by the plan.
     fn read_all(&self, end: Mark) -> Vec<Item> {
-        let Judging { plan, sources, masks, now } = self.judging;
+        let Judging { plan, sources, masks, now, .. } = self.judging;
         let beside = |ending: &str| files::beside(&self.found.path, ending);
-        let given = Given { beside: &beside, masks, most_rows: MOST_ROWS, ..Given::new(sources, now) };
+        let (mapping, has_plan) = (self.remembered(end), plan.is_some());
+        let mapping = mapping.as_ref();
+        let given =
+            Given { beside: &beside, masks, mapping, most_rows: MOST_ROWS, has_plan, ..Given::new(sources, now) };
         let (mut items, mut by_plan) = (Vec::new(), plan.map(ByPlan::new));
         import_from(&self.found.name, &mut Beginning::new(self.file, end.end), given, &mut |item| match &mut by_plan {
             Some(by_plan) => by_plan.item(item, &mut |item| items.push(item)),
             None => items.push(item),
         });
         items
+    }
+
+    /// The columns of the file as the user corrected them for files of its shape.
+    fn remembered(&self, end: Mark) -> Option<Mapping> {
+        let columns = self.judging.columns.filter(|columns| !columns.is_empty() && self.judging.masks.is_empty())?;
+        let (mut body, mut bytes) = (Beginning::new(self.file, end.end), Vec::new());
+        body.rewind().ok()?;
+        body.take(WHOLE).read_to_end(&mut bytes).ok()?;
+        let first = FirstRows::of(&self.found.name, &bytes)?;
+        columns.find(&first).map(|(.., mapping)| mapping)
     }
 }
 

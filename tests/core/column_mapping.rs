@@ -4,7 +4,9 @@ use std::io::Cursor;
 use std::path::Path;
 
 use assert_cmd::Command;
-use fitcheck::exchange::{Given, Item, Labels, Mapping, import_from};
+use fitcheck::exchange::{
+    Choice, FirstRows, Given, Item, Kept, Labels, MOST_KEPT, Mapping, Remembered, Role, import_from,
+};
 use fitcheck::tolerance::Sources;
 
 const NOW: jiff::civil::DateTime = jiff::civil::date(2025, 1, 1).at(0, 0, 0, 0);
@@ -227,4 +229,190 @@ fn answer(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
         Command::cargo_bin("fitcheck").unwrap().current_dir(folder).arg("import").args(arguments).output().unwrap();
     let text = |bytes| String::from_utf8(bytes).unwrap();
     (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
+}
+
+#[test]
+fn nothing_is_said_twice() {
+    let refused = |text: &str| text.parse::<Mapping>().unwrap_err().to_string();
+    assert_eq!(refused("measured=a,measured=b"), "measured is given twice: give it once");
+    assert_eq!(refused("measured=a,Measured=a"), "Measured is given twice: give it once");
+    assert_eq!(refused("name=1,id=2"), "id is given twice: give it once");
+    assert_eq!(refused("unit=mm,unit=inch"), "unit is given twice: give it once");
+    assert_eq!(refused("first-row=2,first-row=3"), "first-row is given twice: give it once");
+    let of_toml = |text: &str| Mapping::from_toml(text).unwrap_err().to_string();
+    assert_eq!(of_toml("[columns]\nclass = 1\ncallout = 2"), "class is given twice: give it once");
+    check(
+        "name=1,measured=1",
+        "id;callout;measured\nb1;25 H7;25.012\n",
+        &["line 1: column 1 (id) cannot be both the measured value and the name"],
+    );
+}
+
+#[test]
+fn places_have_a_unit_of_their_own() {
+    let text = "a;x;y;fit;m\nb;1;2;1 H7;1.0003\n";
+    let place = |mapping: &str| {
+        let (said, labels) = read(Some(mapping), text);
+        let [labels] = labels.try_into().unwrap_or_else(|_| panic!("{said:?}"));
+        let [x, y, z] = labels.place.map(|place| place.map(|place| place.to_string()));
+        assert_eq!(z, None);
+        [x.unwrap(), y.unwrap()]
+    };
+    assert_eq!(place("name=a,measured=m,unit=inch"), ["1", "2"], "the unit of sizes says nothing of places");
+    // 1 in is 25.4 mm.
+    assert_eq!(place("name=a,measured=m,place-unit=inch"), ["25.4", "50.8"]);
+    let refused = "place-unit=cm".parse::<Mapping>().unwrap_err().to_string();
+    assert_eq!(refused, "place-unit: cm is unknown: allowed are mm um inch");
+    // What is detected says both, and leaves to the names what differs.
+    let toml = |text: &str| Mapping::default().detect(text.as_bytes()).unwrap().mapping.to_toml();
+    let said = toml("name;x [mm];y [mm];callout;measured [inch]\nb;1;2;25 H7;1.0003\n");
+    assert!(said.contains("\nunit = \"inch\"\nplace-unit = \"mm\"\n"), "{said}");
+    let said = toml("name;nominal [mm];class;measured [inch]\nb;25;H7;1.0003\n");
+    assert!(!said.contains("unit"), "{said}");
+}
+
+#[test]
+fn date_and_time_have_a_column_each_or_one_of_them_is_left_out() {
+    let text = "Datum;Uhrzeit;Passung;Istmaß\n14.3.2024;8:05;25 H7;25,012\n";
+    let time = |toml: &str| {
+        let (mapping, sources) = (Mapping::from_toml(toml).unwrap(), Sources::default());
+        let given = Given { mapping: Some(&mapping), ..Given::new(&sources, NOW) };
+        let mut times = Vec::new();
+        import_from("m.csv", &mut Cursor::new(text.as_bytes()), given, &mut |item| {
+            if let Item::Record { record, .. } = item {
+                times.push(record.time.to_string());
+            }
+        });
+        times
+    };
+    assert_eq!(time("[columns]\ntime = \"Datum\""), ["2024-03-14T08:05:00"], "one of them names both");
+    assert_eq!(time("[columns]\ntime = [\"Datum\", \"Uhrzeit\"]"), ["2024-03-14T08:05:00"]);
+    assert_eq!(time("[columns]\ntime = [\"Datum\"]"), ["2024-03-14T00:00:00"]);
+    for wrong in ["time = []", "time = [1, 2, 3]", "time = [[1]]", "time = [\"-\"]", "measured = [3, 4]"] {
+        assert!(Mapping::from_toml(&format!("[columns]\n{wrong}")).is_err(), "{wrong}");
+    }
+}
+
+/// German, with names that nobody knows, commas and inches.
+const ODD: &str = "Stelle;Kontur;Ergebnis in Zoll\nBORE;12;0,98465\nPIN;7;0,78675\n";
+
+fn chosen(first: &FirstRows) -> Choice {
+    let mut choice = first.guess(&Mapping::default());
+    assert!(choice.roles.iter().all(Option::is_none), "{choice:?}");
+    choice.give(0, Some(Role::Id));
+    choice.give(2, Some(Role::Measured));
+    choice
+}
+
+#[test]
+fn what_is_chosen_for_a_file_is_found_again_for_files_of_its_shape_alone() {
+    let first = FirstRows::of("a.csv", ODD.as_bytes()).unwrap();
+    assert!(first.detect(&Mapping::default()).is_err());
+    let mut remembered = Remembered::default();
+    let shape = remembered.keep(Kept::of(&first, &chosen(&first), NOW).unwrap());
+    let read = |text: &str| {
+        let first = FirstRows::of("b.csv", text.as_bytes()).unwrap();
+        let (found, kept, mapping) = remembered.find(&first)?;
+        assert_eq!((found, kept.day()), (shape.as_str(), "2025-01-01"));
+        let sources = Sources::default();
+        let mut sizes = Vec::new();
+        let given = Given { mapping: Some(&mapping), ..Given::new(&sources, NOW) };
+        import_from("b.csv", &mut Cursor::new(text.as_bytes()), given, &mut |item| {
+            if let Item::Unjudged(unjudged) = item {
+                sizes.push(format!("{} {}", unjudged.id, unjudged.measured.unwrap()));
+            }
+        });
+        Some(sizes)
+    };
+    // 0.98465 in is 25.01011 mm, 0.78675 in is 19.98345 mm.
+    let sizes = || Some(vec!["BORE 25.01011".to_owned(), "PIN 19.98345".to_owned()]);
+    assert_eq!(read(ODD), sizes());
+    assert_eq!(read(&format!("Protokoll;7\n# ein Satz\n{ODD}")), sizes(), "lines above the header");
+    assert_eq!(read(&ODD.replace("Kontur", "Form")), None, "another name");
+    assert_eq!(read(&ODD.replace(';', "\t")), None, "another separator");
+    assert_eq!(read(&ODD.replace("Stelle;Kontur", "Kontur;Stelle")), None, "another order");
+    assert_eq!(read(&ODD.replace("Zoll\n", "Zoll;SN\n")), None, "one more");
+}
+
+#[test]
+fn the_first_row_is_remembered_by_its_distance_from_the_header() {
+    let with_units = ODD.replacen("BORE", "-;-;1\nBORE", 1);
+    let first = FirstRows::of("a.csv", with_units.as_bytes()).unwrap();
+    let mut choice = chosen(&first);
+    choice.first_row = Some(3);
+    let mut remembered = Remembered::default();
+    remembered.keep(Kept::of(&first, &choice, NOW).unwrap());
+    let later = format!("Protokoll;7\nMaschine;3\n{with_units}");
+    let first = FirstRows::of("b.csv", later.as_bytes()).unwrap();
+    let (.., mapping) = remembered.find(&first).unwrap();
+    let detected = first.detect(&mapping).unwrap();
+    assert_eq!((detected.header, detected.rows[0].0), (Some(3), 5));
+}
+
+#[test]
+fn a_file_without_a_header_is_known_by_the_number_of_its_columns() {
+    let first = FirstRows::of("a.csv", b"BORE;7;25,012\nPIN;8;19,985\n").unwrap();
+    let mut choice = first.guess(&Mapping::default());
+    choice.give(0, Some(Role::Id));
+    choice.give(2, Some(Role::Measured));
+    let mut remembered = Remembered::default();
+    remembered.keep(Kept::of(&first, &choice, NOW).unwrap());
+    let is_known = |text: &str| remembered.find(&FirstRows::of("b.csv", text.as_bytes()).unwrap()).is_some();
+    assert!(is_known("D9;1;9,004\nD10;2;10,004\n"));
+    assert!(!is_known("D9;1;9,004;x\nD10;2;10,004;y\n"), "four columns");
+    assert!(!is_known("name;gauge;measured\nD9;1;9,004\n"), "a header");
+}
+
+#[test]
+fn fifty_shapes_are_kept_and_the_oldest_makes_room() {
+    let mut remembered = Remembered::default();
+    let mut shapes = Vec::new();
+    for number in 0..51_i8 {
+        let text = ODD.replace("Kontur", &format!("Kontur {number}"));
+        let first = FirstRows::of("a.csv", text.as_bytes()).unwrap();
+        let time = NOW.saturating_add(jiff::Span::new().minutes(number));
+        shapes.push(remembered.keep(Kept::of(&first, &chosen(&first), time).unwrap()));
+    }
+    assert_eq!(remembered.len(), MOST_KEPT);
+    assert!(!remembered.has(&shapes[0]) && remembered.has(&shapes[1]) && remembered.has(&shapes[50]));
+    let written = toml::to_string(&remembered).unwrap();
+    assert_eq!(toml::from_str::<Remembered>(&written).unwrap(), remembered);
+}
+
+#[test]
+fn a_choice_is_given_to_one_column_and_time_to_two() {
+    let mut choice = Choice { roles: vec![Some(Role::Measured), None, None, None], ..Choice::default() };
+    choice.give(2, Some(Role::Measured));
+    assert_eq!(choice.roles, [None, None, Some(Role::Measured), None]);
+    for at in [0, 1, 3] {
+        choice.give(at, Some(Role::Time));
+    }
+    assert_eq!(choice.roles.iter().filter(|role| **role == Some(Role::Time)).count(), 2, "{choice:?}");
+    choice.give(2, None);
+    assert_eq!(choice.roles[2], None);
+}
+
+#[test]
+fn the_sheet_of_a_workbook_is_said() {
+    let path = Path::new(env!("CARGO_MANIFEST_DIR")).join("tests/data/xlsx/openpyxl.xlsx");
+    let bytes = std::fs::read(path).unwrap();
+    let first = FirstRows::of("m.xlsx", &bytes).unwrap();
+    let detected = first.detect(&Mapping::default()).unwrap();
+    assert!(detected.mapping.to_toml().contains("sheet = "), "{}", detected.mapping.to_toml());
+    let read = |mapping: &Mapping| {
+        let (sources, mut said) = (Sources::default(), Vec::new());
+        let given = Given { mapping: Some(mapping), ..Given::new(&sources, NOW) };
+        import_from("m.xlsx", &mut Cursor::new(&bytes), given, &mut |item| match item {
+            Item::Error(error) => said.push(error.to_string()),
+            Item::Record { line, .. } => said.push(line.to_string()),
+            _ => {}
+        });
+        said
+    };
+    let choice = first.guess(&Mapping::default());
+    let chosen = choice.mapping(&first.names(&choice));
+    assert_eq!(read(&chosen), read(&Mapping::default()), "{}", chosen.to_toml());
+    let said = read(&"sheet=Nowhere".parse().unwrap());
+    assert_eq!(said.len(), 1);
+    assert!(said[0].starts_with("line 1: the workbook has no sheet Nowhere; it has "), "{said:?}");
 }

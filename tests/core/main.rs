@@ -100,6 +100,7 @@ mod run_doubts;
 mod session;
 mod session_actions;
 mod session_budget;
+mod session_columns;
 mod session_cycles;
 mod session_files;
 mod session_filter;

@@ -157,3 +157,31 @@ fn a_number_or_place_with_another_nominal_size_finds_nothing() {
     assert_eq!(code, 1);
     assert!(err.contains("it would be A of the plan, but its nominal size is 25"), "{err}");
 }
+
+#[test]
+fn deviations_and_coordinates_below_zero_are_read_where_the_plan_has_no_diameter() {
+    let place = Place::new();
+    place.write(
+        "plan.csv",
+        "number;name;kind;axis;callout;x;y;z\n1;BORE;;;25 H7;40;30;-8\n2;POINT;point;-Z;±0,05;260;30;12\n",
+    );
+    let text = "name;measured\nPOINT;-0,012\nPOINT;0\nPOINT;-0,051\nBORE;-0,012\nNOBODY;-1\n";
+    place.write("m.csv", text);
+    let (_, out, err) = place.say(&["import", "--plan", "plan.csv", "m.csv", "--format", "csv"]);
+    let rows: Vec<&str> = out.lines().filter(|line| line.starts_with("m.csv,")).collect();
+    let has = |line: &str, words: &[&str]| {
+        let row = rows.iter().find(|row| row.starts_with(&format!("m.csv,{line},")));
+        let row = row.unwrap_or_else(|| panic!("{line}: {out}{err}"));
+        assert!(words.iter().all(|word| row.contains(word)), "{row}");
+    };
+    has("2", &["POINT", "GOOD", "-12"]);
+    has("3", &["POINT", "GOOD"]);
+    has("4", &["POINT", "-51"]);
+    assert!(!out.contains("m.csv,4,POINT,GOOD"), "{out}");
+    has("5", &["a diameter of -0,012 is not above 0"]);
+    has("6", &["no feature of the plan"]);
+    // Without a plan nothing says that it is no diameter.
+    let (code, out, err) = place.say(&["import", "m.csv"]);
+    assert_eq!(code, 1);
+    assert_eq!((out + &err).matches("is not above 0").count(), 5);
+}

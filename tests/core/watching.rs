@@ -60,7 +60,7 @@ impl Watched {
         let now = jiff::civil::date(2026, 11, 23).at(8, 0, 0, 0);
         let look = self
             .watcher
-            .look(Judging { plan: Some(&plan), sources: &sources, masks: &self.masks, now }, self.clock)
+            .look(Judging { plan: Some(&plan), sources: &sources, masks: &self.masks, columns: None, now }, self.clock)
             .unwrap();
         self.same.extend(look.same);
         look.ready

@@ -5,6 +5,7 @@
 mod actions;
 mod budget_page;
 mod check_page;
+mod columns_page;
 mod cycle_page;
 mod dialogs;
 mod fake_journal;

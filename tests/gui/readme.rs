@@ -107,7 +107,8 @@ fn a_flange_is_turned_and_measured() {
 }
 
 /// Pictures of the README that other tests take, too.
-const OTHERS: [(&str, &str); 13] = [
+const OTHERS: [(&str, &str); 14] = [
+    ("columns", "columns_light"),
     ("cycle_421", "cycle_421_light"),
     ("cycle_422", "cycle_422_dark"),
     ("cycle_427", "cycle_427_light"),

@@ -38,9 +38,9 @@ const PLAN: &str = "number;name;kind;axis;callout;callout2;x;y;z
 12;D12;;;12 F9;;90;10;-5
 ";
 
-type Harnessed = Harness<'static, App>;
+pub type Harnessed = Harness<'static, App>;
 
-fn put(path: &Path, text: &str) {
+pub fn put(path: &Path, text: &str) {
     std::io::Write::write_all(&mut std::fs::File::create(path).unwrap(), text.as_bytes()).unwrap();
 }
 
@@ -56,7 +56,7 @@ fn records(folder: &Path) -> Records {
 }
 
 /// A window that records in a folder, with the plan of that folder.
-fn window_of(folder: &Path, size: Vec2) -> Window {
+pub fn window_of(folder: &Path, size: Vec2) -> Window {
     let plan = folder.join("flange.csv");
     if !plan.exists() {
         put(&plan, PLAN);
@@ -65,7 +65,7 @@ fn window_of(folder: &Path, size: Vec2) -> Window {
     Window { size, files, records: records(folder), store: Store::at(&folder.join("state.toml")), ..Window::default() }
 }
 
-fn begun(folder: &Path) -> Harnessed {
+pub fn begun(folder: &Path) -> Harnessed {
     let mut page = window_of(folder, DESK).open();
     assert_eq!(page.state().session().page(), Page::Parts);
     type_into(&mut page, "Serial number", "A-0099");
@@ -82,13 +82,13 @@ fn value(page: &mut Harnessed, text: &str) {
     press(page, Key::Enter);
 }
 
-fn drop_file(page: &mut Harnessed, path: PathBuf) {
+pub fn drop_file(page: &mut Harnessed, path: PathBuf) {
     page.input_mut().dropped_files.push(Arc::new(Dropped(path)));
     page.run();
 }
 
 #[track_caller]
-fn until(page: &mut Harnessed, what: impl Fn(&Harnessed) -> bool) {
+pub fn until(page: &mut Harnessed, what: impl Fn(&Harnessed) -> bool) {
     let begin = Instant::now();
     while !what(page) {
         assert!(begin.elapsed() < Duration::from_secs(20), "it never comes: {:?}", rows(page));

@@ -8,6 +8,7 @@ exchange-format-contacts = contacts of one circle: x, y and optionally z
 exchange-format-measurements = measurements as CSV: id, callout, measured
 exchange-empty = the file is empty
 exchange-not-recognised = not a file of a known format
+exchange-no-sheet = the workbook has no sheet { $given }; it has { $sheets }
 exchange-other-format = these are { $format }, not measurements as CSV
 exchange-parquet-unknown = this program was built without Parquet: cargo build --release without further options has it
 exchange-parquet-stream = Parquet has its columns at its end and cannot be read from a pipe: give the file by its name
@@ -206,4 +207,5 @@ gauge-opinion = the gauge says { $sign }; the limits of the plan decide
 mapping-no-value = { $given } says nothing about a column: write a word, = and a column, such as measured=3
 mapping-word = { $given } is not something that a column holds: allowed are { $allowed }
 mapping-value = { $word }: { $given } is unknown: allowed are { $allowed }
+mapping-twice = { $word } is given twice: give it once
 mapping-toml = not a mapping of columns: { $reason }

@@ -8,6 +8,7 @@ exchange-format-contacts = meetpunten van één cirkel: x, y en eventueel z
 exchange-format-measurements = metingen als CSV: naam, passing, gemeten
 exchange-empty = het bestand is leeg
 exchange-not-recognised = geen bestand van een bekend formaat
+exchange-no-sheet = de werkmap heeft geen blad { $given }; wel { $sheets }
 exchange-other-format = dit zijn { $format }, geen metingen als CSV
 exchange-parquet-unknown = dit programma is gebouwd zonder Parquet: cargo build --release zonder verdere opties heeft het
 exchange-parquet-stream = Parquet heeft zijn kolommen aan het eind en kan niet uit een pipe worden gelezen: geef het bestand bij zijn naam
@@ -206,4 +207,5 @@ gauge-opinion = de meetklok zegt { $sign }; de grenzen van het plan beslissen
 mapping-no-value = { $given } zegt niets over een kolom: schrijf een woord, = en een kolom, zoals measured=3
 mapping-word = { $given } is niet iets wat een kolom bevat: toegestaan zijn { $allowed }
 mapping-value = { $word }: { $given } is onbekend: toegestaan zijn { $allowed }
+mapping-twice = { $word } staat er twee keer: noem het één keer
 mapping-toml = geen toewijzing van kolommen: { $reason }

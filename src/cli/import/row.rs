@@ -238,6 +238,7 @@ impl Row {
                 Self { minimum: Some(*minimum), maximum: Some(*maximum), error: Some(unjudged.why.to_string()), ..row }
             }
             WhyUnjudged::NoCallout
+            | WhyUnjudged::NotPositive { .. }
             | WhyUnjudged::OneLimit
             | WhyUnjudged::NotInPlan(_)
             | WhyUnjudged::SwappedLimits { .. }

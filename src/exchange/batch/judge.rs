@@ -337,7 +337,7 @@ impl Judge<'_> {
         }
         let columns = &self.court.layout.columns;
         let (has_commas, sources) = (self.court.fast.has_commas, self.court.sources);
-        let rules = Rules { columns, has_commas, sources, lookup: None };
+        let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
         if self.court.fast.has_comments && cells::is_comment(&cells) {
             if rules.hides_measurement(&cells) {
                 return Self::refuse(row, None, &ImportErrorKind::Comment, tally, take);

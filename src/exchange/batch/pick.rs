@@ -94,6 +94,7 @@ impl Picker<'_> {
             has_commas: court.layout().has_commas(),
             sources: court.sources(),
             lookup: None,
+            has_plan: false,
         };
         match rules.read(cells) {
             Err((_, reason)) => reason.message(),

@@ -36,6 +36,12 @@ pub(super) const FORMAT: Format = Format {
     shows_end: true,
 };
 
+/// The most sheets whose first rows are looked at one beside the other.
+const MOST_SHEETS: usize = 50;
+
+/// Sheets with their first rows.
+pub(super) type Sheets = Vec<(String, Vec<(usize, StringRecord)>)>;
+
 /// The most cells that are given as texts.
 const MOST_CELLS: usize = 1_000_000;
 
@@ -99,6 +105,7 @@ pub(super) fn read_sizes(
 fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>) -> Result<(), ImportErrorKind> {
     let context = source.context.clone();
     let (mapping, detects) = (source.given.mapping, Mapping::default());
+    let has_plan = source.given.has_plan;
     let mut workbook = open(source)?;
     let names = workbook.sheet_names();
     let (chosen, columns) = choose(&mut workbook, &names, mapping.unwrap_or(&detects))?;
@@ -108,7 +115,7 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
         sink.warn(Place::line(1), None, kind);
     }
     let mut rows = rows(&mut workbook, &chosen)?;
-    read_rows(&mut rows, (&context, &columns, &chosen), sink, sizes)
+    read_rows(&mut rows, (&context, &columns, &chosen, has_plan), sink, sizes)
 }
 
 /// The first sheet with callouts and measured values; else the first one with measured values.
@@ -119,16 +126,12 @@ fn choose(
 ) -> Result<(String, Columns), ImportErrorKind> {
     let mut second_best = None;
     let mut reason = None;
-    for name in names {
-        let mut sample = Vec::new();
-        let sampled = rows(workbook, name).and_then(|mut rows| {
-            while sample.len() < SAMPLE
-                && let Some(row) = calm(|| rows.next())?
-            {
-                sample.push(row);
-            }
-            Ok(())
-        });
+    if let Some(given) = mapping.sheet().filter(|sheet| !names.iter().any(|name| name == sheet)) {
+        let sheets = names.iter().map(|name| shorten(name)).collect::<Vec<_>>().join(", ");
+        return Err(ImportErrorKind::NoSheet { given: shorten(given), sheets: shorten(&sheets) });
+    }
+    for name in names.iter().filter(|name| mapping.sheet().is_none_or(|sheet| sheet == name.as_str())) {
+        let (sample, sampled) = sample(workbook, name);
         let columns = match sampled {
             Err(error) if sample.is_empty() => Err(error),
             // Where there are rows before a fault, they tell.
@@ -147,17 +150,53 @@ fn choose(
     second_best.ok_or(reason.unwrap_or(ImportErrorKind::NoRows))
 }
 
+/// The first rows of a sheet, and what went wrong behind them.
+fn sample(workbook: &mut Workbook<'_>, sheet: &str) -> (Vec<(usize, StringRecord)>, Result<(), ImportErrorKind>) {
+    let mut sample = Vec::new();
+    let sampled = rows(workbook, sheet).and_then(|mut rows| {
+        while sample.len() < SAMPLE
+            && let Some(row) = calm(|| rows.next())?
+        {
+            sample.push(row);
+        }
+        Ok(())
+    });
+    (sample, sampled)
+}
+
+/// The sheets of a workbook with their first rows, and the place of the one that is read where none is said.
+///
+/// # Errors
+/// Why it cannot be opened, or that it has no rows.
+pub(super) fn samples(source: &mut Source<'_>) -> Result<(Sheets, usize), ImportErrorKind> {
+    let mut workbook = open(source)?;
+    let names = workbook.sheet_names();
+    let chosen = choose(&mut workbook, &names, &Mapping::default()).map(|(name, _)| name).ok();
+    let mut sheets = Sheets::new();
+    for name in names.into_iter().take(MOST_SHEETS) {
+        let (rows, _) = sample(&mut workbook, &name);
+        if !rows.is_empty() || chosen.as_ref() == Some(&name) {
+            sheets.push((name, rows));
+        }
+    }
+    if sheets.is_empty() {
+        return Err(ImportErrorKind::NoRows);
+    }
+    let place = sheets.iter().position(|(name, _)| chosen.as_ref() == Some(name)).unwrap_or_default();
+    Ok((sheets, place))
+}
+
 /// Reads all rows of a sheet; an error in a row says in which cell it is.
 fn read_rows(
     rows: &mut Rows<'_, BufReader<&mut dyn Body>>,
-    (context, columns, sheet): (&Context<'_>, &Columns, &str),
+    (context, columns, sheet, has_plan): (&Context<'_>, &Columns, &str, bool),
     sink: &mut Sink<'_>,
     sizes: Option<SizesOf<'_>>,
 ) -> Result<(), ImportErrorKind> {
     let left = sink.left();
     let mut pass = |item| sink.pass(in_cell(item, sheet));
     let mut inner = Sink::up_to(left, &mut pass);
-    let mut cells = Cells::new(context, columns, &mut inner, sizes);
+    let mut cells = Cells::new(context, columns, has_plan, &mut inner, sizes);
     loop {
         match calm(|| rows.next()) {
             Ok(Some((line, row))) => {

@@ -65,8 +65,11 @@ impl Action {
 impl Session {
     /// The actions of the keys now, the nearest place first: `part` has the focus, or a text field (`is_typing`).
     pub fn keys(&self, part: Option<Part>, is_typing: bool) -> Vec<(Shortcut, Action)> {
-        let is_covered =
-            self.dialog().is_some() || self.is_leaving() || self.budget().is_asking() || self.parts().is_asking();
+        let is_covered = self.dialog().is_some()
+            || self.open_columns().is_some()
+            || self.is_leaving()
+            || self.budget().is_asking()
+            || self.parts().is_asking();
         let is_heard = |action: Action| match action.place() {
             Place::Everywhere => true,
             // The workpiece's window lies over the listing, and takes Escape.

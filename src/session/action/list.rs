@@ -37,6 +37,14 @@ actions! {
     Open(Page): Page::ALL;
     /// Reads measurements.
     Import;
+    /// Reads measurements once their columns were seen.
+    ImportColumns;
+    /// Imports the file whose columns are shown.
+    TakeColumns;
+    /// Shows the columns of the file that the notice tells of.
+    CorrectColumns;
+    /// Forgets what was remembered of them.
+    ForgetColumns;
     /// Writes the checks in a format of the report's list, by its number there.
     Export(usize): 0..RENDERINGS.len();
     /// Writes the status window's text.
@@ -331,6 +339,8 @@ actions! {
     MoveSize(Step): Step::BLOCKS;
     /// Reads measurements into the part.
     ImportValues;
+    /// Reads measurements into the part once their columns were seen.
+    ImportValuesColumns;
     /// Watches a folder that files are dropped into.
     WatchFolder;
     /// Ends that.

@@ -35,6 +35,7 @@ pub use shortcut::{Held, Key, Shortcut};
 
 use self::row::Row;
 use super::budget::BudgetCommand;
+use super::columns::ColumnsCommand;
 use super::cycles::CyclesCommand;
 use super::parts::{PartsCommand, PlanCommand, WalkCommand};
 use super::tables;
@@ -146,7 +147,11 @@ impl Session {
             Some(BudgetCommand::Discard(false).into())
         } else if self.parts().is_asking() {
             Some(PartsCommand::Plan(PlanCommand::Discard(false)).into())
-        } else if self.dialog().is_some() || has_notice {
+        } else if self.dialog().is_some() {
+            Some(Command::Close)
+        } else if self.open_columns().is_some() {
+            Some(ColumnsCommand::Leave.into())
+        } else if has_notice {
             Some(Command::Close)
         } else if self.parts().walking().is_skipping() && is_on(Page::Parts) {
             Some(WalkCommand::AskSkip(false).into())

@@ -4,7 +4,7 @@ use super::row::{Row, Sends, on, within};
 use super::{Held, Key, Part, Place, Shortcut};
 use crate::part::MOST_FEATURES;
 use crate::session::parts::{PartsCommand, PartsField, PartsView, PlanCommand, WalkCommand};
-use crate::session::{Command, Page, Purpose, Session, Step};
+use crate::session::{Command, ImportInto, Page, Purpose, Session, Step};
 
 fn of_page(text: &'static str, command: PartsCommand) -> Row {
     on(Page::Parts, text, command)
@@ -229,6 +229,11 @@ pub(super) fn import() -> Row {
 
 pub(super) fn report(number: usize) -> Row {
     of_walk("walk-page-report", Command::OpenDialog(Purpose::ReportPart(number)))
+}
+
+pub(super) fn import_columns() -> Row {
+    let open = Command::OpenDialog(Purpose::AskColumns(ImportInto::Part));
+    of_walk("columns-page-import", open).hint("columns-page-hint")
 }
 
 pub(super) fn watch() -> Row {

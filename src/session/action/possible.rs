@@ -1,5 +1,6 @@
 //! The conditions under which actions are possible, and what switches are set to.
 
+use crate::session::columns::{NoticeColumns, OpenColumns};
 use crate::session::files::Dialog;
 use crate::session::program::Run;
 use crate::session::{Lot, Session, tables};
@@ -33,6 +34,16 @@ pub(super) fn is_of_1988(options: Options) -> bool {
 /// The file dialog, while it waits neither for a file nor for an answer.
 pub(super) fn free_dialog(session: &Session) -> Option<&Dialog> {
     session.dialog().filter(|dialog| !dialog.is_waiting())
+}
+
+/// The file whose columns are shown, where no file dialog lies over it.
+pub(super) fn shows_columns(session: &Session) -> Option<&OpenColumns> {
+    session.open_columns().filter(|_| session.dialog().is_none())
+}
+
+/// What the notice that is shown tells of the columns of its file.
+pub(super) fn told_columns(session: &Session) -> Option<&NoticeColumns> {
+    session.notices().first()?.columns.as_ref()
 }
 
 pub(super) fn asks_to_replace(session: &Session) -> bool {

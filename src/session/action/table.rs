@@ -3,13 +3,14 @@
 use super::possible::{
     asks_to_replace, cell, differs, free_dialog, has_bad, has_cell, has_cursor, has_history, has_listed, has_rows,
     has_status, has_table, is_after_first, is_after_worst, is_before_best, is_before_last, is_of_1988, rounds_js,
-    selected, tells_of_file,
+    selected, shows_columns, tells_of_file, told_columns,
 };
 use super::row::{Row, Sends, everywhere, in_dialog, of_workpiece, on, switch, within};
 use super::{Action, Held, Key, Part, Place, Shortcut};
 use super::{budget, pairing, parts, program, records};
 use crate::journal::query::Column;
 use crate::session::check::{CheckCommand, CheckField};
+use crate::session::columns::ColumnsCommand;
 use crate::session::cycles::CyclesCommand;
 use crate::session::files::{FilesCommand, Launch};
 use crate::session::fit::FitCommand;
@@ -17,7 +18,8 @@ use crate::session::tables::{self, TablesCommand, TablesField};
 use crate::session::tools::ToolsCommand;
 use crate::session::workpiece::WorkpieceCommand;
 use crate::session::{
-    Command, CycleFile, Density, ListCommand, MeasureBy, Page, Purpose, Rows, RowsCommand, Session, Step, Theme,
+    Command, CycleFile, Density, ImportInto, ListCommand, MeasureBy, Page, Purpose, Rows, RowsCommand, Session, Step,
+    Theme,
 };
 use crate::tolerance::Feature;
 use crate::tolerance::iso286::{Edition, JsHalves, Options};
@@ -45,6 +47,16 @@ pub(super) fn row(action: Action) -> Row {
             everywhere(text, Command::OpenPage(page)).key(Shortcut::ctrl(key))
         }
         Action::Import => everywhere("import", open(Purpose::Import)).key(Shortcut::ctrl('O')),
+        Action::ImportColumns => {
+            everywhere("columns-page-import", open(Purpose::AskColumns(ImportInto::History))).hint("columns-page-hint")
+        }
+        Action::TakeColumns => Row::new(Place::Dialog, "columns-page-take", Sends::Always(ColumnsCommand::Take.into()))
+            .key(Shortcut { held: Held::Ctrl, key: Key::Enter })
+            .when(|session| shows_columns(session).is_some_and(|open| open.refusal().is_none())),
+        Action::CorrectColumns => everywhere("columns-page-correct", ColumnsCommand::Correct.into())
+            .when(|session| told_columns(session).is_some()),
+        Action::ForgetColumns => everywhere("columns-page-forget", ColumnsCommand::Forget.into())
+            .when(|session| told_columns(session).is_some_and(|columns| columns.shape.is_some())),
         Action::Export(number) => {
             let row = everywhere("export", open(Purpose::Export(number))).when(has_history);
             if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
@@ -385,6 +397,7 @@ pub(super) fn row(action: Action) -> Row {
         Action::NextPart => parts::next_part(),
         Action::MoveSize(step) => parts::step(step).key(keys(step)),
         Action::ImportValues => parts::import(),
+        Action::ImportValuesColumns => parts::import_columns(),
         Action::WatchFolder => parts::watch(),
         Action::StopWatch => parts::stop_watch(),
 

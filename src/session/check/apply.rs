@@ -124,6 +124,7 @@ impl PageState for CheckPage {
             | News::ContactsTaken
             | News::PartTaken
             | News::Tools
+            | News::Columns
             | News::Journal
             | News::TakenBack(_)
             | News::Kept(..)

@@ -45,6 +45,7 @@ impl CheckPage {
         let sha256 = shared.recording.of_file(name);
         let file = used(FileRole::Measurements, name, sha256);
         let mut notice = import_notice(name, &imported);
+        shared.add_columns(&mut notice, name);
         if let Some(contacts) = imported.contacts.take() {
             // Contacts are judged by what the user asked for, not by what an older check lent.
             self.edited(&shared.sources);

@@ -11,7 +11,7 @@ use crate::part::Document;
 use crate::probing::simulated::Part;
 use crate::report::RENDERINGS;
 use crate::report::pairing::FORMATS as PAIR_FORMATS;
-use crate::session::command::{CycleFile, Page, Purpose};
+use crate::session::command::{CycleFile, ImportInto, Page, Purpose};
 use crate::tolerance::Feature;
 use crate::words::Words;
 
@@ -56,7 +56,7 @@ impl Purpose {
     /// The name of the kind of thing in the state file. What is read and written alike has one folder.
     pub(in crate::session) const fn kind(self) -> &'static str {
         match self {
-            Self::Import | Self::ImportValues => "measurements",
+            Self::Import | Self::ImportValues | Self::AskColumns(_) => "measurements",
             Self::WatchFolder => "watched",
             Self::LoadMask => "mask",
             Self::LoadTables => "own-tables",
@@ -89,7 +89,9 @@ impl Purpose {
     /// without an ending gets.
     pub fn endings(self) -> Vec<&'static str> {
         match self {
-            Self::Import | Self::ImportValues => exchange::endings().into_iter().chain(PACKED).collect(),
+            Self::Import | Self::ImportValues | Self::AskColumns(_) => {
+                exchange::endings().into_iter().chain(PACKED).collect()
+            }
             Self::OpenReadings => exchange::endings().into_iter().collect(),
             Self::OpenParts(_) => exchange::endings(),
             Self::SavePairs(number) => {
@@ -144,10 +146,11 @@ impl Purpose {
     /// The page that shows what is read, when another one is open: `None` where every page uses it.
     pub(in crate::session) fn page(self, open: Page) -> Option<Page> {
         let shows = match self {
-            Self::Import => Page::Check,
+            Self::Import | Self::AskColumns(ImportInto::History) => Page::Check,
             Self::OpenTable => Page::Tables,
             Self::OpenBudget | Self::OpenReadings => Page::Budget,
             Self::OpenParts(_) => Page::Pairing,
+            Self::AskColumns(ImportInto::Part) => Page::Parts,
             Self::OpenPlan | Self::OpenPicture | Self::ImportValues | Self::WatchFolder => Page::Parts,
             // Both pages monitor tools with it.
             Self::OpenTools if open == Page::Cycles => open,

@@ -48,7 +48,9 @@ impl PartsPage {
         let is_problem = arrived.values.is_empty();
         let said = said_of_others(&arrived);
         let details = arrived.problems.iter().chain(&said).chain(&arrived.warnings).cloned().collect();
-        shared.notices.push(Notice { details, ..Notice::of(message, is_problem) });
+        let mut notice = Notice { details, ..Notice::of(message, is_problem) };
+        shared.add_columns(&mut notice, name);
+        shared.notices.push(notice);
         self.keep(arrived.values, shared);
         self.walking.stay_open();
     }

@@ -183,15 +183,21 @@ impl PartsPage {
 
     /// A part is begun by another plan: the folder is judged by it from now on.
     pub(super) fn watch_plan(&mut self, plan: &Arc<Plan>, shared: &mut Shared) {
-        let watched = &mut self.watched;
-        if watched.folder.is_none() || watched.plan.as_ref().is_some_and(|old| **old == **plan) {
-            return;
+        if !self.watched.plan.as_ref().is_some_and(|old| **old == **plan) && self.watched.folder.is_some() {
+            self.watched.plan = Some(Arc::clone(plan));
+            self.watched.plan_path.clone_from(&self.walking.path);
+            self.watch_anew(shared);
         }
-        watched.run += 1;
-        (watched.plan, watched.is_late) = (Some(Arc::clone(plan)), true);
-        watched.plan_path.clone_from(&self.walking.path);
-        (watched.pending, watched.waiting) = (None, Vec::new());
-        self.begin_watch(shared);
+    }
+
+    /// The folder is judged by another plan or with other columns from now on.
+    pub(super) fn watch_anew(&mut self, shared: &mut Shared) {
+        let watched = &mut self.watched;
+        if watched.folder.is_some() {
+            (watched.run, watched.is_late) = (watched.run + 1, true);
+            (watched.pending, watched.waiting) = (None, Vec::new());
+            self.begin_watch(shared);
+        }
     }
 
     /// Something came from the folder. What belongs to a watch that was ended changes nothing.

@@ -30,7 +30,8 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     ui.separator();
     ui.horizontal_wrapped(|ui| {
-        for action in [Action::SizeAgain, Action::SkipSize, Action::NextPart, Action::ImportValues] {
+        let of_files = [Action::ImportValues, Action::ImportValuesColumns];
+        for action in [Action::SizeAgain, Action::SkipSize, Action::NextPart].into_iter().chain(of_files) {
             view.field_button(ui, action);
         }
     });

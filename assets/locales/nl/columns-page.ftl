@@ -1,0 +1,63 @@
+# De kolommen van een bestand met metingen: bekeken, verbeterd en onthouden.
+
+columns-page-import = Kolommen…
+columns-page-hint = Toont waarvoor elke kolom van een bestand wordt gehouden voordat de waarden worden ingelezen
+columns-page-take = Overnemen
+columns-page-correct = Kolommen…
+columns-page-forget = Deze kolommen vergeten
+columns-page-dialog = Inlezen met kolommen
+columns-page-title = Kolommen van { $name }
+columns-page-wanted = Kies wat elke kolom bevat. Bestanden met dezelfde opbouw worden op dezelfde manier gelezen.
+columns-page-uncertain = Het is niet zeker wat elke kolom bevat: controleer het en neem het over. Bestanden met dezelfde opbouw worden op dezelfde manier gelezen.
+columns-page-sheet = Blad
+columns-page-separator = Scheidingsteken
+columns-page-separator-semicolon = Puntkomma
+columns-page-separator-comma = Komma
+columns-page-separator-tab = Tab
+columns-page-separator-pipe = Verticale streep
+columns-page-decimal = Decimaalteken
+columns-page-decimal-point = Punt
+columns-page-decimal-comma = Komma
+columns-page-as-found = Zoals in het bestand
+columns-page-unit = Eenheid van maten
+columns-page-place-unit = Eenheid van X, Y, Z
+columns-page-unit-names = Volgens de kop, anders mm
+columns-page-unit-mm = mm
+columns-page-unit-um = µm
+columns-page-unit-inch = inch
+columns-page-first-row = Eerste rij
+columns-page-below-header = Onder de kop
+columns-page-line = Regel { $line }
+columns-page-column = { $number } { $name }
+columns-page-role-none = niet gebruikt
+columns-page-role-name = naam
+columns-page-role-number = nummer
+columns-page-role-callout = passing
+columns-page-role-nominal = nominale maat
+columns-page-role-measured = gemeten waarde
+columns-page-role-time = tijd
+columns-page-role-simulated = gesimuleerd
+columns-page-role-part = onderdeel
+columns-page-role-serial = serienummer
+columns-page-role-who = wie mat
+columns-page-role-x = X
+columns-page-role-y = Y
+columns-page-role-z = Z
+columns-page-header = { $line } kop
+columns-page-row = { $line }
+columns-page-not-read = { $line } niet gelezen
+columns-page-read = { $rows ->
+        [0] Geen van de getoonde rijen wordt gelezen
+        [one] { $read } van 1 getoonde rij wordt een waarde
+       *[other] { $read } van de { $rows } getoonde rijen worden waarden
+    }
+columns-page-first-problem = Eerste probleem: { $why }
+columns-page-no-measured = Geen kolom bevat de gemeten waarde: kies die
+columns-page-no-callout = Geen kolom bevat de passing, dus geen waarde kan worden beoordeeld: kies die
+columns-page-no-name = Geen kolom zegt van welk kenmerk een waarde is: kies naam, nummer, of X en Y
+columns-page-taken = Kolommen: { $columns }; eenheid van maten: { $unit }
+columns-page-taken-one = { $column } → { $role }
+columns-page-remembered = Kolommen zoals verbeterd op { $day } en onthouden
+columns-page-forgotten = De kolommen zijn vergeten: het volgende bestand met deze opbouw wordt gelezen alsof het het eerste was. De waarden van dit bestand blijven.
+columns-page-none = { $name } is geen tabel met kolommen
+columns-page-large = { $name } is te groot om met verbeterde kolommen in het venster te lezen: gebruik fitcheck import --columns

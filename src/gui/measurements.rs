@@ -1,0 +1,190 @@
+//! Files of measurements: read at once where it is certain which column is which, or remembered; asked about otherwise.
+
+use std::io::Cursor;
+use std::path::{Path, PathBuf};
+
+use super::reading::{Found, With, bytes_of, name, whole};
+use super::rows;
+use super::working::Watched;
+use crate::exchange::{self, Detected, FirstRows, Given, Imported, Item, MOST_ROWS, Mapping};
+use crate::files;
+use crate::journal::chain::Hash;
+use crate::message::Message;
+use crate::session::parts::WalkCommand;
+use crate::session::{
+    AskedColumns, CheckCommand, ColumnsCommand, Command, ImportInto, RowsCommand, UsedColumns, refusal,
+};
+
+/// A file with its beginning, where it is read by its columns.
+struct Looked {
+    path: PathBuf,
+    name: String,
+    into: ImportInto,
+    bytes: Vec<u8>,
+    sha256: Option<Hash>,
+    first: Option<FirstRows>,
+}
+
+/// What is known of the columns of a file.
+struct Known {
+    detected: Detected,
+    /// The mapping that it is read with; `None` where it is read as ever.
+    mapping: Option<Mapping>,
+    /// The shape and the day of a mapping that was remembered.
+    remembered: Option<(String, String)>,
+}
+
+/// Reads measurements: with these columns, else with those that are remembered, else with those that are certain.
+pub(super) fn read(into: ImportInto, path: PathBuf, mapping: Option<&Mapping>, with: With<'_>) -> Found {
+    if let Some(command) = large(into, &path, mapping.is_some(), with) {
+        return Found { before: None, command, sha256: None };
+    }
+    let mut looked = match Looked::new(into, path, FirstRows::of) {
+        Ok(looked) => looked,
+        Err((name, problem)) => return taken(into, name, Err(problem)),
+    };
+    if mapping.is_some() {
+        looked.first = FirstRows::of_columns(&looked.name, &looked.bytes);
+    }
+    let Some(first) = &looked.first else { return looked.import(mapping, None, with) };
+    let known = match mapping {
+        Some(mapping) => first.detect(mapping).ok().map(|detected| Known {
+            detected,
+            mapping: Some(mapping.clone()),
+            // It was remembered when it was chosen.
+            remembered: with.columns.find(first).map(|(shape, kept, _)| (shape.to_owned(), kept.day().to_owned())),
+        }),
+        None => known(into, first, with),
+    };
+    match (known, mapping) {
+        (Some(known), _) => {
+            let mapping = known.mapping.clone();
+            looked.import(mapping.as_ref(), Some(known), with)
+        }
+        (None, Some(_)) => looked.import(mapping, None, with),
+        (None, None) if !first.has_numbers() => looked.import(None, None, with),
+        (None, None) => looked.ask(false, with),
+    }
+}
+
+/// Reads the beginning of a file whose columns the user wants to see.
+pub(super) fn ask(into: ImportInto, path: PathBuf, with: With<'_>) -> Found {
+    if let Some(command) = large(into, &path, true, with) {
+        return Found { before: None, command, sha256: None };
+    }
+    match Looked::new(into, path, FirstRows::of_columns) {
+        Ok(looked) if looked.first.is_some() => looked.ask(true, with),
+        Ok(looked) => {
+            let problem = Message::new("columns-page-none").text("name", &looked.name);
+            taken(into, looked.name, Err(problem))
+        }
+        Err((name, problem)) => taken(into, name, Err(problem)),
+    }
+}
+
+/// The columns of a file that need no question.
+fn known(into: ImportInto, first: &FirstRows, with: With<'_>) -> Option<Known> {
+    if let Some((shape, kept, mapping)) = with.columns.find(first) {
+        let detected = first.detect(&mapping).ok()?;
+        let remembered = Some((shape.to_owned(), kept.day().to_owned()));
+        return Some(Known { detected, mapping: Some(mapping), remembered });
+    }
+    let detected = first.detect(&Mapping::default()).ok()?;
+    let is_certain = detected.knows_all() && refusal(into, |role| detected.has(role)).is_none();
+    is_certain.then_some(Known { detected, mapping: None, remembered: None })
+}
+
+/// What is said of a file that is too large for the history; its rows are judged without a mapping.
+fn large(into: ImportInto, path: &Path, is_mapped: bool, with: With<'_>) -> Option<Command> {
+    if into == ImportInto::Part {
+        return None;
+    }
+    let name = name(path);
+    let large = match rows::large(path) {
+        Ok(large) => large?,
+        Err(problem) => return Some(RowsCommand::Opened { name, result: Err(problem) }.into()),
+    };
+    let is_remembered = || {
+        let head = files::read_head(path, 1 << 20).ok().and_then(|head| FirstRows::of(&name, &head));
+        head.is_some_and(|first| with.columns.find(&first).is_some())
+    };
+    let result = if is_mapped || is_remembered() {
+        Err(Message::new("columns-page-large").text("name", &name))
+    } else {
+        Ok((path.to_owned(), large))
+    };
+    Some(RowsCommand::Opened { name, result }.into())
+}
+
+/// What could not be read, said by whoever waits for it.
+fn taken(into: ImportInto, name: String, result: Result<std::convert::Infallible, Message>) -> Found {
+    let Err(problem) = result;
+    let command = match into {
+        ImportInto::History => CheckCommand::Imported { name, result: Err(problem) }.into(),
+        ImportInto::Part => WalkCommand::Imported { name, result: Err(problem) }.into(),
+    };
+    Found { before: None, command, sha256: None }
+}
+
+impl Looked {
+    fn new(
+        into: ImportInto,
+        path: PathBuf,
+        first: fn(&str, &[u8]) -> Option<FirstRows>,
+    ) -> Result<Self, (String, Message)> {
+        let (name, mut sha256) = (name(&path), None);
+        match bytes_of(&path, &mut sha256) {
+            Ok(bytes) => Ok(Self { first: first(&name, &bytes), path, name, into, bytes, sha256 }),
+            Err(problem) => Err((name, problem)),
+        }
+    }
+
+    /// Its columns are asked about.
+    fn ask(self, is_wanted: bool, with: With<'_>) -> Found {
+        let Self { path, name, into, sha256, first, .. } = self;
+        let Some(first) = first else { return Found { before: None, command: Command::Picked(None), sha256 } };
+        let mapping = with.columns.find(&first).map(|(.., mapping)| mapping).unwrap_or_default();
+        let asked = AskedColumns { name, path, into, first, mapping, is_wanted };
+        Found { before: None, command: ColumnsCommand::Ask(Box::new(asked)).into(), sha256: None }
+    }
+
+    fn import(self, mapping: Option<&Mapping>, known: Option<Known>, with: With<'_>) -> Found {
+        let Self { path, name, into, bytes, sha256, .. } = self;
+        let used = known.map(|Known { detected, remembered, .. }| {
+            let used = UsedColumns { name: name.clone(), path: path.clone(), into, detected, remembered };
+            ColumnsCommand::Used(Box::new(used)).into()
+        });
+        let command = match into {
+            ImportInto::History => CheckCommand::Imported { result: import(&path, bytes, mapping, with), name }.into(),
+            ImportInto::Part => WalkCommand::Imported { result: items(&path, bytes, mapping, with), name }.into(),
+        };
+        Found { before: used, command, sha256 }
+    }
+}
+
+fn import(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>) -> Result<Box<Imported>, Message> {
+    let job = (with.begins)(path, false);
+    job.has(bytes.len());
+    let beside = |ending: &str| files::beside(path, ending);
+    let given = Given { beside: &beside, mapping, ..Given::new(with.sources, with.now) };
+    let mut body = Cursor::new(bytes);
+    let imported = exchange::import_given(&name(path), &mut Watched::new(&mut body, &job), given);
+    whole(Box::new(imported), &job)
+}
+
+/// Everything that a file holds, one after the other: a plan judges it later.
+fn items(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>) -> Result<Vec<Item>, Message> {
+    let job = (with.begins)(path, false);
+    job.has(bytes.len());
+    let beside = |ending: &str| files::beside(path, ending);
+    let usual = Given::new(with.sources, with.now);
+    let given = Given { beside: &beside, mapping, most_rows: MOST_ROWS, has_plan: true, ..usual };
+    let (mut items, mut body) = (Vec::new(), Cursor::new(bytes));
+    exchange::import_from(&name(path), &mut Watched::new(&mut body, &job), given, &mut |item| {
+        if item.is_row() {
+            job.row();
+        }
+        items.push(item);
+    });
+    whole(items, &job)
+}
