@@ -41,6 +41,7 @@ mod by_plan;
 pub mod calypso;
 mod cells;
 mod characteristic;
+pub mod claim;
 mod columns;
 pub mod contacts;
 mod delimited;
@@ -77,9 +78,10 @@ use jiff::civil::DateTime;
 
 pub use by_plan::ByPlan;
 use characteristic::Characteristic;
+pub use claim::Claim;
 pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, Role};
 use imported::Sink;
-pub use imported::{Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged};
+pub use imported::{Asked, Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged};
 pub use mapping::{Detected, Mapping, MappingError};
 pub use plans::{PLAN_ENDINGS, read_plan};
 pub use sizes::{Size, Sizes, SizesWarning, sizes};
@@ -230,6 +232,8 @@ fn read_contacts(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), Imp
         measured: None,
         origin: Origin::Contacts { file: Arc::clone(&source.context.file) },
         position: None,
+        asked: Asked::default(),
+        correction: None,
         why: WhyUnjudged::Contacts { count: read.contacts.len() },
     });
     sink.contacts(read.contacts);

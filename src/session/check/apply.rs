@@ -125,7 +125,7 @@ impl PageState for CheckPage {
             | News::PartTaken
             | News::Tools
             | News::Journal
-            | News::TakenBack(_)
+            | News::TakenBack { .. }
             | News::Kept(..)
             | News::Budget => {}
         }
