@@ -19,6 +19,7 @@ use crate::control::mask::Mask;
 use crate::exchange::{Body, ByPlan, FORMATS, Given, Item, MOST_ROWS, WHOLE, import_from};
 use crate::files;
 use crate::journal::chain::Hash;
+use crate::part::{Size, Walk};
 use crate::report::columns::names;
 use crate::verdict::Status;
 use keeping::Keeping;
@@ -101,7 +102,8 @@ Examples:
   fitcheck import bores.csv --rule iso14253-2017 --u 1.2 --format csv
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
-it is 1 where any row or file could not be used or not be judged. \
+it is 1 where any row or file could not be used or not be judged, and where with --plan all that was measured is good but \
+features of a part have no value. These are named at the end, and in CSV and JSON each is a row with the plan as its file. \
 CSV and measuring logs may be of any size, files of other formats and pipes of up to {largest} MiB. \
 With --record, up to {MOST_ROWS} rows of a file are read.",
         formats.collect::<String>(),
@@ -114,6 +116,8 @@ With --record, up to {MOST_ROWS} rows of a file are read.",
 struct Tally {
     worst: Option<Status>,
     bad: bool,
+    /// Whether a part of the plan has sizes without a value.
+    is_incomplete: bool,
 }
 
 impl Args {
@@ -131,7 +135,7 @@ impl Args {
         judge.tell(io);
         judge.tell_rule(io);
         let mut import = Import {
-            printer: Printer::new(self.format, judge.more(), io)?,
+            printer: Printer::new(self.format, judge.more_of(plan.as_ref()), io)?,
             judge: &judge,
             tally: Tally::default(),
             keeping: recorder.map(|recorder| match &plan {
@@ -164,7 +168,7 @@ impl Args {
                 }
             }
         }
-        import.end(io)
+        import.end(self.plan.as_deref(), io)
     }
 }
 
@@ -186,7 +190,8 @@ struct Import<'a> {
 impl Import<'_> {
     fn file(&mut self, path: &Path, file: &Measured, given: Given<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
         let name = path.file_name().unwrap_or_default().to_string_lossy();
-        let mut rows = Rows::of(path, self.judge, self.keeping.is_some());
+        let plan = self.by_plan.as_ref().map(ByPlan::plan);
+        let mut rows = Rows::of(path, self.judge, self.keeping.is_some()).by(plan);
         if let Some(keeping) = &mut self.keeping {
             keeping.reads(&name);
         }
@@ -238,7 +243,39 @@ impl Import<'_> {
         }
     }
 
-    fn end(mut self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+    /// Says which sizes of which parts have no value: in a sentence, and for machines as rows.
+    fn missing(&mut self, by_plan: &ByPlan<'_>, plan: &Path, io: &mut Io<'_>) {
+        let nothing = Walk::new(by_plan.plan(), String::new());
+        let is_nothing = by_plan.parts().next().is_none();
+        for (part, walk) in by_plan.parts().chain(is_nothing.then_some(("", &nothing))) {
+            let names: Vec<String> = by_plan.missing(walk).map(Size::name).collect();
+            if names.is_empty() {
+                continue;
+            }
+            self.tally.is_incomplete = true;
+            let who: Vec<&str> = [part, &walk.serial].into_iter().filter(|text| !text.is_empty()).collect();
+            let (who, names) = (who.join(" "), names.join(", "));
+            for size in by_plan.missing(walk) {
+                if self.printed.is_ok() {
+                    self.printed = self.printer.row(&Row::missing(plan, size, &who), io);
+                }
+            }
+            if who.is_empty() {
+                io.warn(&CliWarning::PlanMissing { names });
+            } else {
+                io.warn(&CliWarning::PlanMissingOf { who, names });
+            }
+        }
+        if by_plan.has_more() {
+            io.warn(&CliWarning::PlanMoreParts { most: by_plan.parts().count() });
+        }
+    }
+
+    fn end(mut self, plan: Option<&Path>, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        // What is missing of a file that was not read to its end is not known.
+        if let (Some(by_plan), Some(plan)) = (self.by_plan.take().filter(|_| !self.is_stopped), plan) {
+            self.missing(&by_plan, plan, io);
+        }
         let printed = self.printed.and_then(|()| self.printer.end(io));
         if self.is_stopped {
             printed?;
@@ -247,37 +284,17 @@ impl Import<'_> {
             }
             return Err(CliError::Stopped { rows: self.rows });
         }
-        if let Some(by_plan) = &self.by_plan {
-            tell_missing(by_plan, io);
-        }
         if let Some(keeping) = self.keeping {
             self.tally.bad |= keeping.end(io)?;
         }
         printed?;
         Ok(match self.tally.worst {
             _ if self.tally.bad => Outcome::BadData,
+            // Scrap stays scrap, whatever is missing; nothing is green without all of it.
+            None | Some(Status::Good) if self.tally.is_incomplete => Outcome::BadData,
             Some(worst) => Outcome::Judged(worst),
             None => Outcome::Done,
         })
-    }
-}
-
-/// Says which features of which parts have no value.
-fn tell_missing(by_plan: &ByPlan<'_>, io: &mut Io<'_>) {
-    for (part, walk) in by_plan.parts() {
-        let missing = by_plan.missing(walk);
-        if !missing.is_empty() {
-            let who: Vec<&str> = [part, &walk.serial].into_iter().filter(|text| !text.is_empty()).collect();
-            let (who, names) = (who.join(" "), missing.join(", "));
-            if who.is_empty() {
-                io.warn(&CliWarning::PlanMissing { names });
-            } else {
-                io.warn(&CliWarning::PlanMissingOf { who, names });
-            }
-        }
-    }
-    if by_plan.has_more() {
-        io.warn(&CliWarning::PlanMoreParts { most: by_plan.parts().count() });
     }
 }
 

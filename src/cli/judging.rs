@@ -1,5 +1,6 @@
 //! How a subcommand judges measured values: by which rule, with which uncertainty, brought to 20 °C from which temperature.
 
+use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -8,6 +9,7 @@ use super::rule::RuleArgs;
 use super::{CliError, CliRemark, CliWarning, Io, Refused as _};
 use crate::budget::{Budget, BudgetWarning};
 use crate::journal::Record;
+use crate::part::{Material, Plan, PlanFeature};
 use crate::report::csv::More;
 use crate::tolerance::fit::materials::Certainty;
 use crate::tolerance::fit::thermal::Correction;
@@ -27,32 +29,43 @@ pub(super) struct JudgeArgs {
     pub(super) budget: Option<PathBuf>,
 }
 
+/// What a plan says of judging a size.
+#[derive(Debug, Clone, Default)]
+pub(super) struct Planned {
+    pub(super) rule: Option<Rule>,
+    pub(super) material: Option<Material>,
+}
+
+impl Planned {
+    /// Of every size of a plan, by the names of records.
+    pub(super) fn of(plan: &Plan) -> BTreeMap<String, Self> {
+        let of = |feature: &PlanFeature| Self { rule: feature.rule, material: feature.material.clone() };
+        plan.sizes().map(|size| (size.name(), of(size.feature))).collect()
+    }
+}
+
 /// Judges record after record.
 #[derive(Debug)]
 pub(super) struct Judge {
     rule: Rule,
+    /// What the options say of the rule: a plan may have another one.
+    options: RuleArgs,
     warmth: Option<Warmth>,
-    budget: Option<ByBudget>,
-}
-
-/// A rule whose uncertainty is each record's own.
-#[derive(Debug)]
-struct ByBudget {
-    /// Its file.
-    name: String,
-    budget: Budget,
-    rule: RuleArgs,
+    /// A budget, which gives each record an uncertainty of its own, and its file.
+    budget: Option<(String, Budget)>,
 }
 
 impl JudgeArgs {
     /// Reads what is needed to judge many records. With a budget the rule has an uncertainty of its own for each.
     pub(super) fn judge(&self, io: &mut Io<'_>) -> Result<Judge, CliError> {
         let warmth = self.warm.warmth()?;
-        let Some(path) = &self.budget else { return Ok(Judge { rule: self.rule.rule()?, warmth, budget: None }) };
+        let options = self.rule.clone();
+        let Some(path) = &self.budget else {
+            return Ok(Judge { rule: options.rule()?, options, warmth, budget: None });
+        };
         // Any uncertainty shows whether the rule has what it needs.
-        let rule = self.rule.rule_with(Some(Uncertainty::standard("1").said()?))?;
-        let (name, budget) = super::budget::read(path, io)?;
-        Ok(Judge { rule, warmth, budget: Some(ByBudget { name, budget, rule: self.rule.clone() }) })
+        let rule = options.rule_with(Some(Uncertainty::standard("1").said()?))?;
+        Ok(Judge { rule, options, warmth, budget: Some(super::budget::read(path, io)?) })
     }
 }
 
@@ -66,9 +79,25 @@ impl Judge {
             .with(More::BUDGETED, self.budget.is_some())
     }
 
+    /// The same of values that a plan has judged: it may have rules, too.
+    pub(super) fn more_of(&self, plan: Option<&Plan>) -> More {
+        let has_rule = |plan: &Plan| plan.features().iter().any(|feature| feature.rule.is_some());
+        self.more().with(More::GUARDED, plan.is_some_and(has_rule))
+    }
+
     /// Whether it judges as a control does.
     pub(super) fn is_plain(&self) -> bool {
         self.rule.is_plain() && self.warmth.is_none()
+    }
+
+    /// What of a plan is not what a record was judged with: the options count, and the plan says something else.
+    pub(super) fn differs(&self, planned: &Planned, record: &Record) -> Vec<CliWarning<'static>> {
+        let rule = planned.rule.filter(|rule| *rule != record.verdict.rule).map(|rule| CliWarning::PlanRule { rule });
+        let warm = self.warmth.as_ref().map(|warmth| warmth.part.warm.expansion);
+        let is_other = |material: &&Material| warm.is_some_and(|expansion| expansion != material.expansion);
+        let material = planned.material.as_ref().filter(is_other);
+        let material = material.map(|Material { name, .. }| CliWarning::PlanMaterial { name: name.clone() });
+        rule.into_iter().chain(material).collect()
     }
 
     /// A record as it judges it.
@@ -85,13 +114,17 @@ impl Judge {
             }
             None => record,
         };
-        let Some(ByBudget { name, budget, rule }) = &self.budget else {
-            // The rule of a plan counts where no other one was asked for.
-            return Ok(if self.rule.is_plain() { record } else { record.by(self.rule) });
+        // Only a plan has judged by a rule of its own. It counts where the options say nothing else.
+        let planned = record.verdict.rule;
+        let rule = |budget| {
+            if planned.is_plain() { self.options.rule_with(budget) } else { self.options.over(planned, budget) }
+        };
+        let Some((name, budget)) = &self.budget else {
+            let rule = if planned.is_plain() { self.rule } else { rule(None)? };
+            return Ok(if rule == planned { record } else { record.by(rule) });
         };
         let (found, uncertainty) = record.assess(budget.clone()).about(name)?;
-        let rule = rule.rule_with(Some(uncertainty))?;
-        Ok(record.by_budget(rule, Arc::new(found.provenance())))
+        Ok(record.by_budget(rule(Some(uncertainty))?, Arc::new(found.provenance())))
     }
 
     /// Says once how all records are brought to 20 °C and by which budget they are judged.
@@ -109,7 +142,7 @@ impl Judge {
                 io.warn(&CliWarning::ExpansionUnconfirmed { expansion: part.warm.expansion });
             }
         }
-        if let Some(ByBudget { budget, .. }) = &self.budget {
+        if let Some((_file, budget)) = &self.budget {
             let Budget { name, date, valid_until, .. } = budget;
             let (name, date, until) = (name.clone(), date.to_string(), valid_until.to_string());
             io.remark(&CliRemark::Budget { name, date, until });

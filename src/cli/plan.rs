@@ -340,8 +340,10 @@ impl ConvertArgs {
 
 fn save(draft: &Draft, path: &Path, force: bool, io: &mut Io<'_>) -> Result<Outcome, CliError> {
     let is_csv = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
-    if is_csv && HeadField::ALL.into_iter().any(|field| draft.text(field).is_some()) {
-        io.remark(&CliRemark::PlanHeadLeft);
+    let left = HeadField::ALL.into_iter().filter(|field| draft.text(*field).is_some() && field.column().is_none());
+    let keys: Vec<&str> = left.map(HeadField::key).collect();
+    if is_csv && !keys.is_empty() {
+        io.remark(&CliRemark::PlanHeadLeft { keys: keys.join(", ") });
     }
     let text = if is_csv { draft.to_csv() } else { draft.to_toml() };
     let write = if force { files::write } else { files::write_new };

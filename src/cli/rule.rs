@@ -10,9 +10,9 @@ use crate::verdict::rules::{Given, Prover, RuleName, Uncertainty, UncertaintyErr
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Decision rule")]
 pub(super) struct RuleArgs {
-    /// Which measured values are accepted: the limits themselves (simple, as a control), or with a guard band
-    #[arg(long, value_name = "RULE", default_value = "simple", value_parser = one_of(RuleName::ALL, |rule| rule.word()))]
-    rule: RuleName,
+    /// Which measured values are accepted: the limits themselves (simple, as a control), or with a guard band; default: simple
+    #[arg(long, value_name = "RULE", value_parser = one_of(RuleName::ALL, |rule| rule.word()))]
+    rule: Option<RuleName>,
     /// Standard uncertainty of the measured value in µm
     #[arg(long, value_name = "UM", group = "uncertainty")]
     u: Option<String>,
@@ -43,6 +43,27 @@ impl RuleArgs {
 
     /// The same with the uncertainty of a budget instead of the options.
     pub(super) fn rule_with(&self, budget: Option<Uncertainty>) -> Result<Rule, CliError> {
+        Rule::new(self.rule.unwrap_or_default(), self.given(budget)?).about(&What::Option { name: "rule" })
+    }
+
+    /// What the options make of the rule of a plan: they replace what they name, and the rest of it stays.
+    pub(super) fn over(&self, planned: Rule, budget: Option<Uncertainty>) -> Result<Rule, CliError> {
+        if self.rule.is_some() {
+            return self.rule_with(budget);
+        }
+        let (given, own) = (self.given(budget)?, *planned.given());
+        let prover = if given.prover == Prover::default() { own.prover } else { given.prover };
+        let given = Given {
+            uncertainty: given.uncertainty.or(own.uncertainty),
+            factor: given.factor.or(own.factor),
+            width: given.width.or(own.width),
+            prover,
+        };
+        Rule::new(planned.name(), given).about(&What::Option { name: "rule" })
+    }
+
+    /// What the options give a rule; the uncertainty of a budget instead of theirs.
+    fn given(&self, budget: Option<Uncertainty>) -> Result<Given, CliError> {
         let k = Uncertainty::factor(self.k.as_deref().unwrap_or("2")).about(&What::Option { name: "k" })?;
         let about = |name, read: Result<Uncertainty, UncertaintyError>| read.about(&What::Option { name });
         let uncertainty = match (&self.u, &self.expanded) {
@@ -59,8 +80,6 @@ impl RuleArgs {
             .guard
             .as_ref()
             .map(|text| Length::parse_in(text, Unit::Micrometre).about(&What::Option { name: "guard" }));
-        let given =
-            Given { uncertainty, factor: factor.transpose()?, width: width.transpose()?, prover: self.prover.1 };
-        Rule::new(self.rule, given).about(&What::Option { name: "rule" })
+        Ok(Given { uncertainty, factor: factor.transpose()?, width: width.transpose()?, prover: self.prover.1 })
     }
 }

@@ -22,8 +22,8 @@ pub(super) enum CliRemark {
     PlanHas { count: usize },
     /// A plan was begun without a callout.
     PlanExample,
-    /// A plan is written as CSV, which has no place for what it says of the part.
-    PlanHeadLeft,
+    /// A plan is written as CSV, which has no place for these of its keys.
+    PlanHeadLeft { keys: String },
     /// Nobody measured.
     Simulated,
     /// A measured value that was brought to 20 °C.
@@ -180,6 +180,17 @@ pub(super) enum CliWarning<'a> {
     SeeNote { note: &'static str },
     /// More parts than are known one by one.
     PlanMoreParts { most: usize },
+    /// A size of a plan without a value.
+    PlanNoValue,
+    /// The same of one part among several.
+    PlanNoValueOf { who: String },
+    /// The rule that a plan has for a size, where the options have another one.
+    PlanRule {
+        #[say(with = Say::message)]
+        rule: Rule,
+    },
+    /// The same of the material.
+    PlanMaterial { name: String },
     /// A skipped column of a file of contacts.
     ColumnNotUsed { column: &'a str },
     /// A coefficient of expansion that no document confirms.

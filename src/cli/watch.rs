@@ -110,7 +110,7 @@ impl Args {
         let mut known = Known::default();
         journal.each(&mut |body| known.see(body))?;
         io.tell(CliRemark::Watching { folder: self.folder.display().to_string(), known: known.len() });
-        let printer = Printer::new(self.format, judge.more(), io)?;
+        let printer = Printer::new(self.format, judge.more_of(plan.as_ref()), io)?;
         let (plan, is_bad) = (plan.as_ref(), false);
         let mut run =
             Run { plan, sources: &sources, masks: &masks, judge: &judge, journal, printer, worst: None, is_bad };
@@ -184,7 +184,7 @@ impl Run<'_> {
     fn take(&mut self, watcher: &mut Watcher, ready: &[Batch], io: &mut Io<'_>) -> Result<(), CliError> {
         let mut all: Vec<Vec<Row>> = Vec::new();
         for batch in ready {
-            let mut rows = Rows::of(Path::new(&batch.name), self.judge, true);
+            let mut rows = Rows::of(Path::new(&batch.name), self.judge, true).by(self.plan);
             let rows: Vec<Row> = batch.items.iter().cloned().filter_map(|item| rows.row(item)).collect();
             let file =
                 UsedFile { role: FileRole::Measurements, name: batch.name.as_str().into(), sha256: batch.sha256 };

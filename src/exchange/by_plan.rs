@@ -5,13 +5,14 @@ use std::collections::BTreeMap;
 
 use jiff::civil::DateTime;
 
-use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
-use super::imported::{Item, Labels, Unjudged, WhyUnjudged};
+use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, shorten};
+use super::imported::{Asked, Item, Labels, Unjudged, WhyUnjudged};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Located, Place};
 use crate::part::{By, Clues, Finder, Kind, NotFound, Plan, Size, Taken, Walk};
 use crate::probing::Measurement;
+use crate::tolerance::fit::thermal::Correction;
 use crate::verdict::PositionVerdict;
 
 /// The most parts whose missing features are told; more are counted.
@@ -52,101 +53,60 @@ impl<'a> ByPlan<'a> {
         self.has_more
     }
 
-    /// The names of the sizes that a part has no value of.
-    pub fn missing(&self, walk: &Walk) -> Vec<String> {
-        walk.missing().map(|at| self.name(at)).collect()
+    /// The sizes that a part has no value of.
+    pub fn missing<'w>(&'w self, walk: &'w Walk) -> impl Iterator<Item = &'w Size<'a>> {
+        walk.missing().filter_map(|at| self.sizes.get(at))
     }
 
     /// Judges one thing of a file by the plan; warnings about it come before it.
     pub fn item(&mut self, item: Item, take: &mut dyn FnMut(Item)) {
         match item {
-            Item::Record { line, record, labels } => self.value(line, *record, labels, take),
+            Item::Record { line, record, labels } => self.value(Value::of_record(line, *record, labels), take),
             Item::Unjudged(unjudged) => match unjudged.measured.filter(|_| is_plain(&unjudged.why)) {
-                Some(measured) => self.unjudged(*unjudged, measured, take),
+                Some(measured) => self.value(Value::of_unjudged(*unjudged, measured), take),
                 None => take(Item::Unjudged(unjudged)),
             },
+            // By the limits of the file: those of the plan are compared below.
+            Item::Warning(warning) if matches!(warning.what.kind, ImportWarningKind::StatusDiffers { .. }) => {}
             item => take(item),
         }
     }
 
-    /// A value that its file has limits for.
-    fn value(&mut self, line: usize, record: Record, labels: Labels, take: &mut dyn FnMut(Item)) {
-        let own = &record.limits;
-        let kinds: &[&str] = if record.measurement.centre.is_some() { &["diameter"] } else { &[] };
-        match self.find(&record.id, &labels, (Some(own.nominal), kinds)) {
-            Ok((at, by)) => {
-                let mut warn = |kind| take(warning(line, kind));
-                if let Some(Size { limits, .. }) = self.sizes.get(at)
-                    && (limits.minimum(), limits.maximum()) != (own.minimum(), own.maximum())
-                {
-                    let (minimum, maximum) = (own.minimum(), own.maximum());
-                    warn(ImportWarningKind::PlanDiffers { minimum, maximum });
-                }
-                let Record { time, measurement, verdict, correction, .. } = record;
-                self.tell(at, by, &mut warn);
-                let Some(judged) = self.judged(at, time, measurement, verdict.position) else { return };
-                let judged = match correction {
-                    Some(correction) => judged.corrected(correction),
-                    None => judged,
-                };
-                self.keep(at, line, judged, labels, take);
-            }
-            Err(why) => {
-                take(Item::Unjudged(Box::new(Unjudged {
-                    line,
-                    id: record.id,
-                    labels,
-                    time: record.time,
-                    measured: Some(record.measurement.diameter),
-                    origin: record.measurement.origin,
-                    position: record.verdict.position,
-                    why: WhyUnjudged::NotInPlan(why),
-                })));
-            }
+    fn value(&mut self, value: Value, take: &mut dyn FnMut(Item)) {
+        let (at, by) = match self.find(&value) {
+            Ok(found) => found,
+            Err(why) => return take(Item::Unjudged(Box::new(value.without(why)))),
+        };
+        let Value { line, id, labels, asked, time, measurement, position, correction, not_positive, .. } = value;
+        let Some(size) = self.sizes.get(at) else { return };
+        if let Some((given, column)) = not_positive.filter(|_| !may_be_below_zero(size)) {
+            let what = ImportError { kind: ImportErrorKind::NotPositive { given: given.clone() }, given };
+            return take(Item::Error(Box::new(Located { what, place: Place::in_line(line, column) })));
         }
+        let record = Record::judged(time, size.name(), size.callout, size.limits.clone(), measurement, position);
+        let record = match correction {
+            Some(correction) => record.corrected(correction),
+            None => record,
+        };
+        let record = match size.feature.rule {
+            Some(rule) => record.by(rule),
+            None => record,
+        };
+        let told = found(&size.name(), by, &id, &labels.number)
+            .into_iter()
+            .chain(self.other_part(&labels.part))
+            .chain(other_limits(&asked, size))
+            .chain(labels.claims.iter().filter_map(|claim| claim.differs(record.verdict.status())));
+        for kind in told {
+            take(warning(line, kind));
+        }
+        self.keep(at, line, record, labels, take);
     }
 
-    /// A value that its file does not judge, or not as a hole or shaft.
-    fn unjudged(&mut self, unjudged: Unjudged, measured: Length, take: &mut dyn FnMut(Item)) {
-        let nominal = match &unjudged.why {
-            WhyUnjudged::Coordinate(own) | WhyUnjudged::Size { judged: own, .. } => own.nominal,
-            WhyUnjudged::NoLimits { nominal } => Some(*nominal),
-            _ => None,
-        };
-        let kinds: &[&str] = match &unjudged.why {
-            WhyUnjudged::Coordinate(_) | WhyUnjudged::CoordinateWithoutLimits => &["face"],
-            WhyUnjudged::Size { .. } | WhyUnjudged::SizeWithoutLimits { .. } => &["width", "pocket", "boss"],
-            WhyUnjudged::Point(_) | WhyUnjudged::PointWithoutTolerance => &["point"],
-            WhyUnjudged::NoLimits { .. } => &["diameter"],
-            _ => &[],
-        };
-        match self.find(&unjudged.id, &unjudged.labels, (nominal, kinds)) {
-            Ok((at, _)) if self.refuses(at, &unjudged.why) => {
-                let WhyUnjudged::NotPositive { given, column } = unjudged.why else { return };
-                let what = ImportError { kind: ImportErrorKind::NotPositive { given: given.clone() }, given };
-                take(Item::Error(Box::new(Located { what, place: Place::in_line(unjudged.line, column) })));
-            }
-            Ok((at, by)) => {
-                let line = unjudged.line;
-                self.tell(at, by, &mut |kind| take(warning(line, kind)));
-                let measurement = Measurement::of_diameter(measured, unjudged.origin);
-                let Some(judged) = self.judged(at, unjudged.time, measurement, unjudged.position) else { return };
-                self.keep(at, line, judged, unjudged.labels, take);
-            }
-            Err(why) => {
-                take(Item::Unjudged(Box::new(Unjudged { why: WhyUnjudged::NotInPlan(why), ..unjudged })));
-            }
-        }
-    }
-
-    /// The size of the plan; `kinds` are those that the file can have measured, any where there are none.
-    fn find(
-        &self,
-        name: &str,
-        labels: &Labels,
-        (nominal, kinds): (Option<Length>, &[&str]),
-    ) -> Result<(usize, By), NotFound> {
-        let clues = Clues { name, number: &labels.number, place: labels.place, side: labels.side };
+    /// The size of the plan.
+    fn find(&self, value: &Value) -> Result<(usize, By), NotFound> {
+        let Value { id, labels, asked, kinds, .. } = value;
+        let clues = Clues { name: id, number: &labels.number, place: labels.place, side: labels.side };
         let (at, by) = self.finder.find(&clues)?;
         let kind = self.sizes.get(at).map_or("", |size| size.feature.kind.word());
         if !kinds.is_empty() && !kinds.contains(&kind) {
@@ -154,7 +114,7 @@ impl<'a> ByPlan<'a> {
         }
         // A number may be a running one and a place that of another operation: the nominal size must be the plan's.
         let planned = self.sizes.get(at).map(|size| size.limits.nominal);
-        match nominal {
+        match asked.nominal {
             Some(given) if by != By::Name && planned.is_some_and(|planned| planned != given) => {
                 Err(NotFound::OtherNominal { name: self.name(at), given })
             }
@@ -162,39 +122,15 @@ impl<'a> ByPlan<'a> {
         }
     }
 
-    /// Whether a value is refused because it is not above zero: only faces and points have deviations and coordinates.
-    fn refuses(&self, at: usize, why: &WhyUnjudged) -> bool {
-        let may_be_any = |size: &Size<'_>| matches!(size.feature.kind, Kind::Face(..) | Kind::Point(..));
-        matches!(why, WhyUnjudged::NotPositive { .. }) && !self.sizes.get(at).is_some_and(may_be_any)
-    }
-
     fn name(&self, at: usize) -> String {
         self.sizes.get(at).map_or_else(String::new, Size::name)
     }
 
-    /// Says by what a feature was found, where it was not by its name.
-    fn tell(&self, at: usize, by: By, warn: &mut dyn FnMut(ImportWarningKind)) {
-        let name = self.name(at);
-        match by {
-            By::Name => {}
-            By::Number => warn(ImportWarningKind::FoundByNumber { name }),
-            By::Place => warn(ImportWarningKind::FoundByPlace { name }),
-        }
-    }
-
-    fn judged(
-        &self,
-        at: usize,
-        time: DateTime,
-        measurement: Measurement,
-        position: Option<PositionVerdict>,
-    ) -> Option<Record> {
-        let size = self.sizes.get(at)?;
-        let record = Record::judged(time, size.name(), size.callout, size.limits.clone(), measurement, position);
-        Some(match size.feature.rule {
-            Some(rule) => record.by(rule),
-            None => record,
-        })
+    /// That the file names another part than the plan.
+    fn other_part(&self, given: &str) -> Option<ImportWarningKind> {
+        let part = &self.plan.head.part;
+        let is_other = !part.is_empty() && !given.trim().is_empty() && !given.trim().eq_ignore_ascii_case(part);
+        is_other.then(|| ImportWarningKind::PartDiffers { given: shorten(given), part: part.clone() })
     }
 
     fn keep(&mut self, at: usize, line: usize, record: Record, labels: Labels, take: &mut dyn FnMut(Item)) {
@@ -207,6 +143,100 @@ impl<'a> ByPlan<'a> {
             self.has_more = true;
         }
         take(Item::Record { line, record: Box::new(record), labels });
+    }
+}
+
+/// A value on its way to the plan, whether its file had judged it or not.
+struct Value {
+    line: usize,
+    id: String,
+    labels: Labels,
+    asked: Asked,
+    time: DateTime,
+    measurement: Measurement,
+    position: Option<PositionVerdict>,
+    correction: Option<Correction>,
+    /// The kinds that its file can have measured; any where there are none.
+    kinds: &'static [&'static str],
+    /// What is given and its column, where that is no diameter.
+    not_positive: Option<(String, usize)>,
+}
+
+impl Value {
+    /// A value that its file has limits for.
+    fn of_record(line: usize, record: Record, labels: Labels) -> Self {
+        let Record { id, limits: own, time, measurement, verdict, correction, .. } = record;
+        let asked = Asked { nominal: Some(own.nominal), minimum: Some(own.minimum()), maximum: Some(own.maximum()) };
+        let kinds: &[&str] = if measurement.centre.is_some() { &["diameter"] } else { &[] };
+        let (position, not_positive) = (verdict.position, None);
+        Self { line, id, labels, asked, time, measurement, position, correction, kinds, not_positive }
+    }
+
+    /// A value that its file does not judge, or not as a hole or shaft.
+    fn of_unjudged(unjudged: Unjudged, measured: Length) -> Self {
+        let asked = unjudged.asked();
+        let Unjudged { line, id, labels, time, origin, position, correction, why, .. } = unjudged;
+        let kinds: &[&str] = match why {
+            WhyUnjudged::Coordinate(_) | WhyUnjudged::CoordinateWithoutLimits => &["face"],
+            WhyUnjudged::Size { .. } | WhyUnjudged::SizeWithoutLimits { .. } => &["width", "pocket", "boss"],
+            WhyUnjudged::Point(_) | WhyUnjudged::PointWithoutTolerance => &["point"],
+            WhyUnjudged::NoLimits { .. } => &["diameter"],
+            _ => &[],
+        };
+        let not_positive = match why {
+            WhyUnjudged::NotPositive { given, column } => Some((given, column)),
+            _ => None,
+        };
+        let measurement = Measurement::of_diameter(measured, origin);
+        Self { line, id, labels, asked, time, measurement, position, correction, kinds, not_positive }
+    }
+
+    /// The same without a feature of the plan.
+    fn without(self, why: NotFound) -> Unjudged {
+        let Self { line, id, labels, asked, time, measurement, position, correction, .. } = self;
+        let (measured, origin) = (Some(measurement.diameter), measurement.origin);
+        let why = WhyUnjudged::NotInPlan(why);
+        Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why }
+    }
+}
+
+/// Whether a value of a size may be zero or less: a coordinate or a deviation, not a distance.
+const fn may_be_below_zero(size: &Size<'_>) -> bool {
+    matches!(size.feature.kind, Kind::Face(..) | Kind::Point(..))
+}
+
+/// By what a feature was found, where it was not by its name; and what the value is called where that is known to no feature.
+fn found(name: &str, by: By, id: &str, number: &str) -> Option<ImportWarningKind> {
+    let name = name.to_owned();
+    let given = [id, number].into_iter().map(str::trim).find(|text| !text.is_empty()).map(shorten);
+    match (by, given) {
+        (By::Name, _) => None,
+        // The name itself is the number.
+        (By::Number, Some(given)) if !number.trim().is_empty() && !id.trim().is_empty() => {
+            Some(ImportWarningKind::FoundByNumberOf { name, given })
+        }
+        (By::Number, _) => Some(ImportWarningKind::FoundByNumber { name }),
+        (By::Place, Some(given)) => Some(ImportWarningKind::FoundByPlaceOf { name, given }),
+        (By::Place, None) => Some(ImportWarningKind::FoundByPlace { name }),
+    }
+}
+
+/// That the file has other limits than the plan, or another nominal size where it has none.
+fn other_limits(asked: &Asked, size: &Size<'_>) -> Option<ImportWarningKind> {
+    let limits = size.limits;
+    match (asked.minimum, asked.maximum) {
+        (Some(minimum), Some(maximum)) => ((minimum, maximum) != (limits.minimum(), limits.maximum()))
+            .then_some(ImportWarningKind::PlanDiffers { minimum, maximum }),
+        (Some(minimum), None) => {
+            (minimum != limits.minimum()).then_some(ImportWarningKind::PlanDiffersBelow { minimum })
+        }
+        (None, Some(maximum)) => {
+            (maximum != limits.maximum()).then_some(ImportWarningKind::PlanDiffersAbove { maximum })
+        }
+        (None, None) => {
+            let nominal = asked.nominal.filter(|nominal| *nominal != limits.nominal)?;
+            Some(ImportWarningKind::PlanDiffersNominal { nominal })
+        }
     }
 }
 

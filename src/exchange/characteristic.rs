@@ -8,15 +8,14 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::error::{ImportErrorKind, ImportWarningKind, shorten};
-use super::imported::{Labels, Sink, Unjudged, WhyUnjudged};
+use super::error::{ImportErrorKind, ImportWarningKind};
+use super::imported::{Asked, Labels, Sink, Unjudged, WhyUnjudged};
 use super::source::Context;
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::Place;
 use crate::probing::{Measurement, Origin};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, LimitsError, Source as LimitSource};
-use crate::verdict::Status;
 
 /// What is measured.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -78,19 +77,13 @@ impl Characteristic {
         self.callout().and_then(|callout| callout.feature()).or(self.feature)
     }
 
-    /// Judges a value by the limits that the file has; where it has a class alone, by those of the class.
-    pub(super) fn judge(&self, value: Value, context: &Context<'_>, sink: &mut Sink<'_>) {
-        self.judge_against(value, None, context, sink);
+    /// What the file says that its values should be.
+    pub(super) const fn said(&self) -> Asked {
+        Asked { nominal: self.nominal, minimum: self.minimum, maximum: self.maximum }
     }
 
-    /// The same with what the file says of the value: its word for that, and which verdicts agree with it.
-    pub(super) fn judge_against(
-        &self,
-        value: Value,
-        claim: Option<(&str, &[Status])>,
-        context: &Context<'_>,
-        sink: &mut Sink<'_>,
-    ) {
+    /// Judges a value by the limits that the file has; where it has a class alone, by those of the class.
+    pub(super) fn judge(&self, value: Value, context: &Context<'_>, sink: &mut Sink<'_>) {
         let line = value.line;
         let file = Arc::clone(&context.file);
         let origin = if value.is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } };
@@ -104,10 +97,10 @@ impl Characteristic {
                 let time = value.time.unwrap_or(context.now);
                 let record = Record::judged(time, self.id(), callout, limits, measurement, None);
                 self.tell_uncertainty(line, sink);
-                let status = record.verdict.size.status;
-                if let Some((said, _)) = claim.filter(|(_, agree)| !agree.contains(&status)) {
-                    let (given, status) = (shorten(said), status.word().to_owned());
-                    sink.warn(Place::line(line), Some(line), ImportWarningKind::StatusDiffers { given, status });
+                for claim in &value.labels.claims {
+                    if let Some(warning) = claim.differs(record.verdict.size.status) {
+                        sink.warn(Place::line(line), Some(line), warning);
+                    }
                 }
                 sink.keep(line, record, value.labels);
             }
@@ -119,6 +112,8 @@ impl Characteristic {
                 measured: Some(value.measured),
                 origin,
                 position: None,
+                asked: self.said(),
+                correction: None,
                 why,
             }),
             Err(NoLimits::Refused(error)) => {

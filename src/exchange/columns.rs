@@ -413,9 +413,9 @@ pub(super) fn are_contacts(text: &str) -> bool {
         let names: Vec<String> = first.iter().map(words::bare).collect();
         let has = |name: &str| names.iter().any(|given| given == name);
         if has("x") && has("y") {
-            // Beside a callout and a measured value they are the place of a feature.
+            // Beside a measured value and a callout, or a name that a plan knows, they are the place of a feature.
             let names = |role: Role| first.iter().any(|name| words::role(name).is_some_and(|(named, _)| named == role));
-            return !(names(Role::Measured) && names(Role::Tolerance));
+            return !(names(Role::Measured) && [Role::Tolerance, Role::Id, Role::Number].into_iter().any(names));
         }
         let is_contact = |cells: &StringRecord| {
             matches!(cells.len(), 2..=3)

@@ -2,6 +2,7 @@
 
 use jiff::civil::DateTime;
 
+use super::claim::Claim;
 use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
 use crate::journal::Record;
 use crate::length::Length;
@@ -10,6 +11,7 @@ use crate::part::NotFound;
 use crate::probing::cycle::FoundName;
 use crate::probing::{Contact, Origin};
 use crate::tolerance::Limits;
+use crate::tolerance::fit::thermal::Correction;
 use crate::verdict::{PositionVerdict, Removal, SizeVerdict, Status, judge_size};
 
 /// The most rows of a file that are kept in memory: a record takes some hundred bytes.
@@ -55,6 +57,19 @@ pub struct Labels {
     pub place: [Option<Length>; 3],
     /// Which of the two sides of a pocket or boss it is, from 0, where the file says so.
     pub side: Option<usize>,
+    /// What the file says of its status.
+    pub claims: Vec<Claim>,
+}
+
+/// What a file says that a value should be, as far as it says it. Lengths are sizes or coordinates, not deviations.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Asked {
+    /// The nominal size.
+    pub nominal: Option<Length>,
+    /// The smallest permitted value.
+    pub minimum: Option<Length>,
+    /// The largest permitted value.
+    pub maximum: Option<Length>,
 }
 
 /// A measurement that makes no record.
@@ -74,8 +89,25 @@ pub struct Unjudged {
     pub origin: Origin,
     /// The centre's position, where the control monitored it.
     pub position: Option<PositionVerdict>,
+    /// What it should be, as far as the file says so besides the reason.
+    pub asked: Asked,
+    /// How it was brought to 20 °C already, where it was.
+    pub correction: Option<Correction>,
     /// Why it makes no record.
     pub why: WhyUnjudged,
+}
+
+impl Unjudged {
+    /// What it should be, as far as the file says so.
+    pub fn asked(&self) -> Asked {
+        match &self.why {
+            WhyUnjudged::Coordinate(own) | WhyUnjudged::Point(own) | WhyUnjudged::Size { judged: own, .. } => {
+                Asked { nominal: own.nominal, minimum: Some(own.minimum), maximum: Some(own.maximum) }
+            }
+            WhyUnjudged::NoLimits { nominal } => Asked { nominal: Some(*nominal), ..self.asked },
+            _ => self.asked,
+        }
+    }
 }
 
 /// Why a measurement makes no record.
@@ -162,6 +194,11 @@ pub enum WhyUnjudged {
     Attribute {
         /// The mark, K0002.
         given: String,
+    },
+    /// A value of which its file says that it is none, or that nobody knows.
+    NotValid {
+        /// As the file says it.
+        said: String,
     },
     /// A characteristic with a declaration that cannot be used, which is an error of its own.
     Declaration {
@@ -303,14 +340,6 @@ impl<'a> Sink<'a> {
     /// A file that could not be used at all.
     pub(super) fn fail(&mut self, kind: ImportErrorKind) {
         self.refuse(Place::line(1), kind, String::new());
-    }
-
-    /// What another sink took.
-    pub(super) fn pass_on(&mut self, item: Item) {
-        match item {
-            Item::Warning(_) | Item::Contacts(_) => (self.take)(item),
-            Item::Record { .. } | Item::Unjudged(_) | Item::Error(_) => self.row(item),
-        }
     }
 
     pub(super) fn keep(&mut self, line: usize, record: Record, labels: Labels) {

@@ -9,7 +9,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::error::{ImportErrorKind, ImportWarningKind};
-use super::imported::{Coordinate, Sink, Unjudged, WhyUnjudged};
+use super::imported::{Asked, Coordinate, Sink, Unjudged, WhyUnjudged};
 use super::source::{Beginning, Context, Source};
 use super::{Format, Labels};
 use crate::control::log::{self, Figure, LimitPair, Log, LogError, Logs, layout};
@@ -137,7 +137,8 @@ impl Made {
             Self::Record(record) => sink.keep(line, *record, labels),
             Self::Unjudged { measured, why } => {
                 let (measured, origin) = (Some(measured), read.origin.clone());
-                sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position, why });
+                let (asked, correction) = (Asked::default(), None);
+                sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why });
             }
             Self::Refused { reason, given } => sink.refuse(Place::line(line), reason, given),
         }

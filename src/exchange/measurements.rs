@@ -274,7 +274,7 @@ impl<'a> Reader<'a, '_, '_> {
 
     /// Judges a row and keeps it, or names the cell that cannot be used.
     fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
-        let Found { measured, asked, is_simulated } = self.rules().read(cells)?;
+        let Found { measured, asked, said, is_simulated } = self.rules().read(cells)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
         if let Some(given) = self.rules().cut_off(cells).filter(|_| self.is_open) {
             let reason = ImportWarningKind::CutOff { given: shorten(given) };
@@ -283,17 +283,18 @@ impl<'a> Reader<'a, '_, '_> {
         let time = self.time(line, cells);
         let file = Arc::clone(&self.source.file);
         let origin = if is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } };
+        let correction = self.columns.own.correction(cells, measured)?;
         let Some((callout, limits)) = asked else {
             let column = self.columns.measured.at;
             let given = shorten(cells.get(column).unwrap_or_default().trim());
             let below = WhyUnjudged::NotPositive { given, column: column + 1 };
             let why = if measured <= Length::ZERO { below } else { WhyUnjudged::NoCallout };
-            let (labels, measured) = (self.labels(line, cells), Some(measured));
-            self.sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position: None, why });
+            let (asked, labels, measured, position) = (said, self.labels(line, cells), Some(measured), None);
+            let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
+            self.sink.set_aside(unjudged);
             return Ok(());
         };
         let measurement = Measurement::of_diameter(measured, origin);
-        let correction = self.columns.own.correction(cells, measured)?;
         let record = Record::judged(time, id, Some(callout), limits, measurement, None);
         let labels = self.labels(line, cells);
         self.sink.keep(line, Record { correction, ..record }, labels);

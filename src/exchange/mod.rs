@@ -42,6 +42,7 @@ mod by_plan;
 pub mod calypso;
 mod cells;
 mod characteristic;
+pub mod claim;
 mod columns;
 pub mod contacts;
 mod delimited;
@@ -79,9 +80,10 @@ use jiff::civil::DateTime;
 
 pub use by_plan::ByPlan;
 use characteristic::Characteristic;
+pub use claim::Claim;
 pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, Role};
 use imported::Sink;
-pub use imported::{Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged};
+pub use imported::{Asked, Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged};
 pub use mapping::{
     Choice, DECIMAL_WORDS, Detected, FirstRows, Kept, MOST_KEPT, Mapping, MappingError, Remembered, SEPARATOR_WORDS,
     UNIT_WORDS,
@@ -237,6 +239,8 @@ fn read_contacts(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), Imp
         measured: None,
         origin: Origin::Contacts { file: Arc::clone(&source.context.file) },
         position: None,
+        asked: Asked::default(),
+        correction: None,
         why: WhyUnjudged::Contacts { count: read.contacts.len() },
     });
     sink.contacts(read.contacts);

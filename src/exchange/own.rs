@@ -25,6 +25,8 @@ pub(super) struct OwnColumns {
     reason: Option<usize>,
     /// The rule that judged.
     rule: Option<usize>,
+    /// The limits that it judged by.
+    limits: [Option<usize>; 2],
 }
 
 impl OwnColumns {
@@ -43,6 +45,7 @@ impl OwnColumns {
             position: at("position"),
             reason: at("remeasure_reason"),
             rule: at("rule_name"),
+            limits: [at("min_mm"), at("max_mm")],
         }
     }
 
@@ -59,6 +62,11 @@ impl OwnColumns {
     /// Whether another rule than the limits may have judged.
     pub(super) const fn have_rule(&self) -> bool {
         self.rule.is_some()
+    }
+
+    /// The limits that a row was judged by, as far as it has them.
+    pub(super) fn limits(&self, cells: &StringRecord) -> [Option<Length>; 2] {
+        self.limits.map(|at| cells.get(at?)?.trim().parse().ok())
     }
 
     /// The columns whose cells may say that the size alone does not decide.

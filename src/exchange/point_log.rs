@@ -5,7 +5,7 @@
 use std::sync::Arc;
 
 use super::error::ImportErrorKind;
-use super::imported::{Coordinate, Sink, Unjudged, WhyUnjudged};
+use super::imported::{Asked, Coordinate, Sink, Unjudged, WhyUnjudged};
 use super::source::{Context, Source};
 use super::{Format, Labels};
 use crate::control::point_log::{self, Band, PointLog};
@@ -65,6 +65,8 @@ fn add(sink: &mut Sink<'_>, line: usize, log: &PointLog, source: &Context<'_>) {
         measured: Some(log.deviation),
         origin: Origin::Imported { file: Arc::clone(&source.file) },
         position: None,
+        asked: Asked::default(),
+        correction: None,
         why,
     });
 }

@@ -7,6 +7,7 @@ use csv::StringRecord;
 use super::cells;
 use super::columns::{Columns, LengthColumn};
 use super::error::{ImportErrorKind, shorten, shorten_cell};
+use super::imported::Asked;
 use super::lookup::Lookup;
 use crate::length::Length;
 use crate::tolerance::{Callout, CalloutError, Feature, Limits, Sources, ToleranceClass};
@@ -26,6 +27,8 @@ pub(super) struct Found {
     pub(super) measured: Length,
     /// The callout and its limits; `None` where the row has no callout.
     pub(super) asked: Option<(Callout, Limits)>,
+    /// What a row without a callout says that its value should be.
+    pub(super) said: Asked,
     /// Whether it says that nobody measured.
     pub(super) is_simulated: bool,
 }
@@ -51,7 +54,8 @@ impl Rules<'_> {
         let Some((callout, cell)) = self.callout(cells, measured)? else {
             // A plan may judge it: what a file of Fitcheck says against it counts all the same.
             self.columns.own.decided_by_size(cells)?;
-            return Ok(Found { measured, asked: None, is_simulated: self.is_simulated(cells)? });
+            let said = self.said(cells)?;
+            return Ok(Found { measured, asked: None, said, is_simulated: self.is_simulated(cells)? });
         };
         let limits = match self.lookup {
             Some(lookup) => lookup.limits(&callout, self.sources),
@@ -60,7 +64,15 @@ impl Rules<'_> {
         let limits = limits.map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
         let is_simulated = self.is_simulated(cells)?;
         self.columns.own.decided_by_size(cells)?;
-        Ok(Found { measured, asked: Some((callout, limits)), is_simulated })
+        Ok(Found { measured, asked: Some((callout, limits)), said: Asked::default(), is_simulated })
+    }
+
+    /// What a row without a callout says that its value should be.
+    fn said<'c>(&self, cells: &'c StringRecord) -> Result<Asked, Refused<'c>> {
+        let nominal = self.columns.nominal.filter(|column| !is_blank(cells, column.at));
+        let nominal = nominal.map(|column| length(cells, column, ImportErrorKind::Nominal)).transpose()?;
+        let [minimum, maximum] = self.columns.own.limits(cells);
+        Ok(Asked { nominal: nominal.map(|(_, nominal)| nominal), minimum, maximum })
     }
 
     /// The measured value of a last row that has no line end, where it ends the row and has fewer decimals than the others.
@@ -87,7 +99,7 @@ impl Rules<'_> {
                 ImportErrorKind::OtherFeature { given: given.into_owned(), feature },
             ));
         }
-        Ok(Found { measured, asked: None, is_simulated: self.is_simulated(cells)? })
+        Ok(Found { measured, asked: None, said: Asked::default(), is_simulated: self.is_simulated(cells)? })
     }
 
     /// Whether a comment would be a row with a size, were it none.

@@ -178,7 +178,7 @@ impl Sizes {
     }
 
     fn take_unjudged(&mut self, unjudged: Unjudged) {
-        let Unjudged { line, id, measured, why, .. } = unjudged;
+        let Unjudged { line, id, measured, why, origin, .. } = unjudged;
         let is_size = matches!(
             why,
             WhyUnjudged::NoCallout
@@ -189,7 +189,9 @@ impl Sizes {
                 | WhyUnjudged::SwappedLimits { .. }
         );
         match measured {
-            Some(measured) if is_size => self.add(Size { line, id, measured, is_simulated: false }),
+            Some(measured) if is_size => {
+                self.add(Size { line, id, measured, is_simulated: origin.is_simulated() });
+            }
             None if matches!(why, WhyUnjudged::Contacts { .. }) => self.refuse(line, ImportErrorKind::ContactsNotSizes),
             _ => self.refuse(line, ImportErrorKind::NotASize(why.message())),
         }

@@ -90,6 +90,42 @@ pub enum ImportWarningKind {
         /// The largest one.
         maximum: Length,
     },
+    /// The file has another smallest permitted value than the plan, and no largest one.
+    PlanDiffersBelow {
+        /// The file's value.
+        minimum: Length,
+    },
+    /// The same of the largest one alone.
+    PlanDiffersAbove {
+        /// The file's value.
+        maximum: Length,
+    },
+    /// The file has another nominal size than the plan, and no limits.
+    PlanDiffersNominal {
+        /// The file's value.
+        nominal: Length,
+    },
+    /// The file names another part than the plan: that of the plan counts.
+    PartDiffers {
+        /// What the file says.
+        given: String,
+        /// The part of the plan.
+        part: String,
+    },
+    /// The feature was found by its number, and the value has a name that no feature has.
+    FoundByNumberOf {
+        /// Its name in the plan.
+        name: String,
+        /// What the value is called.
+        given: String,
+    },
+    /// The feature was found by where it lies, and the value has a name or number that no feature has.
+    FoundByPlaceOf {
+        /// Its name in the plan.
+        name: String,
+        /// What the value is called.
+        given: String,
+    },
     /// The feature was found by the number of its balloon.
     FoundByNumber {
         /// Its name in the plan.

@@ -1,6 +1,5 @@
 //! A draft becomes a plan, or all its faults are told at once.
 
-use std::collections::BTreeMap;
 use std::str::FromStr;
 
 use super::cells::{KindCells, is_band_of_cycle};
@@ -8,6 +7,7 @@ use super::column::{Column, HeadField};
 use super::draft::{Draft, Row};
 use super::fault::{Finding, PlanFault, Spot};
 use super::kind::{Kind, Towards};
+use super::names::Names;
 use super::plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, Head, MOST_FEATURES, Material, Plan, PlanFeature};
 use super::values::{beginning, in_range, is_decided, material, plain_text, rule, travel};
 use crate::length::{Length, LengthError};
@@ -89,13 +89,6 @@ impl Faults {
     }
 }
 
-/// The names and numbers that earlier features have: files on a control ignore case.
-#[derive(Default)]
-struct Names {
-    names: BTreeMap<String, usize>,
-    numbers: BTreeMap<String, usize>,
-}
-
 /// What holds for every feature that says nothing itself.
 #[derive(Default)]
 struct Shared {
@@ -162,7 +155,9 @@ impl Reader<'_> {
     /// The feature; `None` where anything of it is wrong, which is told.
     fn feature(&mut self, names: &mut Names) -> Option<PlanFeature> {
         let before = self.faults.all.len();
-        let (number, name) = self.names(names);
+        let number = self.text(Column::Number, LONGEST_NAME);
+        let name = self.text(Column::Name, LONGEST_NAME);
+        let name = if name.is_empty() { format!("F{}", self.at + 1) } else { name };
         let place = self.place();
         let angle = self.value(Column::Angle, Meaning::FirstAngle).unwrap_or_default();
         let clearance = self.value(Column::Clearance, Meaning::SetUpClearance).unwrap_or(DEFAULT_CLEARANCE);
@@ -175,6 +170,10 @@ impl Reader<'_> {
         }
         let side = self.side();
         let kind = self.kind(place, angle);
+        let sides = kind.as_ref().map_or(&[""][..], Kind::sides);
+        for (column, what) in names.take(self.row.place.line, &number, &name, sides) {
+            self.fault(column, what);
+        }
         let limits = kind.as_ref().and_then(|kind| self.limits(kind, side));
         let feature = limits.as_ref().and_then(|limits| Some(limits.first()?.feature)).unwrap_or(Feature::Shaft);
         let cycle = kind.as_ref().and_then(|kind| self.cycle(kind, feature));
@@ -192,6 +191,7 @@ impl Reader<'_> {
             kind,
             limits,
             place: x.zip(y).zip(z).map(|((x, y), z)| [x, y, z]),
+            axes: place,
             angle,
             clearance,
             clearance_height,
@@ -208,19 +208,6 @@ impl Reader<'_> {
     fn text(&mut self, column: Column, most: usize) -> String {
         let text = self.row.text(column).unwrap_or_default();
         self.take(column, plain_text(text, column.key(), most)).unwrap_or_default()
-    }
-
-    fn names(&mut self, names: &mut Names) -> (String, String) {
-        let number = self.text(Column::Number, LONGEST_NAME);
-        let name = self.text(Column::Name, LONGEST_NAME);
-        let name = if name.is_empty() { format!("F{}", self.at + 1) } else { name };
-        if names.names.insert(name.to_uppercase(), self.at).is_some() {
-            self.fault(Column::Name, PlanFault::SameName { name: name.clone() });
-        }
-        if !number.is_empty() && names.numbers.insert(number.to_uppercase(), self.at).is_some() {
-            self.fault(Column::Number, PlanFault::SameNumber { number: number.clone() });
-        }
-        (number, name)
     }
 
     /// A value within the range of a parameter of the cycles.

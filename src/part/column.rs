@@ -200,6 +200,16 @@ impl HeadField {
         Self::ALL.into_iter().find(|field| field.key().eq_ignore_ascii_case(key))
     }
 
+    /// The column of a feature that it stands for where a feature says nothing itself.
+    pub const fn column(self) -> Option<Column> {
+        match self {
+            Self::Material => Some(Column::Material),
+            Self::Rule => Some(Column::Rule),
+            Self::Uncertainty => Some(Column::Uncertainty),
+            _ => None,
+        }
+    }
+
     /// Whether a file has it as two numbers.
     pub(super) const fn is_travel(self) -> bool {
         matches!(self, Self::TravelX | Self::TravelY | Self::TravelZ)

@@ -64,8 +64,9 @@ pub(super) fn of_rows(rows: impl IntoIterator<Item = (usize, Vec<String>)>) -> R
     Ok(document)
 }
 
-/// The plan with semicolons: every column that is used.
+/// The plan with semicolons: every column that is used. What is said of all features stands with each.
 pub(super) fn write(draft: &Draft) -> String {
+    let draft = draft.spread();
     let columns: Vec<Column> = draft.used().collect();
     let mut writer = csv::WriterBuilder::new().delimiter(b';').from_writer(Vec::new());
     let mut line = |cells: Vec<&str>| writer.write_record(cells).is_ok();

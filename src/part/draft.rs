@@ -136,6 +136,20 @@ impl Draft {
         }
     }
 
+    /// The same with what is said of all features in each that says nothing itself.
+    #[must_use]
+    pub fn spread(&self) -> Self {
+        let mut draft = self.clone();
+        for field in HeadField::ALL {
+            let (Some(column), Some(text)) = (field.column(), self.text(field)) else { continue };
+            for row in draft.rows.iter_mut().filter(|row| row.text(column).is_none()) {
+                row.set(column, text.to_owned());
+            }
+            draft.set(field, String::new());
+        }
+        draft
+    }
+
     /// The columns that any feature has something in, in their order.
     pub fn used(&self) -> impl Iterator<Item = Column> {
         Column::ALL.into_iter().filter(|column| self.rows.iter().any(|row| row.text(*column).is_some()))

@@ -264,11 +264,44 @@ pub enum PlanFault {
     SameName {
         /// The name.
         name: String,
+        /// The line of the other one; 0 where it is from no file.
+        line: usize,
     },
     /// Two features with the same number.
     SameNumber {
         /// The number.
         number: String,
+        /// The number of the other one, which may have zeros before it.
+        other: String,
+        /// Its line; 0 where it is from no file.
+        line: usize,
+    },
+    /// A value called so could be of two features.
+    SameSize {
+        /// What the value would be called.
+        called: String,
+        /// The name of the other feature.
+        other: String,
+        /// Its line; 0 where it is from no file.
+        line: usize,
+    },
+    /// A value with this number could be of two features: it is the name of another one.
+    NumberIsName {
+        /// The number.
+        number: String,
+        /// The name of the other feature.
+        other: String,
+        /// Its line; 0 where it is from no file.
+        line: usize,
+    },
+    /// The same the other way round.
+    NameIsNumber {
+        /// What the value would be called.
+        called: String,
+        /// The name of the other feature.
+        other: String,
+        /// Its line; 0 where it is from no file.
+        line: usize,
     },
     /// A material that is not known.
     #[say(transparent)]

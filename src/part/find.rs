@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::names::{key, number_key, of_side};
 use super::plan::Plan;
 use crate::length::Length;
 use crate::message::Say;
@@ -41,6 +42,8 @@ pub enum NotFound {
     Unknown,
     /// It says nothing that could be looked for.
     NoClue,
+    /// It has no name or number that is known, and of its place X or Y is missing.
+    HalfPlace,
     /// Name and number are those of two features.
     Contradiction {
         /// The feature of that name.
@@ -81,8 +84,8 @@ pub struct Finder {
     names: BTreeMap<String, usize>,
     /// The sizes of features by number.
     numbers: BTreeMap<String, Vec<usize>>,
-    /// Where features are: the first of their sizes.
-    places: Vec<(Vec<usize>, [Length; 3])>,
+    /// Where features are, as far as the plan says so in X and Y: their sizes.
+    places: Vec<(Vec<usize>, [Option<Length>; 3])>,
     /// The names of all sizes, and of the feature of each.
     sizes: Vec<(String, String)>,
 }
@@ -95,18 +98,18 @@ impl Finder {
         for feature in plan.features() {
             let first = sizes.len();
             for size in feature.sizes() {
-                let (at, name) = (sizes.len(), size.name());
-                names.insert(key(&name), at);
-                if let Some(side) = feature.kind.sides().get(size.side).filter(|side| !side.is_empty()) {
-                    names.extend([".", "_", "-"].map(|sign| (key(&format!("{}{sign}{side}", feature.name)), at)));
-                }
-                sizes.push((name, feature.name.clone()));
+                let at = sizes.len();
+                let side = feature.kind.sides().get(size.side).copied().unwrap_or_default();
+                names.extend(of_side(&feature.name, side).iter().map(|called| (key(called), at)));
+                sizes.push((size.name(), feature.name.clone()));
             }
             let own: Vec<usize> = (first..sizes.len()).collect();
             if !feature.number.is_empty() {
-                numbers.insert(key(&feature.number), own.clone());
+                numbers.insert(number_key(&feature.number), own.clone());
             }
-            places.extend(feature.place.map(|place| (own, place)));
+            if let [Some(_), Some(_), _] = feature.axes {
+                places.push((own, feature.axes));
+            }
         }
         Self { names, numbers, places, sizes }
     }
@@ -123,8 +126,8 @@ impl Finder {
 
     /// The position of a value's size among [`Plan::sizes`], and by what it was found.
     ///
-    /// A name counts most, then a number, and where neither is known to the plan, the place: within 0.5 mm in X and Y, and in Z where it
-    /// is known.
+    /// A name counts most, then a number, and where neither is known to the plan, the place: within 0.5 mm in X and Y, and in Z where both
+    /// the plan and the value have it.
     ///
     /// # Errors
     /// [`NotFound`]; nothing is guessed.
@@ -132,10 +135,10 @@ impl Finder {
         let by_name = self.by_name(clues);
         // A table with numbers alone calls a number what the plan calls a name.
         let is_name_a_number = by_name.is_none() && clues.number.trim().is_empty();
-        let number = key(if is_name_a_number { clues.name } else { clues.number });
-        let by_number = self.numbers.get(&number).filter(|_| !number.is_empty());
+        let number = if is_name_a_number { clues.name } else { clues.number };
+        let by_number = self.numbers.get(&number_key(number)).filter(|_| !number.trim().is_empty());
         // Some formats call a number what a plan calls a name.
-        let named_so: Option<Vec<usize>> = self.names.get(&number).map(|at| vec![*at]);
+        let named_so: Option<Vec<usize>> = self.names.get(&key(number)).map(|at| vec![*at]);
         let by_number = by_number.or(named_so.as_ref());
         match (by_name, by_number) {
             (Some(Err(which)), _) => Err(which),
@@ -164,15 +167,22 @@ impl Finder {
     }
 
     fn by_place(&self, clues: &Clues<'_>) -> Result<(usize, By), NotFound> {
-        let [Some(x), Some(y), z] = clues.place else {
+        if let [None, _, _] | [_, None, _] = clues.place {
             let is_silent = clues.name.trim().is_empty() && clues.number.trim().is_empty();
-            return Err(if is_silent { NotFound::NoClue } else { NotFound::Unknown });
+            return Err(match clues.place {
+                [None, None, None] if is_silent => NotFound::NoClue,
+                [None, None, None] => NotFound::Unknown,
+                _ => NotFound::HalfPlace,
+            });
+        }
+        // An axis that one of them does not have does not count.
+        let is_near = |(a, b): (&Option<Length>, &Option<Length>)| {
+            a.zip(*b).is_none_or(|(a, b)| a.saturating_sub(b).abs() <= NEAR)
         };
-        let is_near = |a: Length, b: Length| a.saturating_sub(b).abs() <= NEAR;
         let near: Vec<&Vec<usize>> = self
             .places
             .iter()
-            .filter(|(_, place)| is_near(place[0], x) && is_near(place[1], y) && z.is_none_or(|z| is_near(place[2], z)))
+            .filter(|(_, place)| place.iter().zip(&clues.place).all(is_near))
             .map(|(own, _)| own)
             .collect();
         match near.as_slice() {
@@ -199,9 +209,4 @@ impl Finder {
     fn feature(&self, at: usize) -> String {
         self.sizes.get(at).map_or_else(String::new, |(_, feature)| feature.clone())
     }
-}
-
-/// Names are told apart without regard to case and blanks around them.
-fn key(name: &str) -> String {
-    name.trim().to_uppercase()
 }

@@ -9,6 +9,7 @@
 //! | `values` | what single cells say: texts, materials, rules, travels |
 //! | `plan` | a plan without a fault: features with limits |
 //! | `kind`, `cells` | what is measured of a feature, and how cells say it |
+//! | `names` | what a value may be called: of one feature alone |
 //! | `csv`, `file` | plans as CSV, and as TOML |
 //! | `find` | which feature a value is of |
 //! | `walk` | one part on its way through a plan |
@@ -28,6 +29,7 @@ mod fault;
 mod file;
 mod find;
 mod kind;
+mod names;
 mod plan;
 mod simulated;
 mod standing;

@@ -56,6 +56,8 @@ pub struct PlanFeature {
     /// Centre in X and Y and measuring height in Z, or the point's place (Q11, Q21, Q31), ±99999.9999 mm; `None` where one of
     /// them is not given: it can be typed or read from a file, and not be measured by a program.
     pub place: Option<[Length; 3]>,
+    /// The same as far as the plan says it: a value may be found by two axes.
+    pub axes: [Option<Length>; 3],
     /// Angle of the first contact from +X (Q41), ±360 degrees.
     pub angle: Angle,
     /// Lateral set-up clearance (Q51), 0 to 99999.9999 mm, added to the probe's own.

@@ -21,6 +21,7 @@ use super::tools::OpenTools;
 use super::workpiece::SimulatedWorkpiece;
 use crate::control::mask::Mask;
 use crate::journal::Record;
+use crate::journal::entry::Entry;
 use crate::message::Message;
 use crate::tolerance::fit::materials::Materials;
 use crate::tolerance::{Absent, Sources};
@@ -93,7 +94,12 @@ pub(super) enum News {
     /// Checks may use another budget's uncertainty, or none any more.
     Budget,
     /// The record of a number was corrected or withdrawn.
-    TakenBack(u64),
+    TakenBack {
+        /// Its number.
+        number: u64,
+        /// The number of what stands in its place, and what it tells.
+        by: Option<Box<(u64, Entry)>>,
+    },
     /// Other columns of files are remembered.
     Columns,
     /// The journal is open, or cannot be opened.

@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::Path;
 
 use assert_cmd::cargo::cargo_bin_cmd;
+use serde_json::Value as Json;
 
 /// Twelve features; the first four are measured by a control, the others by hand, gauge and machine.
 const PLAN: &str = "\
@@ -53,6 +54,32 @@ impl Place {
         let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
         (output.status.code().unwrap(), text(output.stdout), text(output.stderr))
     }
+
+    /// What a plan makes of a file of values: the exit code and the rows.
+    fn judged(&self, plan: &str, values: &str, more: &[&str]) -> (i32, Vec<Json>) {
+        self.write("own.csv", plan);
+        self.write("v.csv", values);
+        self.rows(&[&["import", "--plan", "own.csv", "v.csv"], more].concat())
+    }
+
+    fn rows(&self, args: &[&str]) -> (i32, Vec<Json>) {
+        let (code, out, err) = self.say(&[args, &["--format", "json"]].concat());
+        (code, serde_json::from_str(&out).unwrap_or_else(|error| panic!("{error}: {out}{err}")))
+    }
+}
+
+/// The status of a row, and whether it is beside what must be said.
+#[track_caller]
+fn says(row: &Json, status: Option<&str>, what: &str) {
+    assert_eq!(row["status"].as_str(), status, "{row}");
+    let said = format!("{} {}", row["warnings"], row["error"]);
+    assert!(said.contains(what), "{what}: {row}");
+}
+
+/// That nothing is said of a row besides its verdict.
+#[track_caller]
+fn silent(row: &Json) {
+    assert_eq!((row["warnings"].as_array().map(Vec::len), row["error"].as_str()), (Some(0), None), "{row}");
 }
 
 #[test]
@@ -77,15 +104,15 @@ fn twelve_features_from_every_source_are_in_the_records_with_their_origin() {
     assert!(out.contains("TCHPR421.TXT,1,BORE_A,25 H7,25,25.000,25.021,25.0134,13.4,GOOD"), "{out}");
     assert!(out.contains("found by its place: BORE_A of the plan"), "{out}");
     assert!(err.contains("not measured: FACE, POCKET X, POCKET Y, B5"), "{err}");
-    // What an own mask printed.
+    // What an own mask printed: good, and without the other features the part is not complete.
     place.write("list.a", MASK);
     place.write("list.txt", PRINTED);
     let (code, out, err) = import(&["list.txt", "--mask", "list.a"]);
-    assert_eq!(code, 0, "{out}{err}");
+    assert_eq!((code, out.contains("2 rows: 2 GOOD, 11 missing")), (1, true), "{out}{err}");
     // QIF, a typed value, and a table.
     place.copy("results.qif", "qif/minimal_bore_25H7.qif");
     let (code, out, err) = import(&["results.qif"]);
-    assert_eq!(code, 0, "{out}{err}");
+    assert_eq!((code, out.contains("1 row: 1 GOOD, 12 missing")), (1, true), "{out}{err}");
     let typed =
         ["check", "30 ±0.01", "--feature", "shaft", "--measured", "30.005", "--feature-name", "S9", "--part", "P"];
     let (code, out, err) = place.say(&[&typed[..], &record].concat());
@@ -184,4 +211,209 @@ fn deviations_and_coordinates_below_zero_are_read_where_the_plan_has_no_diameter
     let (code, out, err) = place.say(&["import", "m.csv"]);
     assert_eq!(code, 1);
     assert_eq!((out + &err).matches("is not above 0").count(), 5);
+}
+
+/// 25.0205 is 0.5 µm below the limit: good by the limits, undecided with an uncertainty of 1 µm by ISO 14253-1:2017.
+#[test]
+fn another_rule_or_material_than_that_of_the_plan_is_told_beside_the_verdict() {
+    let place = Place::new();
+    let plan = "name;callout;rule;u_um;material\nA;25 H7;iso14253-2017;1;aluminium\n";
+    let judged = |more: &[&str]| {
+        let (code, rows) = place.judged(plan, "name;measured\nA;25.0205\n", more);
+        (code, rows[0].clone())
+    };
+    let (code, row) = judged(&[]);
+    assert_eq!(code, 12);
+    silent(&row);
+    let (_, row) = judged(&["--rule", "iso14253-2017", "--u", "1"]);
+    silent(&row);
+    let (code, row) = judged(&["--rule", "simple"]);
+    assert_eq!(code, 0);
+    says(&row, Some("GOOD"), "the plan has another rule for this: ISO 14253-1:2017");
+    // The uncertainty alone changes nothing of which rule it is: 2.5 µm leave nothing accepted, and do not make it good.
+    let (code, row) = judged(&["--u", "2.5"]);
+    assert_eq!(code, 12);
+    says(&row, Some("RE-MEASURE"), "the plan has another rule for this");
+    // 25.0205 mm at 22 °C is smaller at 20 °C, whatever the material.
+    let (_, row) = judged(&["--temperature", "22", "--material", "steel"]);
+    says(&row, Some("RE-MEASURE"), "the plan has another material for this: aluminium; --material counts");
+    let (_, row) = judged(&["--temperature", "22", "--material", "aluminium"]);
+    silent(&row);
+    // An explicit simple rule of the plan is one, too.
+    let (_, rows) = place.judged(
+        "name;callout;rule\nA;25 H7;simple\n",
+        "name;measured\nA;25.0205\n",
+        &["--rule", "iso14253-2017", "--u", "1"],
+    );
+    says(&rows[0], Some("RE-MEASURE"), "the plan has another rule for this: no guard band");
+}
+
+/// A row of Fitcheck without a callout, its limits from a log, keeps how it was brought to 20 °C: by hand, 25.0215 mm at 26 °C is
+/// 25.019774 mm at 20 °C with 11.5 millionths per kelvin.
+#[test]
+fn a_corrected_value_without_a_callout_is_not_corrected_again_by_a_plan() {
+    let place = Place::new();
+    let values = "id,callout,measured_mm,deviation_um,status,as_measured_mm,temperature_c,expansion_um_per_m_k\n\
+                  A,,25.019774,19.774,GOOD,25.0215,26,11.5\n";
+    let plan = "name;callout\nA;25 H7\n";
+    let (code, rows) = place.judged(plan, values, &[]);
+    assert_eq!((code, rows[0]["measured_mm"].as_f64()), (0, Some(25.019774)), "{rows:?}");
+    let (code, rows) = place.judged(plan, values, &["--temperature", "26", "--material", "steel"]);
+    assert_eq!(code, 1);
+    says(&rows[0], None, "--temperature: the values are at 20 °C already, as the column as_measured_mm says");
+    // The correction is recorded with the value.
+    let record = ["--record", "--journal", "j.sqlite"];
+    place.say(&[&["import", "--plan", "own.csv", "v.csv"], &record[..]].concat());
+    let (_, shown, _) = place.say(&["journal", "show", "2", "--journal", "j.sqlite", "--format", "json"]);
+    assert!(shown.contains("25.0215") && shown.contains("25.019774"), "{shown}");
+}
+
+#[test]
+fn a_name_that_no_feature_has_beside_a_number_that_one_has_is_told() {
+    let place = Place::new();
+    let plan = "number;name;callout;x;y\n3;PIN;25 H7;40;30\n";
+    let of = |values: &str| place.judged(plan, values, &[]).1.remove(0);
+    let row = of("name;number;measured\nBORE_X;3;25.01\n");
+    assert_eq!(row["id"], "PIN");
+    says(&row, Some("GOOD"), "no feature of the plan is called BORE_X; found by its number: PIN of the plan");
+    says(&of("number;measured\n3;25.01\n"), Some("GOOD"), "found by its number: PIN of the plan");
+    says(&of("name;measured\n3;25.01\n"), Some("GOOD"), "\"found by its number: PIN of the plan\"");
+    says(&of("number;measured\n03;25.01\n"), Some("GOOD"), "found by its number: PIN of the plan");
+    let place_of = of("name;x;y;measured\nBORE_X;40;30;25.01\n");
+    says(&place_of, Some("GOOD"), "no feature of the plan is called BORE_X; found by its place: PIN of the plan");
+    silent(&of("name;number;measured\nPIN;3;25.01\n"));
+}
+
+#[test]
+fn two_axes_are_a_place_where_they_are_that_of_one_feature() {
+    let place = Place::new();
+    let of = |plan: &str, values: &str| place.judged(plan, values, &[]).1.remove(0);
+    // The plan says no height.
+    let flat = "name;callout;x;y\nA;25 H7;40;30\nB;25 H7;80;30\n";
+    assert_eq!(of(flat, "name;x;y;z;measured\n;40;30;-8;25.01\n")["id"], "A");
+    assert_eq!(of(flat, "name;x;y;measured\n;80;30.4;25.01\n")["id"], "B");
+    says(&of(flat, "name;x;z;measured\n;80;-8;25.01\n"), None, "a place needs X and Y");
+    // One above the other: the value does not say which, and with a height it does.
+    let tall = "name;callout;x;y;z\nA;25 H7;40;30;-8\nB;25 H7;40;30;-28\n";
+    says(&of(tall, "name;x;y;measured\n;40;30;25.01\n"), None, "several features of the plan lie there: A, B");
+    assert_eq!(of(tall, "name;x;y;z;measured\n;40;30;-28;25.01\n")["id"], "B");
+}
+
+#[test]
+fn a_nominal_size_in_the_file_is_compared_whatever_else_is_missing() {
+    let place = Place::new();
+    let plan = "number;name;callout\n3;PIN;25 H7\n";
+    // A nominal size and no callout.
+    let (code, rows) = place.judged(plan, "number;nominal;callout;measured\n3;30;;25.01\n", &[]);
+    assert_eq!(code, 1);
+    says(&rows[0], None, "it would be PIN of the plan, but its nominal size is 30");
+    let (_, rows) = place.judged(plan, "name;nominal;callout;measured\nPIN;30;;25.01\n", &[]);
+    says(&rows[0], Some("GOOD"), "the file has the nominal size 30: that of the plan counts");
+    // AQDEF that does not say hole or shaft: K2101 is the nominal size, K2110 and K2111 are the limits.
+    let aqdef = |limits: &str| {
+        format!("K0100 1\nK2001/1 3\nK2009/1 102\nK2101/1 30\n{limits}K2142/1 mm\nK0001/1 25.01\nK0002/1 0\n")
+    };
+    place.write("own.csv", plan);
+    for limits in ["K2110/1 29.9\nK2111/1 30.1\n", "K2110/1 29.9\n", "K2110/1 30.1\nK2111/1 29.9\n"] {
+        place.write("a.dfq", &aqdef(limits).replace("K2009/1 102\n", "K2009/1 200\n"));
+        let (_, rows) = place.rows(&["import", "--plan", "own.csv", "a.dfq"]);
+        says(&rows[0], None, "");
+    }
+}
+
+#[test]
+fn a_place_with_other_limits_than_the_plan_is_told_as_a_diameter_is() {
+    let place = Place::new();
+    place.write("own.csv", "name;kind;axis;callout;feature\nW (425);width;X;8 ±0.05;hole\n");
+    place.write("list.a", &shipped("width_en.a"));
+    place.write(
+        "list.txt",
+        "WIDTH STATUS: GOOD\nCHECKED: W (425)\nMINIMUM WIDTH:   7.9000\nMAXIMUM WIDTH:   8.1000\n\
+         MEASURED WIDTH:   8.0120\nCENTRE LINE:   0.0010\n",
+    );
+    let (_, rows) = place.rows(&["import", "--plan", "own.csv", "list.txt", "--mask", "list.a"]);
+    says(&rows[0], Some("GOOD"), "the file has the limits 7.9 to 8.1: those of the plan count");
+    // A coordinate: the log of cycle 427 has limits of its own.
+    place.write("own.csv", "name;kind;axis;callout;x;y;z\nX (427);face;-X;0 ±0.4;0;0;0\n");
+    place.write("list.a", &shipped("427_en.a"));
+    place.write(
+        "list.txt",
+        "COORDINATE STATUS: GOOD\nCHECKED: X (427)\nMINIMUM LIMIT:  -1.0000\nMAXIMUM LIMIT:   1.0000\n\
+         MEASURED COORDINATE:  -0.5000\n",
+    );
+    let (_, rows) = place.rows(&["import", "--plan", "own.csv", "list.txt", "--mask", "list.a"]);
+    says(&rows[0], Some("SCRAP"), "the file has the limits -1 to 1: those of the plan count");
+    says(&rows[0], Some("SCRAP"), "the file says GOOD, the limits say SCRAP");
+}
+
+/// A mask of Fitcheck.
+fn shipped(name: &str) -> String {
+    let mask = fitcheck::shipped::file(fitcheck::shipped::MASKS, name).unwrap();
+    String::from_utf8(mask.to_vec()).unwrap()
+}
+
+#[test]
+fn another_part_than_that_of_the_plan_is_told() {
+    let place = Place::new();
+    place.write(
+        "flange.toml",
+        "fitcheck_plan = 1\npart = \"Flange 4711\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n",
+    );
+    for (part, is_told) in [("Flange 4711", false), ("flange 4711", false), ("Cover 12", true)] {
+        place.write("v.csv", &format!("part;name;measured\n{part};A;25.01\n"));
+        let (_, rows) = place.rows(&["import", "--plan", "flange.toml", "v.csv"]);
+        if is_told {
+            says(
+                &rows[0],
+                Some("GOOD"),
+                "the file says part Cover 12: it is judged as Flange 4711, the part of the plan",
+            );
+        } else {
+            silent(&rows[0]);
+        }
+    }
+}
+
+#[test]
+fn an_incomplete_part_is_not_green_and_names_what_is_missing() {
+    let place = Place::new();
+    let plan = "number;name;callout\n1;A;25 H7\n2;B;20 g6\n";
+    let (code, rows) = place.judged(plan, "name;measured\nA;25.01\nB;19.99\n", &[]);
+    assert_eq!((code, rows.len()), (0, 2));
+    let (code, rows) = place.judged(plan, "name;measured\nA;25.01\n", &[]);
+    assert_eq!((code, rows.len()), (1, 2), "{rows:?}");
+    assert_eq!(
+        [&rows[1]["file"], &rows[1]["line"], &rows[1]["id"], &rows[1]["callout"]],
+        [&Json::from("own.csv"), &3.into(), &"B".into(), &"20 g6".into()]
+    );
+    says(&rows[1], None, "missing: no value was found for it");
+    // Scrap stays scrap.
+    assert_eq!(place.judged(plan, "name;measured\nA;25.03\n", &[]).0, 11);
+    // Each of two parts.
+    let (code, rows) = place.judged(plan, "name;serial;measured\nA;7;25.01\nB;7;19.99\nA;8;25.01\n", &[]);
+    assert_eq!((code, rows.len()), (1, 4));
+    says(&rows[3], None, "8 is missing this");
+    let (_, out, err) = place.say(&["import", "--plan", "own.csv", "v.csv"]);
+    assert!(out.contains("3 rows: 3 GOOD, 1 missing"), "{out}");
+    assert!(err.contains("8: not measured: B"), "{err}");
+}
+
+#[test]
+fn the_columns_of_a_rule_are_there_when_the_plan_has_one() {
+    let place = Place::new();
+    place.write("own.csv", "name;callout;rule;u_um\nA;25 H7;iso14253-2017;1\nB;25 H7;;\n");
+    place.write("v.csv", "name;measured\nA;25.0205\nB;25.0205\n");
+    let csv = |args: &[&str]| {
+        let (_, out, _) = place.say(&[args, &["--format", "csv"]].concat());
+        let mut reader = csv::Reader::from_reader(out.as_bytes());
+        let names: Vec<String> = reader.headers().unwrap().iter().map(str::to_owned).collect();
+        (names, reader.into_records().map(Result::unwrap).collect::<Vec<_>>())
+    };
+    let (of_check, _) = csv(&["check", "25 H7", "--measured", "25.0205", "--rule", "iso14253-2017", "--u", "1"]);
+    let (names, rows) = csv(&["import", "--plan", "own.csv", "v.csv"]);
+    let at = |name: &str| names.iter().position(|found| found == name).unwrap_or_else(|| panic!("{name}: {names:?}"));
+    for name in of_check.iter().filter(|name| name.starts_with("rule_") || name.contains("accepted")) {
+        at(name);
+    }
+    assert_eq!([&rows[0][at("rule_name")], &rows[1][at("rule_name")]], ["iso14253-2017", ""]);
 }

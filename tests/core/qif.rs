@@ -233,19 +233,29 @@ fn another_verdict_of_the_file_is_told() {
         warnings(&imported).into_iter().find(|warning| warning.contains("the file says"))
     };
     assert_eq!(told("PASS", "25.0123"), None);
-    assert_eq!(told("NOT_ANALYZED", "25.0123"), None);
+    assert_eq!(told("BASIC_OR_TED", "25.0123"), None);
     assert_eq!(told("REWORK", "24.999"), None);
     // Software that knows no rework.
     assert_eq!(told("FAIL", "24.999"), None);
     assert_eq!(told("FAIL", "25.022"), None);
-    for (status, value, ours) in [
-        ("FAIL", "25.0123", "GOOD"),
-        ("PASS", "25.022", "SCRAP"),
-        ("REWORK", "25.022", "SCRAP"),
-        ("SYSERROR", "25.0123", "GOOD"),
-    ] {
+    for (status, value, ours) in
+        [("FAIL", "25.0123", "GOOD"), ("PASS", "25.022", "SCRAP"), ("REWORK", "25.022", "SCRAP")]
+    {
         let expected = format!("line 61: the file says {status}, the limits say {ours}");
         assert_eq!(told(status, value), Some(expected));
+    }
+}
+
+/// Statuses of the schema (`CharacteristicStatusEnumType`, `InspectionStatusEnumType`) that say that there is no valid value.
+#[test]
+fn a_value_that_the_software_could_not_determine_is_not_judged() {
+    for status in
+        ["SYSERROR", "INDETERMINATE", "NOT_ANALYZED", "UNDEFINED", "UNKNOWN", "NOT_CALCULATED", "NOT_MEASURED"]
+    {
+        let imported = read(&with("<CharacteristicStatusEnum>PASS", &format!("<CharacteristicStatusEnum>{status}")));
+        let [unjudged] = imported.unjudged.as_slice() else { panic!("{imported:?}") };
+        assert_eq!(unjudged.why, WhyUnjudged::NotValid { said: status.to_owned() });
+        assert!(imported.records.is_empty());
     }
 }
 

@@ -486,6 +486,55 @@ fn a_folder_is_watched_once_the_journal_is_open() {
     assert!(matches!(effects[..], [Effect::Watch { .. }]), "{effects:?}");
 }
 
+/// The first feature measures 12.07 of 12 F9, 12.016 to 12.059, which is too large: it was 12.05.
+#[test]
+fn a_value_that_is_corrected_counts_as_corrected_in_the_place_of_the_old_one() {
+    let mut session = walking();
+    let (run, entries) = kept(&take(&mut session, "12.07"));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(8)]) });
+    assert_eq!(session.parts().walking().status(), Some(Status::Scrap));
+    let row = RecordRow { head: head(8), ..rows(&entries, 8).remove(0) };
+    send(&mut session, RecordsCommand::Open(8));
+    send(&mut session, RecordsCommand::Read { numbers: vec![8], result: Ok(vec![std::sync::Arc::new(row.clone())]) });
+    send(&mut session, RecordsCommand::Correct(true));
+    typed(&mut session, fitcheck::session::RecordsField::Measured, "12.05");
+    typed(&mut session, fitcheck::session::RecordsField::Reason, "misread");
+    let (run, correction) = kept(&send(&mut session, RecordsCommand::SendCorrection));
+    send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(9)]) });
+    let values = |session: &Session| -> Vec<String> {
+        let values = session.parts().walking().values(0);
+        values.iter().map(|value| value.record.measurement.diameter.to_string()).collect()
+    };
+    assert_eq!(
+        (values(&session), standing(&session)),
+        (vec!["12.05".to_owned()], "1 measured, 4 missing, 0 left out".to_owned())
+    );
+    assert!(
+        said(&session.notices().last().unwrap().message).contains("the corrected one counts"),
+        "{:?}",
+        session.notices()
+    );
+    // It was measured again before the first value was corrected: what was measured last counts, after a restart as well.
+    act(&mut session, Action::SizeAgain);
+    let (_, again) = kept(&take(&mut session, "12.03"));
+    let saved = Saved::read(&session.saved().write()).unwrap();
+    let (mut back, _) = Session::restore(saved);
+    begin_records(&mut back);
+    read_plan(&mut back, PLAN);
+    let effects = open_journal(&mut back, 10);
+    let run = effects.iter().find_map(|effect| match effect {
+        Effect::ReadPart { run, .. } => Some(*run),
+        _ => None,
+    });
+    let corrected = RecordRow { corrected_by: Some(10), ..row };
+    let came = [vec![corrected], rows(&again, 9), rows(&correction, 10)].concat();
+    send(&mut back, WalkCommand::Came { run: run.unwrap(), result: Ok(came) });
+    assert_eq!(
+        (values(&back), standing(&back)),
+        (vec!["12.05".to_owned(), "12.03".to_owned()], "1 measured, 4 missing, 0 left out".to_owned())
+    );
+}
+
 #[test]
 fn a_value_that_is_withdrawn_counts_no_more() {
     let mut session = walking();

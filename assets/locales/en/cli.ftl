@@ -223,10 +223,14 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } features
 }
 cli-remark-plan-example = no callout given: the plan has one feature as an example
-cli-remark-plan-head-left = CSV has the features alone: part, drawing, picture, travel and the rule of all features are left out
+cli-remark-plan-head-left = CSV has the features alone: { $keys } of the part is left out
 cli-warning-plan-missing = not measured: { $names }
 cli-warning-plan-missing-of = { $who }: not measured: { $names }
 cli-warning-plan-more-parts = more than { $most } parts: what is missing of the others is not told
+cli-warning-plan-no-value = missing: no value was found for it
+cli-warning-plan-no-value-of = { $who } is missing this: no value was found for it
+cli-warning-plan-rule = the plan has another rule for this: { $rule }; the options count
+cli-warning-plan-material = the plan has another material for this: { $name }; --material counts
 cli-remark-watching = watching { $folder }; files taken before: { $known }
 cli-warning-see-note = not everything could be used: the file beside it that ends in { $note } says why
 cli-not-seconds = { $given } is not a time in seconds

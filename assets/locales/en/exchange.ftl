@@ -137,6 +137,12 @@ exchange-warning-class-unknown = class { $given } has no limits here: those of t
 exchange-warning-status-differs = the file says { $given }, the limits say { $status }
 exchange-warning-uncertainty-not-used = the file states an expanded uncertainty of { $expanded } mm: no rule uses it, give --u for that
 exchange-warning-plan-differs = the file has the limits { $minimum } to { $maximum }: those of the plan count
+exchange-warning-plan-differs-below = the file has the smallest permitted value { $minimum }: that of the plan counts
+exchange-warning-plan-differs-above = the file has the largest permitted value { $maximum }: that of the plan counts
+exchange-warning-plan-differs-nominal = the file has the nominal size { $nominal }: that of the plan counts
+exchange-warning-part-differs = the file says part { $given }: it is judged as { $part }, the part of the plan
+exchange-warning-found-by-number-of = no feature of the plan is called { $given }; found by its number: { $name } of the plan
+exchange-warning-found-by-place-of = no feature of the plan is called { $given }; found by its place: { $name } of the plan
 exchange-warning-found-by-number = found by its number: { $name } of the plan
 exchange-warning-found-by-place = found by its place: { $name } of the plan
 exchange-format-aqdef = AQDEF of Q-DAS, in one file or as .dfd and .dfx
@@ -160,6 +166,7 @@ exchange-unjudged-kind = not measured: { $kind ->
        *[other] an unknown kind of characteristic (K2004 is { $kind })
     }
 exchange-unjudged-attribute = not judged: marked with { $given } (K0002), and only 0 is known to be a valid value
+exchange-unjudged-not-valid = not judged: the file says { $said }, so there may be no valid value
 exchange-unjudged-declaration = not judged: line { $declaration } of its declaration cannot be used
 exchange-format-qif = QIF 3.0: results of measuring software, and plans
 exchange-xml = not well-formed XML: { $reason }

@@ -11,7 +11,10 @@ plan-no-cell = { $column } is missing
 plan-value = { $what }: { $error }
 plan-fit = { $callout } is a fit: write the hole and the shaft as two features
 plan-clearance-height = clearance height { $height } mm is not above the measuring height, { $z } mm
-plan-same-name = name { $name } occurs twice: file names on a control ignore case
+plan-same-name = name { $name } occurs twice{ $line ->
+    [0] : file names on a control ignore case
+   *[other] , first on line { $line }: file names on a control ignore case
+}
 plan-unknown = { $column } { $given } is not known: expected { $known }
 plan-not-of = a { $kind } has no { $column }
 plan-direction = axis { $given } is not a direction: expected { $known }, or three numbers such as 0.5 0 -1, from -10 to 10 with at most 9 decimals and not all 0
@@ -30,10 +33,26 @@ plan-parameter = cycle { $cycle } does not take { $given } from a plan: write NA
 plan-travel = { $axis }{ $given } is outside the machine's travel, { $minimum } to { $maximum } mm
 plan-no-travel = { $given } is no travel: write two numbers, the smaller one first, such as -250 250
 plan-text = { $column }: one line with at most { $most } characters
-plan-same-number = number { $number } occurs twice
+plan-same-number = { $line ->
+    [0] number { $number } occurs twice: another feature has { $other }
+   *[other] number { $number } occurs twice: the feature on line { $line } has { $other }
+}
+plan-same-size = { $line ->
+    [0] a value { $called } could be of this feature or of { $other }: give one of them another name
+   *[other] a value { $called } could be of this feature or of { $other } on line { $line }: give one of them another name
+}
+plan-number-is-name = { $line ->
+    [0] number { $number } is the name of another feature, { $other }
+   *[other] number { $number } is the name of another feature, { $other } on line { $line }
+}
+plan-name-is-number = { $line ->
+    [0] a value { $called } could be of this feature or of { $other }, whose number it is
+   *[other] a value { $called } could be of this feature or of { $other } on line { $line }, whose number it is
+}
 plan-balloon = { $given } is not a place on the picture: from 0 to 1
 plan-not-found-unknown = not judged: no feature of the plan has this name or number, or lies there
 plan-not-found-no-clue = not judged: the value has neither a name nor a number nor a place, so no feature of the plan is found for it
+plan-not-found-half-place = not judged: no feature of the plan has this name or number, and a place needs X and Y
 plan-not-found-contradiction = not judged: by its name it is { $name } of the plan, by its number { $number }
 plan-not-found-other-nominal = not judged: it would be { $name } of the plan, but its nominal size is { $given }
 plan-not-found-several = not judged: several features of the plan lie there: { $names }

@@ -83,6 +83,7 @@ walk-page-no-journal = The part { $serial } is back without its values: nothing 
 walk-page-gone = Some sizes are not in the plan any more: what was measured of them stays in the records
 walk-page-gone-name = { $name }
 walk-page-taken-back = A value of { $name } was corrected or withdrawn in the records: it counts no more for this part
+walk-page-put-right = A value of { $name } was corrected in the records: the corrected one counts for this part
 walk-page-no-folder = { $path } is not a folder
 walk-page-not-read = The values of the interrupted part could not be read: { $why }
 walk-page-came-back = { $count ->

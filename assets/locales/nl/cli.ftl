@@ -223,10 +223,14 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } kenmerken
 }
 cli-remark-plan-example = geen maat opgegeven: het plan heeft één kenmerk als voorbeeld
-cli-remark-plan-head-left = CSV heeft alleen de kenmerken: onderdeel, tekening, afbeelding, bereik en de regel van alle kenmerken blijven weg
+cli-remark-plan-head-left = CSV heeft alleen de kenmerken: { $keys } van het onderdeel blijft weg
 cli-warning-plan-missing = niet gemeten: { $names }
 cli-warning-plan-missing-of = { $who }: niet gemeten: { $names }
 cli-warning-plan-more-parts = meer dan { $most } onderdelen: van de andere wordt niet gezegd wat ontbreekt
+cli-warning-plan-no-value = ontbreekt: er is geen waarde voor gevonden
+cli-warning-plan-no-value-of = dit ontbreekt bij { $who }: er is geen waarde voor gevonden
+cli-warning-plan-rule = het plan heeft hiervoor een andere regel: { $rule }; de opties tellen
+cli-warning-plan-material = het plan heeft hiervoor een ander materiaal: { $name }; --material telt
 cli-remark-watching = { $folder } wordt in het oog gehouden; eerder genomen bestanden: { $known }
 cli-warning-see-note = niet alles was bruikbaar: het bestand ernaast dat op { $note } eindigt zegt waarom
 cli-not-seconds = { $given } is geen tijd in seconden

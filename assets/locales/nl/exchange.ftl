@@ -137,6 +137,12 @@ exchange-warning-class-unknown = klasse { $given } heeft hier geen grensmaten: d
 exchange-warning-status-differs = het bestand zegt { $given }, de grenzen zeggen { $status }
 exchange-warning-uncertainty-not-used = het bestand noemt een uitgebreide onzekerheid van { $expanded } mm: geen regel gebruikt die, geef daarvoor --u
 exchange-warning-plan-differs = het bestand heeft de grensmaten { $minimum } tot { $maximum }: die van het plan tellen
+exchange-warning-plan-differs-below = het bestand heeft de kleinste toegelaten waarde { $minimum }: die van het plan telt
+exchange-warning-plan-differs-above = het bestand heeft de grootste toegelaten waarde { $maximum }: die van het plan telt
+exchange-warning-plan-differs-nominal = het bestand heeft de nominale maat { $nominal }: die van het plan telt
+exchange-warning-part-differs = het bestand zegt onderdeel { $given }: het wordt beoordeeld als { $part }, het onderdeel van het plan
+exchange-warning-found-by-number-of = geen kenmerk van het plan heet { $given }; op nummer gevonden: { $name } van het plan
+exchange-warning-found-by-place-of = geen kenmerk van het plan heet { $given }; op plaats gevonden: { $name } van het plan
 exchange-warning-found-by-number = op nummer gevonden: { $name } van het plan
 exchange-warning-found-by-place = op plaats gevonden: { $name } van het plan
 exchange-format-aqdef = AQDEF van Q-DAS, in één bestand of als .dfd en .dfx
@@ -160,6 +166,7 @@ exchange-unjudged-kind = niet gemeten: { $kind ->
        *[other] een onbekende soort kenmerk (K2004 is { $kind })
     }
 exchange-unjudged-attribute = niet beoordeeld: gemerkt met { $given } (K0002), en alleen van 0 is bekend dat het een geldige waarde is
+exchange-unjudged-not-valid = niet beoordeeld: het bestand zegt { $said }, dus er is misschien geen geldige waarde
 exchange-unjudged-declaration = niet beoordeeld: regel { $declaration } van de beschrijving is niet te gebruiken
 exchange-format-qif = QIF 3.0: resultaten van meetsoftware, en meetplannen
 exchange-xml = geen welgevormde XML: { $reason }

@@ -11,7 +11,10 @@ plan-no-cell = { $column } ontbreekt
 plan-value = { $what }: { $error }
 plan-fit = { $callout } geldt voor boring en as samen: zet ze als twee elementen in het plan
 plan-clearance-height = veilige hoogte { $height } mm ligt niet boven de meethoogte, { $z } mm
-plan-same-name = naam { $name } komt twee keer voor: bestandsnamen op een besturing maken geen verschil tussen hoofdletters en kleine letters
+plan-same-name = naam { $name } komt twee keer voor{ $line ->
+    [0] : bestandsnamen op een besturing maken geen verschil tussen hoofdletters en kleine letters
+   *[other] , het eerst op regel { $line }: bestandsnamen op een besturing maken geen verschil tussen hoofdletters en kleine letters
+}
 plan-unknown = { $column } { $given } is onbekend: { $known } verwacht
 plan-not-of = bij { $kind } hoort geen { $column }
 plan-direction = axis { $given } is geen richting: { $known } verwacht, of drie getallen zoals 0.5 0 -1, van -10 tot 10 met hoogstens 9 decimalen en niet alle 0
@@ -30,10 +33,26 @@ plan-parameter = cyclus { $cycle } neemt { $given } niet uit een plan: schrijf N
 plan-travel = { $axis }{ $given } ligt buiten het bereik van de machine, { $minimum } tot { $maximum } mm
 plan-no-travel = { $given } is geen bereik: schrijf twee getallen, het kleinste eerst, zoals -250 250
 plan-text = { $column }: één regel met hoogstens { $most } tekens
-plan-same-number = nummer { $number } komt tweemaal voor
+plan-same-number = { $line ->
+    [0] nummer { $number } komt tweemaal voor: een ander kenmerk heeft { $other }
+   *[other] nummer { $number } komt tweemaal voor: het kenmerk op regel { $line } heeft { $other }
+}
+plan-same-size = { $line ->
+    [0] een waarde { $called } zou van dit kenmerk of van { $other } kunnen zijn: geef er een een andere naam
+   *[other] een waarde { $called } zou van dit kenmerk of van { $other } op regel { $line } kunnen zijn: geef er een een andere naam
+}
+plan-number-is-name = { $line ->
+    [0] nummer { $number } is de naam van een ander kenmerk, { $other }
+   *[other] nummer { $number } is de naam van een ander kenmerk, { $other } op regel { $line }
+}
+plan-name-is-number = { $line ->
+    [0] een waarde { $called } zou van dit kenmerk of van { $other } kunnen zijn, waarvan het het nummer is
+   *[other] een waarde { $called } zou van dit kenmerk of van { $other } op regel { $line } kunnen zijn, waarvan het het nummer is
+}
 plan-balloon = { $given } is geen plaats op de afbeelding: van 0 tot 1
 plan-not-found-unknown = niet beoordeeld: geen kenmerk van het plan heeft deze naam of dit nummer, of ligt daar
 plan-not-found-no-clue = niet beoordeeld: de waarde heeft geen naam, nummer of plaats, dus er is geen kenmerk van het plan bij te vinden
+plan-not-found-half-place = niet beoordeeld: geen kenmerk van het plan heeft deze naam of dit nummer, en voor een plaats zijn X en Y nodig
 plan-not-found-contradiction = niet beoordeeld: naar zijn naam is het { $name } van het plan, naar zijn nummer { $number }
 plan-not-found-other-nominal = niet beoordeeld: het zou { $name } van het plan zijn, maar de nominale maat is { $given }
 plan-not-found-several = niet beoordeeld: er liggen meer kenmerken van het plan: { $names }

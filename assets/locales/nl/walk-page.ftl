@@ -83,6 +83,7 @@ walk-page-no-journal = Het onderdeel { $serial } is terug zonder zijn waarden: e
 walk-page-gone = Sommige maten staan niet meer in het plan: wat ervan gemeten is blijft vastgelegd
 walk-page-gone-name = { $name }
 walk-page-taken-back = Een waarde van { $name } is in het journaal verbeterd of ingetrokken: hij telt niet meer voor dit onderdeel
+walk-page-put-right = Een waarde van { $name } is in het journaal verbeterd: de verbeterde telt voor dit onderdeel
 walk-page-no-folder = { $path } is geen map
 walk-page-not-read = De waarden van het onderbroken onderdeel konden niet worden gelezen: { $why }
 walk-page-came-back = { $count ->

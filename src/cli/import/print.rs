@@ -84,7 +84,8 @@ impl Printer {
     /// Puts the verdict into the table; prints errors to standard error with their places.
     fn text(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
         self.summary.count(row);
-        let Some(line) = row.line else { return Ok(()) };
+        // What is missing is named in one sentence.
+        let Some(line) = row.line.filter(|_| !row.is_missing) else { return Ok(()) };
         for warning in &row.warnings {
             io.tell(format_args!("{}:{line}: warning: {warning}", row.file));
         }
@@ -231,10 +232,15 @@ struct Summary {
     out_of_position: usize,
     not_judged: usize,
     not_usable: usize,
+    missing: usize,
 }
 
 impl Summary {
     fn count(&mut self, row: &Row) {
+        if row.is_missing {
+            self.missing += 1;
+            return;
+        }
         self.rows += 1;
         if let Some(status) = row.status {
             *self.status.entry(status).or_default() += 1;
@@ -249,8 +255,12 @@ impl Summary {
 impl fmt::Display for Summary {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         let status = self.status.iter().map(|(status, &count)| (status.word(), count));
-        let others =
-            [("position OUT", self.out_of_position), ("not judged", self.not_judged), ("not usable", self.not_usable)];
+        let others = [
+            ("position OUT", self.out_of_position),
+            ("not judged", self.not_judged),
+            ("not usable", self.not_usable),
+            ("missing", self.missing),
+        ];
         let parts = status.chain(others).filter(|(_, count)| 0 < *count);
         let parts: Vec<String> = parts.map(|(name, count)| format!("{count} {name}")).collect();
         write!(f, "{} {}: {}", self.rows, if self.rows == 1 { "row" } else { "rows" }, parts.join(", "))

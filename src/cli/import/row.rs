@@ -1,14 +1,16 @@
 //! A row of what `fitcheck import` prints: a record, a measurement that makes none, or an error.
 
+use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::cli::judging::Judge;
+use crate::cli::judging::{Judge, Planned};
 use crate::cli::{CliRemark, CliWarning};
 use crate::exchange::{ImportError, Item, Labels, Unjudged, WhyUnjudged};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::Located;
+use crate::part::{Plan, Size};
 use crate::tolerance::{Deviations, Source};
 use crate::verdict::{PositionVerdict, Status};
 
@@ -69,6 +71,8 @@ pub(in crate::cli) struct Row {
     pub(in crate::cli) source: Option<Arc<str>>,
     pub(in crate::cli) warnings: Vec<String>,
     pub(in crate::cli) error: Option<String>,
+    /// Whether it is a size of a plan that nothing measured.
+    pub(in crate::cli) is_missing: bool,
     /// What its file says of it besides its name.
     pub(in crate::cli) labels: Labels,
     /// The check, where it is wanted or has more to say than a control.
@@ -97,6 +101,8 @@ pub(in crate::cli) struct Rows<'a> {
     judge: &'a Judge,
     /// Whether the check of a row is wanted even where it has no more to say than a control.
     wants_checks: bool,
+    /// What the plan says of judging its sizes.
+    planned: BTreeMap<String, Planned>,
     /// The path as the user gave it.
     path: Arc<str>,
     /// The name without its folder.
@@ -110,8 +116,13 @@ pub(in crate::cli) struct Rows<'a> {
 impl<'a> Rows<'a> {
     pub(in crate::cli) fn of(path: &Path, judge: &'a Judge, wants_checks: bool) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy().as_ref().into();
-        let path = path.display().to_string().into();
-        Self { judge, wants_checks, path, name, sources: Vec::new(), warnings: (0, Vec::new()) }
+        let (path, planned) = (path.display().to_string().into(), BTreeMap::new());
+        Self { judge, wants_checks, planned, path, name, sources: Vec::new(), warnings: (0, Vec::new()) }
+    }
+
+    /// The same of values that a plan has judged.
+    pub(in crate::cli) fn by(self, plan: Option<&Plan>) -> Self {
+        Self { planned: plan.map(Planned::of).unwrap_or_default(), ..self }
     }
 
     /// The row of what was read; none for a warning, which goes to the row that follows, and for contacts, which have
@@ -166,13 +177,19 @@ impl Rows<'_> {
     /// The row of a record, as the judge of this import says.
     fn record(&mut self, record: Box<Record>) -> Row {
         let source = Some(self.said(&record.limits.source));
-        if self.judge.is_plain() {
+        if self.judge.is_plain() && self.planned.is_empty() {
             let row = Row { source, ..Row::of(&record) };
             return Row { judged: self.wants_checks.then(|| Arc::from(record)), ..row };
         }
         let (id, measured) = (record.id.clone(), record.measurement.diameter);
         match self.judge.judged(*record) {
-            Ok(record) => Row { judged: Some(Arc::new(record.clone())), source, ..Row::of(&record) },
+            Ok(record) => {
+                let mut row = Row { source, ..Row::of(&record) };
+                let planned = self.planned.get(&record.id);
+                let differs = planned.map(|planned| self.judge.differs(planned, &record)).unwrap_or_default();
+                row.warnings.extend(differs.iter().map(ToString::to_string));
+                Row { judged: Some(Arc::new(record)), ..row }
+            }
             Err(error) => Row { id, measured: Some(measured), error: Some(error.to_string()), ..Row::default() },
         }
     }
@@ -250,8 +267,30 @@ impl Row {
             | WhyUnjudged::Quantity { .. }
             | WhyUnjudged::Kind { .. }
             | WhyUnjudged::Attribute { .. }
+            | WhyUnjudged::NotValid { .. }
             | WhyUnjudged::Declaration { .. }
             | WhyUnjudged::Contacts { .. } => Self { error: Some(unjudged.why.to_string()), ..row },
+        }
+    }
+
+    /// The row for a size of a plan without a value; `who` is its part, empty where there is one alone.
+    pub(in crate::cli) fn missing(plan: &Path, size: &Size<'_>, who: &str) -> Self {
+        let error = if who.is_empty() {
+            CliWarning::PlanNoValue.to_string()
+        } else {
+            CliWarning::PlanNoValueOf { who: who.to_owned() }.to_string()
+        };
+        Self {
+            file: plan.display().to_string().into(),
+            line: size.feature.line,
+            id: size.name(),
+            callout: size.callout.map(|callout| callout.to_string()),
+            nominal: Some(size.limits.nominal),
+            minimum: Some(size.limits.minimum()),
+            maximum: Some(size.limits.maximum()),
+            error: Some(error),
+            is_missing: true,
+            ..Self::default()
         }
     }
 

@@ -110,7 +110,9 @@ impl Reader<'_, '_> {
         let labels = labels(declared, fields);
         let id = declared.characteristic.id();
         let origin = Origin::Imported { file: Arc::clone(&self.context.file) };
-        self.told.sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position: None, why });
+        let (position, asked, correction) = (None, declared.characteristic.said(), None);
+        let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
+        self.told.sink.set_aside(unjudged);
     }
 }
 

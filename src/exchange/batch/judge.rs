@@ -346,7 +346,7 @@ impl Judge<'_> {
             return take.line(whole);
         }
         match rules.read(&cells) {
-            Ok(Found { measured, asked: Some((callout, limits)), is_simulated }) => {
+            Ok(Found { measured, asked: Some((callout, limits)), is_simulated, .. }) => {
                 if self.court.fast.has_comments
                     && row.line_end().is_empty()
                     && let Some(given) = rules.cut_off(&cells)

@@ -4,12 +4,16 @@ use super::columns::{Column, Columns};
 use super::error::{CalypsoFault, CalypsoWarning};
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, Value, What};
+use crate::exchange::claim::Claim;
 use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::units;
 use crate::length::{Length, LengthError, Unit};
 
 /// The word of a diameter; it stands under `type` or under `idsymbol`.
 const DIAMETER: &str = "diameter";
+
+/// The word for how far a value is out of its limits.
+const EXCEED: &str = "exceed";
 
 /// What was read.
 #[derive(Debug)]
@@ -95,8 +99,11 @@ impl Row {
             expanded: None,
             labels: Labels { serial: String::new(), ..labels.clone() },
         };
-        let value = Value { line, measured, time: None, labels, is_simulated: false };
         let (deviation, exceed) = (cells.length(Column::Deviation)?, cells.length(Column::Exceed)?);
+        let out = exceed.filter(|exceed| *exceed != Length::ZERO);
+        let claims =
+            out.map(|_| Claim::out(&format!("{} {}", EXCEED, cells.text(Column::Exceed)))).into_iter().collect();
+        let value = Value { line, measured, time: None, labels: Labels { claims, ..labels }, is_simulated: false };
         Ok(Self { characteristic, value, is_unit_assumed, is_rounded, deviation, exceed })
     }
 

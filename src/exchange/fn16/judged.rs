@@ -9,8 +9,9 @@ use crate::control::log::layout;
 use crate::control::mask::{Of, Printed, Slot};
 use crate::control::status::status_of;
 use crate::exchange::characteristic::{Characteristic, Value, What};
+use crate::exchange::claim::Claim;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind, shorten};
-use crate::exchange::imported::{Coordinate, Item, Labels, Sink, Unjudged, WhyUnjudged};
+use crate::exchange::imported::{Asked, Coordinate, Labels, Sink, Unjudged, WhyUnjudged};
 use crate::exchange::point_log;
 use crate::exchange::source::Context;
 use crate::length::{Length, Unit};
@@ -19,7 +20,6 @@ use crate::probing::Origin;
 use crate::probing::cycle::{Cycle, FigureKind};
 use crate::probing::cycles::{CYCLES, cycle};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Source as LimitSource};
-use crate::verdict::Status;
 
 /// What a print is judged with.
 pub(super) struct Judging<'a> {
@@ -49,12 +49,21 @@ impl Judging<'_> {
             line,
             name: name.to_owned(),
             time: self.time(line, printed, sink),
-            labels: Labels { place, ..Labels::default() },
+            labels: Labels { place, claims: self.claims(printed), ..Labels::default() },
             feature,
         };
         for reading in &self.roles.readings {
             self.reading(&said, reading, printed, sink);
         }
+    }
+
+    /// What the print says of the status: its word, and the markers of the cycle.
+    fn claims(&self, printed: &Printed) -> Vec<Claim> {
+        let word = self.roles.status.and_then(|at| value(printed, at)).filter(|word| !word.is_empty());
+        let word =
+            word.map(|word| status_of(word).map_or_else(|| Claim::unknown(word), |status| Claim::of(word, status)));
+        let markers = self.roles.markers(printed);
+        word.into_iter().chain(markers).collect()
     }
 
     fn reading(&self, said: &Said, reading: &Reading, printed: &Printed, sink: &mut Sink<'_>) {
@@ -69,6 +78,10 @@ impl Judging<'_> {
                 return sink.refuse(Place::line(said.line), ImportErrorKind::Measured(error), shorten(text));
             }
         };
+        // The control itself has no status for this: it may have measured nothing.
+        if let Some(undefined) = self.roles.undefined(printed) {
+            return self.set_aside(said, measured, WhyUnjudged::NotValid { said: undefined }, sink);
+        }
         let pair = reading.minimum.zip(reading.maximum);
         let pair = pair.and_then(|(minimum, maximum)| Some((length(printed, minimum)?, length(printed, maximum)?)));
         // As in the cycles, limits of 0 mean that nothing is compared.
@@ -78,13 +91,13 @@ impl Judging<'_> {
             Kind::Coordinate => {
                 let judged = pair.and_then(|pair| self.compared(coordinate_cycle()?, pair, measured));
                 let why = judged.map_or(WhyUnjudged::CoordinateWithoutLimits, WhyUnjudged::Coordinate);
-                self.set_aside(said, measured, why, printed, sink);
+                self.set_aside(said, measured, why, sink);
             }
             Kind::Point => {
                 let band = self.roles.band.and_then(|at| value(printed, at)).and_then(band);
                 let judged = band.and_then(|band| self.deviating(band, measured));
                 let why = judged.map_or(WhyUnjudged::PointWithoutTolerance, WhyUnjudged::Point);
-                self.set_aside(said, measured, why, printed, sink);
+                self.set_aside(said, measured, why, sink);
             }
         }
     }
@@ -104,9 +117,11 @@ impl Judging<'_> {
         Some(Coordinate::judged(point_log::cycle_of_points(), Some(Length::ZERO), &limits, measured))
     }
 
-    fn set_aside(&self, said: &Said, measured: Length, why: WhyUnjudged, printed: &Printed, sink: &mut Sink<'_>) {
+    fn set_aside(&self, said: &Said, measured: Length, why: WhyUnjudged, sink: &mut Sink<'_>) {
         if let WhyUnjudged::Coordinate(judged) | WhyUnjudged::Point(judged) = &why {
-            self.compare_status(said.line, judged.status, printed, sink);
+            for warning in said.labels.claims.iter().filter_map(|claim| claim.differs(judged.status)) {
+                sink.warn(Place::line(said.line), Some(said.line), warning);
+            }
         }
         sink.set_aside(Unjudged {
             line: said.line,
@@ -116,6 +131,8 @@ impl Judging<'_> {
             measured: Some(measured),
             origin: Origin::Imported { file: Arc::clone(&self.context.file) },
             position: None,
+            asked: Asked::default(),
+            correction: None,
             why,
         });
     }
@@ -162,23 +179,7 @@ impl Judging<'_> {
             labels: said.labels.clone(),
             is_simulated: false,
         };
-        let mut items = Vec::new();
-        characteristic.judge(value, self.context, &mut Sink::new(&mut |item| items.push(item)));
-        for item in items {
-            if let Item::Record { record, .. } = &item {
-                self.compare_status(said.line, record.verdict.status(), printed, sink);
-            }
-            sink.pass_on(item);
-        }
-    }
-
-    /// Warns where the file has another status than the one that was found.
-    fn compare_status(&self, line: usize, status: Status, printed: &Printed, sink: &mut Sink<'_>) {
-        let given = self.roles.status.and_then(|at| value(printed, at)).unwrap_or_default();
-        if !given.is_empty() && status_of(given) != Some(status) {
-            let warning = ImportWarningKind::StatusDiffers { given: shorten(given), status: status.to_string() };
-            sink.warn(Place::line(line), Some(line), warning);
-        }
+        characteristic.judge(value, self.context, sink);
     }
 
     /// When it was printed; the time of import where the mask prints no date, and with a warning where there is none such.

@@ -7,9 +7,12 @@
 use crate::control::mask::{Of, Printed, Slot};
 use crate::control::status::status_of;
 use crate::control::variables::{Family, Parameter};
-use crate::exchange::error::ImportErrorKind;
+use crate::exchange::claim::Claim;
+use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::length::{Length, Unit};
+use crate::probing::cycle::number;
 use crate::tolerance::{Callout, Limits, Sources, ToleranceClass};
+use crate::verdict::Status;
 
 /// What a measured value is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -72,7 +75,15 @@ pub(super) struct Roles {
     /// The tolerance of a point.
     pub(super) band: Option<usize>,
     pub(super) centre: Option<[usize; 2]>,
+    /// The markers of a cycle, by their numbers.
+    markers: Vec<(u16, usize)>,
 }
+
+/// Markers of measuring cycles that are 1: the workpiece is good, can be reworked, or is scrap.
+const MARKERS: [(u16, Status); 3] = [(180, Status::Good), (181, Status::Rework), (182, Status::Scrap)];
+
+/// The status of cycles that have one number for it: -1 undefined, 0 good, 1 rework, 2 scrap.
+const STATUS: u16 = 183;
 
 impl Roles {
     /// The roles of a mask's fields, by what was printed with it.
@@ -91,6 +102,7 @@ impl Roles {
             nominal: fields.number(1),
             status: fields.text(|text| status_of(text).is_some()).or_else(|| fields.at(Parameter::qs(3))),
             band: None,
+            markers: fields.markers(),
             centre: centre[0].zip(centre[1]).map(<[usize; 2]>::from),
         };
         if roles.nominal.is_some() {
@@ -108,12 +120,48 @@ impl Roles {
         Ok(roles)
     }
 
+    /// What the markers of a cycle say of the status.
+    pub(super) fn markers(&self, printed: &Printed) -> Vec<Claim> {
+        let number = |wanted: u16| {
+            let (_, at) = self.markers.iter().find(|(number, _)| *number == wanted)?;
+            number(value(printed, *at)?)
+        };
+        let is = |wanted: u16, value: f64| number(wanted).is_some_and(|found| (found - value).abs() < 0.5);
+        let mut claims: Vec<Claim> = Vec::new();
+        for (marker, status) in MARKERS {
+            if is(marker, 1.0) {
+                claims.push(Claim::of(&format!("Q{marker} = 1"), status));
+            }
+        }
+        // All of them are there, and none of them is set.
+        if MARKERS.iter().all(|(marker, _)| is(*marker, 0.0)) {
+            claims.push(Claim::unknown("Q180 = Q181 = Q182 = 0"));
+        }
+        for (value, (_, status)) in [0.0, 1.0, 2.0].into_iter().zip(MARKERS) {
+            if is(STATUS, value) {
+                claims.push(Claim::of(&format!("Q{STATUS} = {value}"), status));
+            }
+        }
+        claims
+    }
+
+    /// The status of a cycle that has none: what it says.
+    pub(super) fn undefined(&self, printed: &Printed) -> Option<String> {
+        let (_, at) = self.markers.iter().find(|(number, _)| *number == STATUS)?;
+        let given = value(printed, *at)?;
+        let status = number(given);
+        let is_known = status.is_some_and(|status| [0.0, 1.0, 2.0].iter().any(|known| (status - known).abs() < 0.5));
+        (!is_known).then(|| format!("Q{STATUS} = {}", shorten(given)))
+    }
+
     /// What is not used, by name.
     pub(super) fn ignored(&self, slots: &[Slot]) -> Vec<String> {
         let readings =
             self.readings.iter().flat_map(|reading| [Some(reading.measured), reading.minimum, reading.maximum]);
         let others = [self.name, self.callout, self.nominal, self.status, self.band];
-        let used: Vec<usize> = readings.chain(others).flatten().chain(self.centre.into_iter().flatten()).collect();
+        let markers = self.markers.iter().map(|(_, at)| *at);
+        let others = others.into_iter().chain(self.centre.into_iter().flatten().map(Some));
+        let used: Vec<usize> = readings.chain(others).flatten().chain(markers).collect();
         let ignored = (0..).zip(slots).filter(|(at, slot)| !used.contains(at) && matches!(slot.of, Of::Parameter(_)));
         let firsts = ignored.filter(|(at, slot)| slots.iter().position(|other| other.of == slot.of) == Some(*at));
         firsts.map(|(_, slot)| slot.of.to_string()).collect()
@@ -157,6 +205,12 @@ impl Fields<'_> {
         })
     }
 
+    /// The markers that it prints.
+    fn markers(&self) -> Vec<(u16, usize)> {
+        let numbers = MARKERS.into_iter().map(|(number, _)| number).chain([STATUS]);
+        numbers.filter_map(|number| Some((number, self.number(number)?))).collect()
+    }
+
     /// The results of cycles that it prints.
     fn known(&self) -> Vec<Reading> {
         let reading =
@@ -188,7 +242,9 @@ impl Fields<'_> {
             !limits.is_empty() && limits.iter().all(is)
         };
         let is_own = |slot: &Slot| match slot.of {
-            Of::Parameter(Parameter { family: Family::Q, number }) => !DEVIATIONS.contains(&number),
+            Of::Parameter(Parameter { family: Family::Q, number }) => {
+                !DEVIATIONS.contains(&number) && !is_marker(number)
+            }
             Of::Parameter(_) => true,
             Of::Word(_) => false,
         };
@@ -228,6 +284,10 @@ impl Fields<'_> {
             }
         }
     }
+}
+
+fn is_marker(number: u16) -> bool {
+    number == STATUS || MARKERS.iter().any(|(marker, _)| *marker == number)
 }
 
 /// What a print has in a field.

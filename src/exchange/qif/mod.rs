@@ -20,8 +20,9 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::characteristic::{Characteristic, Value};
+use super::claim::Claim;
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
-use super::imported::{Sink, Unjudged, WhyUnjudged};
+use super::imported::{Asked, Sink, Unjudged, WhyUnjudged};
 use super::source::{Beginning, Context, Source};
 use super::xml::{self, Fault, Xml};
 use super::{Format, Labels};
@@ -171,10 +172,12 @@ impl Reader<'_, '_> {
         let missing = || ImportErrorKind::QifReference { what: "CharacteristicItem".to_owned(), id: shorten(id) };
         let item = self.definitions.item(id).ok_or_else(missing).map_err(nothing_given)?;
         let resolved = self.definitions.resolve(item, measured.feature_item).map_err(nothing_given)?;
-        let status = element.text_at(&["Status", "CharacteristicStatusEnum"]);
+        let own = element.text_at(&["Status", "CharacteristicStatusEnum"]);
+        let status = if own.is_empty() { element.text_at(&["Status", "OtherCharacteristicStatus"]) } else { own };
         let no_value = || nothing_given(ImportErrorKind::QifNoValue { status: shorten(status) });
         let value = element.child("Value").filter(|value| !value.text.is_empty()).ok_or_else(no_value)?;
         let mut labels = resolved.characteristic.labels.clone();
+        labels.claims.extend(claim(status));
         measured.serial.clone_into(&mut labels.serial);
         labels.who.clone_from(&measured.trace.who);
         if labels.place == [None; 3]
@@ -184,7 +187,13 @@ impl Reader<'_, '_> {
         }
         let time = self.time(line, measured);
         if !has_lengths(measured.kind) {
-            self.set_aside(line, measured.kind, resolved.characteristic.name, labels, time);
+            let why = WhyUnjudged::NotASize { what: in_words(measured.kind) };
+            self.set_aside(line, why, resolved.characteristic.id(), labels, time);
+            return Ok(());
+        }
+        if NOT_VALID.contains(&status) {
+            let why = WhyUnjudged::NotValid { said: status.to_owned() };
+            self.set_aside(line, why, resolved.characteristic.id(), labels, time);
             return Ok(());
         }
         let Some((number, units)) = Number::of(value).zip(self.definitions.units.as_ref()) else { return Ok(()) };
@@ -209,17 +218,16 @@ impl Reader<'_, '_> {
             }
         }
         let value = Value { line, measured: length, time, labels, is_simulated: false };
-        let claim = claim(status).map(|statuses| (status, statuses));
-        resolved.characteristic.judge_against(value, claim, self.context, self.sink);
+        resolved.characteristic.judge(value, self.context, self.sink);
         Ok(())
     }
 
-    /// A value that is no length, such as an angle.
-    fn set_aside(&mut self, line: usize, kind: &str, id: String, labels: Labels, time: Option<DateTime>) {
-        let why = WhyUnjudged::NotASize { what: in_words(kind) };
+    /// A value that is no length, such as an angle, or of which the file says that it is none.
+    fn set_aside(&mut self, line: usize, why: WhyUnjudged, id: String, labels: Labels, time: Option<DateTime>) {
         let time = time.unwrap_or(self.context.now);
         let origin = Origin::Imported { file: Arc::clone(&self.context.file) };
-        self.sink.set_aside(Unjudged { line, id, labels, time, measured: None, origin, position: None, why });
+        let (measured, position, asked, correction) = (None, None, Asked::default(), None);
+        self.sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why });
     }
 
     /// When a value was measured: it says so itself, or the inspection that it belongs to.
@@ -251,14 +259,20 @@ fn without_offset(given: &str) -> (&str, &str) {
     given.split_at(begin.unwrap_or(given.len()))
 }
 
-/// What a status of the file may be here; `None` where it says nothing of the size. Software that knows no rework says FAIL.
-fn claim(status: &str) -> Option<&'static [Status]> {
+/// Statuses of characteristics (`CharacteristicStatusEnumType`) and of inspections (`InspectionStatusEnumType`) of which there is no
+/// value to judge: the measuring software could not determine it, or did not.
+const NOT_VALID: [&str; 7] =
+    ["SYSERROR", "INDETERMINATE", "NOT_ANALYZED", "UNDEFINED", "UNKNOWN", "NOT_CALCULATED", "NOT_MEASURED"];
+
+/// What a status of the file claims; `None` where it says nothing of the size.
+fn claim(status: &str) -> Option<Claim> {
     match status {
-        "PASS" => Some(&[Status::Good]),
-        "REWORK" => Some(&[Status::Rework]),
-        "FAIL" => Some(&[Status::Rework, Status::Scrap]),
-        "SYSERROR" | "INDETERMINATE" => Some(&[]),
-        _ => None,
+        "PASS" => Some(Claim::of(status, Status::Good)),
+        "REWORK" => Some(Claim::of(status, Status::Rework)),
+        "FAIL" => Some(Claim::out(status)),
+        // A size without a tolerance.
+        "" | "BASIC_OR_TED" => None,
+        other => Some(Claim::unknown(other)),
     }
 }
 

@@ -126,7 +126,7 @@ impl PageState for CheckPage {
             | News::Tools
             | News::Columns
             | News::Journal
-            | News::TakenBack(_)
+            | News::TakenBack { .. }
             | News::Kept(..)
             | News::Budget => {}
         }

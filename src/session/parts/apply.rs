@@ -50,7 +50,7 @@ impl PageState for PartsPage {
         match news {
             News::Kept(run, is_kept) => self.batch_kept(*run, *is_kept),
             News::Columns => self.watch_anew(shared),
-            News::TakenBack(number) => self.taken_back(*number, shared),
+            News::TakenBack { number, by } => self.taken_back(*number, by.as_deref(), shared),
             News::Journal => {
                 self.begin_watch(shared);
                 self.try_resume(shared);

@@ -1,13 +1,13 @@
 //! A part that was interrupted comes back: its plan and its serial number from the state file, its values from the journal.
 
-use std::collections::BTreeSet;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::PartsPage;
 use super::walking::Value;
 use crate::journal::ask::Question;
-use crate::journal::entry::Checked;
+use crate::journal::entry::{Checked, Entry};
 use crate::message::Message;
 use crate::session::command::{Effect, Purpose};
 use crate::session::recording::{Keeping, Recorded};
@@ -97,7 +97,8 @@ impl PartsPage {
         self.resume.is_asked = true;
         let part = Some(plan.head.part.clone()).filter(|part| !part.is_empty());
         let serial = Some(saved.serial).filter(|serial| !serial.is_empty());
-        let question = Box::new(Question { part, serial, standing: true, ..Question::default() });
+        // What is corrected says in which order the values came.
+        let question = Box::new(Question { part, serial, ..Question::default() });
         self.errands.push(Effect::ReadPart { run: self.resume.run, question, most: MOST });
     }
 
@@ -116,32 +117,65 @@ impl PartsPage {
             Err(why) => return shared.tell(Message::new("walk-page-not-read").message("why", why)),
         };
         let (mut count, mut gone) = (0, BTreeSet::new());
-        let part = self.walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
-        let mut came: Vec<(usize, Value)> = Vec::new();
-        for row in rows {
+        let corrected: BTreeMap<u64, u64> = rows.iter().filter_map(corrects).collect();
+        let mut came: Vec<(u64, (usize, Value))> = Vec::new();
+        for row in &rows {
             let number = row.head.number;
-            let Ok(entry) = row.entry else { continue };
-            let is_its = entry.about.serial == self.walking.serial() && (part.is_empty() || entry.about.part == part);
+            let Ok(entry) = &row.entry else { continue };
+            // A correction stands where the value stood: what was measured after that counts.
+            let place = first(&corrected, number);
             let is_known = self.resume.until < number;
-            if !is_its || number <= self.walking.since || row.corrected_by.is_some() || is_known {
+            if !self.is_of_part(entry) || place <= self.walking.since || row.corrected_by.is_some() || is_known {
                 continue;
             }
-            let Some(Checked::Size(record)) = entry.check().map(|check| &check.what) else { continue };
-            match self.walking.place_of(&entry.about.feature) {
-                Some(at) => {
+            if !matches!(entry.check().map(|check| &check.what), Some(Checked::Size(_))) {
+                continue;
+            }
+            match self.value(number, entry) {
+                Some(value) => {
                     count += 1;
-                    let record =
-                        if record.id.is_empty() { record.called(&entry.about.feature) } else { Arc::clone(record) };
-                    came.push((at, Value { record, id: None, number: Some(number), remarks: Vec::new() }));
+                    came.push((place, value));
                 }
                 None => _ = gone.insert(entry.about.feature.clone()),
             }
         }
         tell_gone(gone, shared);
-        self.walking.put_before(came);
+        came.sort_by_key(|(place, _)| *place);
+        self.walking.put_before(came.into_iter().map(|(_, value)| value).collect());
         self.walking.stay_open();
         let said = Message::new("walk-page-came-back").text("serial", self.walking.serial()).count("count", count);
         shared.note(said, Vec::new());
+    }
+}
+
+/// The number of an entry that corrects another one, and that of the other one.
+fn corrects(row: &RecordRow) -> Option<(u64, u64)> {
+    Some((row.head.number, row.entry.as_ref().ok()?.corrects()?.target.number))
+}
+
+/// The number of the entry that all corrections up to this one go back to.
+fn first(corrected: &BTreeMap<u64, u64>, number: u64) -> u64 {
+    let mut number = number;
+    // An entry corrects an earlier one.
+    while let Some(target) = corrected.get(&number).filter(|target| **target < number) {
+        number = *target;
+    }
+    number
+}
+
+impl PartsPage {
+    /// Whether an entry is of the part that is being measured.
+    fn is_of_part(&self, entry: &Entry) -> bool {
+        let part = self.walking.plan().map_or("", |plan| plan.head.part.as_str());
+        entry.about.serial == self.walking.serial() && (part.is_empty() || entry.about.part == part)
+    }
+
+    /// The value of an entry with the place of its size; `None` where the plan has no such size, or it is no value of a size.
+    fn value(&self, number: u64, entry: &Entry) -> Option<(usize, Value)> {
+        let Checked::Size(record) = &entry.check()?.what else { return None };
+        let name = &entry.about.feature;
+        let record = if record.id.is_empty() { record.called(name) } else { Arc::clone(record) };
+        Some((self.walking.place_of(name)?, Value { record, id: None, number: Some(number), remarks: Vec::new() }))
     }
 }
 
@@ -154,14 +188,20 @@ fn tell_gone(gone: BTreeSet<String>, shared: &mut Shared) {
 }
 
 impl PartsPage {
-    /// A value of this part was corrected or withdrawn in the journal: it counts no more.
-    pub(super) fn taken_back(&mut self, number: u64, shared: &mut Shared) {
+    /// A value of this part was corrected or withdrawn in the journal: it counts no more, and what stands in its place does.
+    pub(super) fn taken_back(&mut self, number: u64, by: Option<&(u64, Entry)>, shared: &mut Shared) {
         let is_it = |value: &Value| {
             let of_check = value.id.and_then(|id| shared.recording.of_check(id));
             value.number == Some(number) || of_check == Some(Recorded::Kept(number))
         };
-        if let Some(name) = self.walking.remove(is_it) {
-            shared.note(Message::new("walk-page-taken-back").text("name", name), Vec::new());
+        // A value of a part before this one stays one, whatever is corrected of it.
+        let is_here = self.walking.since < number || self.walking.has(is_it);
+        let by = by.filter(|(_, entry)| is_here && self.is_of_part(entry));
+        let new = by.and_then(|(number, entry)| self.value(*number, entry));
+        let id = if new.is_some() { "walk-page-put-right" } else { "walk-page-taken-back" };
+        if let Some(name) = self.walking.replace(is_it, new) {
+            shared.note(Message::new(id).text("name", name), Vec::new());
+            self.walking.stay_open();
         }
     }
 }

@@ -222,13 +222,23 @@ impl Walking {
         self.take_anew(values.into_iter().chain(since).collect());
     }
 
-    /// Takes a value out; returns the name of its size.
-    pub(super) fn remove(&mut self, is_it: impl Fn(&Value) -> bool) -> Option<String> {
-        let (gone, stay): (Vec<_>, Vec<_>) = self.all().into_iter().partition(|(_, value)| is_it(value));
-        let name = gone.first().map(|(at, _)| self.name(*at).to_owned());
-        self.take_anew(stay);
+    /// Whether it has a value.
+    pub(super) fn has(&self, is_it: impl Fn(&Value) -> bool) -> bool {
+        self.values.iter().flatten().any(is_it)
+    }
+
+    /// Takes a value out and puts another one in its place; returns the name of its size.
+    pub(super) fn replace(&mut self, is_it: impl Fn(&Value) -> bool, by: Option<(usize, Value)>) -> Option<String> {
+        let mut all = self.all();
+        let place = all.iter().position(|(_, value)| is_it(value));
+        let at = place.and_then(|place| all.get(place)).or(by.as_ref()).map(|(at, _)| *at);
+        match place {
+            Some(place) => _ = all.splice(place..=place, by),
+            None => all.extend(by),
+        }
+        self.take_anew(all);
         self.shown = self.shown.filter(|at| !self.values(*at).is_empty());
-        name
+        at.map(|at| self.name(at).to_owned())
     }
 
     /// All values, size by size, in the order in which those of a size came.

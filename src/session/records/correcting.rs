@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{RecordRow, RecordsField, RecordsPage};
 use crate::journal::Record;
-use crate::journal::entry::{About, Check, Checked, Content};
+use crate::journal::entry::{About, Check, Checked, Content, Entry};
 use crate::length::Length;
 use crate::message::Message;
 use crate::probing::Origin;
@@ -13,12 +13,14 @@ use crate::session::recording::{Recorded, correcting};
 use crate::session::shared::{News, Shared};
 
 /// The correction that is being made.
-#[derive(Debug, Clone, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq)]
 pub struct Correcting {
     /// Whether the record is taken back, and nothing put in its place.
     pub withdraws: bool,
     /// Whether it is being written: the number of its batch.
     pub run: Option<u64>,
+    /// The entry that is being written.
+    pub(super) entry: Option<Box<Entry>>,
     /// Why it was not written.
     pub problem: Option<Message>,
 }
@@ -79,11 +81,12 @@ impl RecordsPage {
         let Some(form) = self.correcting.clone().filter(|form| form.run.is_none()) else { return };
         match self.correction(&form) {
             Ok((about, content)) => {
+                let entry = Some(Box::new(Entry { about: about.clone(), content: content.clone() }));
                 let (run, problem) = match shared.recording.keep_correction(about, content) {
                     Ok(run) => (Some(run), None),
                     Err(problem) => (None, Some(problem)),
                 };
-                self.correcting = Some(Correcting { run, problem, ..form });
+                self.correcting = Some(Correcting { run, entry, problem, ..form });
             }
             Err((field, problem)) => _ = self.errors.insert(field, problem),
         }
@@ -142,6 +145,7 @@ impl RecordsPage {
         match shared.recording.of_slip((run, 0)) {
             Some(Recorded::Kept(number)) => {
                 let old = self.open.as_ref().map(|open| open.number);
+                let entry = form.entry.take();
                 self.correct(false);
                 if let Some(old) = old {
                     self.listing.forget(old);
@@ -150,7 +154,8 @@ impl RecordsPage {
                     if let Some(id) = shared.recording.check_of(old) {
                         shared.history.take_out(id);
                     }
-                    shared.spread(News::TakenBack(old));
+                    let by = entry.filter(|entry| entry.check().is_some()).map(|entry| Box::new((number, *entry)));
+                    shared.spread(News::TakenBack { number: old, by });
                 }
                 self.ask(shared, false);
                 let effects = self.open(number);
