@@ -52,6 +52,7 @@ impl Review {
                 reader.feature(&mut names)
             })
             .collect();
+        faults.all.sort_by_key(|finding| finding.spot);
         Self { head, features, findings: faults.all }
     }
 

@@ -64,7 +64,7 @@ fn what_is_wrong_is_told_with_its_line() {
     check("callout,x,y,z\n25 H7,1,30,50\n", "line 2: clearance height 50 mm is not above the measuring height, 50 mm");
     check(
         "name,callout,x,y,z\na,25 H7,1,2,3\nA,25 H7,1,2,3\n",
-        "line 3: name A occurs twice: file names on a control ignore case",
+        "line 3: name A occurs twice, first on line 2: file names on a control ignore case",
     );
     check(
         "callout,x,y,z\n12 +0.02 -0.02,1,2,3\n",

@@ -265,7 +265,7 @@ fn a_corrected_value_without_a_callout_is_not_corrected_again_by_a_plan() {
     let record = ["--record", "--journal", "j.sqlite"];
     place.say(&[&["import", "--plan", "own.csv", "v.csv"], &record[..]].concat());
     let (_, shown, _) = place.say(&["journal", "show", "2", "--journal", "j.sqlite", "--format", "json"]);
-    assert!(shown.contains("25.0215") && shown.contains("25.019774"), "{shown}");
+    assert!(shown.contains("\"measured_nm\":25021500,\"at_20c_nm\":25019774"), "{shown}");
 }
 
 #[test]
@@ -334,15 +334,15 @@ fn a_place_with_other_limits_than_the_plan_is_told_as_a_diameter_is() {
     let (_, rows) = place.rows(&["import", "--plan", "own.csv", "list.txt", "--mask", "list.a"]);
     says(&rows[0], Some("GOOD"), "the file has the limits 7.9 to 8.1: those of the plan count");
     // A coordinate: the log of cycle 427 has limits of its own.
-    place.write("own.csv", "name;kind;axis;callout;x;y;z\nX (427);face;-X;0 ±0.4;0;0;0\n");
+    place.write("own.csv", "name;kind;axis;callout;x;y;z\nX (427);face;-X;10 ±0.4;10;0;0\n");
     place.write("list.a", &shipped("427_en.a"));
     place.write(
         "list.txt",
-        "COORDINATE STATUS: GOOD\nCHECKED: X (427)\nMINIMUM LIMIT:  -1.0000\nMAXIMUM LIMIT:   1.0000\n\
-         MEASURED COORDINATE:  -0.5000\n",
+        "COORDINATE STATUS: GOOD\nCHECKED: X (427)\nMINIMUM LIMIT:   9.0000\nMAXIMUM LIMIT:  11.0000\n\
+         MEASURED COORDINATE:   9.5000\n",
     );
     let (_, rows) = place.rows(&["import", "--plan", "own.csv", "list.txt", "--mask", "list.a"]);
-    says(&rows[0], Some("SCRAP"), "the file has the limits -1 to 1: those of the plan count");
+    says(&rows[0], Some("SCRAP"), "the file has the limits 9 to 11: those of the plan count");
     says(&rows[0], Some("SCRAP"), "the file says GOOD, the limits say SCRAP");
 }
 

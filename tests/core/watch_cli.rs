@@ -15,6 +15,11 @@ struct Running(Child);
 
 impl Running {
     fn start(folder: &Path) -> Self {
+        let mut command = Self::command(folder);
+        Self(command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap())
+    }
+
+    fn command(folder: &Path) -> Command {
         let mut command = Command::new(env!("CARGO_BIN_EXE_fitcheck"));
         command.current_dir(folder).args([
             "watch",
@@ -27,7 +32,7 @@ impl Running {
             "4",
         ]);
         command.env("XDG_DATA_HOME", folder).env("XDG_CONFIG_HOME", folder).env_remove("FITCHECK_JOURNAL");
-        Self(command.stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap())
+        command
     }
 }
 
@@ -105,16 +110,21 @@ fn a_second_program_on_the_same_folder_is_refused_and_the_first_one_goes_on() {
     files::write(&folder.path().join("plan.csv"), PLAN.as_bytes()).unwrap();
     let mut first = Running::start(folder.path());
     let begun = Instant::now();
-    while !folder.path().join("j.sqlite").exists() {
-        assert!(begun.elapsed() < Duration::from_secs(20), "no journal");
+    let is_watched = || {
+        let names = std::fs::read_dir(folder.path()).unwrap().map(|entry| entry.unwrap().file_name());
+        names.into_iter().any(|name| name.to_string_lossy().contains(".watch-"))
+    };
+    while !is_watched() {
+        assert!(begun.elapsed() < Duration::from_secs(20), "it never begins");
         std::thread::sleep(Duration::from_millis(20));
     }
-    // The lock is taken once the journal is there.
-    std::thread::sleep(Duration::from_millis(500));
-    let mut second = Running::start(folder.path());
-    assert_eq!(second.0.wait().unwrap().code(), Some(2), "it cannot be done");
+    let second = Running::command(folder.path()).output().unwrap();
+    let said = String::from_utf8_lossy(&second.stderr);
+    assert!(!second.status.success() && said.contains("another program watches"), "{second:?}");
     files::write(&input.join("a.csv"), b"name;measured\nBORE_A;12.03\n").unwrap();
     assert_eq!(first.0.wait().unwrap().code(), Some(0));
     let reader = fitcheck::store::local::Reader::open(&folder.path().join("j.sqlite")).unwrap();
-    assert_eq!(reader.entries(1, 10).unwrap().len(), 1);
+    let entries = reader.entries(1, 10).unwrap();
+    let checks = entries.iter().filter(|kept| fitcheck::journal::body::read(&kept.body).unwrap().check().is_some());
+    assert_eq!(checks.count(), 1);
 }

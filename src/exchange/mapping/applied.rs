@@ -69,8 +69,11 @@ impl Mapping {
         } else if let Some(first) = first
             && sample.header.is_none_or(|at| first <= at)
         {
-            let is_name = |at: &usize| sample.rows.get(*at).is_some_and(|(_, cells)| cells::may_be_names(cells));
-            sample.header = first.checked_sub(1).filter(is_name);
+            // Between the names and the first row there may be units, or numbers of columns.
+            let is_named = |cells: &csv::StringRecord| {
+                cells::may_be_names(cells) && cells.iter().any(|cell| cell.chars().any(char::is_alphabetic))
+            };
+            sample.header = above.iter().rposition(|(_, cells)| is_named(cells));
         }
         if let Some(first) = first {
             sample.above = first;
