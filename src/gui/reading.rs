@@ -35,7 +35,6 @@ use crate::tolerance::{DeviationTable, Feature, Sources};
 pub(super) const fn is_read(command: &Command) -> bool {
     match command {
         Command::Check(CheckCommand::Imported { result, .. }) => result.is_ok(),
-        Command::Columns(ColumnsCommand::Ask(_)) => true,
         Command::Check(CheckCommand::Rows(RowsCommand::Opened { result, .. })) => result.is_ok(),
         Command::MaskRead { result, .. } => result.is_ok(),
         Command::TablesRead { result, .. } => result.is_ok(),
@@ -49,8 +48,9 @@ pub(super) const fn is_read(command: &Command) -> bool {
         Command::Budget(BudgetCommand::Read { result, .. } | BudgetCommand::UsedRead { result, .. }) => result.is_ok(),
         Command::Budget(BudgetCommand::ReadingsRead { result, .. }) => result.is_ok(),
         Command::Parts(PartsCommand::Plan(PlanCommand::Read { result, .. })) => result.is_ok(),
-        // Its name is taken now, and its dots are read afterwards.
-        Command::Parts(PartsCommand::Plan(PlanCommand::ChoosePicture(_))) => true,
+        // A picture's name is taken now, and its dots are read afterwards; of measurements the columns are asked for first.
+        Command::Parts(PartsCommand::Plan(PlanCommand::ChoosePicture(_)))
+        | Command::Columns(ColumnsCommand::Ask(_)) => true,
         Command::Parts(PartsCommand::Walk(WalkCommand::Imported { result, .. })) => result.is_ok(),
         Command::Parts(PartsCommand::Walk(WalkCommand::Watch { is_folder, .. })) => *is_folder,
         Command::Pairing(PairingCommand::Read { result, .. }) => result.is_ok(),

@@ -45,7 +45,7 @@ struct Earlier {
 pub(super) struct Names {
     features: Vec<Earlier>,
     /// The positions of features by their names, by what their sizes may be called, and by their numbers.
-    names: BTreeMap<String, usize>,
+    by_name: BTreeMap<String, usize>,
     sizes: BTreeMap<String, usize>,
     numbers: BTreeMap<String, usize>,
 }
@@ -68,7 +68,7 @@ impl Names {
         for called in sides.iter().flat_map(|side| of_side(&name, side)) {
             self.sizes.entry(key(&called)).or_insert(at);
         }
-        self.names.entry(key(&name)).or_insert(at);
+        self.by_name.entry(key(&name)).or_insert(at);
         if !number.is_empty() {
             self.numbers.entry(number_key(&number)).or_insert(at);
         }
@@ -82,12 +82,12 @@ impl Names {
 
     fn name(&self, name: &str, sides: &[&str]) -> Vec<(Column, PlanFault)> {
         let fault = |what| vec![(Column::Name, what)];
-        if let Some(Earlier { line, .. }) = self.earlier(self.names.get(&key(name))) {
+        if let Some(Earlier { line, .. }) = self.earlier(self.by_name.get(&key(name))) {
             return fault(PlanFault::SameName { name: name.to_owned(), line: *line });
         }
         let all: Vec<String> = sides.iter().flat_map(|side| of_side(name, side)).chain([name.to_owned()]).collect();
         for called in &all {
-            let at = self.sizes.get(&key(called)).or_else(|| self.names.get(&key(called)));
+            let at = self.sizes.get(&key(called)).or_else(|| self.by_name.get(&key(called)));
             if let Some(Earlier { name: other, line, .. }) = self.earlier(at) {
                 let (called, other) = (called.clone(), other.clone());
                 return fault(PlanFault::SameSize { called, other, line: *line });
@@ -108,7 +108,7 @@ impl Names {
             let (number, other) = (number.to_owned(), other.clone());
             return fault(PlanFault::SameNumber { number, other, line: *line });
         }
-        let named = |key: &str| self.sizes.get(key).or_else(|| self.names.get(key));
+        let named = |key: &str| self.sizes.get(key).or_else(|| self.by_name.get(key));
         // A name such as 01 is that of the number 1, too.
         let at = named(&key(number)).or_else(|| self.number_named(number));
         let Earlier { name, line, .. } = self.earlier(at)?;
@@ -117,6 +117,6 @@ impl Names {
 
     fn number_named(&self, number: &str) -> Option<&usize> {
         let wanted = number_key(number);
-        self.names.iter().find(|(name, _)| number_key(name) == wanted).map(|(_, at)| at)
+        self.by_name.iter().find(|(name, _)| number_key(name) == wanted).map(|(_, at)| at)
     }
 }

@@ -257,7 +257,7 @@ fn a_corrected_value_without_a_callout_is_not_corrected_again_by_a_plan() {
                   A,,25.019774,19.774,GOOD,25.0215,26,11.5\n";
     let plan = "name;callout\nA;25 H7\n";
     let (code, rows) = place.judged(plan, values, &[]);
-    assert_eq!((code, rows[0]["measured_mm"].as_f64()), (0, Some(25.019774)), "{rows:?}");
+    assert_eq!((code, rows[0]["measured_mm"].as_f64()), (0, Some(25.019_774)), "{rows:?}");
     let (code, rows) = place.judged(plan, values, &["--temperature", "26", "--material", "steel"]);
     assert_eq!(code, 1);
     says(&rows[0], None, "--temperature: the values are at 20 °C already, as the column as_measured_mm says");

@@ -11,7 +11,7 @@ use crate::exchange::own::OwnColumns;
 struct Said<'a> {
     mapping: &'a Mapping,
     /// The columns that are said, from 0; `None` for a role that no column has.
-    said: Vec<(Role, Option<usize>)>,
+    roles: Vec<(Role, Option<usize>)>,
     names: csv::StringRecord,
     found: Option<Columns>,
 }
@@ -42,7 +42,7 @@ impl Mapping {
             (None, Err(error)) => return Err(error.clone()),
             _ => return Err(ImportErrorKind::NoMeasuredColumn),
         };
-        let said = Said { mapping: self, said, names, found: detected.ok() };
+        let said = Said { mapping: self, roles: said, names, found: detected.ok() };
         let mut columns = said.columns(measured, width)?;
         columns.header = header.map(|(line, _)| line).or_else(|| said.found.as_ref().and_then(|found| found.header));
         columns.names_known = sample.header.is_some();
@@ -101,18 +101,18 @@ impl Mapping {
 
 impl Said<'_> {
     /// What is said of a role; `None` where nothing is.
-    fn at(&self, role: Role) -> Option<Option<usize>> {
-        self.said.iter().find(|(of, _)| *of == role).map(|(_, at)| *at)
+    fn of(&self, role: Role) -> Option<&(Role, Option<usize>)> {
+        self.roles.iter().find(|(of, _)| *of == role)
     }
 
     fn is_used(&self, at: usize) -> bool {
-        self.said.iter().any(|(_, of)| *of == Some(at))
+        self.roles.iter().any(|(_, of)| *of == Some(at))
     }
 
     /// The column that is said, or else the one that was found, unless that is said to be another one.
     fn either(&self, role: Role, found: impl Fn(&Columns) -> Option<usize>) -> Option<usize> {
         let found = || self.found.as_ref().and_then(found).filter(|at| !self.is_used(*at));
-        self.at(role).unwrap_or_else(found)
+        self.of(role).map_or_else(found, |(_, at)| *at)
     }
 
     fn unit_of_name(&self, at: usize) -> Result<crate::length::Unit, ImportErrorKind> {
@@ -135,10 +135,10 @@ impl Said<'_> {
     fn times(&self) -> Vec<usize> {
         let found = self.found.as_ref().map(|found| found.time.clone()).unwrap_or_default();
         let is_list = matches!(self.mapping.columns.get(Role::Time.word()), Some(Column::Several(_)));
-        let said = self.said.iter().filter(|(role, _)| *role == Role::Time);
-        match self.at(Role::Time) {
+        let said = self.roles.iter().filter(|(role, _)| *role == Role::Time);
+        match self.of(Role::Time) {
             // Date and time may have a column each, and one of them is named.
-            Some(Some(at)) if !is_list && found.contains(&at) => found,
+            Some((_, Some(at))) if !is_list && found.contains(at) => found,
             Some(_) => said.filter_map(|(_, at)| *at).collect(),
             None => found.into_iter().filter(|at| !self.is_used(*at)).collect(),
         }
@@ -163,7 +163,7 @@ impl Said<'_> {
             measured: self.length(measured)?,
             time: self.times(),
             simulated: self.either(Role::Simulated, |found| found.simulated),
-            count: count.max(self.said.iter().filter_map(|(_, at)| *at).max().map_or(0, |at| at + 1)),
+            count: count.max(self.roles.iter().filter_map(|(_, at)| *at).max().map_or(0, |at| at + 1)),
             header: None,
             names_known: false,
             ignored: Vec::new(),

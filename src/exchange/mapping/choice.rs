@@ -1,7 +1,5 @@
 //! What is chosen for each column of a file, as a mapping that leaves nothing open.
 
-use std::collections::BTreeMap;
-
 use super::detected::{Detected, column_of};
 use super::words::{DECIMALS, SEPARATORS, UNITS};
 use super::{Column, Mapping};
@@ -79,7 +77,7 @@ impl Choice {
             unit: self.unit.clone(),
             place_unit: self.place_unit.clone(),
             first_row: self.first_row,
-            columns: BTreeMap::from_iter(columns),
+            columns: columns.collect(),
         }
     }
 }

@@ -38,6 +38,23 @@ pub struct Kept {
 #[serde(transparent)]
 pub struct Remembered(BTreeMap<String, Kept>);
 
+/// The header of a file.
+enum Header {
+    /// It has none.
+    None,
+    /// It is this line.
+    Line(usize),
+}
+
+impl Header {
+    const fn line(&self) -> Option<usize> {
+        match self {
+            Self::None => None,
+            Self::Line(line) => Some(*line),
+        }
+    }
+}
+
 /// Names as they are compared: trimmed, and without empty ones at the end.
 fn bare<'a>(names: impl Iterator<Item = &'a str>) -> Vec<String> {
     let mut names: Vec<String> = names.map(|name| name.trim().to_owned()).collect();
@@ -95,22 +112,22 @@ impl Kept {
             let mapping = Mapping { sheet: sheet.map(str::to_owned), ..kept.clone() };
             let sample = first.sample(&mapping);
             let header = self.header_in(&sample)?;
-            let below = header.zip(self.below).map(|(header, below)| header + below);
+            let below = header.line().zip(self.below).map(|(header, below)| header + below);
             Some(Mapping { first_row: below.or(mapping.first_row), ..mapping })
         })
     }
 
-    /// The line of the header in a file of the shape, `Some(None)` where it has none; `None` in any other file.
-    fn header_in(&self, sample: &Sample) -> Option<Option<usize>> {
+    /// The header in a file of the shape; `None` in any other file.
+    fn header_in(&self, sample: &Sample) -> Option<Header> {
         if self.names.is_empty() {
             let is_headless = sample.header.is_none()
                 && sample.rows.first().is_some_and(|(_, cells)| !may_be_names(cells))
                 && usual_width(sample) == self.count;
-            return is_headless.then_some(None);
+            return is_headless.then_some(Header::None);
         }
         let above = sample.rows.iter().take(ABOVE_HEADER + 1);
         let found = above.into_iter().find(|(_, cells)| bare(cells.iter()) == self.names);
-        found.map(|(line, _)| Some(*line))
+        found.map(|(line, _)| Header::Line(*line))
     }
 }
 

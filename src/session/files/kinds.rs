@@ -150,8 +150,11 @@ impl Purpose {
             Self::OpenTable => Page::Tables,
             Self::OpenBudget | Self::OpenReadings => Page::Budget,
             Self::OpenParts(_) => Page::Pairing,
-            Self::AskColumns(ImportInto::Part) => Page::Parts,
-            Self::OpenPlan | Self::OpenPicture | Self::ImportValues | Self::WatchFolder => Page::Parts,
+            Self::OpenPlan
+            | Self::OpenPicture
+            | Self::ImportValues
+            | Self::AskColumns(ImportInto::Part)
+            | Self::WatchFolder => Page::Parts,
             // Both pages monitor tools with it.
             Self::OpenTools if open == Page::Cycles => open,
             Self::OpenProgram | Self::OpenPart | Self::OpenTools => Page::Program,
