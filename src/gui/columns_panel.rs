@@ -47,7 +47,9 @@ type Entry = (String, bool, ColumnChoice);
 /// The panel's content.
 pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     let screen = ui.ctx().content_rect().size();
-    ui.set_width(space(280.0).min(screen.x - space(12.0)));
+    let width = space(280.0).min(screen.x - space(12.0));
+    ui.set_width(width);
+    ui.set_max_width(width);
     ui.spacing_mut().interact_size.y = control(ui);
     let foot = control(ui) + space(30.0);
     ScrollArea::vertical().id_salt("columns").max_height(screen.y - foot).show(ui, |ui| {
@@ -75,11 +77,10 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
 
 /// A drop-down list with its name before it.
 fn named_list_ui(ui: &mut Ui, view: &mut View<'_>, id: &'static str, entries: Vec<Entry>) {
-    ui.horizontal(|ui| {
-        let name = ui.label(view.text(id));
-        let list = choices_ui(ui, view, (id, 0), (space(34.0), entries));
-        list.labelled_by(name.id);
-    });
+    // One after the other: what is laid out together does not wrap.
+    let name = ui.label(view.text(id));
+    let list = choices_ui(ui, view, (id, 0), (space(34.0), entries));
+    list.labelled_by(name.id);
 }
 
 fn choices_ui(

@@ -128,8 +128,8 @@ fn the_keyboard_alone_corrects_and_takes() {
     page.get_by_role_and_label(Role::ComboBox, "2 gauge 1").focus();
     page.run();
     press(&mut page, Key::Space);
-    // From “not used” to name, number, callout, nominal size, measured value, time, part, serial number, who measured.
-    for _ in 0..9 {
+    // To “not used”, name, number, callout, nominal size, measured value, time, part, serial number, who measured.
+    for _ in 0..10 {
         press(&mut page, Key::ArrowDown);
     }
     press(&mut page, Key::Enter);
@@ -167,7 +167,7 @@ fn touch_alone_corrects_and_takes() {
 fn the_check_page_asks_too() {
     let folder = tempfile::tempdir().unwrap();
     let path = folder.path().join("a.csv");
-    put(&path, "Stelle;Vorgabe;Ergebnis\nb1;25 H7;25,012\n");
+    put(&path, "Stelle;Vorgabe;Ergebnis;Rest\nb1;25 H7;25,012;a\n");
     let mut page = Window { files: vec![(Purpose::Import, path)], ..window_of(folder.path(), DESK) }.open();
     page.run();
     page.get_by_label("Columns of a.csv");

@@ -176,9 +176,24 @@ impl FirstRows {
     /// The names of the header as a choice has it; none where the file has no header.
     pub fn names(&self, choice: &Choice) -> Vec<String> {
         // By their numbers columns are found without a name.
-        let names: Vec<String> = Vec::new();
-        self.detect(&choice.mapping(&names)).map(|detected| detected.names).unwrap_or_default()
+        let mapping = choice.mapping(&[]);
+        match self.detect(&mapping) {
+            Ok(detected) if !detected.names.is_empty() => detected.names,
+            _ => names_above(&self.sample(&mapping)),
+        }
     }
+}
+
+/// The row above the first numbers that has names in every column: what it calls them means nothing to anybody yet.
+fn names_above(sample: &Sample) -> Vec<String> {
+    let above = sample.rows.iter().take_while(|(_, cells)| may_be_names(cells)).take(ABOVE_HEADER + 1);
+    let width = usual_width(sample);
+    let has_all = |cells: &csv::StringRecord| {
+        let named = cells.iter().filter(|cell| cell.chars().any(char::is_alphabetic)).count();
+        cells.len() == width && named == width
+    };
+    let names = above.map(|(_, cells)| cells).filter(|cells| has_all(cells)).last();
+    names.map(|cells| cells.iter().map(|cell| cell.trim().to_owned()).collect()).unwrap_or_default()
 }
 
 /// How many cells most rows have.

@@ -100,7 +100,7 @@ fn part_ui(ui: &mut Ui, view: &View<'_>) {
         (true, false) => Message::new("walk-page-part-serial").text("serial", walking.serial()),
         (false, false) => Message::new("walk-page-part").text("part", &part).text("serial", walking.serial()),
     };
-    heading(ui, view.words.say(&message));
+    heading(ui, view.words.say(&message).trim_start());
     if view.session.parts().has_other_plan() {
         quiet(ui, view.text("walk-page-other-plan"));
     }
