@@ -151,6 +151,11 @@ const CONTACTS: Format = Format {
 };
 
 impl Format {
+    /// Whether it is what a control printed through a mask.
+    pub fn is_print(&self) -> bool {
+        self.name == fn16::FORMAT.name
+    }
+
     /// Whether the file seems to be of this format, by its first 64 KiB and its name.
     pub fn recognises(&self, bytes: &[u8], file_name: &str) -> bool {
         (self.recognises)(&Beginning::new(file_name, bytes))

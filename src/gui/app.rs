@@ -137,7 +137,8 @@ impl App {
             return field::go_to(ctx, field, self.session.text(field));
         }
         let (sources, columns) = (self.session.sources(), self.session.remembered_columns());
-        self.runner.run(ctx, effect, &Beside { sources, columns, words: &self.words, now: (self.clock)() });
+        let (masks, words, now) = (self.session.own_masks(), &self.words, (self.clock)());
+        self.runner.run(ctx, effect, &Beside { sources, columns, masks: &masks, words, now });
     }
 
     /// Closes the window once every record is on disk; a user is asked where that fails or takes too long.

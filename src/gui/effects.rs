@@ -17,6 +17,7 @@ use super::reading::{Found, With, is_read, read};
 use super::rows::Runs;
 use super::watching::{Watch, Watching};
 use super::working::{Job, Watched, Works};
+use crate::control::mask::Mask;
 use crate::exchange::Remembered;
 use crate::exchange::batch::Part;
 use crate::files::{self, FileError};
@@ -44,6 +45,8 @@ pub(super) struct Beside<'a> {
     pub sources: &'a Arc<Sources>,
     /// The columns of files as they were corrected.
     pub columns: &'a Arc<Remembered>,
+    /// The user's own mask.
+    pub masks: &'a [(String, Mask)],
     pub words: &'a Words,
     pub now: DateTime,
 }
@@ -112,7 +115,8 @@ impl Runner {
 
     /// Runs an effect; the frame itself does the clipboard.
     pub fn run(&self, ctx: &Context, effect: Effect, beside: &Beside<'_>) {
-        let Beside { sources, columns, words, now } = *beside;
+        let Beside { sources, columns, masks, words, now } = *beside;
+        let masks = masks.to_vec();
         let Some(effect) = self.desk.run(ctx, effect) else { return };
         let effect = match effect {
             Effect::Copy(text) => return ctx.copy_text(text),
@@ -127,7 +131,7 @@ impl Runner {
                 let (ctx, answers, clock) = (ctx.clone(), self.sender.clone(), self.clock);
                 let (sources, columns) = (Arc::clone(sources), Arc::clone(columns));
                 let watch =
-                    Watch { run, folder, plan, sources, columns, language, clock, known, journal, ctx, answers };
+                    Watch { run, folder, plan, sources, columns, masks, language, clock, known, journal, ctx, answers };
                 return self.watching.begin(watch);
             }
             Effect::WatchTaken { run, look } => return self.watching.taken(run, look),
@@ -158,7 +162,7 @@ impl Runner {
                 };
                 works.begin(path, is_writing, Box::new(say))
             };
-            let with = With { sources: &sources, columns: &columns, now, begins: &begins };
+            let with = With { sources: &sources, columns: &columns, masks: &masks, now, begins: &begins };
             for command in answers(effect, (errands, filters), with) {
                 // A closed window hears no answer; that is not an error.
                 let _closed = sender.send(command);
@@ -380,7 +384,7 @@ mod tests {
             let bytes = vec![b'x'; if number == 0 { 4 << 20 } else { 1 }];
             let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
             let (sources, columns) = (Arc::default(), Arc::default());
-            let beside = Beside { sources: &sources, columns: &columns, words: &words, now };
+            let beside = Beside { sources: &sources, columns: &columns, masks: &[], words: &words, now };
             runner.run(&ctx, Effect::Save(path(number), bytes.into()), &beside);
         }
         let answers: Vec<Command> = runner.receiver.iter().take(20).collect();

@@ -6,6 +6,7 @@ use std::path::{Path, PathBuf};
 use super::reading::{Found, With, bytes_of, name, whole};
 use super::rows;
 use super::working::Watched;
+use crate::control::mask::Mask;
 use crate::exchange::{self, Detected, FirstRows, Given, Imported, Item, MOST_ROWS, Mapping};
 use crate::files;
 use crate::journal::chain::Hash;
@@ -43,6 +44,9 @@ pub(super) fn read(into: ImportInto, path: PathBuf, mapping: Option<&Mapping>, w
         Ok(looked) => looked,
         Err((name, problem)) => return taken(into, name, Err(problem)),
     };
+    if mapping.is_none() && !masks_of(&looked.name, &looked.bytes, with).is_empty() {
+        return looked.import(None, None, with);
+    }
     if mapping.is_some() {
         looked.first = FirstRows::of_columns(&looked.name, &looked.bytes);
     }
@@ -162,11 +166,20 @@ impl Looked {
     }
 }
 
+/// The user's own mask, where it seems to have printed a file.
+fn masks_of<'a>(name: &str, bytes: &[u8], with: With<'a>) -> &'a [(String, Mask)] {
+    match exchange::recognised(name, &mut Cursor::new(bytes), with.masks) {
+        Ok(Some(format)) if format.is_print() => with.masks,
+        _ => &[],
+    }
+}
+
 fn import(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>) -> Result<Box<Imported>, Message> {
     let job = (with.begins)(path, false);
     job.has(bytes.len());
     let beside = |ending: &str| files::beside(path, ending);
-    let given = Given { beside: &beside, mapping, ..Given::new(with.sources, with.now) };
+    let masks = if mapping.is_none() { masks_of(&name(path), &bytes, with) } else { &[] };
+    let given = Given { beside: &beside, mapping, masks, ..Given::new(with.sources, with.now) };
     let mut body = Cursor::new(bytes);
     let imported = exchange::import_given(&name(path), &mut Watched::new(&mut body, &job), given);
     whole(Box::new(imported), &job)
@@ -178,7 +191,8 @@ fn items(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>)
     job.has(bytes.len());
     let beside = |ending: &str| files::beside(path, ending);
     let usual = Given::new(with.sources, with.now);
-    let given = Given { beside: &beside, mapping, most_rows: MOST_ROWS, has_plan: true, ..usual };
+    let masks = if mapping.is_none() { masks_of(&name(path), &bytes, with) } else { &[] };
+    let given = Given { beside: &beside, mapping, masks, most_rows: MOST_ROWS, has_plan: true, ..usual };
     let (mut items, mut body) = (Vec::new(), Cursor::new(bytes));
     exchange::import_from(&name(path), &mut Watched::new(&mut body, &job), given, &mut |item| {
         if item.is_row() {

@@ -64,6 +64,8 @@ pub(super) struct With<'a> {
     pub sources: &'a Sources,
     /// The columns of files as they were corrected.
     pub columns: &'a Remembered,
+    /// The user's own mask.
+    pub masks: &'a [(String, Mask)],
     pub now: DateTime,
     /// Begins a file that is read, or written.
     pub begins: &'a dyn Fn(&Path, bool) -> Job,

@@ -8,6 +8,7 @@ use std::time::Instant;
 use eframe::egui::Context;
 use jiff::civil::DateTime;
 
+use crate::control::mask::Mask;
 use crate::exchange::Remembered;
 use crate::message::{Message, Say as _};
 use crate::part::Plan;
@@ -28,6 +29,8 @@ pub(super) struct Watch {
     pub sources: Arc<Sources>,
     /// The columns of files as they were corrected.
     pub columns: Arc<Remembered>,
+    /// The user's own mask.
+    pub masks: Vec<(String, Mask)>,
     /// Of what is written beside files that cannot be used.
     pub language: Language,
     pub clock: fn() -> DateTime,
@@ -93,7 +96,7 @@ impl Watch {
         let (mut told, mut number) = (Told::default(), 0);
         loop {
             let (plan, sources, columns) = (Some(&*self.plan), &*self.sources, Some(&*self.columns));
-            let judging = Judging { plan, sources, masks: &[], columns, now: (self.clock)() };
+            let judging = Judging { plan, sources, masks: &self.masks, columns, now: (self.clock)() };
             let look = watcher.look(judging, begun.elapsed()).map_err(|error| error.message());
             let ready = self.tell(look, &mut told);
             if !ready.is_empty() {

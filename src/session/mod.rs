@@ -108,6 +108,7 @@ pub use workpiece::{OpenPart, RecordedContacts, WorkpieceCommand};
 
 use self::files::Places;
 use self::shared::{PageState as _, Shared};
+use crate::control::mask::Mask;
 use crate::control::shipped_tables;
 use crate::tolerance::{Absent, Sources};
 use crate::verdict::Rule;
@@ -193,6 +194,14 @@ impl Session {
             records: self.shared.recording.saved(),
             walk: self.parts.saved_walk(),
             ..Saved::default()
+        }
+    }
+
+    /// The user's own mask by its name: what it has printed is read back through it. Nothing where a built-in one is chosen.
+    pub fn own_masks(&self) -> Vec<(String, Mask)> {
+        match &self.shared.mask {
+            MaskChoice::Own { name, mask } => vec![(name.clone(), Mask::clone(mask))],
+            MaskChoice::OfLanguage | MaskChoice::Shipped(_) => Vec::new(),
         }
     }
 

@@ -13,7 +13,7 @@ use fitcheck::gui::journal::{Local, Records};
 use fitcheck::gui::{App, Store};
 use fitcheck::journal::ask::Question;
 use fitcheck::session::parts::WalkCommand;
-use fitcheck::session::{Page, Purpose};
+use fitcheck::session::{FilesCommand, Page, Purpose};
 use fitcheck::store::local::Reader;
 use fitcheck::words::Language;
 use jiff::tz::{TimeZone, offset};
@@ -243,6 +243,32 @@ fn a_watched_folder_is_watched_again_after_a_restart_and_by_one_window_alone() {
     until(&mut other, |other| other.state().session().parts().watched().count() == 1);
     assert!(other.query_by_label_contains("another program watches this folder").is_none());
     assert_eq!(recorded(folder.path()), 1);
+}
+
+#[test]
+fn prints_are_read_back_through_the_users_own_mask() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun(folder.path());
+    let mask = folder.path().join("list.a");
+    put(&mask, "\"Feature %-8s\",QS1;\n\"Result %8.3f\",Q153;\n");
+    let ctx = page.ctx.clone();
+    page.state_mut().send(&ctx, FilesCommand::Open(Purpose::LoadMask, mask).into());
+    page.run();
+    page.get_by_label("Prints are read back through the mask list.a");
+    let print = folder.path().join("list.txt");
+    put(&print, "Feature BORE    \nResult   25.012\n");
+    drop_file(&mut page, print);
+    page.get_by_label("list.txt: 1 taken, 0 not");
+    press(&mut page, Key::Escape);
+    assert!(verdict(&page).contains("BORE: 25.012 mm"), "{}", verdict(&page));
+    let drops = folder.path().join("drops");
+    std::fs::create_dir(&drops).unwrap();
+    page.state_mut().send(&ctx, WalkCommand::Watch { folder: drops.clone(), is_folder: true }.into());
+    until(&mut page, |page| page.state().session().parts().watched().known().is_some());
+    put(&drops.join("p.txt"), "Feature PIN     \nResult   19.985\n");
+    until(&mut page, |page| page.state().session().parts().watched().count() == 1);
+    assert!(verdict(&page).contains("PIN: 19.985 mm"), "{}", verdict(&page));
+    assert_eq!(recorded(folder.path()), 2);
 }
 
 #[test]

@@ -99,6 +99,7 @@ walk-page-known = { $count ->
         [one] One file was taken before, and is not taken again
        *[other] { $count } files and parts of files were taken before, and are not taken again
     }
+walk-page-mask = Prints are read back through the mask { $name }
 walk-page-watch-recording = Being recorded
 walk-page-waiting = { $name }: { $why }
 walk-page-watch-count = { $count ->

@@ -99,6 +99,7 @@ walk-page-known = { $count ->
         [one] Eén bestand is al genomen, en wordt niet nog eens genomen
        *[other] { $count } bestanden en delen van bestanden zijn al genomen, en worden niet nog eens genomen
     }
+walk-page-mask = Afdrukken worden teruggelezen door het masker { $name }
 walk-page-watch-recording = Wordt vastgelegd
 walk-page-waiting = { $name }: { $why }
 walk-page-watch-count = { $count ->

@@ -6,8 +6,8 @@ use crate::gui::theme::space;
 use crate::gui::verdict_card::chip_ui;
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::Message;
-use crate::session::Action;
 use crate::session::parts::TakenFile;
+use crate::session::{Action, MaskChoice};
 
 /// How many files are shown.
 const MOST: usize = 50;
@@ -28,6 +28,9 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
             Some(known) => quiet(ui, view.words.say(&Message::new("walk-page-known").count("count", known))),
             None => quiet(ui, view.text("walk-page-watch-begins")),
         };
+    }
+    if let MaskChoice::Own { name, .. } = session.mask() {
+        quiet(ui, view.words.say(&Message::new("walk-page-mask").text("name", name)));
     }
     if let Some(trouble) = watched.trouble() {
         problem(ui, view.words.say(trouble));
