@@ -1,7 +1,6 @@
 //! The plan of a part as a table, by label and key: typing, pasting, undo, faults, the picture and its balloons.
 
 use std::path::{Path, PathBuf};
-use std::time::Instant;
 
 use eframe::egui::accesskit::{Invalid, Role};
 use eframe::egui::{Event, Key, Modifiers, Theme, Vec2, ViewportId, vec2};
@@ -334,10 +333,8 @@ fn a_picture_that_cannot_be_shown_says_why() {
     ] {
         let svg = format!("<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"400\" height=\"200\">{body}</svg>");
         put(&file, svg.as_bytes());
-        let begun = Instant::now();
         let page = open(Window::default(), &path);
         page.get_by_label_contains(said);
-        println!("refused in {:?}: {}", begun.elapsed(), body.chars().take(40).collect::<String>());
     }
     std::fs::remove_file(&file).unwrap();
     let page = open(Window::default(), &path);
@@ -391,17 +388,10 @@ fn a_plan_of_a_thousand_features_draws_what_is_in_sight() {
     page.run();
     press(&mut page, Key::ArrowUp);
     page.get_by_label("Row 1000, Name, H1000");
-    let begun = Instant::now();
-    for _ in 0..60 {
-        page.step();
-    }
-    println!("a frame of 1 000 features: {:?}", begun.elapsed() / 60);
-    let begun = Instant::now();
     for sign in "12345678".chars() {
         page.input_mut().events.push(Event::Text(sign.to_string()));
         page.step();
     }
-    println!("a sign typed into 1 000 features, with its frame: {:?}", begun.elapsed() / 8);
     press(&mut page, Key::Enter);
     page.run();
     // Nothing moves by itself.

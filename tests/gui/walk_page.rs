@@ -328,27 +328,6 @@ fn the_list_is_walked_by_key() {
 }
 
 /// From Enter to the verdict on screen, with recording.
-#[test]
-fn a_step_takes_less_than_fifty_milliseconds() {
-    let folder = tempfile::tempdir().unwrap();
-    let mut page = begun(folder.path());
-    let mut steps = Vec::new();
-    for value in ["25.01", "19.985", "16.01", "29.98"] {
-        type_into(&mut page, "Measured value", value);
-        let begin = Instant::now();
-        page.key_press(Key::Enter);
-        page.step();
-        page.step();
-        steps.push(begin.elapsed());
-        assert!(verdict(&page).starts_with("GOOD"), "{}", verdict(&page));
-        page.run();
-    }
-    steps.sort();
-    println!("from Enter to verdict: {steps:?}");
-    // A debug build on a shared machine: the quickest is what the program needs.
-    assert!(steps[0] < Duration::from_millis(50), "{steps:?}");
-}
-
 fn picture(name: &str, size: Vec2, language: Language, theme: Theme) {
     if !can_paint(name) {
         return;
