@@ -79,7 +79,7 @@ fn both_samples_are_one_good_bore() {
         assert_eq!(
             warnings(&imported),
             [
-                "line 61: the file states a combined standard uncertainty of 0.0012 and a mean error of 0: no rule uses them; give --u instead"
+                "line 61: the file states a combined standard uncertainty of 0.0012 and a mean error of 0: no rule uses them, so give --u instead"
             ]
         );
     }

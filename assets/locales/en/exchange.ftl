@@ -135,7 +135,7 @@ exchange-unjudged-not-a-size = { $what }: not a size of a hole or shaft
 exchange-warning-limits-differ = { $callout } has the limits { $minimum } to { $maximum }, but the file has others: the file's limits apply
 exchange-warning-class-unknown = class { $given } has no limits here: the file's limits apply
 exchange-warning-status-differs = the file says { $given }, but the limits say { $status }
-exchange-warning-uncertainty-not-used = the file states an expanded uncertainty of { $expanded } mm: no rule uses it; give --u instead
+exchange-warning-uncertainty-not-used = the file states an expanded uncertainty of { $expanded } mm: no rule uses it, so give --u instead
 exchange-warning-plan-differs = the file has the limits { $minimum } to { $maximum }: the plan's limits apply
 exchange-warning-plan-differs-below = the file has the lower limit { $minimum }: the plan's lower limit applies
 exchange-warning-plan-differs-above = the file has the upper limit { $maximum }: the plan's upper limit applies
@@ -187,7 +187,7 @@ exchange-qif-no-nominal = the limits are deviations, but there is no nominal siz
 exchange-qif-zone = class { $class } and { $zone } contradict each other: uppercase letters are holes, lowercase letters are shafts
 exchange-qif-no-results = a QIF file without measured values: a plan can be read as a part plan
 exchange-qif-no-characteristics = the QIF file declares no characteristics
-exchange-warning-standard-uncertainty-not-used = the file states a combined standard uncertainty of { $standard } and a mean error of { $mean-error }: no rule uses them; give --u instead
+exchange-warning-standard-uncertainty-not-used = the file states a combined standard uncertainty of { $standard } and a mean error of { $mean-error }: no rule uses them, so give --u instead
 exchange-warning-qif-version = QIF version { $version }: this program is made for version 3.0
 exchange-warning-qif-count = { $list } says n={ $said }, but has { $found }: something may be missing or added
 exchange-warning-qif-twice = id { $id } occurs twice: the first element is used
