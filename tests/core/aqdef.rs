@@ -107,8 +107,9 @@ fn a_record_has_the_callout_the_time_and_what_else_is_said() {
         assert_eq!(*labels, expected);
         let told: Vec<String> = said(&items).into_iter().filter(|line| line.contains('?')).collect();
         assert!(
-            told[0]
-                .ends_with("the file states an expanded uncertainty of 0.0024 mm: no rule uses it, so give --u instead")
+            told[0].ends_with(
+                "the file states an expanded uncertainty of 0.0024 mm: no rule uses it, so give --u instead"
+            )
         );
         let nest = if name == "keys.dfq" { "" } else { "K0007, " };
         assert_eq!(told.last().unwrap(), &format!("1? entries skipped: {nest}K1041, K1053, K1081"));

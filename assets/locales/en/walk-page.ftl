@@ -55,8 +55,8 @@ walk-page-question-enter = Press Enter again to use it as it is.
 walk-page-part-status = Part status
 walk-page-not-complete = No verdict yet
 walk-page-simulated = { $count ->
-        [one] One value is simulated: nobody measured it, so the part is not good.
-       *[other] { $count } values are simulated: nobody measured them, so the part is not good.
+        [one] One value is simulated: nobody measured it, so it cannot make the part good.
+       *[other] { $count } values are simulated: nobody measured them, so they cannot make the part good.
     }
 walk-page-missing = Missing: { $names }
 walk-page-off = Records are turned off: an interrupted part cannot be restored after a restart.
