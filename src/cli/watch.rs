@@ -23,9 +23,9 @@ const LATER: Duration = Duration::from_secs(1);
 const EXAMPLES: &str = "\
 Each file is imported once, and never half-written, in the order in which the files were written. It is recorded in \
 the journal with its SHA-256, so a restart, another name or another folder imports no value twice. Files of lines \
-(CSV, measuring logs, AQDEF) may grow: the new lines are imported. Files stay where they are. What cannot be read \
-or judged is reported in a text file beside it, NAME.why.txt. Subfolders, hidden files and names such as .tmp and \
-.part are ignored; a .dfd is read with its .dfx.
+(CSV, measuring logs, AQDEF) may grow: the new lines are imported. Files stay where they are. What cannot be read or \
+judged is reported in a text file beside it, NAME.why.txt. Subfolders, hidden files and names such as .tmp and .part \
+are not read; a .dfd is read with its .dfx.
 
 Examples:
   fitcheck watch /srv/measured --plan flange.toml --who Anna

@@ -313,7 +313,7 @@ fn values_have_their_time_and_serial_number() {
     let now = "2000-01-01T00:00:00".to_owned();
     assert_eq!(serials, [("S1", "2024-02-01T03:04:05".to_owned()), ("S2", now.clone()), ("S3", now)]);
     assert!(
-        said(&read).contains(&"19? K0014 does not belong to a value read just before it: it is ignored".to_owned())
+        said(&read).contains(&"19? K0014 does not belong to a value read just before it: it is skipped".to_owned())
     );
 }
 
@@ -474,7 +474,7 @@ fn limits_are_those_of_the_file_and_scrap_limits_tell_the_side() {
     declared(
         &format!("{limits}K2115/1 25.03\n"),
         &[
-            "7? the scrap limit 25.03 differs from the limit: it is ignored, and a value beyond the limit on this side is scrap",
+            "7? the scrap limit 25.03 differs from the limit: it is skipped, and a value beyond the limit on this side is scrap",
             "D 25.03 SCRAP",
         ],
     );
@@ -503,7 +503,7 @@ fn kinds_of_limits_are_kept_or_told() {
     declared(
         &format!("{limits}K2120/1 0\n"),
         &[
-            "5? K2110 is given, but K2120 or K2121 says that there is no such limit: it is ignored",
+            "5? K2110 is given, but K2120 or K2121 says that there is no such limit: it is skipped",
             "D 25.03: not judged: one of the two limits is missing",
         ],
     );

@@ -163,7 +163,7 @@ fn part_serial_number_operator_and_place_come_with_a_value() {
         said,
         [
             "warning: line 1: skipped, not a measurement: a b c",
-            "warning: line 2, column 1: left is not a length: the location is ignored",
+            "warning: line 2, column 1: left is not a length: the location is skipped",
             "2:  25 H7 25.01"
         ]
     );

@@ -77,7 +77,7 @@ exchange-warning-not-used = skipped, not a measurement: { $text }
 exchange-warning-comment = a line that begins with # is a comment, but this one holds a measurement
 exchange-warning-several-lines = the row runs over { $lines } lines within quotation marks
 exchange-warning-time = { $given } is not a date and time: the time of import is used
-exchange-warning-place = { $given } is not a length: the location is ignored
+exchange-warning-place = { $given } is not a length: the location is skipped
 exchange-warning-no-time = no date and time here: the time of import is used
 exchange-warning-offset = { $given } is kept as local time without its offset from UTC
 exchange-warning-cut-off = the file ends here without a line end, and { $given } has fewer decimals than the other values: it may be cut off
@@ -206,7 +206,7 @@ exchange-cell = { $cell }: { $reason }
 exchange-formula-without-value = the value of the formula ={ $formula } is not stored: open the workbook in a spreadsheet program and save it
 exchange-cell-error = the cell shows { $error }
 exchange-warning-sheets-left = sheet { $sheet } is read; other sheets are not: { $left }
-gauge-frame = the characters that frame the line were ignored
+gauge-frame = the characters that frame the line were skipped
 gauge-channel = from channel { $channel }
 gauge-inches = { $given } inches
 gauge-opinion = the gauge says { $sign }; the plan's limits decide

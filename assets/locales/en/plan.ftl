@@ -61,6 +61,6 @@ part-standing = { $measured } measured, { $missing } missing, { $skipped } skipp
 plan-not-found-other-kind = not judged: it matches { $name } of the plan, but that is a { $kind }, and something else was measured
 plan-remark-left = { $name } is skipped: { $why }
 plan-remark-class-left = { $name }: { $class } has other limits than the file; the file's limits apply
-plan-remark-uncertainty-left = { $name }: the expanded uncertainty of { $expanded } mm is ignored, because half of it is not a whole number of nanometres
+plan-remark-uncertainty-left = { $name }: the expanded uncertainty of { $expanded } mm is skipped, because half of it is not a whole number of nanometres
 plan-simulated-no-place = { $name } has no location in the plan: it cannot be simulated
 plan-simulated-no-cycle = no cycle measures { $name }: it cannot be simulated
