@@ -38,15 +38,15 @@ pub(super) struct Args {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 
-    /// Mask (.a) whose FN 16 output the files are; can be repeated, and the one that fits is taken
+    /// Mask (.a) that printed the files with FN 16; can be repeated, and the one that fits is used
     #[arg(long = "mask", value_name = "FILE")]
     masks: Vec<PathBuf>,
 
-    /// Which column of a CSV is which, by number or name, such as measured=3,callout=Passung; or a .toml file with the same
+    /// What the columns of a CSV hold, by number or name, such as measured=3,callout=Passung; or a .toml file with the same
     #[arg(long, value_name = "LIST|FILE", conflicts_with = "masks")]
     columns: Option<String>,
 
-    /// Show what the columns of the files are taken for, and read nothing
+    /// Show how the columns of the files are read, and import nothing
     #[arg(long, conflicts_with_all = ["masks", "record"])]
     show_columns: bool,
 
@@ -54,7 +54,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
     time: Option<DateTime>,
 
-    /// Judge by a part plan: each value finds its feature by name, number or place, and the plan's limits and rule decide
+    /// Judge by a part plan: values are matched to features by name, number or location; the plan's limits and rule apply
     #[arg(long, value_name = "PLAN")]
     plan: Option<PathBuf>,
 
@@ -82,9 +82,10 @@ A CSV needs a column of callouts (or of nominal sizes and classes) and one of me
 A header in English, Dutch, German or Italian tells them apart; without one their content does. \
 Comma, semicolon, tab and pipe separate; point or comma is the decimal sign. \
 A unit may stand in the header: measured [mm], measured_um, Istmaß (inch). \
---columns says it where none of that does: name, number, part, serial, who, callout, nominal, measured, time, simulated, x, y and z \
+--columns sets what none of these tell: name, number, part, serial, who, callout, nominal, measured, time, simulated, x, y and z \
 are columns; separator (semicolon, comma, tab, pipe), decimal (point, comma), unit of sizes and place-unit of x, y and z (mm, um, \
-inch), first-row (a line) and sheet (of a workbook) are said likewise, and - is no column. Each is said once. --show-columns prints what would be taken, also as the TOML that --columns reads with --format json.
+inch), first-row (a line) and sheet (of a workbook) are set the same way, and - stands for no column. Give each only once. \
+--show-columns prints how the columns would be read, as text and JSON also as the TOML that --columns reads.
 
 Columns of --format csv, and names in JSON:
   {}
@@ -102,9 +103,9 @@ Examples:
   fitcheck import bores.csv --rule iso14253-2017 --u 1.2 --format csv
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
-it is 1 where any row or file could not be used or not be judged, and where with --plan all that was measured is good but \
-features of a part have no value. These are named at the end, and in CSV and JSON each is a row with the plan as its file. \
-CSV and measuring logs may be of any size, files of other formats and pipes of up to {largest} MiB. \
+it is 1 if any row or file could not be used or judged and, with --plan, if all that was measured is good but \
+features of a part have no value. These are named at the end; in CSV and JSON each is a row with the plan as its file. \
+CSV and measuring logs may have any size, files of other formats and pipes up to {largest} MiB. \
 With --record, up to {MOST_ROWS} rows of a file are read.",
         formats.collect::<String>(),
         names(&row::COLUMNS).join(","),

@@ -19,13 +19,13 @@ Examples:
   fitcheck plan check flange.toml
   fitcheck plan convert plan.csv -o plan.toml
 
-A plan is the list of features of a part, as TOML or as CSV; docs/PLANS.md has all keys. \
-Workbooks with the same columns, AQDEF (.dfq, .dfd), QIF and tables of CALYPSO are read as plans, too. \
-Every fault is told at once, with its line.
+A plan is the list of features of a part, as TOML or CSV; docs/PLANS.md describes all keys. \
+Workbooks with the same columns, AQDEF (.dfq, .dfd), QIF and CALYPSO tables can be read as plans, too. \
+All faults are reported at once, each with its line.
 
-Exit codes: 0 no fault, 1 a fault or a file that cannot be used, 2 wrong usage.";
+Exit codes: 0 no faults, 1 a fault or a file that cannot be used, 2 wrong usage.";
 
-/// Check part plans, begin one, or bring one into another form
+/// Check, create and convert part plans
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
@@ -35,9 +35,9 @@ pub(super) struct Args {
 
 #[derive(Debug, clap::Subcommand)]
 enum Todo {
-    /// Tell every fault of a plan, and the limits of its features
+    /// Report all faults of a plan, and the limits of its features
     Check(CheckArgs),
-    /// Begin a plan
+    /// Create a plan
     New(BeginArgs),
     /// Write a plan as TOML or as CSV
     Convert(ConvertArgs),
@@ -78,7 +78,7 @@ struct ConvertArgs {
     /// The plan; - is standard input
     #[arg(value_name = "PLAN")]
     file: PathBuf,
-    /// The file to write: .toml, or .csv for the features alone
+    /// The file to write: .toml, or .csv for the features only
     #[arg(short, long, value_name = "FILE")]
     output: PathBuf,
     /// Overwrite an existing file

@@ -66,7 +66,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "YYYY-MM-DDTHH:MM")]
     time: Option<DateTime>,
 
-    /// Judge by a part plan: each value finds its feature, and the report shows the whole part with its picture
+    /// Judge by a part plan: values are matched to features, and the report shows the whole part with its picture
     #[arg(long, value_name = "PLAN", requires = "files")]
     plan: Option<PathBuf>,
 
@@ -89,12 +89,13 @@ Examples:
   fitcheck report --check \"25 H7=25.012\" -o - --format json
 
 With --plan the page begins with each part: its status, what is missing, its picture with a balloon
-a feature, and where each value is from. JSON has the same as parts, without places on the picture.
+for each feature, and the source of each value. JSON has the same as parts, without positions on the
+picture.
 
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
 error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. It is
-also 1 where a part of the plan lacks a value. CSV has the checks alone, with the name of the
-picture: standard error tells what it does not hold.";
+also 1 if a part of the plan lacks a value. CSV holds only the checks, with the name of the picture:
+standard error reports what it leaves out.";
 
 /// Why a `--check` is not a check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]

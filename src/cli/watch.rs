@@ -21,20 +21,20 @@ use crate::watch::{Alone, Batch, EVERY, Judging, Known, Watcher};
 const LATER: Duration = Duration::from_secs(1);
 
 const EXAMPLES: &str = "\
-Each file is taken once, completely written or not at all, in the order in which the files were written, and \
-recorded in the journal with its SHA-256: a restart, another name or another folder take no value twice. Files of \
-lines (CSV, measuring logs, AQDEF) may grow: the new lines are taken. Files stay where they are. What cannot be read \
-or judged is told in a text file beside it, NAME.why.txt. Folders in the folder, hidden files and names such as \
-.tmp and .part are left alone; a .dfd is read with its .dfx.
+Each file is imported once, and never half-written, in the order in which the files were written. It is recorded in \
+the journal with its SHA-256, so a restart, another name or another folder imports no value twice. Files of lines \
+(CSV, measuring logs, AQDEF) may grow: the new lines are imported. Files stay where they are. What cannot be read or \
+judged is reported in a text file beside it, NAME.why.txt. Subfolders, hidden files and names such as .tmp and .part \
+are not read; a .dfd is read with its .dfx.
 
 Examples:
   fitcheck watch /srv/measured --plan flange.toml --who Anna
   fitcheck watch . --until-idle 2 --format csv > verdicts.csv
 
-The exit code is that of the worst verdict, a centre out of position counting as scrap; it is 1 where a row or a \
-file could not be used or judged.";
+The exit code is that of the worst verdict, a centre out of position counting as scrap; it is 1 if a row or file \
+could not be used or judged.";
 
-/// Take files as they are dropped into a folder: judge them and record them
+/// Judge and record files as they are dropped into a folder
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
@@ -42,11 +42,11 @@ pub(super) struct Args {
     #[arg(value_name = "FOLDER")]
     folder: PathBuf,
 
-    /// Judge by a part plan: each value finds its feature by name, number or place, and the plan's limits and rule decide
+    /// Judge by a part plan: values are matched to features by name, number or location; the plan's limits and rule apply
     #[arg(long, value_name = "PLAN")]
     plan: Option<PathBuf>,
 
-    /// End when nothing has come for so many seconds and nothing is waited for; without it, it goes on until it is ended
+    /// End after this many seconds without a new file, once nothing is pending; default: run until stopped
     #[arg(long, value_name = "S")]
     until_idle: Option<f64>,
 
@@ -54,7 +54,7 @@ pub(super) struct Args {
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
 
-    /// Masks of a control: a text that one of them has printed with FN 16 is read back through it
+    /// Masks of a control: text that one of them printed with FN 16 is read back through it
     #[arg(long = "mask", value_name = "FILE.a")]
     masks: Vec<PathBuf>,
 

@@ -211,7 +211,7 @@ mod tests {
         works.stop();
         assert!(job.is_stopped());
         assert!(watched.read(&mut some).is_err());
-        assert_eq!(job.stopped().to_string(), "Stopped after 1 rows: nothing of bores.csv was taken");
+        assert_eq!(job.stopped().to_string(), "Stopped after 1 rows: nothing from bores.csv was imported");
         // The next one is not stopped.
         assert!(!works.begin(Path::new("b.csv"), true, Box::new(|_| {})).is_stopped());
     }

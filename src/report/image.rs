@@ -274,10 +274,10 @@ mod tests {
     #[test]
     fn what_is_no_picture_cut_off_or_too_large_is_refused_with_its_reason() {
         assert!(Image::read("p", &png_of(3, 2)).is_ok());
-        assert_eq!(refused(b"callout;measured"), "p is no PNG, JPEG or SVG picture");
+        assert_eq!(refused(b"callout;measured"), "p is not a PNG, JPEG or SVG picture");
         let whole = png_of(3, 2);
         assert_eq!(refused(&whole[..whole.len() - 9]), "p cannot be read as a picture: PNG");
-        assert_eq!(refused(&png_of(8_000, 5_001)), "p has 8000 × 5001 dots; a picture has at most 40 million dots");
+        assert_eq!(refused(&png_of(8_000, 5_001)), "p has 8000 × 5001 pixels; a picture has at most 40 million pixels");
         assert_eq!(refused(&png_of(0, 5)), "p cannot be read as a picture: PNG");
         assert_eq!(refused(b"\xff\xd8\xff\xe0\x00\x04ab\xff\xd9"), "p cannot be read as a picture: JPEG");
         let frame = b"\xff\xd8\xff\xe0\x00\x04ab\xff\xff\xc2\x00\x11\x08\x00\x02\x00\x03\x01";

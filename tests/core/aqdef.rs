@@ -107,8 +107,9 @@ fn a_record_has_the_callout_the_time_and_what_else_is_said() {
         assert_eq!(*labels, expected);
         let told: Vec<String> = said(&items).into_iter().filter(|line| line.contains('?')).collect();
         assert!(
-            told[0]
-                .ends_with("the file states an expanded uncertainty of 0.0024 mm: no rule uses it, give --u for that")
+            told[0].ends_with(
+                "the file states an expanded uncertainty of 0.0024 mm: no rule uses it, so give --u instead"
+            )
         );
         let nest = if name == "keys.dfq" { "" } else { "K0007, " };
         assert_eq!(told.last().unwrap(), &format!("1? entries skipped: {nest}K1041, K1053, K1081"));
@@ -147,10 +148,10 @@ const THREE_PARTS: [(usize, usize, &str); 26] = [
 
 #[test]
 fn files_of_another_tool_have_the_values_that_they_hold() {
-    let plan = |count| format!("1: {count} and no value: this is a plan, not measurements");
+    let plan = |count| format!("1: {count} but no values: this is a plan, not measurements");
     let limits = |line: usize, code: usize, value: &str, limits: &str| {
         format!(
-            "{line} <characteristic_code_{code}> {value}: not judged: the limits are {limits}, but not whether it is a hole or a shaft, so beyond them it could be rework or scrap"
+            "{line} <characteristic_code_{code}> {value}: not judged: the limits are {limits}, but hole or shaft is not stated, so a value beyond them could be rework or scrap"
         )
     };
     let none = |line: usize, id: &str, value: &str| format!("{line} {id} {value}: not judged: no limits given");
@@ -165,7 +166,7 @@ fn files_of_another_tool_have_the_values_that_they_hold() {
         (
             "attributiveDfq_attributiveCharacteristic_and_errorLogSheet",
             vec![
-                "8 <characteristic_code_1> -: not measured: nonconforming parts are counted (K2004 is 1)".to_owned(),
+                "8 <characteristic_code_1> -: not measured: a count of nonconforming parts (K2004 is 1)".to_owned(),
                 "14 <characteristic_code_2> -: not measured: an error log sheet (K2004 is 6)".to_owned(),
             ],
         ),
@@ -228,12 +229,12 @@ fn a_file_in_two_halves_is_read_from_either() {
         [1, 1, 2, 2, 3, 3].iter().zip(SAMPLE).map(|(line, value)| format!("{line} {value}")).collect();
     let by_values = items("two.dfx", &dfx, Some(("dfd", &dfd)));
     assert_eq!(values(&by_values), expected);
-    assert_eq!(said(&by_values)[0], "1? the characteristics are those of two.dfd beside this file");
+    assert_eq!(said(&by_values)[0], "1? the characteristics come from two.dfd beside this file");
     let by_characteristics = items("two.dfd", &dfd, Some(("dfx", &dfx)));
     assert_eq!(values(&by_characteristics), expected);
     assert_eq!(
         said(&by_characteristics)[0],
-        "1? the values are those of two.dfx beside this file, and lines are counted there"
+        "1? the values come from two.dfx beside this file, and line numbers refer to it"
     );
 }
 
@@ -253,18 +254,18 @@ fn half_of_a_file_says_what_is_missing() {
     assert_eq!(
         values(&plan),
         [
-            "1: 2 characteristics and no value, and no two.dfx of up to 64 MiB beside this file: this is a plan, not measurements; give two.dfx itself if it is larger"
+            "1: 2 characteristics but no values, and no two.dfx of up to 64 MiB beside this file: this is a plan, not measurements; give two.dfx itself if it is larger"
         ]
     );
     let empty = items("two.dfd", &bytes("two_files.dfd"), Some(("dfx", b"\n")));
-    assert_eq!(values(&empty), ["1: 2 characteristics and no value: this is a plan, not measurements"]);
+    assert_eq!(values(&empty), ["1: 2 characteristics but no values: this is a plan, not measurements"]);
     // A file with both is not half of one.
     let whole = items(
         "keys.dfq",
         &bytes("diribet/characteristicHierarchy_characteristicOrder.dfq"),
         Some(("dfx", &bytes("two_files.dfx"))),
     );
-    assert_eq!(values(&whole), ["1: 6 characteristics and no value: this is a plan, not measurements"]);
+    assert_eq!(values(&whole), ["1: 6 characteristics but no values: this is a plan, not measurements"]);
 }
 
 #[test]
@@ -274,7 +275,7 @@ fn faults_of_the_other_half_are_told_with_its_lines() {
     assert_eq!(
         said(&read),
         [
-            "1? the characteristics are those of a.dfd beside this file",
+            "1? the characteristics come from a.dfd beside this file",
             "1? a.dfd has 1 line of values, which is not read",
             "1: a.dfd, line 3: K2110: 2x is not a number",
             "1 7 25.01: not judged: line 3 of its declaration cannot be used",
@@ -312,7 +313,7 @@ fn values_have_their_time_and_serial_number() {
     let now = "2000-01-01T00:00:00".to_owned();
     assert_eq!(serials, [("S1", "2024-02-01T03:04:05".to_owned()), ("S2", now.clone()), ("S3", now)]);
     assert!(
-        said(&read).contains(&"19? K0014 belongs to no value that was read just before: it is left out".to_owned())
+        said(&read).contains(&"19? K0014 does not belong to a value read just before it: it is skipped".to_owned())
     );
 }
 
@@ -348,9 +349,9 @@ fn missing_and_marked_values_are_told() {
         "K0001/1 25.01\nK0002/1 255\nK0001/1 25.02\nK0002/1 256\nK0001/1\nK0001/1 25.01\nK0002/1 0\nK0001/1 25.01\nK0002/1 3\n\u{14}255\n25.03\u{14}255\n25.03\n",
         &[
             "17 D 25.01 GOOD",
-            "19 D 25.01: not judged: marked with 3 (K0002), and only 0 is known to be a valid value",
+            "19 D 25.01: not judged: marked with 3 (K0002), but only 0 is known to be a valid value",
             "23 D 25.03 SCRAP",
-            "12? 5 values are empty or marked as missing (K0002 is 255 or 256), from this line on: they are left out",
+            "12? 5 values are empty or marked as missing (K0002 is 255 or 256), from this line on: they are skipped",
         ],
     );
 }
@@ -364,7 +365,7 @@ fn numbers_have_exponents_and_figures_beyond_the_nanometre() {
             "13 D 25.01 GOOD",
             "14: measured: 25.0,1 is ambiguous: write one decimal sign and no thousands separator",
             "15: measured: a diameter of 0 is not above 0",
-            "13? 1 measured value has figures beyond the nanometre, from this line on: it is rounded to the nearest one",
+            "13? 1 measured value has digits beyond the nanometre, from this line on: it is rounded to the nearest nanometre",
         ],
     );
 }
@@ -382,7 +383,7 @@ fn a_line_of_values_follows_the_order_of_the_characteristics() {
             &format!("5 b 2.5: {no}"),
             "6? expected 2 values, found 1",
             &format!("6 a 1.6: {no}"),
-            "7: a value of characteristic 3, which is not declared above it",
+            "7: value of characteristic 3, which is not declared above it",
             &format!("7 a 1: {no}"),
             &format!("7 b 2: {no}"),
             &format!("9 a 1.7: {no}"),
@@ -402,8 +403,8 @@ fn counted_parts_and_error_logs_are_set_aside_in_both_notations() {
         ),
         &[
             "7 a 1: not judged: no limits given",
-            "7 b -: not measured: nonconforming parts are counted (K2004 is 1)",
-            "8: expected at most 10 fields of a value, found 11",
+            "7 b -: not measured: a count of nonconforming parts (K2004 is 1)",
+            "8: expected at most 10 fields in a value, found 11",
             "8? expected 2 values, found 1",
         ],
     );
@@ -417,7 +418,7 @@ fn counted_parts_and_error_logs_are_set_aside_in_both_notations() {
 #[test]
 fn other_quantities_than_a_diameter_are_named() {
     for (number, name) in
-        [("102", "roundness"), ("109", "position"), ("117", "a coordinate"), ("5", "another quantity than a diameter")]
+        [("102", "roundness"), ("109", "position"), ("117", "a coordinate"), ("5", "a quantity other than a diameter")]
     {
         let said = format!("13 D 0.01: {name} (K2009 is {number}): not a size of a hole or shaft");
         let text = format!("K2009/1 {number}\nK0001/1 0.01\n");
@@ -426,7 +427,7 @@ fn other_quantities_than_a_diameter_are_named() {
     }
     check_whole(
         "K0100 1\nK2002/1 angle\nK2009/1 5\nK2142/1 °\nK0001/1 30\n",
-        &["5 angle -: another quantity than a diameter (K2009 is 5): not a size of a hole or shaft"],
+        &["5 angle -: a quantity other than a diameter (K2009 is 5): not a size of a hole or shaft"],
     );
 }
 
@@ -434,7 +435,7 @@ fn other_quantities_than_a_diameter_are_named() {
 fn units_are_known_or_refused() {
     check(
         "K2142/1 °C\nK0001/1 30\n",
-        &["12? K2142 is given twice with different texts: this one counts", "13: unknown unit °C: use mm, µm or inch"],
+        &["12? K2142 is given twice with different texts: this one is used", "13: unknown unit °C: use mm, µm or inch"],
     );
     check_whole(
         "K0100 2\nK2002/1 a\nK2002/2 b\nK0001/1 30\nK0001/2 30\n",
@@ -465,7 +466,7 @@ fn declared(entries: &str, expected: &[&str]) {
 #[test]
 fn limits_are_those_of_the_file_and_scrap_limits_tell_the_side() {
     let limits = "K2101/1 25\nK2110/1 25\nK2111/1 25.021\n";
-    let unknown = "D 25.03: not judged: the limits are 25 to 25.021, but not whether it is a hole or a shaft, so beyond them it could be rework or scrap";
+    let unknown = "D 25.03: not judged: the limits are 25 to 25.021, but hole or shaft is not stated, so a value beyond them could be rework or scrap";
     declared(limits, &[unknown]);
     declared(&format!("{limits}K2115/1 25.021\n"), &["D 25.03 SCRAP"]);
     declared(&format!("{limits}K2114/1 25\n"), &["D 25.03 REWORK"]);
@@ -473,25 +474,25 @@ fn limits_are_those_of_the_file_and_scrap_limits_tell_the_side() {
     declared(
         &format!("{limits}K2115/1 25.03\n"),
         &[
-            "7? the scrap limit 25.03 is not the limit itself: it is left out, and a value beyond the limit on this side is scrap",
+            "7? the scrap limit 25.03 differs from the limit: it is skipped, and a value beyond the limit on this side is scrap",
             "D 25.03 SCRAP",
         ],
     );
     declared(
         &format!("{limits}K2103/1 H\nK2104/1 7\nK2114/1 25\n"),
-        &["9? the scrap limit is that of a shaft, and 25 H7 is not: the tolerance class counts", "D 25.03 SCRAP"],
+        &["9? the scrap limit is that of a shaft, but 25 H7 is not: the tolerance class applies", "D 25.03 SCRAP"],
     );
     declared("K2101/1 25\nK2103/1 H\nK2104/1 7\n", &["D 25.03 SCRAP"]);
     declared("K2101/1 25\nK2151/1 H7\n", &["D 25.03 SCRAP"]);
     declared("K2101/1 25\nK2112/1 0\nK2113/1 0.021\nK2115/1 25.021\n", &["D 25.03 SCRAP"]);
     declared(
         &format!("{limits}K2112/1 0\nK2113/1 0.022\nK2115/1 25.021\n"),
-        &["8? nominal size and allowance make 25.022, and the limit is another one: the limit counts", "D 25.03 SCRAP"],
+        &["8? nominal size and allowance give 25.022, but the limit is different: the limit applies", "D 25.03 SCRAP"],
     );
     declared("K2111/1 25.021\n", &["D 25.03: not judged: one of the two limits is missing"]);
     declared(
         "K2110/1 26\nK2111/1 25\nK2115/1 25\n",
-        &["D 25.03: not judged: the smallest permitted value 26 is above the largest one, 25"],
+        &["D 25.03: not judged: the lower limit 26 is above the upper limit 25"],
     );
 }
 
@@ -502,13 +503,13 @@ fn kinds_of_limits_are_kept_or_told() {
     declared(
         &format!("{limits}K2120/1 0\n"),
         &[
-            "5? K2110 is given, but K2120 or K2121 says that there is no such limit: it is left out",
+            "5? K2110 is given, but K2120 or K2121 says that there is no such limit: it is skipped",
             "D 25.03: not judged: one of the two limits is missing",
         ],
     );
     declared(
         &format!("{limits}K2121/1 3\n"),
-        &["6? 3 is not a known kind of limit (0, 1 or 2): it is taken for a limit", "D 25.03 SCRAP"],
+        &["6? 3 is not a known kind of limit (0, 1 or 2): it is read as a limit", "D 25.03 SCRAP"],
     );
 }
 
@@ -525,7 +526,7 @@ fn a_declaration_that_cannot_be_used_is_an_error_and_its_values_are_set_aside() 
     declared(
         "K2111/1 25.0210000001\n",
         &[
-            "4? 25.0210000001 has figures beyond the nanometre: it is rounded to the nearest one",
+            "4? 25.0210000001 has digits beyond the nanometre: it is rounded to the nearest nanometre",
             "D 25.03: not judged: one of the two limits is missing",
         ],
     );
@@ -537,7 +538,7 @@ fn what_is_no_entry_is_an_error_of_its_line() {
         "nonsense\nK0001/9 5\nK0001/1 25.01\nK2001/1/1 5\nK5002/1 g\nK8010/1 x\nK0014/2 x\n",
         &[
             "12: expected a key and a text such as K0001/1 25.012, or a line of values",
-            "13: a value of characteristic 9, which is not declared above it",
+            "13: value of characteristic 9, which is not declared above it",
             "15: expected a key and a text such as K0001/1 25.012, or a line of values",
             "14 D 25.01 GOOD",
             "1? entries skipped: K5002, K8010",

@@ -119,7 +119,7 @@ fn rows_that_cannot_be_used_say_where() {
     check("a\t\tdiameter\t25.01\t\t\t\t\t\tmm\n", &["2 a 25.01: not judged: no limits given"]);
     check(
         "a\t\tdiameter\t25.01\t25\t0\t0.021\t\t\tmm\n",
-        &["2 a 25.01: not judged: the smallest permitted value 25.021 is above the largest one, 25"],
+        &["2 a 25.01: not judged: the lower limit 25.021 is above the upper limit 25"],
     );
     check("", &["1: no row holds a measurement"]);
 }
@@ -129,18 +129,18 @@ fn figures_of_the_table_that_contradict_each_other_are_told() {
     let limits = "not judged: the limits are 25 to 25.021";
     check(
         "a\t\tdiameter\t25.01\t25\t0.021\t0\t0.011\t\tmm\n",
-        &["2? the table has a deviation of 0.011 mm, and its values make 0.01 mm", &format!("2 a 25.01: {limits}")],
+        &["2? the table has a deviation of 0.011 mm, but its values give 0.01 mm", &format!("2 a 25.01: {limits}")],
     );
     check(
         "a\t\tdiameter\t25.03\t25\t0.021\t0\t0.03\t0\tmm\n",
-        &["2? the table has 0 mm beyond the tolerance, and its values make 0.009 mm", &format!("2 a 25.03: {limits}")],
+        &["2? the table has 0 mm beyond the tolerance, but its values give 0.009 mm", &format!("2 a 25.03: {limits}")],
     );
     check("a\t\tdiameter\t24.99\t25\t0.021\t0\t-0.01\t-0.01\tmm\n", &[&format!("2 a 24.99: {limits}")]);
     check(
         "a\t\tdiameter\t25.0100001\t25\t0.021\t0\t0.0100001\t\tmm\n",
         &[
             &format!("2 a 25.01: {limits}"),
-            "2? 1 measured value has figures beyond the nanometre, from this line on: it is rounded to the nearest one",
+            "2? 1 measured value has digits beyond the nanometre, from this line on: it is rounded to the nearest nanometre",
         ],
     );
 }
@@ -160,7 +160,7 @@ fn a_table_cut_anywhere_says_so() {
 #[test]
 fn what_comes_after_the_end_is_told() {
     let text = format!("{HEADER}a\t\tdiameter\t25.01\t\t\t\t\t\tmm\nEND\n\nx\n");
-    assert_eq!(said(text.as_bytes())[1], "5? skipped, after the line END: x");
+    assert_eq!(said(text.as_bytes())[1], "5? skipped after the line END: x");
 }
 
 #[test]

@@ -105,17 +105,17 @@ fn a_mapping_that_contradicts_the_file_is_refused_with_both() {
     check(
         "measured=7",
         text,
-        &["line 1: the measured value should be in column 7, and the file has 1 (id), 2 (callout), 3 (measured)"],
+        &["line 1: the measured value should be in column 7, but the file has 1 (id), 2 (callout), 3 (measured)"],
     );
     check(
         "measured=Istmaß",
         text,
-        &["line 1: the measured value should be in column Istmaß, and the file has 1 (id), 2 (callout), 3 (measured)"],
+        &["line 1: the measured value should be in column Istmaß, but the file has 1 (id), 2 (callout), 3 (measured)"],
     );
     check(
         "measured=0",
         text,
-        &["line 1: the measured value should be in column 0, and the file has 1 (id), 2 (callout), 3 (measured)"],
+        &["line 1: the measured value should be in column 0, but the file has 1 (id), 2 (callout), 3 (measured)"],
     );
     check(
         "measured=3,nominal=3",
@@ -130,11 +130,8 @@ fn a_mapping_that_contradicts_the_file_is_refused_with_both() {
         ],
     );
     let refused = |text: &str| text.parse::<Mapping>().unwrap_err().to_string();
-    assert_eq!(
-        refused("measured"),
-        "measured says nothing about a column: write a word, = and a column, such as measured=3"
-    );
-    assert!(refused("colour=3").starts_with("colour is not something that a column holds: allowed are name callout"));
+    assert_eq!(refused("measured"), "measured assigns no column: write a word, = and a column, such as measured=3");
+    assert!(refused("colour=3").starts_with("colour is not a known column content: allowed are name callout"));
     assert_eq!(refused("decimal=dot"), "decimal: dot is unknown: allowed are point comma");
     assert_eq!(refused("first-row=0"), "first-row: 0 is unknown: allowed are 1, 2, 3, …");
 }
@@ -166,7 +163,7 @@ fn part_serial_number_operator_and_place_come_with_a_value() {
         said,
         [
             "warning: line 1: skipped, not a measurement: a b c",
-            "warning: line 2, column 1: left is not a length: the place is left out",
+            "warning: line 2, column 1: left is not a length: the location is skipped",
             "2:  25 H7 25.01"
         ]
     );
@@ -219,7 +216,7 @@ fn the_command_line_shows_and_takes_columns() {
     let (code, out, _) = run(&["--columns", "columns.toml", "m.csv", "--format", "csv"]);
     assert!(code == 0 && out.contains("m.csv,2,bore,25 H7,25,25.000,25.021,25.012,12,GOOD"), "{out}");
     let (code, _, err) = run(&["--columns", "colour=3", "m.csv"]);
-    assert!(code == 1 && err.contains("colour is not something that a column holds"), "{err}");
+    assert!(code == 1 && err.contains("colour is not a known column content"), "{err}");
     let (code, out, err) = run(&["--show-columns", "m.csv", "missing.csv", "--format", "json"]);
     assert_eq!((code, out.trim()), (1, "[]"), "{err}");
 }

@@ -134,7 +134,7 @@ fn the_masks_of_other_cycles_read_back() {
     let skipped = "warning: line 1: columns skipped: Q157";
     check(&text("width"), width, &[skipped, "1: 8 (426):  7.9..8.1 8.012 GOOD"]);
     let inside = width.replace("426", "425").replace("8.0120", "8.2000");
-    let differs = "warning: line 1: the file says GOOD, the limits say SCRAP";
+    let differs = "warning: line 1: the file says GOOD, but the limits say SCRAP";
     check(&text("width"), &inside, &[skipped, differs, "1: 8 (425):  7.9..8.1 8.2 SCRAP"]);
     check(
         &text("427"),
@@ -163,14 +163,14 @@ fn a_status_that_contradicts_the_limits_is_a_warning() {
         "\"%S %S %9.4F\", QS3, QS2, Q153;",
         "GOOD 25 H7   25.0100\n",
         &[
-            "line 1: m.a: line 1, column 5: QS3 and QS2 are texts with only blanks between them, so what is printed cannot be read back: a text may contain blanks",
+            "line 1: m.a: line 1, column 5: QS3 and QS2 are texts with only blanks between them, so the output cannot be read back: a text may contain blanks",
         ],
     );
     check(
         "\"%S: %S %9.4F\", QS3, QS2, Q153;",
         "GOOD: 25 H7  25.0300\nSCRAP: 25 H7  25.0300\nAusschuss: 25 H7  25.0300\n",
         &[
-            "warning: line 1: the file says GOOD, the limits say SCRAP",
+            "warning: line 1: the file says GOOD, but the limits say SCRAP",
             "1: 25 H7 25..25.021 25.03 SCRAP",
             "2: 25 H7 25..25.021 25.03 SCRAP",
             "3: 25 H7 25..25.021 25.03 SCRAP",
@@ -185,7 +185,7 @@ fn a_mask_whose_print_has_two_readings_is_refused() {
         ("\"%S%9.4F\", QS2, Q153;", "line 1, column 4: QS2 and Q153 are printed with nothing between them"),
         ("\"%D%D\", Q1, Q2;", "line 1, column 4: Q1 and Q2 are printed with nothing between them"),
         ("\"%S   %RS\", QS2, QS3;", "line 1, column 7: QS2 and QS3 are texts with only blanks between them"),
-        ("\"%9.4F\", Q1;\n\"%9.4F\", Q2;", "no literal text shows where a record begins"),
+        ("\"%9.4F\", Q1;\n\"%9.4F\", Q2;", "no literal text marks where a record begins"),
         ("\"FIT %S\", QS2;", "the mask prints no number"),
         ("\"%D.%D.%D\", DAY, MONTH, YEAR4;", "the mask prints no number"),
     ] {
@@ -237,8 +237,8 @@ fn one_of_several_masks_is_found() {
     let text = b"B 25 H7:  25.0100\n";
     let expected = ["1: 25 H7 25..25.021 25.01 GOOD"];
     assert_eq!(read(&[("a.a", a), ("b.a", b)], text), expected);
-    assert_eq!(read(&[("a.a", a)], text), ["line 1: no mask that was given prints such a file: a.a"]);
-    let both = "line 1: several masks print such a file, give only the one that wrote it: a.a, b.a";
+    assert_eq!(read(&[("a.a", a)], text), ["line 1: none of the given masks prints such a file: a.a"]);
+    let both = "line 1: several masks print such a file; give only the one that wrote it: a.a, b.a";
     assert_eq!(read(&[("a.a", "\"%S: %9.4F\", QS2, Q153;"), ("b.a", b)], text), [both]);
 }
 
@@ -256,7 +256,7 @@ fn records_of_several_lines_languages_and_hidden_texts() {
             "6: 20 g6 19.98..19.993 19.99 GOOD",
             "warning: line 9: skipped, not a measurement: somebody's own line",
             "10: 25 H7 25..25.021 25.05 SCRAP",
-            "line 15: the record ends too early: expected what line 9 of the mask prints",
+            "line 15: the record ends too early: expected the output of line 9 of the mask",
             "15: 18 K7 17.988..18.006 18 GOOD",
         ],
     );
@@ -295,7 +295,7 @@ fn any_bytes_are_refused_or_told() {
     let mask = "\"%S %9.4F\", QS2, Q153;";
     for bytes in [&b"\x00\x01\x02"[..], b"\xff\xfe2\x005\x00", &vec![b'a'; 100_000], &vec![0; 100_000], b"25 H7 25.0"] {
         let said = read(&[("m.a", mask)], bytes);
-        assert_eq!(said, ["line 1: no mask that was given prints such a file: m.a"]);
+        assert_eq!(said, ["line 1: none of the given masks prints such a file: m.a"]);
     }
     let utf16: Vec<u8> = "\u{feff}25 H7 25.0100\r\n".encode_utf16().flat_map(u16::to_le_bytes).collect();
     assert_eq!(read(&[("m.a", mask)], &utf16), ["1: 25 H7 25..25.021 25.01 GOOD"]);

@@ -169,7 +169,7 @@ fn an_import_that_is_stopped_before_it_records_says_that_nothing_is_recorded() {
     let (code, _, err) = place.stopped(&args);
     assert_eq!(code, 130, "{err}");
     rows_said(&err);
-    assert!(err.contains("nothing of this call is recorded"), "{err}");
+    assert!(err.contains("nothing was recorded"), "{err}");
     let list = place.command(program()).args(["journal", "export", "--journal", "j.sqlite"]).output().unwrap();
     assert_eq!(String::from_utf8(list.stdout).unwrap().lines().count(), 2);
 }

@@ -44,8 +44,8 @@ fn a_feature_a_line_in_any_order_of_columns() {
 
 #[test]
 fn what_is_wrong_is_told_with_its_line() {
-    check("", "the plan has no feature");
-    check("callout,x,y,z\n", "the plan has no feature");
+    check("", "the plan has no features");
+    check("callout,x,y,z\n", "the plan has no features");
     let known = "number, name, kind, axis, callout, callout2, feature, x, y, z, angle, clearance, clearance_height, cycle, \
         parameters, material, rule, u_um, remark, balloon_x, balloon_y";
     check("callout,x,y,z,depth\n", &format!("line 1: unknown column depth: the columns are {known}"));
@@ -83,7 +83,7 @@ fn what_a_control_cannot_measure_is_told_with_its_line() {
         let made = NcSet::make(&plan(text), &Target::new(Control::Tnc7, Dialogue::En), &Sources::default());
         made.unwrap_err().to_string()
     };
-    assert_eq!(refused("callout,x,y\n25 H7,1,2\n"), "line 2: F1 needs x, y and z: a program moves there");
+    assert_eq!(refused("callout,x,y\n25 H7,1,2\n"), "line 2: F1 needs x, y and z: the program moves there");
     assert_eq!(
         refused("name,callout,x,y,z\na b,25 H7,1,2,3\n"),
         "line 2: name a b: letters A to Z, digits and _ are allowed, at most 20"
@@ -94,7 +94,7 @@ fn what_a_control_cannot_measure_is_told_with_its_line() {
     );
     assert_eq!(
         refused("name,callout,x,y,z,parameters\nA,25 H7,1,2,3,Q423=3\n"),
-        "line 2: A names a cycle or parameters of its own, which the called programs have no place for"
+        "line 2: A has its own cycle or parameters, which the called programs do not support"
     );
 }
 

@@ -476,7 +476,7 @@ fn plans_are_bounded() {
     assert_eq!(most.features().last().unwrap().name, "F1000");
     let of = |count| Plan::of(&Draft::of(vec![one.clone(); count]), &sources).unwrap_err()[0].what.to_string();
     assert_eq!(of(MOST_FEATURES + 1), "the plan has more than 1000 features");
-    assert_eq!(of(0), "the plan has no feature");
+    assert_eq!(of(0), "the plan has no features");
     let far = format!("callout,x,y,z\n{}", "25 H7,0,0,0\n".repeat(MOST_FEATURES + 5));
     assert_eq!(read(&far, &sources).unwrap_err(), ["line 1002: the plan has more than 1000 features"]);
 }

@@ -296,10 +296,10 @@ fn what_a_kind_cannot_be_is_told_with_its_line() {
     }
     check("point,-Z,5,±0.05,0,0,0", "line 2: a point has no angle");
     check("point,-Z,,±0.05,0,0,0,±0.05", "line 2: a point has no callout2");
-    let cycle = "the cycle takes an upper one of 0 or more and a lower one of 0 or less, not both 0";
+    let cycle = "the cycle needs an upper one of 0 or more and a lower one of 0 or less, not both 0";
     check("point,-Z,,+0.2 +0.1,0,0,0", &format!("line 2: a point cannot have deviations from 0.1 to 0.2 mm: {cycle}"));
     check("point,-Z,,±0,0,0,0", &format!("line 2: a point cannot have deviations from 0 to 0 mm: {cycle}"));
-    let band = "is not the band of a point, such as ±0.05 or +0.1/-0.05";
+    let band = "is not a tolerance band for a point, such as ±0.05 or +0.1/-0.05";
     check(
         "point,-Z,,-0.1/+0.1,0,0,0",
         &format!(

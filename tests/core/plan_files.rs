@@ -107,7 +107,7 @@ parameters = \"Q423=3 Q999=1\"
     let errors = read(text, &Sources::default()).unwrap_err();
     let begins = [
         "line 2, column 1: unknown key drwaing: expected ",
-        "line 3, column 12: 250 -250 is no travel",
+        "line 3, column 12: 250 -250 is not a travel",
         "line 8, column 11: 25 H99: ",
         "line 9, column 5: x: 4O is not a number",
         "line 13, column 8: name a occurs twice",
@@ -139,7 +139,7 @@ fn what_is_no_toml_is_told_and_what_is_right_of_it_is_read() {
     assert_eq!(document.draft.rows[0].text(Column::Name), Some("A"));
     for text in ["fitcheck_plan = 2\n", "fitcheck_plan = \"one\"\n", "fitcheck_plan = -1\n"] {
         let errors = read(text, &Sources::default()).unwrap_err();
-        assert!(errors.iter().any(|error| error.contains("versions 1 to 1 are read")), "{errors:?}");
+        assert!(errors.iter().any(|error| error.contains("versions 1 to 1 are supported")), "{errors:?}");
     }
     // The version is not only decoration.
     let errors = read("[[feature]]\ncallout = \"25 H7\"\n", &Sources::default()).unwrap_err();

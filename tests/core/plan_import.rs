@@ -102,7 +102,7 @@ fn twelve_features_from_every_source_are_in_the_records_with_their_origin() {
     let (code, out, err) = import(&["TCHPR421.TXT", "TCHPR422.TXT", "--format", "csv"]);
     assert_eq!(code, 10, "{err}");
     assert!(out.contains("TCHPR421.TXT,1,BORE_A,25 H7,25,25.000,25.021,25.0134,13.4,GOOD"), "{out}");
-    assert!(out.contains("found by its place: BORE_A of the plan"), "{out}");
+    assert!(out.contains("matched by location to BORE_A of the plan"), "{out}");
     assert!(err.contains("not measured: FACE, POCKET X, POCKET Y, B5"), "{err}");
     // What an own mask printed: good, and without the other features the part is not complete.
     place.write("list.a", MASK);
@@ -182,7 +182,7 @@ fn a_number_or_place_with_another_nominal_size_finds_nothing() {
     place.copy("TCHPR421.TXT", "samples/logs/en/TCHPR421.TXT");
     let (code, _, err) = place.say(&["import", "--plan", "plan.csv", "TCHPR421.TXT"]);
     assert_eq!(code, 1);
-    assert!(err.contains("it would be A of the plan, but its nominal size is 25"), "{err}");
+    assert!(err.contains("it matches A of the plan, but its nominal size is 25"), "{err}");
 }
 
 #[test]
@@ -236,7 +236,7 @@ fn another_rule_or_material_than_that_of_the_plan_is_told_beside_the_verdict() {
     says(&row, Some("RE-MEASURE"), "the plan has another rule for this");
     // 25.0205 mm at 22 °C is smaller at 20 °C, whatever the material.
     let (_, row) = judged(&["--temperature", "22", "--material", "steel"]);
-    says(&row, Some("RE-MEASURE"), "the plan has another material for this: aluminium; --material counts");
+    says(&row, Some("RE-MEASURE"), "the plan has another material for this: aluminium; --material applies");
     let (_, row) = judged(&["--temperature", "22", "--material", "aluminium"]);
     silent(&row);
     // An explicit simple rule of the plan is one, too.
@@ -275,12 +275,12 @@ fn a_name_that_no_feature_has_beside_a_number_that_one_has_is_told() {
     let of = |values: &str| place.judged(plan, values, &[]).1.remove(0);
     let row = of("name;number;measured\nBORE_X;3;25.01\n");
     assert_eq!(row["id"], "PIN");
-    says(&row, Some("GOOD"), "no feature of the plan is called BORE_X; found by its number: PIN of the plan");
-    says(&of("number;measured\n3;25.01\n"), Some("GOOD"), "found by its number: PIN of the plan");
-    says(&of("name;measured\n3;25.01\n"), Some("GOOD"), "\"found by its number: PIN of the plan\"");
-    says(&of("number;measured\n03;25.01\n"), Some("GOOD"), "found by its number: PIN of the plan");
+    says(&row, Some("GOOD"), "no feature of the plan is called BORE_X; matched by number to PIN of the plan");
+    says(&of("number;measured\n3;25.01\n"), Some("GOOD"), "matched by number to PIN of the plan");
+    says(&of("name;measured\n3;25.01\n"), Some("GOOD"), "\"matched by number to PIN of the plan\"");
+    says(&of("number;measured\n03;25.01\n"), Some("GOOD"), "matched by number to PIN of the plan");
     let place_of = of("name;x;y;measured\nBORE_X;40;30;25.01\n");
-    says(&place_of, Some("GOOD"), "no feature of the plan is called BORE_X; found by its place: PIN of the plan");
+    says(&place_of, Some("GOOD"), "no feature of the plan is called BORE_X; matched by location to PIN of the plan");
     silent(&of("name;number;measured\nPIN;3;25.01\n"));
 }
 
@@ -292,10 +292,10 @@ fn two_axes_are_a_place_where_they_are_that_of_one_feature() {
     let flat = "name;callout;x;y\nA;25 H7;40;30\nB;25 H7;80;30\n";
     assert_eq!(of(flat, "name;x;y;z;measured\n;40;30;-8;25.01\n")["id"], "A");
     assert_eq!(of(flat, "name;x;y;measured\n;80;30.4;25.01\n")["id"], "B");
-    says(&of(flat, "name;x;z;measured\n;80;-8;25.01\n"), None, "a place needs X and Y");
+    says(&of(flat, "name;x;z;measured\n;80;-8;25.01\n"), None, "a location needs X and Y");
     // One above the other: the value does not say which, and with a height it does.
     let tall = "name;callout;x;y;z\nA;25 H7;40;30;-8\nB;25 H7;40;30;-28\n";
-    says(&of(tall, "name;x;y;measured\n;40;30;25.01\n"), None, "several features of the plan lie there: A, B");
+    says(&of(tall, "name;x;y;measured\n;40;30;25.01\n"), None, "several features of the plan have this location: A, B");
     assert_eq!(of(tall, "name;x;y;z;measured\n;40;30;-28;25.01\n")["id"], "B");
 }
 
@@ -306,9 +306,9 @@ fn a_nominal_size_in_the_file_is_compared_whatever_else_is_missing() {
     // A nominal size and no callout.
     let (code, rows) = place.judged(plan, "number;nominal;callout;measured\n3;30;;25.01\n", &[]);
     assert_eq!(code, 1);
-    says(&rows[0], None, "it would be PIN of the plan, but its nominal size is 30");
+    says(&rows[0], None, "it matches PIN of the plan, but its nominal size is 30");
     let (_, rows) = place.judged(plan, "name;nominal;callout;measured\nPIN;30;;25.01\n", &[]);
-    says(&rows[0], Some("GOOD"), "the file has the nominal size 30: that of the plan counts");
+    says(&rows[0], Some("GOOD"), "the file has the nominal size 30: the plan's nominal size applies");
     // AQDEF that does not say hole or shaft: K2101 is the nominal size, K2110 and K2111 are the limits.
     let aqdef = |limits: &str| {
         format!("K0100 1\nK2001/1 3\nK2009/1 102\nK2101/1 30\n{limits}K2142/1 mm\nK0001/1 25.01\nK0002/1 0\n")
@@ -332,7 +332,7 @@ fn a_place_with_other_limits_than_the_plan_is_told_as_a_diameter_is() {
          MEASURED WIDTH:   8.0120\nCENTRE LINE:   0.0010\n",
     );
     let (_, rows) = place.rows(&["import", "--plan", "own.csv", "list.txt", "--mask", "list.a"]);
-    says(&rows[0], Some("GOOD"), "the file has the limits 7.9 to 8.1: those of the plan count");
+    says(&rows[0], Some("GOOD"), "the file has the limits 7.9 to 8.1: the plan's limits apply");
     // A coordinate: the log of cycle 427 has limits of its own.
     place.write("own.csv", "name;kind;axis;callout;x;y;z\nX (427);face;-X;10 ±0.4;10;0;0\n");
     place.write("list.a", &shipped("427_en.a"));
@@ -342,8 +342,8 @@ fn a_place_with_other_limits_than_the_plan_is_told_as_a_diameter_is() {
          MEASURED COORDINATE:   9.5000\n",
     );
     let (_, rows) = place.rows(&["import", "--plan", "own.csv", "list.txt", "--mask", "list.a"]);
-    says(&rows[0], Some("SCRAP"), "the file has the limits 9 to 11: those of the plan count");
-    says(&rows[0], Some("SCRAP"), "the file says GOOD, the limits say SCRAP");
+    says(&rows[0], Some("SCRAP"), "the file has the limits 9 to 11: the plan's limits apply");
+    says(&rows[0], Some("SCRAP"), "the file says GOOD, but the limits say SCRAP");
 }
 
 /// A mask of Fitcheck.
@@ -363,11 +363,7 @@ fn another_part_than_that_of_the_plan_is_told() {
         place.write("v.csv", &format!("part;name;measured\n{part};A;25.01\n"));
         let (_, rows) = place.rows(&["import", "--plan", "flange.toml", "v.csv"]);
         if is_told {
-            says(
-                &rows[0],
-                Some("GOOD"),
-                "the file says part Cover 12: it is judged as Flange 4711, the part of the plan",
-            );
+            says(&rows[0], Some("GOOD"), "the file names part Cover 12: it is judged as Flange 4711, the plan's part");
         } else {
             silent(&rows[0]);
         }
@@ -386,13 +382,13 @@ fn an_incomplete_part_is_not_green_and_names_what_is_missing() {
         [&rows[1]["file"], &rows[1]["line"], &rows[1]["id"], &rows[1]["callout"]],
         [&Json::from("own.csv"), &3.into(), &"B".into(), &"20 g6".into()]
     );
-    says(&rows[1], None, "missing: no value was found for it");
+    says(&rows[1], None, "missing: no value found");
     // Scrap stays scrap.
     assert_eq!(place.judged(plan, "name;measured\nA;25.03\n", &[]).0, 11);
     // Each of two parts.
     let (code, rows) = place.judged(plan, "name;serial;measured\nA;7;25.01\nB;7;19.99\nA;8;25.01\n", &[]);
     assert_eq!((code, rows.len()), (1, 4));
-    says(&rows[3], None, "8 is missing this");
+    says(&rows[3], None, "missing on 8");
     let (_, out, err) = place.say(&["import", "--plan", "own.csv", "v.csv"]);
     assert!(out.contains("3 rows: 3 GOOD, 1 missing"), "{out}");
     assert!(err.contains("8: not measured: B"), "{err}");

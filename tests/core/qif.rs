@@ -79,7 +79,7 @@ fn both_samples_are_one_good_bore() {
         assert_eq!(
             warnings(&imported),
             [
-                "line 61: the file states a combined standard uncertainty of 0.0012 and a mean error of 0: no rule uses them, give --u for that"
+                "line 61: the file states a combined standard uncertainty of 0.0012 and a mean error of 0: no rule uses them, so give --u instead"
             ]
         );
     }
@@ -137,7 +137,7 @@ fn a_class_and_its_zone_must_agree() {
     let odd = CLASS.replace("zoneVariance=\"HOLE\"", "zoneVariance=\"SHAFT\"");
     refused(
         &odd,
-        "line 61, column 13: class H7 and SHAFT contradict each other: capital letters are holes, small letters are shafts",
+        "line 61, column 13: class H7 and SHAFT contradict each other: uppercase letters are holes, lowercase letters are shafts",
     );
 }
 
@@ -153,7 +153,7 @@ fn tolerances_are_limits_or_deviations_or_shared() {
     let deviations = deviations.replace("<TargetValue>25</TargetValue>", "");
     assert_eq!(only(&read(&deviations)).limits.nominal, mm("25"));
     let nothing = deviations.replace("<Diameter>25</Diameter>", "");
-    refused(&nothing, "line 61, column 13: the limits are deviations, and there is no nominal size");
+    refused(&nothing, "line 61, column 13: the limits are deviations, but there is no nominal size");
     let shared = with(
         "<CharacteristicDefinitions n=\"1\">",
         "<ToleranceDefinitions n=\"1\"><LinearTolerance id=\"15\"><MaxValue>25.021</MaxValue><MinValue>25</MinValue></LinearTolerance></ToleranceDefinitions><CharacteristicDefinitions n=\"1\">",
@@ -210,7 +210,7 @@ fn units_are_those_of_the_file() {
     );
     refused(
         &with(&format!("<LinearUnit>{unit}</LinearUnit>"), ""),
-        "line 12, column 3: the file names no unit of length: it needs FileUnits with PrimaryUnits and LinearUnit",
+        "line 12, column 3: the file has no unit of length: it needs FileUnits with PrimaryUnits and LinearUnit",
     );
 }
 
@@ -219,9 +219,12 @@ fn figures_beyond_the_nanometre_are_rounded_and_told() {
     let fine = with("25.0123</Value>", "25.012300000000003</Value>");
     let imported = read(&fine);
     assert_eq!(only(&imported).measurement.diameter, mm("25.0123"));
-    assert!(warnings(&imported).contains(
-        &"line 61: 25.012300000000003 has figures beyond the nanometre: it is rounded to the nearest one".to_owned()
-    ));
+    assert!(
+        warnings(&imported).contains(
+            &"line 61: 25.012300000000003 has digits beyond the nanometre: it is rounded to the nearest nanometre"
+                .to_owned()
+        )
+    );
 }
 
 #[test]
@@ -241,7 +244,7 @@ fn another_verdict_of_the_file_is_told() {
     for (status, value, ours) in
         [("FAIL", "25.0123", "GOOD"), ("PASS", "25.022", "SCRAP"), ("REWORK", "25.022", "SCRAP")]
     {
-        let expected = format!("line 61: the file says {status}, the limits say {ours}");
+        let expected = format!("line 61: the file says {status}, but the limits say {ours}");
         assert_eq!(told(status, value), Some(expected));
     }
 }
@@ -314,16 +317,16 @@ fn lists_that_have_another_number_of_things_and_numbers_that_stand_twice_are_tol
     };
     assert_eq!(
         said(&with("<CharacteristicMeasurements n=\"1\">", "<CharacteristicMeasurements n=\"2\">")),
-        ["line 60, column 11: CharacteristicMeasurements says n=2, and has 1: something may be missing or added"]
+        ["line 60, column 11: CharacteristicMeasurements says n=2, but has 1: something may be missing or added"]
     );
     let twice = with(
         "<CharacteristicItems n=\"1\">",
         "<CharacteristicItems n=\"2\"><DiameterCharacteristicItem id=\"9\"><Name>other</Name><CharacteristicNominalId>8</CharacteristicNominalId></DiameterCharacteristicItem>",
     );
-    assert_eq!(said(&twice), ["line 45, column 7: id 9 stands twice: the first element counts"]);
+    assert_eq!(said(&twice), ["line 45, column 7: id 9 occurs twice: the first element is used"]);
     assert_eq!(
         said(&with("versionQIF=\"3.0.0\"", "versionQIF=\"2.1.0\"")),
-        ["line 2, column 1: QIF version 2.1.0: the reader is made for 3.0"]
+        ["line 2, column 1: QIF version 2.1.0: this program is made for version 3.0"]
     );
     let timeless = with("<TimeStamp>2025-01-15T10:21:33</TimeStamp>", "");
     let imported = read(&timeless);
@@ -380,7 +383,7 @@ fn any_encoding_prefix_and_line_end_will_do() {
         latin.replace("windows-1252", "UTF-8").chars().map(|c| u8::try_from(u32::from(c)).unwrap()).collect();
     assert_eq!(
         errors(&import("a.qif", &broken, &Sources::default(), NOW)),
-        ["line 45, column 48: bytes here are not text in the encoding of the file"]
+        ["line 45, column 48: these bytes are not text in the file's encoding"]
     );
     refused(
         &LIMITS.replace("UTF-8", "KLINGON-1"),
@@ -409,8 +412,8 @@ fn what_could_be_meant_badly_is_refused_with_its_place() {
         "{head}<!DOCTYPE QIFDocument [<!ENTITY a \"aaaa\"><!ENTITY b \"&a;&a;&a;&a;\">]>\n{}",
         LIMITS.split_once('\n').unwrap().1
     );
-    refused(&laughs, "line 2, column 1: a DOCTYPE is not read: take it out, or export the file without it");
-    let entity = "entity b is not known: only &lt; &gt; &amp; &quot; and &apos; are read";
+    refused(&laughs, "line 2, column 1: a DOCTYPE is not supported: remove it, or export the file without it");
+    let entity = "entity b is not known: only &lt; &gt; &amp; &quot; and &apos; are supported";
     refused(&with("BORE1 25 H7", "BORE1 &b;"), &format!("line 45, column 54: {entity}"));
     assert_eq!(only(&read(&with("BORE1 25 H7", "B &lt;&amp;&#216;&#xD8;&gt;"))).id, "B <&\u{d8}\u{d8}>");
     assert_eq!(only(&read(&with("BORE1 25 H7", "<!-- no --><![CDATA[B<1>]]>"))).id, "B<1>");
@@ -433,7 +436,7 @@ fn what_could_be_meant_badly_is_refused_with_its_place() {
     );
     refused(
         "<QIFDocument versionQIF='3.0.0'/>",
-        "line 1: the file names no unit of length: it needs FileUnits with PrimaryUnits and LinearUnit",
+        "line 1: the file has no unit of length: it needs FileUnits with PrimaryUnits and LinearUnit",
     );
 }
 

@@ -108,7 +108,7 @@ fn the_page_begins_with_the_part_its_picture_and_every_value_with_its_origin_and
             "Flange 4711, serial number 17",
             "4711-B",
             "<svg class=\"verdict good\"",
-            "3 measured, 0 missing, 0 left out",
+            "3 measured, 0 missing, 0 skipped",
             &address,
             "<svg class=\"balloon good\" x=\"42.00%\" y=\"30.00%\"",
             "<title>Balloon 1, BORE_A, GOOD</title>",
@@ -140,7 +140,7 @@ fn a_part_that_lacks_a_value_has_no_verdict_and_names_what_is_missing() {
         &page,
         &[
             "No verdict yet",
-            "1 measured, 2 missing, 0 left out",
+            "1 measured, 2 missing, 0 skipped",
             "Missing: SEAT, HUB",
             "<title>Balloon 1, BORE_A, GOOD</title>",
             "<svg class=\"balloon open\" x=\"100.00%\"",
@@ -187,7 +187,7 @@ fn an_svg_picture_is_shown_as_a_picture_and_runs_no_script() {
 fn a_picture_that_is_missing_or_is_none_is_told() {
     for (name, bytes, why) in [
         ("gone.png", None, "no such file or folder"),
-        ("flange.bmp", Some(&b"BM\x00"[..]), "flange.bmp is no PNG, JPEG or SVG picture"),
+        ("flange.bmp", Some(&b"BM\x00"[..]), "flange.bmp is not a PNG, JPEG or SVG picture"),
         ("half.png", Some(&b"\x89PNG\r\n\x1a\n\x00\x00"[..]), "half.png cannot be read as a picture"),
     ] {
         let place = Place::new(&PLAN.replace("flange.png", name));

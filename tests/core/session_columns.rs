@@ -54,7 +54,7 @@ fn choose_all(session: &mut Session) {
 fn the_first_rows_tell_what_a_choice_makes_of_them() {
     let mut session = Session::new(Language::En);
     ask(&mut session, "a.csv", ODD);
-    assert_eq!(said(open(&session).refusal().unwrap()), "No column holds the measured value: choose it");
+    assert_eq!(said(open(&session).refusal().unwrap()), "No column holds the measured value: choose one");
     assert!(!session.can(Action::TakeColumns));
     assert_eq!(send(&mut session, ColumnsCommand::Take), []);
     assert!(session.open_columns().is_some(), "nothing is taken");
@@ -149,12 +149,12 @@ fn what_is_remembered_is_said_and_can_be_forgotten() {
     let shape = session.remembered_columns().find(&first).unwrap().0.to_owned();
     imported(&mut session, Some((shape, "2026-11-24".to_owned())));
     let lines: Vec<String> = session.notices()[0].details.iter().map(said).collect();
-    assert_eq!(lines[0], "Columns as corrected on 2026-11-24 and remembered");
+    assert_eq!(lines[0], "Columns remembered as corrected on 2026-11-24");
     let forget = Action::ForgetColumns.command(&session).unwrap();
     send(&mut session, forget);
     assert!(session.remembered_columns().is_empty());
     assert!(!session.can(Action::ForgetColumns));
-    assert!(said(&session.notices()[0].details[0]).starts_with("The columns are forgotten"));
+    assert!(said(&session.notices()[0].details[0]).starts_with("Columns forgotten"));
 }
 
 #[test]

@@ -60,7 +60,7 @@ fn a_part_is_reported_with_its_status_and_its_picture() {
     let picture = PartPicture { size: [2, 1], dots: vec![255; 8], file: Image::read("flange.svg", SVG).unwrap() };
     let page = report(&mut measured(Some(Ok(picture))), 0);
     let at = |text: &str| page.find(text).unwrap_or_else(|| panic!("{text:?} is missing in\n{page}"));
-    assert!(at("<svg class=\"verdict good\"") < at("1 measured, 0 missing, 0 left out"));
+    assert!(at("<svg class=\"verdict good\"") < at("1 measured, 0 missing, 0 skipped"));
     assert!(at("1 measured, 0 missing") < at("<img src=\"data:image/svg+xml;base64,PHN2ZyB4bWxucz0i"));
     assert!(at("<img src") < at("<svg class=\"balloon good\" x=\"25.00%\" y=\"50.00%\""));
     assert!(at("typed") < at("<section class=\"check\""));
@@ -71,7 +71,7 @@ fn a_part_is_reported_with_its_status_and_its_picture() {
 fn a_picture_that_is_not_there_is_told_in_the_report() {
     let why = Message::new("parts-page-picture-kind").text("name", "flange.svg");
     let page = report(&mut measured(Some(Err(why))), 0);
-    assert!(page.contains("flange.svg is no PNG, JPEG or SVG picture") && !page.contains("<img"));
+    assert!(page.contains("flange.svg is not a PNG, JPEG or SVG picture") && !page.contains("<img"));
     let page = report(&mut measured(None), 0);
-    assert!(page.contains("The picture is being read") && !page.contains("<img"));
+    assert!(page.contains("Reading the picture") && !page.contains("<img"));
 }

@@ -164,11 +164,11 @@ fn what_is_pasted_and_finds_no_place_is_told() {
     go(&mut session, 0, Column::Z);
     plan(&mut session, PlanCommand::Paste("-1\t2\t3\n".to_owned()));
     assert_eq!(column(&session, Column::Z)[0], "-1");
-    assert!(said(&session.notices()[0].message).starts_with("2 pasted columns were left out"));
+    assert!(said(&session.notices()[0].message).starts_with("2 pasted columns were skipped"));
     let many = "12\n".repeat(1_200);
     plan(&mut session, PlanCommand::Paste(many));
     assert_eq!(draft(&session).rows.len(), 1_000);
-    assert!(said(&session.notices()[1].message).starts_with("200 pasted rows were left out"));
+    assert!(said(&session.notices()[1].message).starts_with("200 pasted rows were skipped"));
 }
 
 #[test]
@@ -338,7 +338,7 @@ fn the_picture_is_asked_for_once_its_name_is_typed_and_late_answers_change_nothi
     }
     apply(&mut session, Command::OpenDialog(Purpose::OpenPicture));
     plan(&mut session, PlanCommand::ChoosePicture("/elsewhere/plate.png".into()));
-    assert!(said(&session.notices()[0].message).contains("is not in the folder of the plan"));
+    assert!(said(&session.notices()[0].message).contains("is not in the plan's folder"));
 }
 
 #[test]

@@ -173,9 +173,9 @@ fn a_typed_value_is_judged_recorded_and_the_next_size_is_asked_for() {
     assert_eq!((at, walking.name(at)), (0, "BORE"));
     assert_eq!(
         said(&value.remarks[0]),
-        "The plan has no rule; judged by the rule of the check page: no guard band, limits belong to the zone"
+        "The plan has no rule; judged by the rule on the check page: no guard band, limits belong to the zone"
     );
-    assert_eq!(standing(&session), "1 measured, 4 missing, 0 left out");
+    assert_eq!(standing(&session), "1 measured, 4 missing, 0 skipped");
     assert_eq!(walking.status(), None, "a part is not good while something is missing");
     assert_eq!(session.history().len(), 1);
 }
@@ -254,11 +254,11 @@ fn a_size_is_left_out_for_a_reason_alone() {
     typed(&mut session, PartsField::Reason, "probe broken");
     act(&mut session, Action::SkipFor);
     assert_eq!(asked(&session).as_deref(), Some("PIN"));
-    assert_eq!(standing(&session), "0 measured, 4 missing, 1 left out");
+    assert_eq!(standing(&session), "0 measured, 4 missing, 1 skipped");
     // Measured later all the same.
     send(&mut session, WalkCommand::Go(0));
     take(&mut session, "12.03");
-    assert_eq!(standing(&session), "1 measured, 4 missing, 0 left out");
+    assert_eq!(standing(&session), "1 measured, 4 missing, 0 skipped");
 }
 
 #[test]
@@ -291,9 +291,9 @@ fn a_file_fills_the_walk_and_what_finds_no_feature_is_listed() {
     assert_eq!(entries.len(), 3, "one batch");
     assert!(entries.iter().all(|entry| entry.about.serial == "A-0099" && entry.about.part == "Flange"));
     assert_eq!(entries[0].check().unwrap().files[0].sha256, Hash([3; 32]));
-    assert_eq!(standing(&session), "3 measured, 2 missing, 0 left out");
+    assert_eq!(standing(&session), "3 measured, 2 missing, 0 skipped");
     let notice = session.notices().last().unwrap();
-    assert_eq!(said(&notice.message), "m.csv: 3 taken, 1 not");
+    assert_eq!(said(&notice.message), "m.csv: 3 imported, 1 not");
     assert!(notice.details.iter().any(|line| said(line).contains("no feature of the plan")), "{:?}", notice.details);
     assert_eq!(asked(&session).as_deref(), Some("K1 X"));
 }
@@ -329,7 +329,7 @@ fn values_of_another_serial_number_are_recorded_under_it_and_said() {
     let (_, entries) = kept(&send(&mut session, command));
     let serials: Vec<_> = entries.iter().map(|entry| entry.about.serial.as_str()).collect();
     assert_eq!(serials, ["B-7", "A-0099"]);
-    assert_eq!(standing(&session), "1 measured, 4 missing, 0 left out");
+    assert_eq!(standing(&session), "1 measured, 4 missing, 0 skipped");
     let notice = session.notices().last().unwrap();
     assert!(notice.details.iter().any(|line| said(line).contains("B-7")), "{:?}", notice.details);
 }
@@ -387,9 +387,9 @@ fn an_interrupted_part_comes_back_with_its_values_and_reasons() {
     send(&mut back, WalkCommand::Came { run, result: Ok(came) });
     let walking = back.parts().walking();
     assert_eq!((walking.serial(), walking.values(0).len()), ("A-0099", 2));
-    assert_eq!(standing(&back), "1 measured, 3 missing, 1 left out");
+    assert_eq!(standing(&back), "1 measured, 3 missing, 1 skipped");
     assert_eq!(asked(&back).as_deref(), Some("K1 X"));
-    assert_eq!(said(&back.notices().last().unwrap().message), "The interrupted part A-0099 is back, with 2 values");
+    assert_eq!(said(&back.notices().last().unwrap().message), "The interrupted part A-0099 was restored with 2 values");
     // Once more, too late: nothing is there twice.
     send(&mut back, WalkCommand::Came { run, result: Ok(rows(&entries, 8)) });
     assert_eq!(back.parts().walking().values(0).len(), 2);
@@ -444,7 +444,7 @@ fn what_comes_into_the_watched_folder_is_taken_once_it_is_on_disk_and_not_before
     assert_eq!((effects.len(), entries.len()), (1, 2), "one batch, and nothing is taken yet");
     assert_eq!(entries[0].check().unwrap().files[0].sha256, Hash([9; 32]));
     assert!(session.parts().watched().is_recording());
-    assert_eq!(standing(&session), "2 measured, 3 missing, 0 left out");
+    assert_eq!(standing(&session), "2 measured, 3 missing, 0 skipped");
     assert_eq!(session.parts().walking().status(), Some(Status::Rework));
     // A full disk: it is tried again, and still not taken.
     let full = Err(Message::new("records-page-no-thread"));
@@ -507,10 +507,10 @@ fn a_value_that_is_corrected_counts_as_corrected_in_the_place_of_the_old_one() {
     };
     assert_eq!(
         (values(&session), standing(&session)),
-        (vec!["12.05".to_owned()], "1 measured, 4 missing, 0 left out".to_owned())
+        (vec!["12.05".to_owned()], "1 measured, 4 missing, 0 skipped".to_owned())
     );
     assert!(
-        said(&session.notices().last().unwrap().message).contains("the corrected one counts"),
+        said(&session.notices().last().unwrap().message).contains("the corrected one applies"),
         "{:?}",
         session.notices()
     );
@@ -531,7 +531,7 @@ fn a_value_that_is_corrected_counts_as_corrected_in_the_place_of_the_old_one() {
     send(&mut back, WalkCommand::Came { run: run.unwrap(), result: Ok(came) });
     assert_eq!(
         (values(&back), standing(&back)),
-        (vec!["12.05".to_owned(), "12.03".to_owned()], "1 measured, 4 missing, 0 left out".to_owned())
+        (vec!["12.05".to_owned(), "12.03".to_owned()], "1 measured, 4 missing, 0 skipped".to_owned())
     );
 }
 
@@ -552,6 +552,6 @@ fn a_value_that_is_withdrawn_counts_no_more() {
     typed(&mut session, fitcheck::session::RecordsField::Reason, "wrong part");
     let (run, _) = kept(&send(&mut session, RecordsCommand::SendCorrection));
     send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(10)]) });
-    assert_eq!(standing(&session), "1 measured, 4 missing, 0 left out");
+    assert_eq!(standing(&session), "1 measured, 4 missing, 0 skipped");
     assert!(said(&session.notices().last().unwrap().message).contains("BORE"), "{:?}", session.notices());
 }

@@ -207,7 +207,7 @@ fn a_file_that_is_replaced_by_another_one_says_what_of_it_was_there_before() {
     watched.take(150);
     watched.write("a.csv", &format!("{HEAD}BORE_A;12.03\nPIN;19.985\n"));
     assert_eq!(watched.take(150), ["a.csv BORE_A 12.03 GOOD", "a.csv PIN 19.985 GOOD"]);
-    assert_eq!(watched.remarks, ["the file was written anew and begins as before: one value taken again"]);
+    assert_eq!(watched.remarks, ["the file was rewritten and begins as before: one value imported again"]);
 }
 
 #[test]

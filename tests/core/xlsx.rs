@@ -144,15 +144,15 @@ fn a_workbook_is_told_by_content() {
     }
     refused(
         include_bytes!("../data/xlsx/old.xls"),
-        "line 1: a workbook of the format XLS, which is not read: save it as XLSX",
+        "line 1: a workbook in XLS format, which is not supported: save it as XLSX",
     );
     refused(
         include_bytes!("../data/xlsx/other.ods"),
-        "line 1: a workbook of the format ODS, which is not read: save it as XLSX",
+        "line 1: a workbook in ODS format, which is not supported: save it as XLSX",
     );
     refused(
         &zipped(&[("xl/workbook.bin", b"")]),
-        "line 1: a workbook of the format XLSB, which is not read: save it as XLSX",
+        "line 1: a workbook in XLSB format, which is not supported: save it as XLSX",
     );
     refused(&zipped(&[("a.txt", b"")]), "line 1: a ZIP file, but not a workbook: unpack it and give the files in it");
 }
@@ -205,7 +205,7 @@ fn a_sheet_that_is_not_in_order_is_refused() {
 fn what_unpacks_to_too_much_is_refused_before_it_does() {
     let rows = sheet(&[HEADER, &["B1", "25 H7", "25.012"]]);
     assert_eq!(read(&book(&rows, &[])).records.len(), 1);
-    let dense = "is packed too densely for a workbook: nothing of it is read";
+    let dense = "is packed too densely for a workbook: it is not read";
     let bomb = "<row/>".repeat(4 << 20).into_bytes();
     let packed = book(&rows, &[("xl/sharedStrings.xml", &bomb)]);
     assert!(packed.len() < 200_000);
@@ -238,14 +238,11 @@ fn what_unpacks_to_too_much_is_refused_before_it_does() {
     let doctype = format!("<!DOCTYPE worksheet [<!ENTITY a \"b\">]>{rows}");
     refused(
         &book(&doctype, &[]),
-        "line 1: line 1, column 1: a DOCTYPE is not read: take it out, or export the file without it",
+        "line 1: line 1, column 1: a DOCTYPE is not supported: remove it, or export the file without it",
     );
     let names: Vec<String> = (0..10_100).map(|number| format!("a{number}")).collect();
     let members: Vec<(&str, &[u8])> = names.iter().map(|name| (name.as_str(), b"".as_slice())).collect();
-    refused(
-        &book(&rows, &members),
-        "line 1: the workbook has a list of more than 10000 members, or one that is damaged",
-    );
+    refused(&book(&rows, &members), "line 1: the workbook's list of members is damaged or has more than 10000 entries");
 }
 
 #[test]

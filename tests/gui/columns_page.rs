@@ -39,7 +39,7 @@ fn held(page: &Harnessed, list: &str) -> String {
 }
 
 fn can_take(page: &Harnessed) -> bool {
-    !page.get_by_role_and_label(Role::Button, "Take").accesskit_node().is_disabled()
+    !page.get_by_role_and_label(Role::Button, "Import").accesskit_node().is_disabled()
 }
 
 fn measured(page: &Harnessed) -> usize {
@@ -56,17 +56,17 @@ fn odd_columns_are_corrected_imported_remembered_after_a_restart_and_forgotten()
     let mut page = begun(folder.path());
     dropped(&mut page, folder.path(), "a.csv", ODD);
     page.get_by_label("Columns of a.csv");
-    page.get_by_label("No column holds the measured value: choose it");
+    page.get_by_label("No column holds the measured value: choose one");
     assert!(!can_take(&page));
     assert_eq!(held(&page, "Separator"), "Semicolon");
     choose(&mut page, "3 Ergebnis in Zoll", "measured value");
-    page.get_by_label("No column says which feature a value is of: choose name, number, or X and Y");
+    page.get_by_label("No column identifies the feature of a value: choose name, number, or X and Y");
     choose(&mut page, "1 Stelle", "name");
-    page.get_by_label("3 of 3 shown rows become values");
+    page.get_by_label("3 of 3 rows shown become values");
     assert_eq!(held(&page, "2 Kontur"), "not used");
-    click(&mut page, Role::Button, "Take");
+    click(&mut page, Role::Button, "Import");
     assert!(!is_open(&page));
-    page.get_by_label("a.csv: 3 taken, 0 not");
+    page.get_by_label("a.csv: 3 imported, 0 not");
     page.get_by_label("Columns: Stelle → name, Ergebnis in Zoll → measured value; unit of sizes: inch");
     assert_eq!(measured(&page), 3);
     press(&mut page, Key::Escape);
@@ -75,8 +75,8 @@ fn odd_columns_are_corrected_imported_remembered_after_a_restart_and_forgotten()
     // The same shape once more, with other values and a line above the header.
     dropped(&mut page, folder.path(), "b.csv", &format!("Protokoll 12\n{ODD}D10;12;0,39390;ja\n"));
     assert!(!is_open(&page));
-    page.get_by_label("b.csv: 4 taken, 0 not");
-    page.get_by_label("Columns as corrected on 2026-11-21 and remembered");
+    page.get_by_label("b.csv: 4 imported, 0 not");
+    page.get_by_label("Columns remembered as corrected on 2026-11-21");
     assert_eq!(measured(&page), 4);
     let state = folder.path().join("state.toml");
     until(&mut page, |_| std::fs::read_to_string(&state).is_ok_and(|text| text.contains("Ergebnis in Zoll")));
@@ -88,9 +88,9 @@ fn odd_columns_are_corrected_imported_remembered_after_a_restart_and_forgotten()
     press(&mut page, Key::Escape);
     dropped(&mut page, folder.path(), "c.csv", ODD);
     assert!(!is_open(&page));
-    page.get_by_label("c.csv: 3 taken, 0 not");
+    page.get_by_label("c.csv: 3 imported, 0 not");
     click(&mut page, Role::Button, "Forget these columns");
-    page.get_by_label_contains("The columns are forgotten");
+    page.get_by_label_contains("Columns forgotten");
     assert!(page.query_by_label("Forget these columns").is_none());
     press(&mut page, Key::Escape);
     dropped(&mut page, folder.path(), "d.csv", ODD);
@@ -105,13 +105,13 @@ fn a_certain_file_is_imported_at_once_and_says_what_its_columns_were_taken_for()
     let folder = tempfile::tempdir().unwrap();
     let mut page = begun(folder.path());
     dropped(&mut page, folder.path(), "a.csv", "name;measured\nBORE;25,012\nPIN;19,985\n");
-    page.get_by_label("a.csv: 2 taken, 0 not");
+    page.get_by_label("a.csv: 2 imported, 0 not");
     page.get_by_label("Columns: name → name, measured → measured value; unit of sizes: mm");
     // It can be corrected afterwards.
     page.get_all_by_role_and_label(Role::Button, "Columns…").last().unwrap().click();
     page.run();
     page.get_by_label("Columns of a.csv");
-    page.get_by_label("2 of 2 shown rows become values");
+    page.get_by_label("2 of 2 rows shown become values");
     press(&mut page, Key::Escape);
     assert!(!is_open(&page));
     assert_eq!(measured(&page), 2);
@@ -124,24 +124,24 @@ fn the_keyboard_alone_corrects_and_takes() {
     dropped(&mut page, folder.path(), "a.csv", "feature;gauge 1;measured\nBORE;7;25,012\n");
     assert!(is_open(&page), "a column is unknown");
     // What is certain is taken with Enter.
-    page.get_by_label("1 of 1 shown row becomes a value");
+    page.get_by_label("1 of 1 row shown becomes a value");
     page.get_by_role_and_label(Role::ComboBox, "2 gauge 1").focus();
     page.run();
     press(&mut page, Key::Space);
-    // To “not used”, name, number, callout, nominal size, measured value, time, part, serial number, who measured.
+    // To “not used”, name, number, callout, nominal size, measured value, time, part, serial number, operator.
     for _ in 0..10 {
         press(&mut page, Key::ArrowDown);
     }
     press(&mut page, Key::Enter);
-    assert_eq!(held(&page, "2 gauge 1"), "who measured");
+    assert_eq!(held(&page, "2 gauge 1"), "operator");
     page.key_press_modifiers(Modifiers::COMMAND, Key::Enter);
     page.run();
-    page.get_by_label("a.csv: 1 taken, 0 not");
+    page.get_by_label("a.csv: 1 imported, 0 not");
     press(&mut page, Key::Escape);
     // Where everything is as it should be, Enter is enough.
     dropped(&mut page, folder.path(), "b.csv", "feature;gauge 2;measured\nPIN;7;19,985\n");
     press(&mut page, Key::Enter);
-    page.get_by_label("b.csv: 1 taken, 0 not");
+    page.get_by_label("b.csv: 1 imported, 0 not");
 }
 
 #[test]
@@ -151,16 +151,16 @@ fn touch_alone_corrects_and_takes() {
     let ctx = page.ctx.clone();
     page.state_mut().send(&ctx, fitcheck::session::Command::SetDensity(fitcheck::session::Density::Touch));
     page.run();
-    click(&mut page, Role::Button, "Begin the part");
+    click(&mut page, Role::Button, "Start part");
     dropped(&mut page, folder.path(), "a.csv", ODD);
     for (list, entry) in [("1 Stelle", "name"), ("3 Ergebnis in Zoll", "measured value")] {
         let height = page.get_by_role_and_label(Role::ComboBox, list).rect().height();
         assert!(44.0 <= height, "{list}: {height}");
         choose(&mut page, list, entry);
     }
-    assert!(44.0 <= page.get_by_role_and_label(Role::Button, "Take").rect().height());
-    click(&mut page, Role::Button, "Take");
-    page.get_by_label("a.csv: 3 taken, 0 not");
+    assert!(44.0 <= page.get_by_role_and_label(Role::Button, "Import").rect().height());
+    click(&mut page, Role::Button, "Import");
+    page.get_by_label("a.csv: 3 imported, 0 not");
 }
 
 #[test]
@@ -174,7 +174,7 @@ fn the_check_page_asks_too() {
     for (list, entry) in [("1 Stelle", "name"), ("2 Vorgabe", "callout"), ("3 Ergebnis", "measured value")] {
         choose(&mut page, list, entry);
     }
-    click(&mut page, Role::Button, "Take");
+    click(&mut page, Role::Button, "Import");
     press(&mut page, Key::Escape);
     assert!(verdict(&page).starts_with("GOOD"), "{}", verdict(&page));
 }

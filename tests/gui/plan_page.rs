@@ -118,7 +118,7 @@ fn cells_are_typed_moved_and_left_by_key() {
     // F2 goes on with what is there, Escape leaves it as it was.
     press(&mut page, Key::F2);
     type_text(&mut page, "7");
-    page.get_by_label_contains("Row 3, Callout, 16 H77, wrong:");
+    page.get_by_label_contains("Row 3, Callout, 16 H77, fault:");
     press(&mut page, Key::Escape);
     page.get_by_label("Row 3, Callout, 16 H7");
     // Tab takes what is typed and goes on to the right, Shift+Tab goes back; arrows move, too.
@@ -186,9 +186,9 @@ fn rows_are_changed_by_buttons() {
     let sheet = page.state().session().parts().sheet();
     assert_eq!((sheet.selected_rows(), sheet.selected_places()), (1..=1, 0..=6));
     click(&mut page, Role::Button, "Insert row");
-    page.get_by_label_contains("Row 2, Callout, empty, wrong:");
+    page.get_by_label_contains("Row 2, Callout, empty, fault:");
     click(&mut page, Role::Button, "Delete rows");
-    page.get_by_label("Nothing is wrong with the plan");
+    page.get_by_label("No faults in the plan");
     click(&mut page, Role::CheckBox, "All columns");
     assert_eq!(page.state().session().parts().sheet().columns().len(), Column::ALL.len());
 }
@@ -199,7 +199,7 @@ fn what_is_wrong_is_marked_listed_and_reached() {
     let (_folder, path) = folder(&format!("colour = \"red\"\n{faulty}"));
     let mut page = open(Window::default(), &path);
     page.get_by_label("3 faults");
-    page.get_by_label("Lines of the file that are no part of a plan: saving loses them");
+    page.get_by_label("Lines of the file that are not part of a plan: saving discards them");
     page.get_by_label_contains("line 1");
     let wrong = page.get_all_by(|node| node.role() == Role::GridCell && node.data().invalid().is_some());
     assert_eq!(wrong.count(), 3);
@@ -228,7 +228,7 @@ fn balloon(page: &Page, row: usize) -> Option<[f64; 2]> {
 fn balloons_are_dragged_and_moved_by_key() {
     let (_folder, mut page) = plate();
     let figure = page.get_by_role_and_label(Role::Figure, "Picture of the part");
-    assert_eq!(figure.accesskit_node().data().description(), Some("Picture of the part, 2 of 3 balloons on it"));
+    assert_eq!(figure.accesskit_node().data().description(), Some("Picture of the part, 2 of 3 balloons placed"));
     let (one, two) = (
         page.get_by_label("Balloon 1, A1, not measured").rect().center(),
         page.get_by_label("Balloon 2, A2, not measured").rect().center(),
@@ -247,7 +247,7 @@ fn balloons_are_dragged_and_moved_by_key() {
     page.run();
     assert_eq!(balloon(&page, 0), Some([0.25, 0.5]), "a drag is one change");
     // From beside the picture onto it.
-    let three = page.get_by_label("Balloon 3, A10, not measured, beside the picture").rect().center();
+    let three = page.get_by_label("Balloon 3, A10, not measured, not on the picture").rect().center();
     page.drag_at(three);
     page.run();
     page.hover_at(middle);
@@ -262,7 +262,7 @@ fn balloons_are_dragged_and_moved_by_key() {
     assert!((balloon(&page, 2).unwrap()[0] - at[0] - 0.005).abs() < 1e-6);
     press(&mut page, Key::Delete);
     assert_eq!(balloon(&page, 2), None);
-    page.get_by_label("Balloon 3, A10, not measured, beside the picture").focus();
+    page.get_by_label("Balloon 3, A10, not measured, not on the picture").focus();
     page.run();
     press(&mut page, Key::Enter);
     assert_eq!(balloon(&page, 2), Some([0.5, 0.5]));
@@ -290,11 +290,11 @@ fn a_picture_that_cannot_be_shown_says_why() {
     let file = folder.path().join("plate.png");
     let nested = "<svg xmlns=\"http://www.w3.org/2000/svg\" width=\"99999\" height=\"99999\"/>".to_owned();
     for (bytes, said) in [
-        (bomb(60_000, 60_000), "plate.png has 60000 × 60000 dots; a picture has at most 40 million dots"),
+        (bomb(60_000, 60_000), "plate.png has 60000 × 60000 pixels; a picture has at most 40 million pixels"),
         (bomb(10, 10), "plate.png cannot be read as a picture"),
-        (b"%PDF-1.7".to_vec(), "plate.png is no PNG, JPEG or SVG picture"),
+        (b"%PDF-1.7".to_vec(), "plate.png is not a PNG, JPEG or SVG picture"),
         (b"<svg><g>".to_vec(), "plate.png cannot be read as a picture"),
-        (vec![b' '; 17 << 20], "plate.png is no PNG, JPEG or SVG picture"),
+        (vec![b' '; 17 << 20], "plate.png is not a PNG, JPEG or SVG picture"),
     ] {
         put(&file, &bytes);
         let page = open(Window::default(), &path);

@@ -130,7 +130,7 @@ fn twelve_features_are_measured_from_everywhere() {
     let csv = folder.path().join("values.csv");
     put(&csv, "name;measured\nD9;9.006\nNOBODY;3\n");
     drop_file(&mut page, csv);
-    page.get_by_label("values.csv: 1 taken, 1 not");
+    page.get_by_label("values.csv: 1 imported, 1 not");
     press(&mut page, Key::Escape);
     // From the watched folder.
     let drops = folder.path().join("drops");
@@ -154,9 +154,9 @@ fn twelve_features_are_measured_from_everywhere() {
     press(&mut page, Key::F6);
     assert_eq!(asked(&page).as_deref(), Some("D12"));
     value(&mut page, "12.03");
-    page.get_by_label("Measured 2 times: all values stay, and this one counts");
-    page.get_by_label("Every size has a value or a reason");
-    page.get_by_label("12 measured, 0 missing, 1 left out");
+    page.get_by_label("Measured 2 times: all values are kept, and this one is used");
+    page.get_by_label("Every size has a value or is skipped");
+    page.get_by_label("12 measured, 0 missing, 1 skipped");
     page.get_by_label_contains("6 values are simulated");
     page.get_by_label("No verdict yet");
     assert_eq!(recorded(folder.path()), 13);
@@ -176,7 +176,7 @@ fn an_interrupted_part_is_there_after_a_restart() {
     press(&mut page, Key::F6);
     value(&mut page, "25.01");
     press(&mut page, Key::F7);
-    type_into(&mut page, "Another reason", "pin is gone");
+    type_into(&mut page, "Other reason", "pin is gone");
     press(&mut page, Key::Enter);
     // The state is kept soon after a change.
     let state = folder.path().join("state.toml");
@@ -186,11 +186,11 @@ fn an_interrupted_part_is_there_after_a_restart() {
     let mut page = window.open();
     page.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
     page.run();
-    page.get_by_label("The interrupted part A-0099 is back, with 2 values");
+    page.get_by_label("The interrupted part A-0099 was restored with 2 values");
     assert_eq!(asked(&page).as_deref(), Some("SLOT"));
     let list = rows(&page);
     assert!(list[0].contains("GOOD") && list[0].contains("25.010 mm") && list[0].contains("2 values"), "{list:?}");
-    assert!(list[1].contains("left out: pin is gone"), "{list:?}");
+    assert!(list[1].contains("skipped: pin is gone"), "{list:?}");
     assert_eq!(recorded(folder.path()), 2, "nothing is recorded twice");
 }
 
@@ -254,11 +254,11 @@ fn prints_are_read_back_through_the_users_own_mask() {
     let ctx = page.ctx.clone();
     page.state_mut().send(&ctx, FilesCommand::Open(Purpose::LoadMask, mask).into());
     page.run();
-    page.get_by_label("Prints are read back through the mask list.a");
+    page.get_by_label("FN 16 output is read back through the mask list.a");
     let print = folder.path().join("list.txt");
     put(&print, "Feature BORE    \nResult   25.012\n");
     drop_file(&mut page, print);
-    page.get_by_label("list.txt: 1 taken, 0 not");
+    page.get_by_label("list.txt: 1 imported, 0 not");
     press(&mut page, Key::Escape);
     assert!(verdict(&page).contains("BORE: 25.012 mm"), "{}", verdict(&page));
     let drops = folder.path().join("drops");
@@ -291,16 +291,16 @@ fn a_scanner_types_the_serial_number_once_a_plan_is_open() {
 fn touch_alone_does_the_walk() {
     let folder = tempfile::tempdir().unwrap();
     let mut page = window_of(folder.path(), vec2(1024.0, 768.0)).open();
-    click(&mut page, Role::Button, "Count up");
-    click(&mut page, Role::Button, "Begin the part");
+    click(&mut page, Role::Button, "Next number");
+    click(&mut page, Role::Button, "Start part");
     assert_eq!(page.state().session().parts().walking().serial(), "1");
     click(&mut page, Role::Button, "Keypad");
     for key in ["Key 2", "Key 5", "Decimal sign", "Key 0", "Key 1"] {
         click(&mut page, Role::Button, key);
     }
-    click(&mut page, Role::Button, "Take value");
+    click(&mut page, Role::Button, "Use value");
     assert!(verdict(&page).contains("BORE: 25.010 mm"), "{}", verdict(&page));
-    click(&mut page, Role::Button, "Leave out");
+    click(&mut page, Role::Button, "Skip");
     click(&mut page, Role::Button, "Measured elsewhere");
     click(&mut page, Role::Button, "Simulate");
     assert!(verdict(&page).starts_with("SIMULATED"), "{}", verdict(&page));

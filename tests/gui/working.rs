@@ -29,7 +29,7 @@ fn a_file_that_takes_long_says_its_figures_and_can_be_stopped() {
     send(&mut window, far(false));
     let line = "Reading bores.csv: 120\u{a0}000 rows, 3.1 of 8.2 MB, 240\u{a0}000 rows a second";
     window.get_by_label(line);
-    window.get_by_role_and_label(Role::ProgressIndicator, "How much of the file is read");
+    window.get_by_role_and_label(Role::ProgressIndicator, "Reading progress");
     click(&mut window, Role::Button, "Stop");
     send(&mut window, FilesCommand::Working(None));
     assert!(window.query_by_label(line).is_none());
@@ -79,7 +79,7 @@ fn the_part_that_is_measured_is_reported_with_its_picture_and_what_is_missing() 
     for text in [
         "Flange, serial number A-7",
         "<svg class=\"verdict rework\"",
-        "1 measured, 1 missing, 0 left out",
+        "1 measured, 1 missing, 0 skipped",
         "Missing: PIN",
         "<img src=\"data:image/svg+xml;base64,PHN2ZyB4bWxucz0i",
         "<svg class=\"balloon rework\" x=\"25.00%\" y=\"50.00%\"",

@@ -2,17 +2,17 @@
 aqdef-line = expected a key and a text such as K0001/1 25.012, or a line of values
 aqdef-number = { $key }: { $reason }
 aqdef-whole = { $key }: { $given } is not a whole number
-aqdef-undeclared = a value of characteristic { $number }, which is not declared above it
-aqdef-fields = expected at most { $most } fields of a value, found { $found }
+aqdef-undeclared = value of characteristic { $number }, which is not declared above it
+aqdef-fields = expected at most { $most } fields in a value, found { $found }
 aqdef-no-values = { $count ->
         [0] neither characteristics nor values
-        [one] 1 characteristic and no value: this is a plan, not measurements
-       *[other] { $count } characteristics and no value: this is a plan, not measurements
+        [one] 1 characteristic but no values: this is a plan, not measurements
+       *[other] { $count } characteristics but no values: this is a plan, not measurements
     }
 aqdef-no-values-beside = { $count ->
         [0] neither characteristics nor values
-        [one] 1 characteristic and no value
-       *[other] { $count } characteristics and no value
+        [one] 1 characteristic but no values
+       *[other] { $count } characteristics but no values
     }, and no { $file } of up to { $most } MiB beside this file: this is a plan, not measurements; give { $file } itself if it is larger
 aqdef-no-description = values without characteristics: { $file } belongs beside this file
 aqdef-count = K0100 announces { $expected } characteristics, found { $found }: the file may be cut off
@@ -21,25 +21,25 @@ aqdef-beside = { $file }, line { $line }: { $reason }
 aqdef-warning-count = K0100 announces { $expected } characteristics, found { $found }: the file may be cut off
 aqdef-warning-fewer = expected { $expected } values, found { $found }
 aqdef-warning-missing = { $count ->
-        [one] 1 value is empty or marked as missing (K0002 is 255 or 256), from this line on: it is left out
-       *[other] { $count } values are empty or marked as missing (K0002 is 255 or 256), from this line on: they are left out
+        [one] 1 value is empty or marked as missing (K0002 is 255 or 256), from this line on: it is skipped
+       *[other] { $count } values are empty or marked as missing (K0002 is 255 or 256), from this line on: they are skipped
     }
 aqdef-warning-skipped = entries skipped: { $keys }
-aqdef-warning-repeated = { $key } is given twice with different texts: this one counts
-aqdef-warning-late = { $key } belongs to no value that was read just before: it is left out
-aqdef-warning-allowance = nominal size and allowance make { $limit }, and the limit is another one: the limit counts
-aqdef-warning-no-limit = { $key } is given, but K2120 or K2121 says that there is no such limit: it is left out
-aqdef-warning-kind-of-limit = { $given } is not a known kind of limit (0, 1 or 2): it is taken for a limit
-aqdef-warning-scrap-limit = the scrap limit { $limit } is not the limit itself: it is left out, and a value beyond the limit on this side is scrap
+aqdef-warning-repeated = { $key } is given twice with different texts: this one is used
+aqdef-warning-late = { $key } does not belong to a value read just before it: it is skipped
+aqdef-warning-allowance = nominal size and allowance give { $limit }, but the limit is different: the limit applies
+aqdef-warning-no-limit = { $key } is given, but K2120 or K2121 says that there is no such limit: it is skipped
+aqdef-warning-kind-of-limit = { $given } is not a known kind of limit (0, 1 or 2): it is read as a limit
+aqdef-warning-scrap-limit = the scrap limit { $limit } differs from the limit: it is skipped, and a value beyond the limit on this side is scrap
 aqdef-warning-scrap-feature = the scrap limit is that of { $feature ->
         [hole] a hole
        *[shaft] a shaft
-    }, and { $callout } is not: the tolerance class counts
+    }, but { $callout } is not: the tolerance class applies
 aqdef-warning-cut-off = the file ends here without a line end, and { $given } is shorter than the others: it may be cut off
 aqdef-warning-values-left = { $file } has { $count ->
         [one] 1 line of values, which is not read
        *[other] { $count } lines of values, which are not read
     }
-aqdef-warning-values-beside = the values are those of { $file } beside this file, and lines are counted there
-aqdef-warning-description-beside = the characteristics are those of { $file } beside this file
+aqdef-warning-values-beside = the values come from { $file } beside this file, and line numbers refer to it
+aqdef-warning-description-beside = the characteristics come from { $file } beside this file
 aqdef-warning-beside = { $file }, line { $line }: { $reason }

@@ -125,7 +125,7 @@ cli-remark-backed-up = copied up to entry { $number } to { $path } (hash { $hash
 cli-remark-no-head-known = no entry of this journal is known elsewhere: that its newest entries were cut off would not be found
 
 # Warnings
-cli-warning-stopped-unrecorded = nothing of this call is recorded: its rows are recorded together, once all of them are read
+cli-warning-stopped-unrecorded = nothing was recorded: rows are recorded together, once all of them are read
 cli-warning-column-not-used = column { $column } is skipped
 cli-warning-expansion-unconfirmed = the expansion of { $expansion } · 10⁻⁶/K is a common value that no document here confirms
 cli-warning-file-twice = this file is named twice: its rows are counted twice
@@ -223,16 +223,16 @@ cli-remark-plan-has = { $count ->
    *[other] { $count } features
 }
 cli-remark-plan-example = no callout given: the plan has one feature as an example
-cli-remark-plan-head-left = CSV has the features alone: { $keys } of the part is left out
+cli-remark-plan-head-left = CSV holds only the features: { $keys } of the part is not written
 cli-warning-plan-missing = not measured: { $names }
 cli-warning-plan-missing-of = { $who }: not measured: { $names }
-cli-warning-plan-more-parts = more than { $most } parts: what is missing of the others is not told
-cli-warning-plan-no-value = missing: no value was found for it
-cli-warning-plan-no-value-of = { $who } is missing this: no value was found for it
-cli-warning-plan-rule = the plan has another rule for this: { $rule }; the options count
-cli-warning-plan-material = the plan has another material for this: { $name }; --material counts
-cli-remark-watching = watching { $folder }; files taken before: { $known }
-cli-warning-see-note = not everything could be used: the file beside it that ends in { $note } says why
+cli-warning-plan-more-parts = more than { $most } parts: what the others are missing is not reported
+cli-warning-plan-no-value = missing: no value found
+cli-warning-plan-no-value-of = missing on { $who }: no value found
+cli-warning-plan-rule = the plan has another rule for this: { $rule }; the options apply
+cli-warning-plan-material = the plan has another material for this: { $name }; --material applies
+cli-remark-watching = watching { $folder }; files imported before: { $known }
+cli-warning-see-note = not everything could be used: the file beside it ending in { $note } says why
 cli-not-seconds = { $given } is not a time in seconds
-cli-warning-same-content = the same content was taken before as { $known }: nothing is recorded again
-cli-warning-not-alone = it is not known whether another program watches this folder for the same journal: { $reason }
+cli-warning-same-content = the same content was imported before as { $known }: nothing is recorded again
+cli-warning-not-alone = cannot tell whether another program watches this folder for the same journal: { $reason }

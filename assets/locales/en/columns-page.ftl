@@ -1,14 +1,14 @@
 # The columns of a file of measurements: seen, corrected and remembered.
 
 columns-page-import = Columns…
-columns-page-hint = Shows what each column of a file is taken for before its values are imported
-columns-page-take = Take
+columns-page-hint = Shows how each column of a file is read before its values are imported
+columns-page-take = Import
 columns-page-correct = Columns…
 columns-page-forget = Forget these columns
-columns-page-dialog = Import with columns
+columns-page-dialog = Import and choose columns
 columns-page-title = Columns of { $name }
-columns-page-wanted = Choose what each column holds. Files of the same shape will be read in the same way.
-columns-page-uncertain = It is not certain what every column holds: check it, then take it. Files of the same shape will be read in the same way.
+columns-page-wanted = Choose what each column holds. Files with the same layout will be read the same way.
+columns-page-uncertain = Some columns are uncertain: check what each one holds, then import. Files with the same layout will be read the same way.
 columns-page-sheet = Sheet
 columns-page-separator = Separator
 columns-page-separator-semicolon = Semicolon
@@ -21,7 +21,7 @@ columns-page-decimal-comma = Comma
 columns-page-as-found = As in the file
 columns-page-unit = Unit of sizes
 columns-page-place-unit = Unit of X, Y, Z
-columns-page-unit-names = By the header, else mm
+columns-page-unit-names = From the header, else mm
 columns-page-unit-mm = mm
 columns-page-unit-um = µm
 columns-page-unit-inch = inch
@@ -39,7 +39,7 @@ columns-page-role-time = time
 columns-page-role-simulated = simulated
 columns-page-role-part = part
 columns-page-role-serial = serial number
-columns-page-role-who = who measured
+columns-page-role-who = operator
 columns-page-role-x = X
 columns-page-role-y = Y
 columns-page-role-z = Z
@@ -47,17 +47,17 @@ columns-page-header = { $line } header
 columns-page-row = { $line }
 columns-page-not-read = { $line } not read
 columns-page-read = { $rows ->
-        [0] None of the shown rows is read
-        [one] { $read } of 1 shown row becomes a value
-       *[other] { $read } of { $rows } shown rows become values
+        [0] None of the rows shown is read
+        [one] { $read } of 1 row shown becomes a value
+       *[other] { $read } of { $rows } rows shown become values
     }
 columns-page-first-problem = First problem: { $why }
-columns-page-no-measured = No column holds the measured value: choose it
-columns-page-no-callout = No column holds the callout, so no value can be judged: choose it
-columns-page-no-name = No column says which feature a value is of: choose name, number, or X and Y
+columns-page-no-measured = No column holds the measured value: choose one
+columns-page-no-callout = No column holds the callout, so no value can be judged: choose one
+columns-page-no-name = No column identifies the feature of a value: choose name, number, or X and Y
 columns-page-taken = Columns: { $columns }; unit of sizes: { $unit }
 columns-page-taken-one = { $column } → { $role }
-columns-page-remembered = Columns as corrected on { $day } and remembered
-columns-page-forgotten = The columns are forgotten: the next file of this shape is read as if it were the first one. The values of this file stay.
+columns-page-remembered = Columns remembered as corrected on { $day }
+columns-page-forgotten = Columns forgotten: the next file with this layout is read as if it were the first one. The values of this file stay.
 columns-page-none = { $name } is not a table with columns
-columns-page-large = { $name } is too large to be read with corrected columns in the window: use fitcheck import --columns
+columns-page-large = { $name } is too large to read with corrected columns in the window: use fitcheck import --columns

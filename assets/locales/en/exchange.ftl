@@ -3,7 +3,7 @@
 # Measurements from files
 exchange-format-logs = HEIDENHAIN measuring logs such as TCHPR421.TXT
 exchange-format-log-444 = logs of probing in 3-D as written by Fitcheck
-exchange-format-fn16 = what a control wrote with FN 16, read through its mask (--mask)
+exchange-format-fn16 = FN 16 output of a control, read through its mask (--mask)
 exchange-format-contacts = contacts of one circle: x, y and optionally z
 exchange-format-measurements = measurements as CSV: id, callout, measured
 exchange-empty = the file is empty
@@ -15,12 +15,12 @@ exchange-parquet-stream = Parquet has its columns at its end and cannot be read 
 exchange-parquet = this Parquet file cannot be read: { $reason }
 exchange-parquet-nested = column { $column } has columns or lists in it: only columns of single values can be judged
 exchange-mask-backwards = { $mask }: { $reason }
-exchange-mask-none = no mask that was given prints such a file: { $masks }
-exchange-mask-several = several masks print such a file, give only the one that wrote it: { $masks }
-exchange-mask-no-measured = { $mask } prints no measured value: Q153 to Q156 and Q160 are known, any other number is when its callout is printed beside it
+exchange-mask-none = none of the given masks prints such a file: { $masks }
+exchange-mask-several = several masks print such a file; give only the one that wrote it: { $masks }
+exchange-mask-no-measured = { $mask } prints no measured value: recognised are Q153 to Q156 and Q160, and any other number with its callout printed beside it
 exchange-mask-measured = { $mask }: any of these could be the measured value: { $fields }; print the callout and its limits as well, or the result of the cycle, such as Q153
-exchange-print-ambiguous = this can be read in several ways through the mask
-exchange-print-broken = the record ends too early: expected what line { $line } of the mask prints
+exchange-print-ambiguous = the mask can read this in several ways
+exchange-print-broken = the record ends too early: expected the output of line { $line } of the mask
 exchange-no-rows = no row holds a measurement
 exchange-no-measured-column = no column of measured values: name it in the first line, such as id;callout;measured
 exchange-several-columns = columns { $columns } may each be { $role }: name them in the first line, such as id;callout;measured
@@ -33,11 +33,11 @@ exchange-role-simulated = whether it is simulated
 exchange-role-number = the number
 exchange-role-part = the part
 exchange-role-serial = the serial number
-exchange-role-who = who measured
+exchange-role-who = the operator
 exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
-exchange-no-column = { $role } should be in column { $given }, and the file has { $columns }
+exchange-no-column = { $role } should be in column { $given }, but the file has { $columns }
 exchange-column-twice = column { $column } cannot be both { $first } and { $second }
 exchange-unit = unknown unit { $unit }: use mm, µm or inch
 exchange-row-short = expected { $expected } cells, found { $found }
@@ -77,7 +77,7 @@ exchange-warning-not-used = skipped, not a measurement: { $text }
 exchange-warning-comment = a line that begins with # is a comment, but this one holds a measurement
 exchange-warning-several-lines = the row runs over { $lines } lines within quotation marks
 exchange-warning-time = { $given } is not a date and time: the time of import is used
-exchange-warning-place = { $given } is not a length: the place is left out
+exchange-warning-place = { $given } is not a length: the location is skipped
 exchange-warning-no-time = no date and time here: the time of import is used
 exchange-warning-offset = { $given } is kept as local time without its offset from UTC
 exchange-warning-cut-off = the file ends here without a line end, and { $given } has fewer decimals than the other values: it may be cut off
@@ -125,80 +125,80 @@ sizes-warning-simulated-rows = { $count ->
 exchange-position-out = the centre was out of position, and a file has the size alone
 exchange-undecided = nothing was decided here: { $given }
 exchange-warning-other-rule = the verdicts of this file may be by another decision rule (column rule_name): its values are judged anew
-exchange-read = the file cannot be read on: { $reason }
-exchange-too-large = larger than { $most } MiB: a file of this format is read whole
-exchange-unjudged-no-feature = not judged: the limits are { $minimum } to { $maximum }, but not whether it is a hole or a shaft, so beyond them it could be rework or scrap
+exchange-read = the rest of the file cannot be read: { $reason }
+exchange-too-large = larger than { $most } MiB, the limit for files of this format
+exchange-unjudged-no-feature = not judged: the limits are { $minimum } to { $maximum }, but hole or shaft is not stated, so a value beyond them could be rework or scrap
 exchange-unjudged-one-limit = not judged: one of the two limits is missing
 exchange-unjudged-no-tolerance = not judged: no limits given
-exchange-unjudged-swapped-limits = not judged: the smallest permitted value { $minimum } is above the largest one, { $maximum }
+exchange-unjudged-swapped-limits = not judged: the lower limit { $minimum } is above the upper limit { $maximum }
 exchange-unjudged-not-a-size = { $what }: not a size of a hole or shaft
-exchange-warning-limits-differ = { $callout } has the limits { $minimum } to { $maximum }, and the file has others: those of the file count
-exchange-warning-class-unknown = class { $given } has no limits here: those of the file count
-exchange-warning-status-differs = the file says { $given }, the limits say { $status }
-exchange-warning-uncertainty-not-used = the file states an expanded uncertainty of { $expanded } mm: no rule uses it, give --u for that
-exchange-warning-plan-differs = the file has the limits { $minimum } to { $maximum }: those of the plan count
-exchange-warning-plan-differs-below = the file has the smallest permitted value { $minimum }: that of the plan counts
-exchange-warning-plan-differs-above = the file has the largest permitted value { $maximum }: that of the plan counts
-exchange-warning-plan-differs-nominal = the file has the nominal size { $nominal }: that of the plan counts
-exchange-warning-part-differs = the file says part { $given }: it is judged as { $part }, the part of the plan
-exchange-warning-found-by-number-of = no feature of the plan is called { $given }; found by its number: { $name } of the plan
-exchange-warning-found-by-place-of = no feature of the plan is called { $given }; found by its place: { $name } of the plan
-exchange-warning-found-by-number = found by its number: { $name } of the plan
-exchange-warning-found-by-place = found by its place: { $name } of the plan
-exchange-format-aqdef = AQDEF of Q-DAS, in one file or as .dfd and .dfx
-exchange-format-calypso = tables of characteristics of CALYPSO such as NAME_chr.txt
+exchange-warning-limits-differ = { $callout } has the limits { $minimum } to { $maximum }, but the file has others: the file's limits apply
+exchange-warning-class-unknown = class { $given } has no limits here: the file's limits apply
+exchange-warning-status-differs = the file says { $given }, but the limits say { $status }
+exchange-warning-uncertainty-not-used = the file states an expanded uncertainty of { $expanded } mm: no rule uses it, so give --u instead
+exchange-warning-plan-differs = the file has the limits { $minimum } to { $maximum }: the plan's limits apply
+exchange-warning-plan-differs-below = the file has the lower limit { $minimum }: the plan's lower limit applies
+exchange-warning-plan-differs-above = the file has the upper limit { $maximum }: the plan's upper limit applies
+exchange-warning-plan-differs-nominal = the file has the nominal size { $nominal }: the plan's nominal size applies
+exchange-warning-part-differs = the file names part { $given }: it is judged as { $part }, the plan's part
+exchange-warning-found-by-number-of = no feature of the plan is called { $given }; matched by number to { $name } of the plan
+exchange-warning-found-by-place-of = no feature of the plan is called { $given }; matched by location to { $name } of the plan
+exchange-warning-found-by-number = matched by number to { $name } of the plan
+exchange-warning-found-by-place = matched by location to { $name } of the plan
+exchange-format-aqdef = Q-DAS AQDEF, in one file or as .dfd and .dfx
+exchange-format-calypso = CALYPSO tables of characteristics such as NAME_chr.txt
 exchange-warning-unit-assumed = no unit given: lengths without a unit are read as mm
-exchange-warning-rounded = { $given } has figures beyond the nanometre: it is rounded to the nearest one
+exchange-warning-rounded = { $given } has digits beyond the nanometre: it is rounded to the nearest nanometre
 exchange-warning-rounded-values = { $count ->
-        [one] 1 measured value has figures beyond the nanometre, from this line on: it is rounded to the nearest one
-       *[other] { $count } measured values have figures beyond the nanometre, from this line on: they are rounded to the nearest one
+        [one] 1 measured value has digits beyond the nanometre, from this line on: it is rounded to the nearest nanometre
+       *[other] { $count } measured values have digits beyond the nanometre, from this line on: they are rounded to the nearest nanometre
     }
 exchange-unjudged-quantity = { $quantity ->
         [102] roundness (K2009 is 102)
         [109] position (K2009 is 109)
         [117] a coordinate (K2009 is 117)
-       *[other] another quantity than a diameter (K2009 is { $quantity })
+       *[other] a quantity other than a diameter (K2009 is { $quantity })
     }: not a size of a hole or shaft
 exchange-unjudged-kind = not measured: { $kind ->
-        [1] nonconforming parts are counted (K2004 is 1)
+        [1] a count of nonconforming parts (K2004 is 1)
         [5] an error log sheet (K2004 is 5)
         [6] an error log sheet (K2004 is 6)
        *[other] an unknown kind of characteristic (K2004 is { $kind })
     }
-exchange-unjudged-attribute = not judged: marked with { $given } (K0002), and only 0 is known to be a valid value
+exchange-unjudged-attribute = not judged: marked with { $given } (K0002), but only 0 is known to be a valid value
 exchange-unjudged-not-valid = not judged: the file says { $said }, so there may be no valid value
 exchange-unjudged-declaration = not judged: line { $declaration } of its declaration cannot be used
 exchange-format-qif = QIF 3.0: results of measuring software, and plans
 exchange-xml = not well-formed XML: { $reason }
-exchange-xml-doctype = a DOCTYPE is not read: take it out, or export the file without it
-exchange-xml-entity = entity { $name } is not known: only &lt; &gt; &amp; &quot; and &apos; are read
+exchange-xml-doctype = a DOCTYPE is not supported: remove it, or export the file without it
+exchange-xml-entity = entity { $name } is not known: only &lt; &gt; &amp; &quot; and &apos; are supported
 exchange-xml-depth = nesting limit of { $most } elements reached
 exchange-xml-long = a tag or text is longer than { $most } KiB
 exchange-xml-cut-off = the file ends within an element: it may be cut off
 exchange-xml-encoding = unknown encoding { $given }: use UTF-8, UTF-16 or ISO 8859-1
-exchange-xml-bytes = bytes here are not text in the encoding of the file
+exchange-xml-bytes = these bytes are not text in the file's encoding
 exchange-qif-unit = unit of length { $unit }: the name is unknown, or does not match the factor; use mm, inch or another unit with its factor to metres
-exchange-qif-no-unit = the file names no unit of length: it needs FileUnits with PrimaryUnits and LinearUnit
+exchange-qif-no-unit = the file has no unit of length: it needs FileUnits with PrimaryUnits and LinearUnit
 exchange-qif-reference = { $what } { $id } is not in the file
-exchange-qif-too-many = the file has more than { $most } elements { $what }
+exchange-qif-too-many = the file has more than { $most } { $what } elements
 exchange-qif-no-value = no measured value here; status { $status }
 exchange-qif-limit = limits or nominal size: { $reason }
-exchange-qif-no-nominal = the limits are deviations, and there is no nominal size
-exchange-qif-zone = class { $class } and { $zone } contradict each other: capital letters are holes, small letters are shafts
+exchange-qif-no-nominal = the limits are deviations, but there is no nominal size
+exchange-qif-zone = class { $class } and { $zone } contradict each other: uppercase letters are holes, lowercase letters are shafts
 exchange-qif-no-results = a QIF file without measured values: a plan can be read as a part plan
 exchange-qif-no-characteristics = the QIF file declares no characteristics
-exchange-warning-standard-uncertainty-not-used = the file states a combined standard uncertainty of { $standard } and a mean error of { $mean-error }: no rule uses them, give --u for that
-exchange-warning-qif-version = QIF version { $version }: the reader is made for 3.0
-exchange-warning-qif-count = { $list } says n={ $said }, and has { $found }: something may be missing or added
-exchange-warning-qif-twice = id { $id } stands twice: the first element counts
-exchange-format-xlsx = measurements in a workbook of a spreadsheet: columns as in CSV
+exchange-warning-standard-uncertainty-not-used = the file states a combined standard uncertainty of { $standard } and a mean error of { $mean-error }: no rule uses them, so give --u instead
+exchange-warning-qif-version = QIF version { $version }: this program is made for version 3.0
+exchange-warning-qif-count = { $list } says n={ $said }, but has { $found }: something may be missing or added
+exchange-warning-qif-twice = id { $id } occurs twice: the first element is used
+exchange-format-xlsx = measurements in a spreadsheet workbook: columns as in CSV
 exchange-workbook = this workbook cannot be read: { $reason }
 exchange-not-a-workbook = a ZIP file, but not a workbook: unpack it and give the files in it
-exchange-old-workbook = a workbook of the format { $format }, which is not read: save it as XLSX
+exchange-old-workbook = a workbook in { $format } format, which is not supported: save it as XLSX
 exchange-workbook-password = the workbook has a password: save it without one
 exchange-zip-cut-off = the end of the workbook is missing: it may be cut off
-exchange-zip-members = the workbook has a list of more than { $most } members, or one that is damaged
-exchange-zip-bomb = { $member } unpacks to more than { $most } MiB, or is packed too densely for a workbook: nothing of it is read
+exchange-zip-members = the workbook's list of members is damaged or has more than { $most } entries
+exchange-zip-bomb = { $member } unpacks to more than { $most } MiB, or is packed too densely for a workbook: it is not read
 exchange-zip-texts = the workbook has more than { $most } different texts
 exchange-sheet-wide = cell { $cell } is beyond the first { $most } columns
 exchange-too-many-cells = the sheet has more than { $most } cells
@@ -206,13 +206,13 @@ exchange-cell = { $cell }: { $reason }
 exchange-formula-without-value = the value of the formula ={ $formula } is not stored: open the workbook in a spreadsheet program and save it
 exchange-cell-error = the cell shows { $error }
 exchange-warning-sheets-left = sheet { $sheet } is read; other sheets are not: { $left }
-gauge-frame = the signs that frame the line were left out
+gauge-frame = the characters that frame the line were skipped
 gauge-channel = from channel { $channel }
 gauge-inches = { $given } inches
-gauge-opinion = the gauge says { $sign }; the limits of the plan decide
+gauge-opinion = the gauge says { $sign }; the plan's limits decide
 
-mapping-no-value = { $given } says nothing about a column: write a word, = and a column, such as measured=3
-mapping-word = { $given } is not something that a column holds: allowed are { $allowed }
+mapping-no-value = { $given } assigns no column: write a word, = and a column, such as measured=3
+mapping-word = { $given } is not a known column content: allowed are { $allowed }
 mapping-value = { $word }: { $given } is unknown: allowed are { $allowed }
 mapping-twice = { $word } is given twice: give it once
 mapping-toml = not a mapping of columns: { $reason }

@@ -17,5 +17,5 @@ nc-own-column = { $class } is not one of the 47 classes of NC-Solution 8255: { $
 nc-figure = { $what }
 nc-fewer-columns = column limit of an iTNC 530: { $table } has only the plan's classes, { $classes }
 nc-moved-nominal = { $name }: the nominal size of { $callout } is outside the limits, which a TNC7 refuses: { $parameter } is { $value } mm, and { $deviation } counts from there
-nc-no-place = { $name } needs x, y and z: a program moves there
-nc-own-cycle = { $name } names a cycle or parameters of its own, which the called programs have no place for
+nc-no-place = { $name } needs x, y and z: the program moves there
+nc-own-cycle = { $name } has its own cycle or parameters, which the called programs do not support

@@ -10,26 +10,26 @@ parts-page-redo = Redo
 parts-page-dialog-open = Open a part plan
 parts-page-dialog-save = Save the part plan
 parts-page-not-saved = { $name }, not saved
-parts-page-no-plan = No plan yet: open one or begin one.
-parts-page-unsaved = { $name } has changes that no file holds. Lose them?
-parts-page-discard-no = Keep the changes
-parts-page-discard-yes = Lose the changes
+parts-page-no-plan = No plan yet: open or create one.
+parts-page-unsaved = { $name } has unsaved changes. Discard them?
+parts-page-discard-no = Keep editing
+parts-page-discard-yes = Discard changes
 parts-page-discard = Unsaved changes
-parts-page-move = Another cell
-parts-page-extend = Select to another cell
-parts-page-edit = Edit the cell
+parts-page-move = Go to another cell
+parts-page-extend = Extend the selection
+parts-page-edit = Edit cell
 parts-page-take = Done
-parts-page-empty = Empty the cells
-parts-page-copy = Copy the cells
+parts-page-empty = Clear cells
+parts-page-copy = Copy cells
 parts-page-paste = Paste
 parts-page-insert = Insert row
 parts-page-delete = Delete rows
 parts-page-up = Move up
 parts-page-down = Move down
 parts-page-sort = Sort
-parts-page-sort-hint = By the column of the cell, as people count; once more, the other way round
+parts-page-sort-hint = Sorts by the column of the current cell, A2 before A10; sort again to reverse the order
 parts-page-renumber = Renumber
-parts-page-renumber-hint = Numbers the features from 1 in their order
+parts-page-renumber-hint = Numbers the features from 1 in row order
 parts-page-all-columns = All columns
 parts-page-previous = Previous fault
 parts-page-next = Next fault
@@ -38,12 +38,12 @@ parts-page-dialog-picture = Choose the picture of the part
 parts-page-table = Features of the plan
 parts-page-cell = Row { $row }, { $column }, { $text }
 parts-page-cell-empty = Row { $row }, { $column }, empty
-parts-page-cell-wrong = { $cell }, wrong: { $what }
-parts-page-new-row = next
+parts-page-cell-wrong = { $cell }, fault: { $what }
+parts-page-new-row = new
 parts-page-limits = Limits
 parts-page-editing = { $column } of row { $row }
 parts-page-head = Part
-parts-page-no-fault = Nothing is wrong with the plan
+parts-page-no-fault = No faults in the plan
 parts-page-faults = { $count ->
     [one] One fault
    *[other] { $count } faults
@@ -55,14 +55,14 @@ parts-page-features = { $count ->
 parts-page-fault-of = { $row }, { $column }
 parts-page-fault-row = Row { $row }
 parts-page-fault-plan = Plan
-parts-page-lost = Lines of the file that are no part of a plan: saving loses them
+parts-page-lost = Lines of the file that are not part of a plan: saving discards them
 parts-page-pasted-rows = { $count ->
-    [one] One pasted row was left out: a plan has at most { $most } features
-   *[other] { $count } pasted rows were left out: a plan has at most { $most } features
+    [one] One pasted row was skipped: a plan has at most { $most } features
+   *[other] { $count } pasted rows were skipped: a plan has at most { $most } features
 }
 parts-page-pasted-columns = { $count ->
-    [one] One pasted column was left out: there are no more columns to its right. “All columns” shows more
-   *[other] { $count } pasted columns were left out: there are no more columns to the right. “All columns” shows more
+    [one] One pasted column was skipped: there are no more columns to its right. “All columns” shows more
+   *[other] { $count } pasted columns were skipped: there are no more columns to the right. “All columns” shows more
 }
 parts-page-column-number = No.
 parts-page-column-name = Name
@@ -96,25 +96,25 @@ parts-page-head-travel-y = Travel Y (mm)
 parts-page-head-travel-z = Travel Z (mm)
 parts-page-head-remark = Remark
 parts-page-head-file = file beside the plan
-parts-page-head-two = from to
+parts-page-head-two = min max
 parts-page-picture = Picture of the part
-parts-page-picture-said = Picture of the part, { $on } of { $count } balloons on it
+parts-page-picture-said = Picture of the part, { $on } of { $count } balloons placed
 parts-page-picture-none = No picture
-parts-page-picture-awaited = The picture is being read
-parts-page-picture-folder = { $given } is not the name of a file beside the plan: a picture is in the folder of its plan, and has a name without a folder
-parts-page-picture-unsaved = Save the plan first: the picture is a file in its folder
-parts-page-picture-elsewhere = { $given } is not in the folder of the plan: copy it there first, so that both stay together
+parts-page-picture-awaited = Reading the picture
+parts-page-picture-folder = { $given } is not the name of a file beside the plan: the picture must be in the plan's folder, so give its name without a folder
+parts-page-picture-unsaved = Save the plan first: the picture must be in the same folder
+parts-page-picture-elsewhere = { $given } is not in the plan's folder: copy it there first, so that both stay together
 parts-page-picture-large = { $name } has { $given } KiB; a picture has at most { $most } KiB
-parts-page-picture-dots = { $name } has { $width } × { $height } dots; a picture has at most { $most } million dots
-parts-page-picture-kind = { $name } is no PNG, JPEG or SVG picture
+parts-page-picture-dots = { $name } has { $width } × { $height } pixels; a picture has at most { $most } million pixels
+parts-page-picture-kind = { $name } is not a PNG, JPEG or SVG picture
 parts-page-picture-broken = { $name } cannot be read as a picture: { $reason }
 parts-page-balloon = Balloon { $label }, { $name }, { $status }
 parts-page-balloon-next = { $balloon }, next
-parts-page-balloon-beside = { $balloon }, beside the picture
+parts-page-balloon-beside = { $balloon }, not on the picture
 parts-page-balloon-open = not measured
-parts-page-balloon-skipped = left out
-parts-page-beside = Not on the picture yet: drag them there
+parts-page-balloon-skipped = skipped
+parts-page-beside = Not on the picture yet: drag them onto it
 parts-page-beside-more = and { $count } more
 parts-page-balloon-simulated = { $status }, simulated
 parts-page-more = Rows and cells
-parts-page-picture-heavy = { $name } would take too long to draw: it has filters, large patterns or too many layers; draw it without them, or save it as PNG
+parts-page-picture-heavy = { $name } would take too long to draw: it has filters, large patterns or too many layers; remove them, or save the picture as PNG

@@ -108,16 +108,16 @@ report-note-more = { $count ->
 
 ## A whole part
 report-balloon = Balloon
-report-picture-room = { $name } is not shown here: pictures of all parts would make the page too large
+report-picture-room = { $name } is not shown here: the pictures of all parts would make the page too large
 report-picture-beside = { $count ->
     [one] one feature has no balloon on it
    *[other] { $count } features have no balloon on it
 }
 report-part-older = { $count ->
-    [one] One earlier value is not listed: the last one of a size counts
-   *[other] { $count } earlier values are not listed: the last one of a size counts
+    [one] One earlier value is not listed: the last value of a size is used
+   *[other] { $count } earlier values are not listed: the last value of a size is used
 }
 report-more-parts = { $count ->
-    [one] One more part is not shown as a whole; its values are in the list
-   *[other] { $count } more parts are not shown as a whole, only the first { $most } are; their values are in the list
+    [one] One more part is not shown in full; its values are in the list
+   *[other] { $count } more parts are not shown in full, only the first { $most } are; their values are in the list
 }
