@@ -13,7 +13,7 @@ use crate::message::{Located, Place};
 use crate::part::{By, Clues, Finder, Kind, NotFound, Plan, Size, Taken, Walk};
 use crate::probing::Measurement;
 use crate::tolerance::fit::thermal::Correction;
-use crate::verdict::PositionVerdict;
+use crate::verdict::{PositionVerdict, judge_size};
 
 /// The most parts whose missing features are told; more are counted.
 const MOST_PARTS: usize = 10_000;
@@ -82,6 +82,12 @@ impl<'a> ByPlan<'a> {
         if let Some((given, column)) = not_positive.filter(|_| !may_be_below_zero(size)) {
             let what = ImportError { kind: ImportErrorKind::NotPositive { given: given.clone() }, given };
             return take(Item::Error(Box::new(Located { what, place: Place::in_line(line, column) })));
+        }
+        let status = judge_size(&size.limits, measurement.diameter).status;
+        if let Some(why) = labels.too_coarse(&size.limits, measurement.diameter, status) {
+            let (measured, origin, id) = (Some(measurement.diameter), measurement.origin, size.name());
+            let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
+            return take(Item::Unjudged(Box::new(unjudged)));
         }
         let record = Record::judged(time, size.name(), size.callout, size.limits.clone(), measurement, position);
         let record = match correction {
@@ -243,22 +249,30 @@ fn other_limits(asked: &Asked, size: &Size<'_>) -> Option<ImportWarningKind> {
 /// Whether a value has no verdict because nothing says what it should be; another quantity, or a value that its file marks as none, is
 /// not judged by a plan either.
 const fn is_plain(why: &WhyUnjudged) -> bool {
-    matches!(
-        why,
+    match why {
         WhyUnjudged::NoCallout
-            | WhyUnjudged::NotPositive { .. }
-            | WhyUnjudged::NoLimits { .. }
-            | WhyUnjudged::NoFeature { .. }
-            | WhyUnjudged::OneLimit
-            | WhyUnjudged::NoTolerance
-            | WhyUnjudged::SwappedLimits { .. }
-            | WhyUnjudged::Coordinate(_)
-            | WhyUnjudged::CoordinateWithoutLimits
-            | WhyUnjudged::Size { .. }
-            | WhyUnjudged::SizeWithoutLimits { .. }
-            | WhyUnjudged::Point(_)
-            | WhyUnjudged::PointWithoutTolerance
-    )
+        | WhyUnjudged::NotPositive { .. }
+        | WhyUnjudged::NoLimits { .. }
+        | WhyUnjudged::NoFeature { .. }
+        | WhyUnjudged::OneLimit
+        | WhyUnjudged::NoTolerance
+        | WhyUnjudged::SwappedLimits { .. }
+        | WhyUnjudged::Rounded { .. }
+        | WhyUnjudged::Coordinate(_)
+        | WhyUnjudged::CoordinateWithoutLimits
+        | WhyUnjudged::Size { .. }
+        | WhyUnjudged::SizeWithoutLimits { .. }
+        | WhyUnjudged::Point(_)
+        | WhyUnjudged::PointWithoutTolerance => true,
+        WhyUnjudged::NotASize { .. }
+        | WhyUnjudged::NotInPlan(_)
+        | WhyUnjudged::Quantity { .. }
+        | WhyUnjudged::Kind { .. }
+        | WhyUnjudged::Attribute { .. }
+        | WhyUnjudged::NotValid { .. }
+        | WhyUnjudged::Declaration { .. }
+        | WhyUnjudged::Contacts { .. } => false,
+    }
 }
 
 fn warning(line: usize, kind: ImportWarningKind) -> Item {

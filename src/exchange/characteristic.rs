@@ -16,6 +16,7 @@ use crate::length::Length;
 use crate::message::Place;
 use crate::probing::{Measurement, Origin};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, LimitsError, Source as LimitSource};
+use crate::verdict::judge_size;
 
 /// What is measured.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -93,6 +94,10 @@ impl Characteristic {
                 sink.refuse(Place::line(line), ImportErrorKind::NotPositive { given: given.clone() }, given);
             }
             Ok((callout, limits)) => {
+                let status = judge_size(&limits, value.measured).status;
+                if let Some(why) = value.labels.too_coarse(&limits, value.measured, status) {
+                    return self.set_aside(value, origin, why, context, sink);
+                }
                 let measurement = Measurement::of_diameter(value.measured, origin);
                 let time = value.time.unwrap_or(context.now);
                 let record = Record::judged(time, self.id(), callout, limits, measurement, None);
@@ -104,22 +109,27 @@ impl Characteristic {
                 }
                 sink.keep(line, record, value.labels);
             }
-            Err(NoLimits::Unjudged(why)) => sink.set_aside(Unjudged {
-                line,
-                id: self.id(),
-                labels: value.labels,
-                time: value.time.unwrap_or(context.now),
-                measured: Some(value.measured),
-                origin,
-                position: None,
-                asked: self.said(),
-                correction: None,
-                why,
-            }),
+            Err(NoLimits::Unjudged(why)) => self.set_aside(value, origin, why, context, sink),
             Err(NoLimits::Refused(error)) => {
                 sink.refuse(Place::line(line), ImportErrorKind::Limits(*error), value.measured.to_string());
             }
         }
+    }
+
+    /// Sets a value aside.
+    fn set_aside(&self, value: Value, origin: Origin, why: WhyUnjudged, context: &Context<'_>, sink: &mut Sink<'_>) {
+        sink.set_aside(Unjudged {
+            line: value.line,
+            id: self.id(),
+            labels: value.labels,
+            time: value.time.unwrap_or(context.now),
+            measured: Some(value.measured),
+            origin,
+            position: None,
+            asked: self.said(),
+            correction: None,
+            why,
+        });
     }
 
     fn tell_uncertainty(&self, line: usize, sink: &mut Sink<'_>) {

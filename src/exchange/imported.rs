@@ -59,6 +59,26 @@ pub struct Labels {
     pub side: Option<usize>,
     /// What the file says of its status.
     pub claims: Vec<Claim>,
+    /// How far the value may lie from its figures, where the file was printed with a known number of decimals: half of the last one. Zero
+    /// where the figures are the value.
+    pub rounded_by: Length,
+}
+
+impl Labels {
+    /// Why a value cannot be judged by limits although it has figures: a limit lies between the values that are printed so, and has more
+    /// decimals than they have, or the file's own status is another one. On a limit with as many decimals the figures decide.
+    pub(super) fn too_coarse(&self, limits: &Limits, measured: Length, status: Status) -> Option<WhyUnjudged> {
+        let half = self.rounded_by;
+        let unit = half.nanometres().checked_mul(2).filter(|unit| 0 < *unit)?;
+        let is_within = |limit: &Length| limit.saturating_sub(measured).abs() <= half;
+        let mut crossed = [limits.minimum(), limits.maximum()].into_iter().filter(is_within).peekable();
+        crossed.peek()?;
+        let is_finer = crossed.any(|limit| limit.nanometres() % unit != 0);
+        let is_denied = || self.claims.iter().any(|claim| claim.differs(status).is_some());
+        let (from, to) = (measured.checked_sub(half)?, measured.checked_add(half)?);
+        let why = WhyUnjudged::Rounded { from, to };
+        (is_finer || is_denied()).then_some(why)
+    }
 }
 
 /// What a file says that a value should be, as far as it says it. Lengths are sizes or coordinates, not deviations.
@@ -171,6 +191,13 @@ pub enum WhyUnjudged {
         minimum: Length,
         /// What it calls the largest one.
         maximum: Length,
+    },
+    /// A value that was printed with so few decimals that it may lie on either side of a limit.
+    Rounded {
+        /// The smallest value that is printed so.
+        from: Length,
+        /// The largest one.
+        to: Length,
     },
     /// A characteristic that is no size of a hole or shaft, such as a position or a roundness.
     NotASize {

@@ -33,7 +33,7 @@
 //! | `parquet` | columns of typed values, with the feature of that name |
 //! | `batch` | a verdict for every row of a stream of any length |
 //!
-//! A new format is one file here, its `mod` line and one in [`FORMATS`]; command line, dialogs and README follow from the list.
+//! A new format is one file here, its `mod` line and one in [`FORMATS`]; command line and dialogs follow from the list.
 //! Nothing here opens a file: a name, bytes, tables and the time come in as arguments.
 
 pub mod aqdef;

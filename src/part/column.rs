@@ -128,6 +128,11 @@ impl Column {
         )
     }
 
+    /// Whether it holds any text: one that a spreadsheet could take for a formula is copied with a mark.
+    pub const fn is_free_text(self) -> bool {
+        matches!(self, Self::Number | Self::Name | Self::Remark)
+    }
+
     /// The names of all of them, as errors list them.
     pub fn known() -> String {
         Self::ALL.map(Self::key).join(", ")

@@ -278,6 +278,40 @@ fn printed_limits_with_fewer_digits_are_those_of_the_callout() {
 }
 
 #[test]
+fn a_measured_value_that_lies_on_a_limit_is_not_taken_for_the_limit() {
+    let mask = "\"%8S MIN %9.4LF MAX %9.4LF IST %9.4LF LAST %9.4LF\", QS2, Q101, Q102, Q103, Q104;";
+    let print = |callout, minimum, maximum, actual, last| {
+        format!("{callout:>8} MIN {minimum:9.4} MAX {maximum:9.4} IST {actual:9.4} LAST {last:9.4}\n")
+    };
+    let on_limit = print("25 H7", 25.0, 25.021, 25.0, 25.015);
+    let said = read(&[("own.a", mask)], on_limit.as_bytes());
+    assert_eq!(said.len(), 1, "{said:?}");
+    assert!(said[0].contains("any of these could be the measured value: Q101, Q102, Q103, Q104"), "{said:?}");
+    // Two callouts tell the limits, and what is left is still more than one.
+    let both = on_limit + &print("10 g6", 9.986, 9.995, 9.991, 25.015);
+    let said = read(&[("own.a", mask)], both.as_bytes());
+    assert!(said[0].contains("any of these could be the measured value: Q103, Q104"), "{said:?}");
+    let three = mask.replace(" LAST %9.4LF", "").replace(", Q104", "");
+    let text: String = both.lines().map(|line| format!("{}\n", line.split(" LAST").next().unwrap())).collect();
+    let expected = ["1: 25 H7 25..25.021 25 GOOD", "2: 10 g6 9.986..9.995 9.991 GOOD"];
+    check(&three, &text, &expected);
+}
+
+#[test]
+fn a_value_with_fewer_decimals_than_a_limit_beside_it_is_not_judged() {
+    let mask = "\"%8S IST %9.2LF %S\", QS2, Q153, QS3;";
+    let said = |text: &str| read(&[("m.a", mask)], text.as_bytes());
+    // 25.02 is printed of 25.015 to 25.025, and the limit is 25.021.
+    let near = said("   25 H7 IST     25.02 GOOD\n");
+    assert!(near[0].contains("any value from 25.015 to 25.025"), "{near:?}");
+    assert_eq!(said("   25 H7 IST     25.01 GOOD\n"), ["1: 25 H7 25..25.021 25.01 GOOD"]);
+    // On a limit with as many decimals the figures decide, unless the control says otherwise.
+    assert_eq!(said("   25 H7 IST     25.00 GOOD\n"), ["1: 25 H7 25..25.021 25 GOOD"]);
+    let denied = said("   25 H7 IST     25.00 REWORK\n");
+    assert!(denied[0].contains("any value from 24.995 to 25.005"), "{denied:?}");
+}
+
+#[test]
 fn a_file_that_was_cut_off_anywhere_keeps_its_whole_records() {
     let text = "STATUS: GOOD\nFIT: 25 H7\nMEASURED:  25.0134\n".repeat(2);
     let mask = "\"STATUS: %S\", QS3;\n\"FIT: %S\", QS2;\n\"MEASURED:%9.4LF\", Q153;";

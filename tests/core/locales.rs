@@ -313,13 +313,19 @@ fn a_code_is_kept_and_an_unknown_one_is_english() {
 
 /// Names that are put together from a list of the program: each of its members has its text.
 #[test]
-fn every_rule_and_every_format_of_pairs_has_its_texts() {
+fn every_rule_every_format_and_every_column_of_a_plan_has_its_texts() {
     let rules = RuleName::ALL.map(RuleName::word).into_iter();
     let rules = rules.flat_map(|word| [format!("rule-{word}"), format!("rule-name-{word}")]);
     let formats = FORMATS.iter().map(|format| format!("pairing-page-save-{}", format.name));
-    let names: Vec<String> = rules.chain(formats).collect();
+    let columns = fitcheck::part::Column::ALL;
+    let columns = columns.map(|column| format!("parts-page-column-{}", column.key().replace('_', "-")));
+    let names: Vec<String> = rules.chain(formats).chain(columns).collect();
     // Other languages have the texts of English, or another test fails.
     let english = all(Language::En);
     let missing: Vec<_> = names.iter().filter(|name| !english.contains_key(*name)).collect();
     assert!(missing.is_empty(), "assets/locales/en has no text {missing:?}");
+    // A text that is missing shows its name.
+    for format in fitcheck::exchange::FORMATS {
+        assert!(!format.to_string().starts_with("exchange-format"), "assets/locales/en has no text {format}");
+    }
 }

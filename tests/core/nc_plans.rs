@@ -46,8 +46,7 @@ fn a_feature_a_line_in_any_order_of_columns() {
 fn what_is_wrong_is_told_with_its_line() {
     check("", "the plan has no features");
     check("callout,x,y,z\n", "the plan has no features");
-    let known = "number, name, kind, axis, callout, callout2, feature, x, y, z, angle, clearance, clearance_height, cycle, \
-        parameters, material, rule, u_um, remark, balloon_x, balloon_y";
+    let known = fitcheck::part::Column::known();
     check("callout,x,y,z,depth\n", &format!("line 1: unknown column depth: the columns are {known}"));
     check("callout,x,y,z,X\n", "line 1: column x occurs twice");
     check(

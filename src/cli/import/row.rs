@@ -259,6 +259,7 @@ impl Row {
             | WhyUnjudged::OneLimit
             | WhyUnjudged::NotInPlan(_)
             | WhyUnjudged::SwappedLimits { .. }
+            | WhyUnjudged::Rounded { .. }
             | WhyUnjudged::NoTolerance
             | WhyUnjudged::NotASize { .. }
             | WhyUnjudged::CoordinateWithoutLimits

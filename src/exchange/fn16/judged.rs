@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use jiff::civil::{Date, DateTime, Time};
 
-use super::roles::{Kind, Reading, Roles, asked, is_printed, length, limits, value};
+use super::roles::{Kind, Reading, Roles, asked, is_printed, last_digit, length, limits, value};
 use crate::control::log::layout;
 use crate::control::mask::{Of, Printed, Slot};
 use crate::control::status::status_of;
@@ -155,6 +155,7 @@ impl Judging<'_> {
             is(reading.minimum, limits.minimum()) && is(reading.maximum, limits.maximum())
         });
         let pair = pair.filter(|_| !is_of_class);
+        let labels = Labels { rounded_by: rounded_by(value(printed, reading.measured)), ..said.labels.clone() };
         let name = if self.roles.readings.len() == 1 {
             said.name.clone()
         } else {
@@ -170,15 +171,9 @@ impl Judging<'_> {
             minimum: pair.map(|pair| pair.0),
             maximum: pair.map(|pair| pair.1),
             expanded: None,
-            labels: said.labels.clone(),
+            labels: labels.clone(),
         };
-        let value = Value {
-            line: said.line,
-            measured,
-            time: Some(said.time),
-            labels: said.labels.clone(),
-            is_simulated: false,
-        };
+        let value = Value { line: said.line, measured, time: Some(said.time), labels, is_simulated: false };
         characteristic.judge(value, self.context, sink);
     }
 
@@ -202,6 +197,11 @@ impl Judging<'_> {
             self.context.now
         })
     }
+}
+
+/// How far a value may be from what was printed of it, by the decimals that were printed.
+fn rounded_by(text: Option<&str>) -> Length {
+    Length::from_nanometres(text.map_or(0, last_digit) / 2).unwrap_or_default()
 }
 
 /// What stands behind the nominal size of a callout.

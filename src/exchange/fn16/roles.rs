@@ -1,8 +1,10 @@
 //! Which field of a mask is what: by the number of its parameter, else by what was printed.
 //!
 //! Results and limits of measuring cycles have numbers of their own. A parameter of the user's own is told by the limits of the callout that
-//! is printed beside it: the minimum and the maximum are always these, and what is left is the measured value. If more than one is
-//! left, the mask is refused.
+//! is printed beside it: the minimum and the maximum are always these, with more than one callout, and what is left is the measured value.
+//! If more than one is left, the mask is refused.
+
+use std::collections::BTreeSet;
 
 use crate::control::mask::{Of, Printed, Slot};
 use crate::control::status::status_of;
@@ -233,13 +235,16 @@ impl Fields<'_> {
             .zip(self.sample)
             .filter_map(|(number, printed)| Some((number, limits(&asked(printed, roles)?, sources)?)))
             .collect();
-        // Whether a field always is what the callout says, to its last digit.
+        // Whether a field always is what the callout says, to its last digit. That a measured value lies on a limit is chance, and that it
+        // lies on two different ones is not: a field is a limit once it has followed it from one callout to another.
         let always = |at: usize, of: fn(&Limits) -> Length| {
-            let is = |(number, limits): &(usize, Limits)| {
-                let value = self.sample.get(*number).and_then(|printed| value(printed, at));
-                value.is_none_or(|value| is_printed(of(limits), value))
+            let mut followed = BTreeSet::new();
+            let mut is = |(number, limits): &(usize, Limits)| {
+                let Some(value) = self.sample.get(*number).and_then(|printed| value(printed, at)) else { return true };
+                followed.insert(of(limits));
+                is_printed(of(limits), value)
             };
-            !limits.is_empty() && limits.iter().all(is)
+            limits.iter().all(&mut is) && 1 < followed.len()
         };
         let is_own = |slot: &Slot| match slot.of {
             Of::Parameter(Parameter { family: Family::Q, number }) => {
@@ -267,7 +272,7 @@ impl Fields<'_> {
         let is_limit = |at: &usize| minima.contains(at) || maxima.contains(at);
         let left: Vec<usize> =
             numbers.iter().copied().filter(|at| !is_named(at) && !is_limit(at) && !is_nominal(at)).collect();
-        // A value that is always on a limit cannot be told from it.
+        // Nothing is left where a value is always on a limit: it cannot be told from it.
         let doubtful = if left.is_empty() && pair.is_none() { &numbers } else { &left };
         match doubtful.as_slice() {
             [measured] => Ok(Reading {
@@ -314,15 +319,19 @@ pub(super) fn limits(callout: &Callout, sources: &Sources) -> Option<Limits> {
     sources.limits(callout, None).ok()
 }
 
-/// Whether a length is printed like this: the same to the last digit.
-pub(super) fn is_printed(length: Length, text: &str) -> bool {
+/// What the last digit of a printed length is worth, in nanometres; 0 beyond the nanometre.
+pub(super) fn last_digit(text: &str) -> i64 {
     /// The decimals of a nanometre in millimetres.
     const NANOMETRE: usize = 6;
     let digits = text.rsplit_once(['.', ',']).map_or(0, |(_, decimals)| decimals.len());
     let zeros = u32::try_from(NANOMETRE.saturating_sub(digits)).unwrap_or_default();
-    let unit = if zeros == 0 { 0 } else { 10_i64.pow(zeros) };
+    if zeros == 0 { 0 } else { 10_i64.pow(zeros) }
+}
+
+/// Whether a length is printed like this: the same to the last digit.
+pub(super) fn is_printed(length: Length, text: &str) -> bool {
     let value = Length::parse_in(text, Unit::Millimetre);
-    value.is_ok_and(|value| 2 * length.saturating_sub(value).abs().nanometres() <= unit)
+    value.is_ok_and(|value| 2 * length.saturating_sub(value).abs().nanometres() <= last_digit(text))
 }
 
 fn is_callout(text: &str) -> bool {

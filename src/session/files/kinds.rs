@@ -3,7 +3,6 @@
 use std::path::Path;
 
 use crate::budget::Budget;
-use crate::control::log::is_log;
 use crate::control::text::decode;
 use crate::exchange::{self, tables::TABLE_FORMATS};
 use crate::message::Say;
@@ -190,18 +189,18 @@ impl Purpose {
             ending if exchange::endings().contains(&ending) => {
                 exchange::FORMATS.iter().any(|format| format.recognises(head, name)).then_some(Self::Import)
             }
-            _ => by_content(head),
+            _ => by_content(name, head),
         };
         purpose.ok_or_else(|| OpenError::Unknown { name: name.to_owned() })
     }
 }
 
 /// What a file with another ending, or none, is: by marks that only one kind has. A table of measurements has none.
-fn by_content(head: &[u8]) -> Option<Purpose> {
-    let text = decode(head);
-    if is_log(&text) {
+fn by_content(name: &str, head: &[u8]) -> Option<Purpose> {
+    if exchange::FORMATS.iter().any(|format| format.has_marks && format.recognises(head, name)) {
         return Some(Purpose::Import);
     }
+    let text = decode(head);
     let first = text.lines().find(|line| !line.trim().is_empty())?.to_uppercase();
     let first = first.trim_start_matches(|c: char| c.is_ascii_digit() || c.is_whitespace() || c == '\u{feff}');
     if is_iso(first) {

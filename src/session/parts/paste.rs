@@ -51,8 +51,7 @@ pub(super) fn line(row: impl Iterator<Item = (Column, String)>) -> String {
     let cells: Vec<String> = row
         .map(|(column, text)| {
             // A direction such as -Z is no formula, and comes back as it was.
-            let is_free = matches!(column, Column::Number | Column::Name | Column::Remark);
-            let text = if is_free { harmless(&text) } else { text };
+            let text = if column.is_free_text() { harmless(&text) } else { text };
             if text.contains(['\t', '\n', '\r', '"']) { format!("\"{}\"", text.replace('"', "\"\"")) } else { text }
         })
         .collect();
