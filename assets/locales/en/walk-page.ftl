@@ -24,6 +24,7 @@ walk-page-plan-wrong = { $count ->
     }
 walk-page-not-saved = The plan has changes that no file holds: a part that is interrupted cannot come back after a restart.
 walk-page-serial = Serial number
+walk-page-serial-again = Serial number { $serial } has been measured already. Enter once more, after half a second, begins it again.
 walk-page-serial-hint = Type or scan it, or count it up; Enter begins the part.
 walk-page-recent = Plans that were read last
 walk-page-done = Every size has a value or a reason
@@ -51,7 +52,9 @@ walk-page-next-warned = { $count ->
         [one] A size has neither a value nor a reason. Next part once more ends the part.
        *[other] { $count } sizes have neither a value nor a reason. Next part once more ends the part.
     }
-walk-page-question-enter = Enter once more takes it as it is.
+walk-page-question-enter = Enter once more, after half a second, takes it as it is.
+walk-page-typed-elsewhere = the value was typed for { $name }, and { $asked } is asked for now: type it again
+walk-page-simulate-measured = { $name } is measured: a simulated value never takes the place of a measured one
 walk-page-part-status = The part
 walk-page-not-complete = No verdict yet
 walk-page-simulated = { $count ->
@@ -75,13 +78,21 @@ walk-page-refused = { $count ->
         [one] A check is not recorded: { $why }
        *[other] { $count } checks are not recorded: { $why }
     }
-walk-page-import-late = { $name } was read when the part was ended already: its values are not taken
+walk-page-import-late = { $name } was read when its part was ended already: its values are not taken
 walk-page-imported = { $name }: { $good } taken, { $bad } not
 walk-page-other-parts = Values of other parts are recorded under their own serial numbers: { $serials }
+walk-page-label = The file has no serial numbers and calls the part { $part }: its values are taken for this part
+walk-page-other-label = of the part { $part }, and without a serial number it is not known to be this part
+walk-page-remark-label = Part in the file: { $part }
 walk-page-not-judged = line { $line }: { $why }
 walk-page-no-journal = The part { $serial } is back without its values: nothing was recorded that they could come from
 walk-page-gone = Some sizes are not in the plan any more: what was measured of them stays in the records
 walk-page-gone-name = { $name }
+walk-page-changed = The plan has changed: values by other limits, by another rule, or of rows without a name stay in the records, and their sizes are open
+walk-page-changed-size = { $name }: { $measured } mm was measured by { $asked }
+walk-page-given-up = The interrupted part { $serial } does not come back, because another part is begun: its values stay in the records
+walk-page-ended = Left out of the part { $serial }, which is ended
+walk-page-ended-size = { $name }: { $reason }
 walk-page-taken-back = A value of { $name } was corrected or withdrawn in the records: it counts no more for this part
 walk-page-put-right = A value of { $name } was corrected in the records: the corrected one counts for this part
 walk-page-no-folder = { $path } is not a folder
