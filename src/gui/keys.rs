@@ -47,7 +47,12 @@ const fn pressed_key(event: &Event) -> Option<(egui::Key, Modifiers)> {
     }
 }
 
-/// Whether a key is held.
+/// Whether a key is held, and this frame is one of its repetitions.
+pub(super) fn is_held(ui: &Ui) -> bool {
+    ui.input(|input| input.events.iter().any(is_repeated))
+}
+
+/// Whether an event is one of a key that is held.
 const fn is_repeated(event: &Event) -> bool {
     matches!(event, Event::Key { repeat: true, .. })
 }

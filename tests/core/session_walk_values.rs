@@ -3,31 +3,41 @@
 use std::path::PathBuf;
 
 use fitcheck::exchange::{FirstRows, Mapping};
-use fitcheck::journal::chain::Hash;
+use fitcheck::journal::chain::{ChainId, Hash};
 use fitcheck::journal::entry::Entry;
 use fitcheck::message::Message;
 use fitcheck::session::parts::{PlanCommand, WalkCommand};
 use fitcheck::session::{
-    Action, AskedColumns, ColumnsCommand, Effect, Field, ImportInto, PartsCommand, PartsField, RecordsCommand, Saved,
-    Session, Step,
+    Action, AskedColumns, ColumnsCommand, Command, Effect, Field, ImportInto, OpenJournal, Page, PartsCommand,
+    PartsField, RecordsCommand, Saved, Session, Step,
 };
 use fitcheck::verdict::Status;
+use fitcheck::words::Language;
 
 use crate::session_walk::{
-    act, act_after, asked, begin_records, import, items, kept, look, open_journal, read_plan, rows, said, send, size,
-    standing, take, typed, walking_by, watched,
+    act, act_after, asked, begin_records, head, import, items, kept, look, open_journal, read_plan, rows, said, send,
+    size, standing, take, typed, walking_by, watched,
 };
 
 const PLAN: &str = r#"fitcheck_plan = 1
 part = "Flange"
 [[feature]]
 name = "A"
+x = 40
+y = 30
+z = -8
 callout = "25 H7"
 [[feature]]
 name = "B"
+x = 60
+y = 30
+z = -8
 callout = "25 H7"
 [[feature]]
 name = "C"
+x = 80
+y = 30
+z = -8
 callout = "20 g6"
 "#;
 
@@ -92,7 +102,7 @@ fn a_part_that_comes_back_counts_no_value_by_limits_that_its_plan_has_no_more() 
     assert_eq!(asked(&back).as_deref(), Some("A"));
     assert!(all_noticed(&back).contains("A: 25.02 mm was measured by 25 H7"), "{}", all_noticed(&back));
     // The same limits by another rule are another judgement.
-    let ruled = PLAN.replace("name = \"C\"", "name = \"C\"\nrule = \"iso14253\"\nu_um = 1");
+    let ruled = PLAN.replace("name = \"C\"", "name = \"C\"\nrule = \"iso14253-2017\"\nu_um = 0.5");
     let back = restarted(&session, &entries, &ruled);
     assert_eq!(standing(&back), "2 measured, 1 missing, 0 left out");
     assert!(all_noticed(&back).contains("C: 19.985 mm was measured by 20 g6"), "{}", all_noticed(&back));
@@ -291,15 +301,13 @@ fn a_serial_number_that_was_measured_already_is_asked_about_once() {
     assert_eq!(act_after(&mut session, Action::BeginPart, 20), [], "a scanner sends Enter twice");
     assert_eq!(act_after(&mut session, Action::BeginPart, 600), [Effect::Focus(Field::from(PartsField::Value))]);
     assert_eq!(session.parts().walking().serial(), "A-0099");
-    // A part with values from a watched folder is known, too.
-    let run = watched(&mut session);
+    // A part with values from a file is known, too.
     let mut values = items("name;measured\nA;25.012\n");
     for item in &mut values {
         if let fitcheck::exchange::Item::Unjudged(unjudged) = item {
             unjudged.labels.serial = "B-7".to_owned();
         }
     }
-    assert_eq!(run, 1);
     let command =
         WalkCommand::Imported { run: session.parts().walking().run(), name: "m.csv".to_owned(), result: Ok(values) };
     kept(&send(&mut session, command));
@@ -314,13 +322,29 @@ fn a_serial_number_that_was_measured_already_is_asked_about_once() {
 }
 
 #[test]
+fn a_serial_number_among_the_newest_records_is_asked_about_after_a_restart() {
+    let mut session = walking();
+    let entries = kept(&take(&mut session, "25.06")).1;
+    let mut back = Session::new(Language::En);
+    begin_records(&mut back);
+    let journal = OpenJournal { chain: ChainId([1; 16]), head: head(8), remarks: Vec::new() };
+    send(&mut back, RecordsCommand::Opened(Ok((Box::new(journal), rows(&entries, 8)))));
+    send(&mut back, Command::OpenPage(Page::Parts));
+    read_plan(&mut back, PLAN);
+    typed(&mut back, PartsField::Serial, "A-0099");
+    assert_eq!(act(&mut back, Action::BeginPart), []);
+    act_after(&mut back, Action::BeginPart, 600);
+    assert!(back.parts().walking().is_begun());
+}
+
+#[test]
 fn an_interrupted_part_that_waits_for_its_plan_is_not_given_up_silently() {
     let mut session = walking();
     take(&mut session, "25.06");
     let (mut back, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
     begin_records(&mut back);
     open_journal(&mut back, 8);
-    send(&mut back, fitcheck::session::Command::OpenPage(fitcheck::session::Page::Parts));
+    send(&mut back, Command::OpenPage(Page::Parts));
     let unread = Err(Message::new("records-page-no-thread"));
     send(&mut back, PartsCommand::Plan(PlanCommand::Read { path: "/plans/flange.toml".into(), result: unread }));
     assert_eq!(back.saved().walk.serial, "A-0099");

@@ -67,8 +67,8 @@ impl PartsPage {
         shared: &Shared,
     ) -> Arrived {
         let mut arrived = Arrived::default();
-        let is_of_walk = self.walking.plan().is_some_and(|own| **own == *plan);
-        if is_of_walk {
+        let of_walk = self.walking.plan().is_some_and(|own| **own == *plan).then_some(plan);
+        if of_walk.is_some() {
             arrived.label = self.one_label(plan, &items);
             self.walking.label = self.walking.label.take().or_else(|| arrived.label.clone());
         }
@@ -77,7 +77,7 @@ impl PartsPage {
             match item {
                 Item::Record { line, record, labels } => {
                     let size = sizes.get(&record.id);
-                    match self.arriving(plan, size, *record, labels, is_of_walk, shared) {
+                    match self.arriving(size, *record, labels, of_walk, shared) {
                         Ok(mut value) => {
                             value.file = file.cloned();
                             if let Some(labels) = value.labels.as_deref().filter(|_| value.at.is_none())
@@ -106,16 +106,15 @@ impl PartsPage {
 
     fn arriving(
         &self,
-        plan: &Plan,
         size: Option<&Size<'_>>,
         record: Record,
         labels: Labels,
-        is_of_walk: bool,
+        of_walk: Option<&Plan>,
         shared: &Shared,
     ) -> Result<Arriving, Message> {
         let size = size.ok_or_else(|| Message::new("walk-page-nothing-asked"))?;
-        let is_own = is_of_walk && (labels.serial.is_empty() || labels.serial == self.walking.serial());
-        if is_own && labels.serial.is_empty() && !self.is_of_label(plan, &labels.part) {
+        let is_own = of_walk.is_some() && (labels.serial.is_empty() || labels.serial == self.walking.serial());
+        if labels.serial.is_empty() && of_walk.is_some_and(|plan| !self.is_of_label(plan, &labels.part)) {
             return Err(Message::new("walk-page-other-label").text("part", labels.part.trim()));
         }
         let record = by_rule(size, record, shared)?;

@@ -21,10 +21,10 @@ pub(in crate::gui) use sizes_list::id as sizes_id;
 use super::head::head_ui;
 use super::picture;
 use crate::gui::columns::{Page, Shape, columns_ui, is_tiny, of_height};
-use crate::gui::field;
 use crate::gui::theme::space;
 use crate::gui::verdict_card::least_width;
 use crate::gui::view::View;
+use crate::gui::{field, keypad};
 use crate::part::Size;
 use crate::session::parts::PartsField;
 use crate::words::Words;
@@ -68,6 +68,8 @@ fn catch_typing(ui: &Ui, view: &View<'_>) {
     let is_text = |event: &Event| matches!(event, Event::Text(text) if !text.trim().is_empty());
     if !is_other && !ui.ctx().text_edit_focused() && ui.input(|input| input.events.iter().any(is_text)) {
         field::go_to(ui.ctx(), field.into(), session.text(field));
+        // The next letter does not replace this one.
+        keypad::keep_selection(ui.ctx(), field::id(field));
     }
 }
 
