@@ -344,7 +344,7 @@ fn a_gauge_types_into_the_value_whatever_was_clicked_before() {
     page.event(eframe::egui::Event::Text("01".to_owned()));
     press(&mut page, Key::Enter);
     assert!(verdict(&page).contains("SLOT: 16.010 mm"), "{}", verdict(&page));
-    let focused = page.ctx.memory(|memory| memory.focused()).unwrap();
+    let focused = page.ctx.memory(eframe::egui::Memory::focused).unwrap();
     page.ctx.memory_mut(|memory| memory.surrender_focus(focused));
     page.event(eframe::egui::Event::Text("29.97".to_owned()));
     press(&mut page, Key::Enter);
