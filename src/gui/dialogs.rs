@@ -172,7 +172,7 @@ fn discarding_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// What a file is asked for, or was read for.
 pub(super) const fn title_id(purpose: Purpose) -> &'static str {
     match purpose {
-        Purpose::Import | Purpose::ImportValues => "dialog-import",
+        Purpose::Import | Purpose::ImportValues(_) => "dialog-import",
         Purpose::AskColumns(_) => "columns-page-dialog",
         Purpose::LoadMask => "dialog-mask",
         Purpose::LoadTables => "dialog-tables",

@@ -238,7 +238,12 @@ fn given_id() -> Id {
     Id::unique("keypad-given")
 }
 
-/// Whether a field has the focus again because of a key of the keypad: then its selection stays as it is.
+/// A field gets the focus for what is being typed: its selection stays as it is.
+pub(super) fn keep_selection(ctx: &Context, field: Id) {
+    ctx.data_mut(|data| data.insert_temp(given_id(), Some(field)));
+}
+
+/// Whether a field has the focus again because of a key of the keypad, or of one that was typed: then its selection stays as it is.
 pub(super) fn has_given_focus(ctx: &Context, field: Id) -> bool {
     ctx.data_mut(|data| data.remove_temp::<Option<Id>>(given_id())) == Some(Some(field))
 }

@@ -23,7 +23,10 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
             let is_it =
                 |shortcut: &Shortcut| modifiers.matches_exact(held(shortcut.held)) && key == of_window(shortcut.key);
             let Some((shortcut, action)) = keys.iter().find(|(shortcut, _)| is_it(shortcut)) else { return true };
-            pressed.push(*action);
+            // A key that is held answers no question.
+            if !(*action == Action::NextPart && is_repeated(event)) {
+                pressed.push(*action);
+            }
             // An open list closes with the same Escape.
             shortcut.key == Key::Escape
         });
@@ -42,6 +45,16 @@ const fn pressed_key(event: &Event) -> Option<(egui::Key, Modifiers)> {
         Event::Copy => Some((egui::Key::C, Modifiers::COMMAND)),
         _ => None,
     }
+}
+
+/// Whether a key is held, and this frame is one of its repetitions.
+pub(super) fn is_held(ui: &Ui) -> bool {
+    ui.input(|input| input.events.iter().any(is_repeated))
+}
+
+/// Whether an event is one of a key that is held.
+const fn is_repeated(event: &Event) -> bool {
+    matches!(event, Event::Key { repeat: true, .. })
 }
 
 /// The part of the page that has the focus as a whole. Arrows stay in it.

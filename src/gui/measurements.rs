@@ -100,7 +100,7 @@ fn known(into: ImportInto, first: &FirstRows, with: With<'_>) -> Option<Known> {
 
 /// What is said of a file that is too large for the history; its rows are judged without a mapping.
 fn large(into: ImportInto, path: &Path, is_mapped: bool, with: With<'_>) -> Option<Command> {
-    if into == ImportInto::Part {
+    if matches!(into, ImportInto::Part(_)) {
         return None;
     }
     let name = name(path);
@@ -125,7 +125,7 @@ fn taken(into: ImportInto, name: String, result: Result<std::convert::Infallible
     let Err(problem) = result;
     let command = match into {
         ImportInto::History => CheckCommand::Imported { name, result: Err(problem) }.into(),
-        ImportInto::Part => WalkCommand::Imported { name, result: Err(problem) }.into(),
+        ImportInto::Part(run) => WalkCommand::Imported { run, name, result: Err(problem) }.into(),
     };
     Found { before: None, command, sha256: None }
 }
@@ -160,7 +160,9 @@ impl Looked {
         });
         let command = match into {
             ImportInto::History => CheckCommand::Imported { result: import(&path, bytes, mapping, with), name }.into(),
-            ImportInto::Part => WalkCommand::Imported { result: items(&path, bytes, mapping, with), name }.into(),
+            ImportInto::Part(run) => {
+                WalkCommand::Imported { run, result: items(&path, bytes, mapping, with), name }.into()
+            }
         };
         Found { before: used, command, sha256 }
     }

@@ -86,7 +86,7 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> Found {
     let (name, mut seen) = (name(&path), None);
     let command = match purpose {
         Purpose::Import => return measurements::read(ImportInto::History, path, None, with),
-        Purpose::ImportValues => return measurements::read(ImportInto::Part, path, None, with),
+        Purpose::ImportValues(run) => return measurements::read(ImportInto::Part(run), path, None, with),
         Purpose::AskColumns(into) => return measurements::ask(into, path, with),
         Purpose::LoadMask => Command::MaskRead { name, result: read_mask(&path) },
         Purpose::LoadTables => Command::TablesRead { result: read_tables(&path), folder: path },

@@ -7,7 +7,7 @@ use eframe::egui::accesskit::{Live, Role};
 use eframe::egui::{self, Button, ComboBox, Key, Response, RichText, Ui, Vec2, WidgetInfo, WidgetText, vec2};
 use egui_plot::Plot;
 
-use super::keys::told;
+use super::keys::{is_held, told};
 use super::theme::{self, control};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
@@ -61,7 +61,8 @@ impl View<'_> {
         if !hint.is_empty() {
             response = response.on_hover_text(hint.join("\n"));
         }
-        if response.clicked() {
+        // A key that is held on a button answers no question either.
+        if response.clicked() && !(action == Action::NextPart && is_held(ui)) {
             self.act(action);
         }
         response

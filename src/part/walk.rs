@@ -16,16 +16,22 @@ pub struct Taken {
 /// One size of a part: its values in the order in which they came, or why it was left out.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Step {
-    /// Its values; the last one counts, and all of them are kept.
+    /// Its values, all of which are kept: [`Self::counts`] says which one counts.
     pub taken: Vec<Taken>,
     /// Why it was left out; a value that comes later counts.
     pub skipped: Option<String>,
 }
 
 impl Step {
+    /// The place of the value that counts: the last one that somebody measured, and the last simulated one where nobody did.
+    pub fn counting(&self) -> Option<usize> {
+        let measured = self.taken.iter().rposition(|taken| !taken.is_simulated);
+        measured.or_else(|| self.taken.len().checked_sub(1))
+    }
+
     /// The value that counts.
     pub fn counts(&self) -> Option<Taken> {
-        self.taken.last().copied()
+        self.taken.get(self.counting()?).copied()
     }
 
     /// Whether there is neither a value nor a reason.

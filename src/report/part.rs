@@ -28,11 +28,13 @@ impl PartSheet {
         Self { plan: Arc::clone(plan), walk, values, picture: None }
     }
 
-    /// Takes a value of a size, by its place in the plan; the last one counts.
+    /// Takes a value of a size, by its place in the plan; the last one that was measured counts.
     pub fn take(&mut self, at: usize, record: Arc<Record>) {
         let is_simulated = record.measurement.origin.is_simulated();
         self.walk.take(at, Taken { status: record.verdict.status(), is_simulated });
-        if let Some(value) = self.values.get_mut(at) {
+        let is_last = |step: &Step| step.counting().is_some_and(|counts| counts + 1 == step.taken.len());
+        let counts = self.walk.steps().get(at).is_some_and(is_last);
+        if let Some(value) = self.values.get_mut(at).filter(|_| counts) {
             *value = Some(record);
         }
     }

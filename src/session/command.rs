@@ -187,8 +187,8 @@ pub enum Purpose {
     SaveBudget,
     /// Reading a part plan.
     OpenPlan,
-    /// Reading measurements into the part that is walked through.
-    ImportValues,
+    /// Reading measurements into the part that is walked through, by its number among all that were begun.
+    ImportValues(u64),
     /// Reading measurements whose columns are to be seen first.
     AskColumns(ImportInto),
     /// Watching a folder that files are dropped into.
@@ -240,7 +240,7 @@ impl Purpose {
             | Self::OpenBudget
             | Self::OpenPlan
             | Self::OpenPicture
-            | Self::ImportValues
+            | Self::ImportValues(_)
             | Self::AskColumns(_)
             | Self::WatchFolder
             | Self::UseBudget
@@ -255,8 +255,8 @@ impl Purpose {
 pub enum ImportInto {
     /// The history of the check page.
     History,
-    /// The part that is walked through.
-    Part,
+    /// The part that is walked through, by its number among all that were begun: it may be another one when the file is read.
+    Part(u64),
 }
 
 impl ImportInto {
@@ -264,7 +264,7 @@ impl ImportInto {
     pub const fn purpose(self) -> Purpose {
         match self {
             Self::History => Purpose::Import,
-            Self::Part => Purpose::ImportValues,
+            Self::Part(run) => Purpose::ImportValues(run),
         }
     }
 }

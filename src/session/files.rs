@@ -183,7 +183,7 @@ impl Session {
         // Measurements that are dropped on a part that is being measured are its own.
         let is_of_walk =
             purpose == Purpose::Import && self.shared.page == Page::Parts && self.parts.walking().is_begun();
-        let purpose = if is_of_walk { Purpose::ImportValues } else { purpose };
+        let purpose = if is_of_walk { Purpose::ImportValues(self.parts.walking().run()) } else { purpose };
         if let Some(page) = purpose.page(self.shared.page) {
             self.shared.open(page);
         }

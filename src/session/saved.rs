@@ -78,6 +78,10 @@ pub struct SavedWalk {
     pub serial: String,
     /// The newest record of the journal when it was begun.
     pub since: u64,
+    /// What its plan asked for, as a hash.
+    pub sizes: String,
+    /// The newest record of the journal when the plan came to ask for that.
+    pub planned: u64,
     /// The sizes that were left out, with the reasons.
     pub skipped: BTreeMap<String, String>,
     /// The folder that is watched.

@@ -224,7 +224,7 @@ impl Shared {
         }
         let is_judged = |effect: &Effect| match effect.errand() {
             Effect::Read(purpose, _) => {
-                matches!(purpose, Purpose::Import | Purpose::ImportValues | Purpose::AskColumns(_))
+                matches!(purpose, Purpose::Import | Purpose::ImportValues(_) | Purpose::AskColumns(_))
             }
             Effect::ReadColumns { .. } => true,
             _ => false,

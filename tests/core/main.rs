@@ -119,6 +119,7 @@ mod session_tokens;
 mod session_tools;
 mod session_verdicts;
 mod session_walk;
+mod session_walk_values;
 mod session_workpiece;
 mod sources;
 mod sql;

@@ -162,7 +162,7 @@ fn a_file_for_a_part_that_was_ended_is_not_asked_about() {
     let mut session = Session::new(Language::En);
     let first = FirstRows::of("a.csv", ODD.as_bytes()).unwrap();
     let (name, path, mapping) = ("a.csv".to_owned(), PathBuf::from("/in/a.csv"), Mapping::default());
-    let asked = AskedColumns { name, path, into: ImportInto::Part, first, mapping, is_wanted: true };
+    let asked = AskedColumns { name, path, into: ImportInto::Part(1), first, mapping, is_wanted: true };
     send(&mut session, ColumnsCommand::Ask(Box::new(asked)));
     assert!(session.open_columns().is_none());
     assert_eq!(session.notices().len(), 1);

@@ -16,6 +16,7 @@ use fitcheck::session::{
 use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
+use jiff::ToSpan as _;
 use jiff::civil::{DateTime, date};
 use jiff::tz::{TimeZone, offset};
 
@@ -59,43 +60,43 @@ y = 30
 z = 10
 "#;
 
-fn now() -> DateTime {
+pub fn now() -> DateTime {
     date(2026, 11, 24).at(10, 42, 7, 0)
 }
 
-fn send(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
+pub fn send(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
     session.apply(command.into(), now())
 }
 
-fn typed(session: &mut Session, field: impl Into<Field>, text: &str) {
+pub fn typed(session: &mut Session, field: impl Into<Field>, text: &str) {
     let command = field.into().typed(text.to_owned());
     session.apply(command, now());
 }
 
-fn act(session: &mut Session, action: Action) -> Vec<Effect> {
+pub fn act(session: &mut Session, action: Action) -> Vec<Effect> {
     let command = action.command(session).unwrap_or_else(|| panic!("{action:?} is not possible"));
     session.apply(command, now())
 }
 
-fn said(message: &Message) -> String {
+pub fn said(message: &Message) -> String {
     Words::new(Language::En).say(message)
 }
 
-fn head(number: u64) -> Head {
+pub fn head(number: u64) -> Head {
     Head { number, hash: Hash([u8::try_from(number % 251).unwrap(); 32]) }
 }
 
-fn begin_records(session: &mut Session) {
+pub fn begin_records(session: &mut Session) {
     let (usual, zone) = (Some("/data/journal.sqlite".into()), TimeZone::fixed(offset(1)));
     send(session, RecordsCommand::Begin { usual, station: "Mill 3".to_owned(), zone });
 }
 
-fn open_journal(session: &mut Session, newest: u64) -> Vec<Effect> {
+pub fn open_journal(session: &mut Session, newest: u64) -> Vec<Effect> {
     let journal = OpenJournal { chain: ChainId([1; 16]), head: head(newest), remarks: Vec::new() };
     send(session, RecordsCommand::Opened(Ok((Box::new(journal), Vec::new()))))
 }
 
-fn read_plan(session: &mut Session, text: &str) -> Vec<Effect> {
+pub fn read_plan(session: &mut Session, text: &str) -> Vec<Effect> {
     let document = Document::read(text.as_bytes()).unwrap();
     let read = PlanCommand::Read { path: PathBuf::from("/plans/flange.toml"), result: Ok(Box::new(document)) };
     send(session, PartsCommand::Plan(read))
@@ -103,11 +104,16 @@ fn read_plan(session: &mut Session, text: &str) -> Vec<Effect> {
 
 /// A session that records, with the plan, and a part begun.
 fn walking() -> Session {
+    walking_by(PLAN)
+}
+
+/// The same by another plan.
+pub fn walking_by(plan: &str) -> Session {
     let mut session = Session::new(Language::En);
     begin_records(&mut session);
     open_journal(&mut session, 7);
     send(&mut session, Command::OpenPage(Page::Parts));
-    read_plan(&mut session, PLAN);
+    read_plan(&mut session, plan);
     assert_eq!(session.parts().document().findings().len(), 0);
     typed(&mut session, PartsField::Serial, "A-0099");
     let effects = act(&mut session, Action::BeginPart);
@@ -115,13 +121,19 @@ fn walking() -> Session {
     session
 }
 
-fn take(session: &mut Session, text: &str) -> Vec<Effect> {
+pub fn take(session: &mut Session, text: &str) -> Vec<Effect> {
     typed(session, PartsField::Value, text);
     act(session, Action::TakeValue)
 }
 
+/// Does an action some milliseconds later.
+pub fn act_after(session: &mut Session, action: Action, milliseconds: i64) -> Vec<Effect> {
+    let command = action.command(session).unwrap_or_else(|| panic!("{action:?} is not possible"));
+    session.apply(command, now().checked_add(milliseconds.milliseconds()).unwrap())
+}
+
 #[track_caller]
-fn kept(effects: &[Effect]) -> (u64, Vec<Entry>) {
+pub fn kept(effects: &[Effect]) -> (u64, Vec<Entry>) {
     let keep = effects.iter().find_map(|effect| match effect {
         Effect::Keep { run, entries } => Some((*run, entries.clone())),
         _ => None,
@@ -129,30 +141,36 @@ fn kept(effects: &[Effect]) -> (u64, Vec<Entry>) {
     keep.unwrap_or_else(|| panic!("{effects:?}"))
 }
 
-fn size(entry: &Entry) -> &Record {
+pub fn size(entry: &Entry) -> &Record {
     match &entry.check().unwrap().what {
         Checked::Size(record) => record,
         Checked::Cycle(cycle) => panic!("{cycle:?}"),
     }
 }
 
-fn asked(session: &Session) -> Option<String> {
+pub fn asked(session: &Session) -> Option<String> {
     session.parts().walking().asked().map(|size| size.name())
 }
 
-fn standing(session: &Session) -> String {
+pub fn standing(session: &Session) -> String {
     said(&session.parts().walking().standing().message())
 }
 
-fn items(text: &str) -> Vec<Item> {
+pub fn items(text: &str) -> Vec<Item> {
     let mut items = Vec::new();
     import_each("m.csv", text.as_bytes(), &Sources::default(), now(), &mut |item| items.push(item));
     items
 }
 
-fn import(session: &mut Session, text: &str) -> Vec<Effect> {
+/// The answer of a file that is read for the part of now.
+pub fn imported(session: &Session, items: Vec<Item>) -> WalkCommand {
+    WalkCommand::Imported { run: session.parts().walking().run(), name: "m.csv".to_owned(), result: Ok(items) }
+}
+
+pub fn import(session: &mut Session, text: &str) -> Vec<Effect> {
     send(session, RecordsCommand::Measured { name: "m.csv".to_owned(), sha256: Hash([3; 32]) });
-    send(session, WalkCommand::Imported { name: "m.csv".to_owned(), result: Ok(items(text)) })
+    let command = imported(session, items(text));
+    send(session, command)
 }
 
 #[test]
@@ -200,7 +218,7 @@ fn a_doubtful_value_is_asked_about_first() {
     assert!(session.parts().walking().question().is_some());
     assert_eq!(asked(&session).as_deref(), Some("BORE"));
     // Enter once more takes it.
-    kept(&act(&mut session, Action::TakeValue));
+    kept(&act_after(&mut session, Action::TakeValue, 600));
     assert_eq!(session.parts().walking().shown().unwrap().1.record.measurement.diameter.to_string(), "1.203");
 }
 
@@ -303,7 +321,7 @@ fn a_file_that_is_dropped_on_a_walk_is_read_for_it() {
     let mut session = walking();
     let path = PathBuf::from("/in/m.csv");
     let effects = send(&mut session, FilesCommand::Open(Purpose::Import, path.clone()));
-    assert_eq!(effects, [Effect::Read(Purpose::ImportValues, path)]);
+    assert_eq!(effects, [Effect::Read(Purpose::ImportValues(1), path)]);
     assert_eq!(session.page(), Page::Parts);
     // It comes when the part was ended already.
     act(&mut session, Action::NextPart);
@@ -325,7 +343,7 @@ fn values_of_another_serial_number_are_recorded_under_it_and_said() {
         };
         labels.serial = serials[at].to_owned();
     }
-    let command = WalkCommand::Imported { name: "m.csv".to_owned(), result: Ok(items) };
+    let command = imported(&session, items);
     let (_, entries) = kept(&send(&mut session, command));
     let serials: Vec<_> = entries.iter().map(|entry| entry.about.serial.as_str()).collect();
     assert_eq!(serials, ["B-7", "A-0099"]);
@@ -351,7 +369,7 @@ fn the_plans_rule_counts_and_else_the_rule_of_the_check_page() {
 }
 
 /// The rows that a journal would give for what was sent.
-fn rows(entries: &[Entry], first: u64) -> Vec<RecordRow> {
+pub fn rows(entries: &[Entry], first: u64) -> Vec<RecordRow> {
     let row = |(number, entry): (u64, &Entry)| RecordRow {
         head: head(number),
         entry: Ok(entry.clone()),
@@ -412,7 +430,7 @@ fn without_a_journal_an_interrupted_part_comes_back_without_values_and_says_so()
     assert!(said(&back.notices().last().unwrap().message).contains("without its values"));
 }
 
-fn watched(session: &mut Session) -> u64 {
+pub fn watched(session: &mut Session) -> u64 {
     let effects = send(session, WalkCommand::Watch { folder: "/in".into(), is_folder: true });
     match &effects[..] {
         [Effect::Watch { run, folder, .. }] => {
@@ -423,7 +441,7 @@ fn watched(session: &mut Session) -> u64 {
     }
 }
 
-fn look(session: &Session, number: u64, text: &str) -> WatchNews {
+pub fn look(session: &Session, number: u64, text: &str) -> WatchNews {
     let plan = session.parts().document().plan().unwrap();
     let mut by_plan = fitcheck::exchange::ByPlan::new(plan);
     let mut judged = Vec::new();

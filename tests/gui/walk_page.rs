@@ -327,6 +327,63 @@ fn the_list_is_walked_by_key() {
     assert_eq!(asked(&page).as_deref(), Some("D11"));
 }
 
+#[test]
+fn a_gauge_types_into_the_value_whatever_was_clicked_before() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun(folder.path());
+    page.get_by(|node| node.role() == Role::Row && node.label().is_some_and(|label| label.contains("PIN"))).click();
+    page.run();
+    page.event(eframe::egui::Event::Text("19.985".to_owned()));
+    press(&mut page, Key::Enter);
+    assert!(verdict(&page).contains("PIN: 19.985 mm"), "{}", verdict(&page));
+    // The list has the focus, or nothing has it.
+    page.get_by_role_and_label(Role::Grid, "Sizes of the part").focus();
+    page.run();
+    page.event(eframe::egui::Event::Text("16.".to_owned()));
+    page.run();
+    page.event(eframe::egui::Event::Text("01".to_owned()));
+    press(&mut page, Key::Enter);
+    assert!(verdict(&page).contains("SLOT: 16.010 mm"), "{}", verdict(&page));
+    let focused = page.ctx.memory(eframe::egui::Memory::focused).unwrap();
+    page.ctx.memory_mut(|memory| memory.surrender_focus(focused));
+    page.event(eframe::egui::Event::Text("29.97".to_owned()));
+    press(&mut page, Key::Enter);
+    assert!(verdict(&page).contains("RIDGE: 29.970 mm"), "{}", verdict(&page));
+}
+
+#[test]
+fn a_key_that_is_held_ends_no_part_with_missing_sizes() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun(folder.path());
+    for _ in 0..5 {
+        page.key_down(Key::F8);
+        page.run();
+    }
+    assert!(page.state().session().parts().walking().is_warned());
+    page.get_by_label_contains("Next part once more ends the part");
+    page.key_up(Key::F8);
+    page.run();
+    press(&mut page, Key::F8);
+    assert!(!page.state().session().parts().walking().is_begun());
+}
+
+#[test]
+fn a_serial_number_that_was_measured_already_is_asked_about_beside_its_field() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun(folder.path());
+    value(&mut page, "25.01");
+    for _ in 0..2 {
+        press(&mut page, Key::F8);
+    }
+    page.event(eframe::egui::Event::Text("A-0099".to_owned()));
+    for _ in 0..2 {
+        // The clock of the tests stands still: both are one line of a scanner.
+        press(&mut page, Key::Enter);
+    }
+    page.get_by_label_contains("Serial number A-0099 has been measured already.");
+    assert!(!page.state().session().parts().walking().is_begun());
+}
+
 /// From Enter to the verdict on screen, with recording.
 fn picture(name: &str, size: Vec2, language: Language, theme: Theme) {
     if !can_paint(name) {

@@ -24,6 +24,7 @@ walk-page-plan-wrong = { $count ->
     }
 walk-page-not-saved = The plan has unsaved changes: an interrupted part cannot be restored after a restart.
 walk-page-serial = Serial number
+walk-page-serial-again = Serial number { $serial } has been measured already. Press Enter again, after half a second, to start it again.
 walk-page-serial-hint = Type it, scan it or use the next number; Enter starts the part.
 walk-page-recent = Recent plans
 walk-page-done = Every size has a value or is skipped
@@ -51,7 +52,9 @@ walk-page-next-warned = { $count ->
         [one] One size has neither a value nor a reason. Choose Next part again to end this part.
        *[other] { $count } sizes have neither a value nor a reason. Choose Next part again to end this part.
     }
-walk-page-question-enter = Press Enter again to use it as it is.
+walk-page-question-enter = Press Enter again, after half a second, to use it as it is.
+walk-page-typed-elsewhere = the value was typed for { $name }, and { $asked } is asked for now: type it again
+walk-page-simulate-measured = { $name } is measured: a simulated value never takes the place of a measured one
 walk-page-part-status = Part status
 walk-page-not-complete = No verdict yet
 walk-page-simulated = { $count ->
@@ -78,10 +81,18 @@ walk-page-refused = { $count ->
 walk-page-import-late = { $name } was read after the part had ended: its values are not used
 walk-page-imported = { $name }: { $good } imported, { $bad } not
 walk-page-other-parts = Values of other parts are recorded under their own serial numbers: { $serials }
+walk-page-label = The file has no serial numbers and calls the part { $part }: its values are taken for this part
+walk-page-other-label = of the part { $part }, and without a serial number it is not known to be this part
+walk-page-remark-label = Part in the file: { $part }
 walk-page-not-judged = line { $line }: { $why }
 walk-page-no-journal = Part { $serial } was restored without its values: there are no records to restore them from
 walk-page-gone = Some sizes are no longer in the plan: their measured values stay in the records
 walk-page-gone-name = { $name }
+walk-page-changed = The plan has changed: values by other limits, by another rule, or of rows without a name stay in the records, and their sizes are open
+walk-page-changed-size = { $name }: { $measured } mm was measured by { $asked }
+walk-page-given-up = The interrupted part { $serial } does not come back, because another part is begun: its values stay in the records
+walk-page-ended = Left out of the part { $serial }, which is ended
+walk-page-ended-size = { $name }: { $reason }
 walk-page-taken-back = A value of { $name } was corrected or withdrawn in the records: it no longer applies to this part
 walk-page-put-right = A value of { $name } was corrected in the records: the corrected one applies to this part
 walk-page-no-folder = { $path } is not a folder

@@ -24,6 +24,7 @@ walk-page-plan-wrong = { $count ->
     }
 walk-page-not-saved = Het plan heeft wijzigingen die in geen bestand staan: een onderbroken onderdeel kan na een herstart niet terugkomen.
 walk-page-serial = Serienummer
+walk-page-serial-again = Serienummer { $serial } is al gemeten. Nog eens Enter, na een halve seconde, begint het opnieuw.
 walk-page-serial-hint = Typ of scan het, of tel door; Enter begint het onderdeel.
 walk-page-recent = Laatst gelezen plannen
 walk-page-done = Elke maat heeft een waarde of een reden
@@ -51,7 +52,9 @@ walk-page-next-warned = { $count ->
         [one] Eén maat heeft geen waarde en geen reden. Nog eens Volgend onderdeel beëindigt het onderdeel.
        *[other] { $count } maten hebben geen waarde en geen reden. Nog eens Volgend onderdeel beëindigt het onderdeel.
     }
-walk-page-question-enter = Nog eens Enter neemt hem zoals hij is.
+walk-page-question-enter = Nog eens Enter, na een halve seconde, neemt hem zoals hij is.
+walk-page-typed-elsewhere = de waarde is getypt voor { $name }, en nu wordt { $asked } gevraagd: typ hem opnieuw
+walk-page-simulate-measured = { $name } is gemeten: een gesimuleerde waarde komt nooit in de plaats van een gemeten waarde
 walk-page-part-status = Het onderdeel
 walk-page-not-complete = Nog geen oordeel
 walk-page-simulated = { $count ->
@@ -75,13 +78,21 @@ walk-page-refused = { $count ->
         [one] Een controle is niet vastgelegd: { $why }
        *[other] { $count } controles zijn niet vastgelegd: { $why }
     }
-walk-page-import-late = { $name } werd gelezen toen het onderdeel al beëindigd was: de waarden zijn niet genomen
+walk-page-import-late = { $name } werd gelezen toen zijn onderdeel al beëindigd was: de waarden zijn niet genomen
 walk-page-imported = { $name }: { $good } genomen, { $bad } niet
 walk-page-other-parts = Waarden van andere onderdelen zijn onder hun eigen serienummers vastgelegd: { $serials }
+walk-page-label = Het bestand heeft geen serienummers en noemt het onderdeel { $part }: de waarden zijn voor dit onderdeel genomen
+walk-page-other-label = van het onderdeel { $part }, en zonder serienummer is niet bekend of dat dit onderdeel is
+walk-page-remark-label = Onderdeel in het bestand: { $part }
 walk-page-not-judged = regel { $line }: { $why }
 walk-page-no-journal = Het onderdeel { $serial } is terug zonder zijn waarden: er is niets vastgelegd waaruit ze konden komen
 walk-page-gone = Sommige maten staan niet meer in het plan: wat ervan gemeten is blijft vastgelegd
 walk-page-gone-name = { $name }
+walk-page-changed = Het plan is gewijzigd: waarden met andere grenzen, met een andere regel of van rijen zonder naam blijven vastgelegd, en hun maten zijn open
+walk-page-changed-size = { $name }: { $measured } mm is gemeten met { $asked }
+walk-page-given-up = Het onderbroken onderdeel { $serial } komt niet terug, omdat een ander onderdeel begonnen is: de waarden blijven vastgelegd
+walk-page-ended = Overgeslagen van het onderdeel { $serial }, dat beëindigd is
+walk-page-ended-size = { $name }: { $reason }
 walk-page-taken-back = Een waarde van { $name } is in het journaal verbeterd of ingetrokken: hij telt niet meer voor dit onderdeel
 walk-page-put-right = Een waarde van { $name } is in het journaal verbeterd: de verbeterde telt voor dit onderdeel
 walk-page-no-folder = { $path } is geen map

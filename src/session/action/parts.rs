@@ -224,7 +224,8 @@ pub(super) fn step(step: Step) -> Row {
 }
 
 pub(super) fn import() -> Row {
-    of_walk("walk-page-import", Command::OpenDialog(Purpose::ImportValues))
+    let open = |session: &Session| Command::OpenDialog(Purpose::ImportValues(session.parts().walking().run()));
+    Row::new(Place::Page(Page::Parts), "walk-page-import", Sends::FromState(open)).when(is_measured)
 }
 
 pub(super) fn report(number: usize) -> Row {
@@ -232,8 +233,10 @@ pub(super) fn report(number: usize) -> Row {
 }
 
 pub(super) fn import_columns() -> Row {
-    let open = Command::OpenDialog(Purpose::AskColumns(ImportInto::Part));
-    of_walk("columns-page-import", open).hint("columns-page-hint")
+    let open =
+        |session: &Session| Command::OpenDialog(Purpose::AskColumns(ImportInto::Part(session.parts().walking().run())));
+    let row = Row::new(Place::Page(Page::Parts), "columns-page-import", Sends::FromState(open));
+    row.hint("columns-page-hint").when(is_measured)
 }
 
 pub(super) fn watch() -> Row {

@@ -53,14 +53,17 @@ impl Session {
     fn plan_for(&self, into: ImportInto) -> Option<Arc<Plan>> {
         match into {
             ImportInto::History => None,
-            ImportInto::Part => self.parts.walking().plan().map(Arc::clone),
+            ImportInto::Part(run) => {
+                let walking = self.parts.walking();
+                walking.plan().filter(|_| run == walking.run()).map(Arc::clone)
+            }
         }
     }
 
     fn ask_for_columns(&mut self, asked: Asked, now: DateTime) {
         let Some(asked) = self.shared.file_answered(Ok(asked)) else { return };
         let plan = self.plan_for(asked.into);
-        if asked.into == ImportInto::Part && plan.is_none() {
+        if matches!(asked.into, ImportInto::Part(_)) && plan.is_none() {
             return self.shared.tell(Message::new("walk-page-import-late").text("name", &asked.name));
         }
         // Asked about a second time, a file begins anew.

@@ -194,7 +194,7 @@ pub fn refusal(into: ImportInto, has: impl Fn(Role) -> bool) -> Option<Message> 
     }
     match into {
         ImportInto::History => (!has(Role::Tolerance)).then(|| Message::new("columns-page-no-callout")),
-        ImportInto::Part => {
+        ImportInto::Part(_) => {
             let is_found = has(Role::Id) || has(Role::Number) || has(Role::X) && has(Role::Y);
             (!is_found).then(|| Message::new("columns-page-no-name"))
         }

@@ -55,7 +55,7 @@ impl Purpose {
     /// The name of the kind of thing in the state file. What is read and written alike has one folder.
     pub(in crate::session) const fn kind(self) -> &'static str {
         match self {
-            Self::Import | Self::ImportValues | Self::AskColumns(_) => "measurements",
+            Self::Import | Self::ImportValues(_) | Self::AskColumns(_) => "measurements",
             Self::WatchFolder => "watched",
             Self::LoadMask => "mask",
             Self::LoadTables => "own-tables",
@@ -88,7 +88,7 @@ impl Purpose {
     /// without an ending gets.
     pub fn endings(self) -> Vec<&'static str> {
         match self {
-            Self::Import | Self::ImportValues | Self::AskColumns(_) => {
+            Self::Import | Self::ImportValues(_) | Self::AskColumns(_) => {
                 exchange::endings().into_iter().chain(PACKED).collect()
             }
             Self::OpenReadings => exchange::endings().into_iter().collect(),
@@ -151,8 +151,8 @@ impl Purpose {
             Self::OpenParts(_) => Page::Pairing,
             Self::OpenPlan
             | Self::OpenPicture
-            | Self::ImportValues
-            | Self::AskColumns(ImportInto::Part)
+            | Self::ImportValues(_)
+            | Self::AskColumns(ImportInto::Part(_))
             | Self::WatchFolder => Page::Parts,
             // Both pages monitor tools with it.
             Self::OpenTools if open == Page::Cycles => open,

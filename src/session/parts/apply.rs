@@ -21,6 +21,11 @@ impl PageState for PartsPage {
         let mut effects = Vec::new();
         match command {
             PartsCommand::Type(field, text) => {
+                match field {
+                    PartsField::Value => self.walking.typed(&text),
+                    PartsField::Serial => self.again = None,
+                    PartsField::Reason => {}
+                }
                 self.texts.set(field, text);
                 self.errors.remove(&field);
             }

@@ -109,7 +109,7 @@ pub enum PlanCommand {
 /// What can be done on the walk.
 #[derive(Debug, Clone)]
 pub enum WalkCommand {
-    /// Begins a part with the serial number in its field.
+    /// Begins a part with the serial number in its field; one that was measured already is asked about first.
     Begin,
     /// Counts the serial number in its field up.
     CountUp,
@@ -117,7 +117,7 @@ pub enum WalkCommand {
     Go(usize),
     /// Asks for another one.
     Move(Step),
-    /// Takes the value in its field. One that may be another quantity is asked about first; a second time takes it.
+    /// Takes the value in its field. One that may be another quantity is asked about first; a second time takes it, half a second later.
     Take,
     /// Takes what the typed value may have been.
     TakeMeant,
@@ -133,6 +133,8 @@ pub enum WalkCommand {
     Next,
     /// A file of measurements was read, or not.
     Imported {
+        /// The number of the part that it was read for.
+        run: u64,
         /// Its name without the folder.
         name: String,
         /// What it holds.

@@ -1,4 +1,4 @@
-//! What is done on the walk: a part begins, a value is typed or simulated, a size is left out, the next part comes.
+//! What is done on the walk: a value is typed or simulated, a size is left out.
 
 use std::sync::Arc;
 
@@ -20,16 +20,22 @@ use crate::session::command::Effect;
 use crate::session::field::Range;
 use crate::session::recording::{Named, Sent, ToKeep, used};
 use crate::session::shared::Shared;
+use crate::words::Words;
 
 impl PartsPage {
     pub(super) fn apply_walk(&mut self, command: WalkCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         match command {
-            WalkCommand::Begin => return self.begin(shared),
+            WalkCommand::Begin => return self.begin(shared, now),
             WalkCommand::CountUp => {
                 let next = serials::next(self.text(PartsField::Serial));
-                self.texts.set(PartsField::Serial, next);
+                self.set_serial(next);
             }
-            WalkCommand::Go(at) => self.walking.go(at),
+            WalkCommand::Go(at) => {
+                self.walking.go(at);
+                self.errors.remove(&PartsField::Value);
+                // What a gauge types next is a value of it.
+                return vec![Effect::Focus(PartsField::Value.into())];
+            }
             WalkCommand::Move(step) => {
                 if let Some(last) = self.walking.count().checked_sub(1) {
                     self.walking.go(step.place(self.walking.at(), last));
@@ -54,8 +60,8 @@ impl PartsPage {
                 self.walking.is_skipping = is_open && self.walking.at().is_some();
             }
             WalkCommand::Skip(reason) => return self.skip(&reason),
-            WalkCommand::Next => return self.next_part(),
-            WalkCommand::Imported { name, result } => self.imported(&name, result, shared),
+            WalkCommand::Next => return self.next_part(shared),
+            WalkCommand::Imported { run, name, result } => self.imported(run, &name, result, shared),
             WalkCommand::Came { run, result } => self.came(run, result, shared),
             WalkCommand::Watch { folder, is_folder } => self.watch(folder, is_folder, shared),
             WalkCommand::StopWatch => return self.watched.stop().into_iter().collect(),
@@ -64,23 +70,17 @@ impl PartsPage {
         Vec::new()
     }
 
-    fn begin(&mut self, shared: &mut Shared) -> Vec<Effect> {
-        let serial = self.text(PartsField::Serial).trim().to_owned();
-        let Some(plan) = self.document.plan().map(Arc::clone) else { return Vec::new() };
-        // A plan that was changed and not saved cannot be read again.
-        let path = self.document.path().filter(|_| !self.document.is_unsaved()).map(std::path::Path::to_owned);
-        self.give_up_resuming();
-        self.walking.begin(&plan, path, serial, shared.recording.newest());
-        self.texts.set(PartsField::Value, "");
-        self.errors.clear();
-        self.watch_plan(&plan, shared);
-        vec![Effect::Focus(PartsField::Value.into())]
-    }
-
     /// Reads the field, asks about a doubtful value, and takes it.
     fn take_typed(&mut self, shared: &mut Shared, now: DateTime) {
         let asked_about = self.walking.question.take();
         let Some(at) = self.walking.at() else { return };
+        // A value is of the size that it was typed for, and of no other one.
+        if let Some(typed_at) = self.walking.typed_elsewhere() {
+            let [name, asked] = [typed_at, at].map(|at| self.walking.name(at));
+            let refusal = Message::new("walk-page-typed-elsewhere").text("name", name).text("asked", asked);
+            self.errors.insert(PartsField::Value, refusal);
+            return;
+        }
         let range = if self.walking.may_be_any() { Range::Any } else { Range::AboveZero };
         let gauged = gauge::read(self.text(PartsField::Value)).map_err(|error| error.message());
         let read = gauged.and_then(|gauged| {
@@ -100,16 +100,33 @@ impl PartsPage {
                 return;
             }
         };
-        if let Some(question) = question(&record)
-            && asked_about != Some(question)
-        {
-            self.walking.question = Some(question);
-            return;
+        if let Some(question) = question(&record) {
+            let is_new = asked_about != Some(question);
+            if is_new {
+                self.asking.ask(now);
+            }
+            if is_new || !self.asking.is_answered(now) {
+                self.walking.question = Some(question);
+                return;
+            }
         }
-        self.texts.set(PartsField::Value, "");
-        self.errors.remove(&PartsField::Value);
+        self.clear_value();
         self.keep_own(vec![(at, record, remarks)], shared);
         self.walking.go_on();
+    }
+
+    /// Empties the field of the value.
+    pub(super) fn clear_value(&mut self) {
+        self.texts.set(PartsField::Value, "");
+        self.walking.typed("");
+        self.errors.remove(&PartsField::Value);
+    }
+
+    /// The size that is asked for is one that is open, unless somebody is at another one: while a value is typed it stays its own.
+    pub(super) fn stay_open(&mut self) {
+        if self.text(PartsField::Value).trim().is_empty() {
+            self.walking.stay_open();
+        }
     }
 
     fn judge(
@@ -138,6 +155,10 @@ impl PartsPage {
     }
 
     fn simulated(&self, at: usize, shared: &Shared, now: DateTime) -> Result<Vec<Judged>, Message> {
+        // It would not count, and nobody would know that he has to measure again.
+        if self.walking.is_measured(at) {
+            return Err(Message::new("walk-page-simulate-measured").text("name", self.walking.name(at)));
+        }
         let size = self.walking.asked().ok_or_else(|| Message::new("walk-page-nothing-asked"))?;
         let measured = size.feature.simulated(self.walking.seed + 1)?;
         let first = at.saturating_sub(size.side);
@@ -161,6 +182,7 @@ impl PartsPage {
             values.push(Arriving { at: Some(at), record: Arc::new(record), remarks, labels: None, file: None });
         }
         self.keep(values, shared);
+        self.walking.quiet();
     }
 
     /// Puts checks into the history, sends them to the journal as one batch, and those of this part into the walk.
@@ -171,10 +193,11 @@ impl PartsPage {
         let first = shared.history.next();
         shared.history.add(values.iter().map(|value| Arc::clone(&value.record)).collect());
         let budget = shared.budget.as_deref().and_then(|open| used(FileRole::Budget, &open.file, open.sha256));
+        let words = Words::new(shared.language);
         let checks = values.iter().map(|value| {
             let budget = budget.clone().filter(|_| value.record.budget.is_some());
             let files = value.file.iter().cloned().chain(budget).collect();
-            ToKeep { record: Arc::clone(&value.record), named: self.named(value), files }
+            ToKeep { record: Arc::clone(&value.record), named: self.named(value, &words), files }
         });
         let checks = checks.collect();
         let sent = shared.recording.keep_named(first, checks);
@@ -191,17 +214,22 @@ impl PartsPage {
     }
 
     /// What a value is named in the journal: by its file, and what that does not say by this part.
-    fn named(&self, value: &Arriving) -> Named {
+    fn named(&self, value: &Arriving, words: &Words) -> Named {
         let (is_own, of_file) = (value.at.is_some(), value.labels.as_deref());
         let part = self.walking.plan().or(self.document.plan()).map(|plan| plan.head.part.clone()).unwrap_or_default();
         let given = |text: Option<&String>| text.filter(|text| !text.is_empty()).cloned();
+        let label = given(of_file.map(|labels| &labels.part)).unwrap_or_default();
+        let part = if part.is_empty() { label.clone() } else { part };
+        // What the file calls the part stays findable where that is another name.
+        let is_other = !label.is_empty() && !label.trim().eq_ignore_ascii_case(&part);
+        let remark = is_other.then(|| words.say(&Message::new("walk-page-remark-label").text("part", label.trim())));
         Named {
-            part: if part.is_empty() { given(of_file.map(|labels| &labels.part)).unwrap_or_default() } else { part },
+            part,
             serial: given(of_file.map(|labels| &labels.serial))
                 .unwrap_or_else(|| if is_own { self.walking.serial().to_owned() } else { String::new() }),
             feature: value.record.id.clone(),
             who: given(of_file.map(|labels| &labels.who)).unwrap_or_default(),
-            remark: String::new(),
+            remark: remark.unwrap_or_default(),
         }
     }
 
@@ -216,21 +244,6 @@ impl PartsPage {
         self.texts.set(PartsField::Reason, "");
         self.walking.go_on();
         vec![Effect::Focus(PartsField::Value.into())]
-    }
-
-    /// The next part: what is missing of this one is said first.
-    fn next_part(&mut self) -> Vec<Effect> {
-        if 0 < self.walking.standing().missing && !self.walking.is_warned {
-            self.walking.quiet();
-            self.walking.is_warned = true;
-            return Vec::new();
-        }
-        let next = serials::next(self.walking.serial());
-        self.walking.end();
-        self.errors.clear();
-        self.texts.set(PartsField::Serial, next);
-        self.texts.set(PartsField::Value, "");
-        vec![Effect::Focus(PartsField::Serial.into())]
     }
 }
 

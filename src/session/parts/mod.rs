@@ -8,21 +8,26 @@
 //! | `picture` | the part's picture and the balloons on it |
 //! | `walking` | the part that is being measured: which size is asked for, what was measured |
 //! | `measuring`, `judging`, `serials` | what is done on the walk; a value becomes a check; serial numbers are counted up |
+//! | `ending` | a part begins, and the next one comes |
+//! | `asking` | questions that Enter answers |
 //! | `arriving`, `watched` | values from files; a folder that is watched |
-//! | `resume` | an interrupted part comes back |
+//! | `resume`, `planned` | an interrupted part comes back, as far as its plan asks for the same |
 //! | `reporting` | the part as a report |
 //! | `field`, `command`, `apply` | its text fields, what can be done, and how |
 
 mod apply;
 mod arriving;
+mod asking;
 mod command;
 mod document;
 mod editing;
+mod ending;
 mod field;
 mod judging;
 mod measuring;
 mod paste;
 mod picture;
+mod planned;
 mod reporting;
 mod resume;
 mod serials;
@@ -31,7 +36,7 @@ mod sorting;
 mod walking;
 mod watched;
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -43,6 +48,7 @@ pub use sheet::Sheet;
 pub use walking::{Value, WalkRow, Walking};
 pub use watched::{TakenFile, WatchNews, Watched, WatchedFile};
 
+use self::asking::Asking;
 use self::resume::Resume;
 use super::command::Effect;
 use crate::message::Message;
@@ -77,6 +83,11 @@ pub struct PartsPage {
     sheet: Sheet,
     shown: picture::Shown,
     walking: Walking,
+    asking: Asking,
+    /// The parts that were measured since the window was opened, by their names and serial numbers.
+    ended: BTreeSet<(String, String)>,
+    /// The serial number that is to be begun once more, after the question about it.
+    again: Option<String>,
     resume: Resume,
     watched: Watched,
     /// What has to be done outside because of what happened elsewhere.

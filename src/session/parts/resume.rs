@@ -5,15 +5,17 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use super::PartsPage;
+use super::planned::{Away, Planned, Sizes};
 use super::walking::Value;
 use crate::journal::ask::Question;
 use crate::journal::entry::{Checked, Entry};
 use crate::message::Message;
+use crate::part::Plan;
 use crate::session::command::{Effect, Purpose};
 use crate::session::recording::{Keeping, Recorded};
 use crate::session::records::RecordRow;
 use crate::session::saved::{SavedWalk, SavedWatch};
-use crate::session::shared::Shared;
+use crate::session::shared::{Notice, Shared};
 
 /// The most values of a part that come back: every size of the largest plan, some of them several times.
 const MOST: usize = 10_000;
@@ -55,7 +57,8 @@ impl PartsPage {
             return SavedWalk::default();
         }
         let (serial, skipped) = (self.walking.serial().to_owned(), self.walking.skipped());
-        SavedWalk { plan, serial, since: self.walking.since, skipped, watched: None }
+        let Planned { sizes, since: planned } = self.walking.planned.clone();
+        SavedWalk { plan, serial, since: self.walking.since, sizes, planned, skipped, watched: None }
     }
 
     /// Watches the folder of the last time again once its plan is there.
@@ -80,16 +83,24 @@ impl PartsPage {
         }
         let Some(saved) = self.resume.saved.take() else { return };
         self.walking.begin(&plan, saved.plan.clone(), saved.serial.clone(), saved.since);
-        let mut gone = BTreeSet::new();
+        let is_other_plan = self.walking.planned.sizes != saved.sizes;
+        let is_open = *shared.recording.keeping() == Keeping::Open;
+        if is_other_plan && is_open {
+            self.walking.planned.since = shared.recording.newest();
+        } else {
+            // Without a journal it cannot be said from which record on the plan is another one: the next time finds that out.
+            self.walking.planned = Planned { sizes: saved.sizes.clone(), since: saved.planned };
+        }
+        let (mut gone, sizes) = (BTreeSet::new(), Sizes::of(&plan));
         for (name, reason) in &saved.skipped {
-            match self.walking.place_of(name) {
+            match sizes.named(name, is_other_plan) {
                 Some(at) => _ = self.walking.skip(at, reason),
                 None => _ = gone.insert(name.clone()),
             }
         }
         tell_gone(gone, shared);
-        self.walking.stay_open();
-        if *shared.recording.keeping() != Keeping::Open {
+        self.stay_open();
+        if !is_open {
             return shared.tell(Message::new("walk-page-no-journal").text("serial", &saved.serial));
         }
         self.resume.run += 1;
@@ -102,9 +113,10 @@ impl PartsPage {
         self.errands.push(Effect::ReadPart { run: self.resume.run, question, most: MOST });
     }
 
-    /// It does not come back: its plan cannot be read, or another part was begun.
-    pub(super) fn give_up_resuming(&mut self) {
-        (self.resume.saved, self.resume.is_asked) = (None, false);
+    /// It does not come back: its plan cannot be read, or another part was begun. Returns the one that waited.
+    pub(super) fn give_up_resuming(&mut self) -> Option<SavedWalk> {
+        self.resume.is_asked = false;
+        self.resume.saved.take()
     }
 
     /// The journal has answered. Values that were measured meanwhile stay the last ones.
@@ -116,7 +128,9 @@ impl PartsPage {
             Ok(rows) => rows,
             Err(why) => return shared.tell(Message::new("walk-page-not-read").message("why", why)),
         };
-        let (mut count, mut gone) = (0, BTreeSet::new());
+        let Some(plan) = self.walking.plan().map(Arc::clone) else { return };
+        let (mut count, mut gone, mut changed) = (0, BTreeSet::new(), Vec::new());
+        let sizes = Sizes::of(&plan);
         let corrected: BTreeMap<u64, u64> = rows.iter().filter_map(corrects).collect();
         let mut came: Vec<(u64, (usize, Value))> = Vec::new();
         for row in &rows {
@@ -128,21 +142,25 @@ impl PartsPage {
             if !self.is_of_part(entry) || place <= self.walking.since || row.corrected_by.is_some() || is_known {
                 continue;
             }
-            if !matches!(entry.check().map(|check| &check.what), Some(Checked::Size(_))) {
-                continue;
-            }
-            match self.value(number, entry) {
-                Some(value) => {
+            match value(&sizes, number, entry, place <= self.walking.planned.since) {
+                Some(Ok(value)) => {
                     count += 1;
                     came.push((place, value));
                 }
-                None => _ = gone.insert(entry.about.feature.clone()),
+                Some(Err(Away::Changed(value))) => changed.push(value),
+                Some(Err(Away::Gone)) => _ = gone.insert(entry.about.feature.clone()),
+                None => {}
             }
+            self.see_label(&plan, entry);
         }
         tell_gone(gone, shared);
+        if !changed.is_empty() {
+            let said = Message::new("walk-page-changed");
+            shared.notices.push(Notice { details: changed, ..Notice::of(said, true) });
+        }
         came.sort_by_key(|(place, _)| *place);
         self.walking.put_before(came.into_iter().map(|(_, value)| value).collect());
-        self.walking.stay_open();
+        self.stay_open();
         let said = Message::new("walk-page-came-back").text("serial", self.walking.serial()).count("count", count);
         shared.note(said, Vec::new());
     }
@@ -170,13 +188,22 @@ impl PartsPage {
         entry.about.serial == self.walking.serial() && (part.is_empty() || entry.about.part == part)
     }
 
-    /// The value of an entry with the place of its size; `None` where the plan has no such size, or it is no value of a size.
-    fn value(&self, number: u64, entry: &Entry) -> Option<(usize, Value)> {
-        let Checked::Size(record) = &entry.check()?.what else { return None };
-        let name = &entry.about.feature;
-        let record = if record.id.is_empty() { record.called(name) } else { Arc::clone(record) };
-        Some((self.walking.place_of(name)?, Value { record, id: None, number: Some(number), remarks: Vec::new() }))
+    /// A plan without a name of its part was measured by what a file called it: a value of another one is of another part.
+    fn see_label(&mut self, plan: &Plan, entry: &Entry) {
+        if plan.head.part.is_empty() && !entry.about.part.is_empty() {
+            self.walking.label.get_or_insert_with(|| entry.about.part.clone());
+        }
     }
+}
+
+/// The value of an entry with the place of its size, or why it is none of a size of today; `None` where it is of no size at all.
+fn value(sizes: &Sizes<'_>, number: u64, entry: &Entry, is_before: bool) -> Option<Result<(usize, Value), Away>> {
+    let Checked::Size(record) = &entry.check()?.what else { return None };
+    let name = &entry.about.feature;
+    let place = sizes.place(name, record, is_before);
+    let record = if record.id.is_empty() { record.called(name) } else { Arc::clone(record) };
+    let value = Value { record, id: None, number: Some(number), remarks: Vec::new() };
+    Some(place.map(|at| (at, value)))
 }
 
 /// Sizes that the plan has no more are named once, all together.
@@ -197,11 +224,13 @@ impl PartsPage {
         // A value of a part before this one stays one, whatever is corrected of it.
         let is_here = self.walking.since < number || self.walking.has(is_it);
         let by = by.filter(|(_, entry)| is_here && self.is_of_part(entry));
-        let new = by.and_then(|(number, entry)| self.value(*number, entry));
+        let plan = self.walking.plan().map(Arc::clone);
+        let new =
+            by.zip(plan).and_then(|((number, entry), plan)| value(&Sizes::of(&plan), *number, entry, false)?.ok());
         let id = if new.is_some() { "walk-page-put-right" } else { "walk-page-taken-back" };
         if let Some(name) = self.walking.replace(is_it, new) {
             shared.note(Message::new(id).text("name", name), Vec::new());
-            self.walking.stay_open();
+            self.stay_open();
         }
     }
 }

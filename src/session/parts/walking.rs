@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use super::planned::Planned;
 use crate::journal::Record;
 use crate::journal::query::RecordId;
 use crate::length::Length;
@@ -46,8 +47,20 @@ pub struct Walking {
     walk: Walk,
     values: Vec<Vec<Value>>,
     names: Vec<String>,
+    /// The positions of the sizes by their names.
+    places: BTreeMap<String, usize>,
+    /// The number of the part among all that were begun: what was read for another one is not taken.
+    run: u64,
+    /// What its plan asks for, as a hash, and since which record of the journal it does.
+    pub(super) planned: Planned,
+    /// The part that a file without serial numbers has named, where that is another name than the plan's.
+    pub(super) label: Option<String>,
     /// The size that is asked for.
     at: Option<usize>,
+    /// Whether somebody chose that size: no value that comes from elsewhere moves on from it.
+    is_chosen: bool,
+    /// The size that was asked for when the text in the field of the value was typed.
+    typed_at: Option<usize>,
     /// The size whose last value is shown.
     shown: Option<usize>,
     /// A number that goes up whenever the size that is asked for has to come into sight.
@@ -72,8 +85,11 @@ impl Walking {
         let walk = Walk::new(plan, serial);
         *self = Self {
             values: vec![Vec::new(); walk.steps().len()],
+            places: (0..).zip(plan.sizes()).map(|(at, size)| (size.name(), at)).collect(),
             names: plan.sizes().map(|size| size.name()).collect(),
+            planned: Planned::of(plan, since),
             plan: Some(Arc::clone(plan)),
+            run: self.run + 1,
             path,
             at: walk.next(0),
             walk,
@@ -85,7 +101,12 @@ impl Walking {
 
     /// The part is done, or given up.
     pub(super) fn end(&mut self) {
-        *self = Self { look: self.look + 1, ..Self::default() };
+        *self = Self { look: self.look + 1, run: self.run, ..Self::default() };
+    }
+
+    /// The number of the part among all that were begun.
+    pub const fn run(&self) -> u64 {
+        self.run
     }
 
     /// Whether a part was begun.
@@ -159,19 +180,38 @@ impl Walking {
     pub fn with_row<T>(&self, at: usize, see: impl FnOnce(WalkRow<'_>) -> T) -> Option<T> {
         let size = self.plan.as_deref()?.sizes().nth(at)?;
         let step = self.walk.steps().get(at)?;
-        let value = self.values.get(at).and_then(|values| values.last());
-        Some(see(WalkRow { size: &size, step, value }))
+        Some(see(WalkRow { size: &size, step, value: self.counting(at) }))
     }
 
-    /// The values of a size, in the order in which they came; the last one counts.
+    /// The value of a size that counts.
+    fn counting(&self, at: usize) -> Option<&Value> {
+        self.values(at).get(self.walk.steps().get(at)?.counting()?)
+    }
+
+    /// The values of a size, in the order in which they came.
     pub fn values(&self, at: usize) -> &[Value] {
         self.values.get(at).map_or(&[], Vec::as_slice)
     }
 
-    /// The size whose last value is shown, and that value.
+    /// The size whose value is shown, and the value of it that counts.
     pub fn shown(&self) -> Option<(usize, &Value)> {
         let at = self.shown?;
-        Some((at, self.values(at).last()?))
+        Some((at, self.counting(at)?))
+    }
+
+    /// Whether somebody measured a size.
+    pub(super) fn is_measured(&self, at: usize) -> bool {
+        self.walk.steps().get(at).and_then(Step::counts).is_some_and(|taken| !taken.is_simulated)
+    }
+
+    /// A text was typed for the size that is asked for, or the field is empty.
+    pub(super) fn typed(&mut self, text: &str) {
+        self.typed_at = self.at.filter(|_| !text.trim().is_empty());
+    }
+
+    /// The size that the text in the field was typed for, where another one is asked for now.
+    pub(super) fn typed_elsewhere(&self) -> Option<usize> {
+        self.typed_at.filter(|at| self.at != Some(*at))
     }
 
     /// What is asked about a typed value before it is taken.
@@ -201,10 +241,10 @@ impl Walking {
 
     /// The position of a size by its name.
     pub(super) fn place_of(&self, name: &str) -> Option<usize> {
-        self.names.iter().position(|known| known == name)
+        self.places.get(name).copied()
     }
 
-    /// Takes a value; it counts from now on. It is shown.
+    /// Takes a value. It is shown, and what is being asked stays: it may come from a file.
     pub(super) fn take(&mut self, at: usize, value: Value) {
         let status = value.record.verdict.status();
         let is_simulated = value.record.measurement.origin.is_simulated();
@@ -213,7 +253,7 @@ impl Walking {
             values.push(value);
             self.shown = Some(at);
         }
-        self.quiet();
+        (self.refusal, self.is_warned) = (None, false);
     }
 
     /// Values that were measured before those that are there, in the order in which they came.
@@ -269,13 +309,15 @@ impl Walking {
     pub(super) fn go_on(&mut self) {
         let from = self.at.map_or(0, |at| at + 1);
         self.at = self.walk.next(from);
+        self.is_chosen = false;
         self.look += 1;
     }
 
-    /// The size that is asked for is one that is open, if any is.
+    /// The size that is asked for is one that is open, if any is; one that was chosen, or about which something is asked, stays.
     pub(super) fn stay_open(&mut self) {
         let is_open = |at: usize| self.walk.steps().get(at).is_some_and(Step::is_open);
-        if !self.at.is_some_and(is_open) {
+        let is_held = self.is_chosen || self.is_skipping || self.question.is_some();
+        if !is_held && !self.at.is_some_and(is_open) {
             self.go_on();
         }
     }
@@ -284,6 +326,7 @@ impl Walking {
     pub(super) fn go(&mut self, at: usize) {
         if at < self.count() {
             self.at = Some(at);
+            self.is_chosen = true;
             self.look += 1;
             self.quiet();
         }
@@ -300,6 +343,12 @@ impl Walking {
     pub(super) fn skipped(&self) -> BTreeMap<String, String> {
         let steps = self.names.iter().zip(self.walk.steps());
         steps.filter_map(|(name, step)| Some((name.clone(), step.skipped.clone()?))).collect()
+    }
+
+    /// The sizes that were left out and have no value, with the reasons.
+    pub(super) fn left_out(&self) -> impl Iterator<Item = (&str, &str)> {
+        let steps = self.names.iter().zip(self.walk.steps()).filter(|(_, step)| step.taken.is_empty());
+        steps.filter_map(|(name, step)| Some((name.as_str(), step.skipped.as_deref()?)))
     }
 
     /// Whatever was asked or refused is over.

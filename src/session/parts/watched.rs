@@ -233,7 +233,7 @@ impl PartsPage {
             values.extend(arrived.values);
         }
         let sent = self.keep(values, shared);
-        self.walking.stay_open();
+        self.stay_open();
         match sent.run {
             Some(batch) => self.watched.pending = Some((number, batch)),
             // Nothing of it is recorded: it counts as taken until the window is closed.

@@ -118,6 +118,8 @@ pub struct Recording {
     checks: BTreeMap<RecordId, Known>,
     /// Checks of the history that were read from the journal, with their numbers.
     numbers: BTreeMap<RecordId, u64>,
+    /// Part and serial number of what was read from the journal when it was opened.
+    parts: BTreeSet<(String, String)>,
     /// The newest number that this window has seen.
     newest: u64,
     /// The file that was read last, with SHA-256 of its bytes.
@@ -324,6 +326,18 @@ impl Recording {
     /// What was named beside a check of the history.
     pub(super) fn named_of(&self, id: RecordId) -> Option<&Named> {
         self.checks.get(&id).map(|known| &known.named)
+    }
+
+    /// Entries that were read from the journal when it was opened.
+    pub(super) fn know_parts<'a>(&mut self, entries: impl Iterator<Item = &'a Entry>) {
+        let of_entry = |entry: &Entry| (entry.about.part.clone(), entry.about.serial.clone());
+        self.parts.extend(entries.map(of_entry).filter(|(_, serial)| !serial.is_empty()));
+    }
+
+    /// Whether a check of a part with this serial number was sent since the window was opened, or is one of the newest of the journal.
+    pub(super) fn has_serial(&self, part: &str, serial: &str) -> bool {
+        let is_known = self.parts.contains(&(part.to_owned(), serial.to_owned()));
+        is_known || self.checks.values().any(|known| known.named.serial == serial && known.named.part == part)
     }
 
     /// Whether the journal could not be opened.

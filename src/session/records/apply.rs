@@ -104,6 +104,7 @@ impl RecordsPage {
                 let is_first = shared.recording.journal().is_none();
                 shared.recording.opened(Ok(*journal));
                 if is_first {
+                    shared.recording.know_parts(rows.iter().filter_map(|row| row.entry.as_ref().ok()));
                     let stand: Vec<_> = rows.iter().filter_map(standing).collect();
                     let ids = shared.history.restore(stand.iter().map(|(_, record)| Arc::clone(record)).collect());
                     shared.recording.know(ids.into_iter().zip(stand.iter().map(|(number, _)| *number)));

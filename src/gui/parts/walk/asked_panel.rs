@@ -62,6 +62,7 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("walk-page-serial"));
     let width = ui.available_width();
     field_ui(ui, view, PartsField::Serial, name.id, Look::large(width));
+    error_ui(ui, view, PartsField::Serial);
     quiet(ui, view.text("walk-page-serial-hint"));
     ui.horizontal_wrapped(|ui| {
         let size = vec2(view.width_of(ui, &[Action::BeginPart]), control(ui));

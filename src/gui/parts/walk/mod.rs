@@ -15,7 +15,7 @@ mod sizes_list;
 mod skip_panel;
 mod watch_panel;
 
-use eframe::egui::Ui;
+use eframe::egui::{Event, Popup, Ui};
 pub(in crate::gui) use sizes_list::id as sizes_id;
 
 use super::head::head_ui;
@@ -24,7 +24,9 @@ use crate::gui::columns::{Page, Shape, columns_ui, is_tiny, of_height};
 use crate::gui::theme::space;
 use crate::gui::verdict_card::least_width;
 use crate::gui::view::View;
+use crate::gui::{field, keypad};
 use crate::part::Size;
+use crate::session::parts::PartsField;
 use crate::words::Words;
 
 /// From this width on the columns are wider.
@@ -57,7 +59,22 @@ fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
     sizes_list::sizes_ui(ui, view);
 }
 
+/// What a scanner or gauge types while no field has the focus goes into the field of the serial number or of the value.
+fn catch_typing(ui: &Ui, view: &View<'_>) {
+    let session = view.session;
+    let walking = session.parts().walking();
+    let field = if walking.is_begun() { PartsField::Value } else { PartsField::Serial };
+    let is_other = walking.is_skipping() || session.dialog().is_some() || Popup::is_any_open(ui.ctx());
+    let is_text = |event: &Event| matches!(event, Event::Text(text) if !text.trim().is_empty());
+    if !is_other && !ui.ctx().text_edit_focused() && ui.input(|input| input.events.iter().any(is_text)) {
+        field::go_to(ui.ctx(), field.into(), session.text(field));
+        // The next letter does not replace this one.
+        keypad::keep_selection(ui.ctx(), field::id(field));
+    }
+}
+
 pub(super) fn walk_ui(ui: &mut Ui, view: &mut View<'_>) {
+    catch_typing(ui, view);
     let is_wide = space(WIDE) <= ui.available_width();
     let page = Page {
         // Another size of window has widths of its own.

@@ -9,7 +9,7 @@ use super::asked_text;
 use crate::gui::shapes::{self, focus_ring, times};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::colours;
-use crate::gui::view::{Digits, View, focus_soon, quiet, take_focus};
+use crate::gui::view::{Digits, View, quiet};
 use crate::message::Message;
 use crate::session::parts::{WalkCommand, WalkRow, Walking};
 use crate::verdict::Status;
@@ -70,7 +70,6 @@ pub(super) fn sizes_ui(ui: &mut Ui, view: &mut View<'_>) {
         return;
     }
     let rect = ui.available_rect_before_wrap();
-    take_focus(ui, id());
     let list = ui.interact(rect, id(), Sense::focusable_noninteractive());
     list.widget_info(|| WidgetInfo::labeled(Role::Grid, true, view.text("walk-page-sizes")));
     ui.scope_builder(UiBuilder::new().max_rect(rect).id_salt("walk-body"), |ui| {
@@ -169,8 +168,8 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking, columns: &[Option
         response.on_hover_text(said);
     }
     if is_clicked {
+        // The field of the value gets the focus: what a gauge types next is of this size.
         view.send(WalkCommand::Go(place));
-        focus_soon(ui, id());
     }
 }
 
