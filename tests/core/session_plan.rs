@@ -291,6 +291,63 @@ fn a_plan_with_every_kind_of_mistake_opens_and_shows_all_of_them() {
     assert_eq!((effects.len(), session.parts().sheet().at()), (0, (1, Column::X)));
 }
 
+/// Two features that are right, and a third one.
+const THREE: &str = "fitcheck_plan = 1
+[[feature]]
+name = \"A\"
+callout = \"25 H7\"
+[[feature]]
+name = \"B\"
+callout = \"25 H7\"
+[[feature]]
+name = \"C\"
+callout = \"20 g6\"
+";
+
+#[test]
+fn a_plan_that_could_not_be_read_whole_measures_nothing_until_the_rest_is_left_out() {
+    for (text, features) in [
+        (THREE.replace("fitcheck_plan = 1", "fitcheck_plan = 2"), 3),
+        (THREE.replace("name = \"C\"", "rule = [1]\nname = \"C\""), 3),
+        (THREE.replace("name = \"C\"", "u_mu = 9\nname = \"C\""), 3),
+        (THREE.replace("[[feature]]\nname = \"C\"", "[[featur]]\nname = \"C\""), 2),
+        (format!("{THREE}[[feature]\nname = \"D\"\ncallout = \"30 H7\"\n"), 3),
+        ("name,callout,x,y,z\nA,25 H7,40,5,30,-8\n".to_owned(), 1),
+    ] {
+        let mut session = opened_at(&text, "/plans/plate.toml");
+        let document = session.parts().document();
+        assert_eq!((document.findings().len(), document.draft().rows.len()), (0, features), "{text}");
+        assert_eq!(document.faults(), document.problems().len(), "{text}");
+        assert!(document.plan().is_none() && 0 < document.faults(), "{text}");
+        // It is not lost by the way, either.
+        assert!(!session.can(Action::SavePlan(0)) && !session.can(Action::SavePlan(1)), "{text}");
+        let count = document.faults();
+        apply(&mut session, PartsCommand::Show(PartsView::Walk));
+        assert!(!session.can(Action::BeginPart) && !session.can(Action::WatchFolder), "{text}");
+        apply(&mut session, PartsCommand::Show(PartsView::Plan));
+        act(&mut session, Action::LeaveOutOfPlan);
+        let notice = session.notices().last().unwrap();
+        assert!(said(&notice.message).contains("left out of the plan"), "{}", said(&notice.message));
+        assert_eq!(notice.details.len(), count);
+        // The file has it still, so that this plan is one that no file holds.
+        assert!(session.parts().document().plan().is_some() && session.parts().is_unsaved(), "{text}");
+        assert!(session.can(Action::SavePlan(0)) && !session.can(Action::LeaveOutOfPlan), "{text}");
+        apply(&mut session, PartsCommand::Show(PartsView::Walk));
+        assert!(session.can(Action::BeginPart) && session.can(Action::WatchFolder), "{text}");
+    }
+}
+
+#[test]
+fn a_fault_of_the_file_leads_to_the_feature_that_it_stands_in_or_behind() {
+    let text =
+        THREE.replace("name = \"B\"", "u_mu = 9\nname = \"B\"").replace("name = \"C\"", "shade = 1\nname = \"C\"");
+    let mut session = opened_at(&text, "/plans/plate.toml");
+    for (place, row) in [(1, 2), (0, 1)] {
+        plan(&mut session, PlanCommand::GoToProblem(place));
+        assert_eq!(session.parts().sheet().at().0, row);
+    }
+}
+
 #[test]
 fn fields_of_the_part_are_one_change_each() {
     let mut session = opened(PLATE);

@@ -55,7 +55,13 @@ parts-page-features = { $count ->
 parts-page-fault-of = { $row }, { $column }
 parts-page-fault-row = Row { $row }
 parts-page-fault-plan = Plan
-parts-page-lost = Lines of the file that are no part of a plan: saving loses them
+parts-page-lost = Not understood in the file: nothing is measured or saved by this plan until it is corrected there or left out here
+parts-page-leave-out = Leave these out
+parts-page-leave-out-hint = The plan is then what could be read; what was not understood may be a feature
+parts-page-left-out = { $count ->
+    [one] { $name }: one thing that was not understood is left out of the plan; the file has it until the plan is saved
+   *[other] { $name }: { $count } things that were not understood are left out of the plan; the file has them until the plan is saved
+}
 parts-page-pasted-rows = { $count ->
     [one] One pasted row was left out: a plan has at most { $most } features
    *[other] { $count } pasted rows were left out: a plan has at most { $most } features

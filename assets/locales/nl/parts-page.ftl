@@ -55,7 +55,13 @@ parts-page-features = { $count ->
 parts-page-fault-of = { $row }, { $column }
 parts-page-fault-row = Rij { $row }
 parts-page-fault-plan = Plan
-parts-page-lost = Regels van het bestand die niet bij een plan horen: opslaan verliest ze
+parts-page-lost = Niet begrepen in het bestand: met dit plan wordt niets gemeten of opgeslagen tot het daar verbeterd of hier weggelaten is
+parts-page-leave-out = Deze weglaten
+parts-page-leave-out-hint = Het plan is dan wat gelezen kon worden; wat niet begrepen is, kan een kenmerk zijn
+parts-page-left-out = { $count ->
+    [one] { $name }: één ding dat niet begrepen is, is uit het plan weggelaten; het bestand heeft het tot het plan wordt opgeslagen
+   *[other] { $name }: { $count } dingen die niet begrepen zijn, zijn uit het plan weggelaten; het bestand heeft ze tot het plan wordt opgeslagen
+}
 parts-page-pasted-rows = { $count ->
     [one] Eén geplakte rij is weggelaten: een plan heeft hoogstens { $most } kenmerken
    *[other] { $count } geplakte rijen zijn weggelaten: een plan heeft hoogstens { $most } kenmerken

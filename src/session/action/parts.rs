@@ -30,7 +30,11 @@ pub(super) fn open() -> Row {
 pub(super) fn save(number: usize) -> Row {
     let text = if number == 0 { "parts-page-save" } else { "parts-page-save-csv" };
     let row = on(Page::Parts, text, Command::OpenDialog(Purpose::SavePlan(number)));
-    let row = row.when(|session| !session.parts().document().is_empty());
+    // What could not be read of its file is not lost by the way.
+    let row = row.when(|session| {
+        let document = session.parts().document();
+        !document.is_empty() && document.problems().is_empty()
+    });
     if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
 }
 
@@ -143,6 +147,13 @@ pub(super) fn next_finding() -> Row {
     of_table("parts-page-next", PlanCommand::NextFinding(true))
         .key(Shortcut::plain(Key::Function(4)))
         .when(has_findings)
+}
+
+pub(super) fn leave_out() -> Row {
+    of_table("parts-page-leave-out", PlanCommand::LeaveOut)
+        .hint("parts-page-leave-out-hint")
+        .key(Shortcut::ctrl('L'))
+        .when(|session| has_table(session) && !session.parts().document().problems().is_empty())
 }
 
 pub(super) fn choose_picture() -> Row {

@@ -102,6 +102,8 @@ impl PartsPage {
 
     fn open(&mut self, document: PlanDocument) {
         self.document = document;
+        // What is still being written is another plan.
+        self.saving = None;
         self.sheet = Sheet::of(&self.document);
         self.shown = Shown::default();
         self.ask_for_serial();

@@ -39,6 +39,8 @@ pub struct PlanDocument {
     typing: Option<Typing>,
     /// What its file has that a draft has no place for.
     problems: Vec<PlanError>,
+    /// Whether some of that was left out: its file says more than the draft until it is saved.
+    has_left_out: bool,
     review: Review,
     /// The first finding of every cell, by its place among all of them.
     by_cell: BTreeMap<(usize, Option<Column>), usize>,
@@ -70,7 +72,7 @@ impl PlanDocument {
         &self.draft
     }
 
-    /// The plan, where nothing is wrong with it.
+    /// The plan, where nothing is wrong with it and its file was read whole: what was not understood may be a feature.
     pub const fn plan(&self) -> Option<&Arc<Plan>> {
         self.plan.as_ref()
     }
@@ -100,9 +102,28 @@ impl PlanDocument {
         self.review.features.get(row)?.as_ref()
     }
 
-    /// What its file has that could not be read: lost when it is saved.
+    /// What its file has that could not be read. There is no plan until it is left out.
     pub fn problems(&self) -> &[PlanError] {
         &self.problems
+    }
+
+    /// How much is wrong: with the plan, and with its file.
+    pub fn faults(&self) -> usize {
+        self.review.findings.len() + self.problems.len()
+    }
+
+    /// The feature in which, or behind which, the file has something that could not be read.
+    pub(super) fn row_of_problem(&self, place: usize) -> Option<usize> {
+        let line = self.problems.get(place)?.place.line?;
+        self.draft.rows.iter().rposition(|row| row.place.line.is_some_and(|begins| begins <= line))
+    }
+
+    /// The plan is what could be read of its file; returns what could not.
+    pub(super) fn leave_out(&mut self, sources: &Sources) -> Vec<PlanError> {
+        let left = std::mem::take(&mut self.problems);
+        self.has_left_out |= !left.is_empty();
+        self.check(sources);
+        left
     }
 
     /// The file's name without the folder.
@@ -123,7 +144,7 @@ impl PlanDocument {
 
     /// Whether there are changes that no file holds.
     pub fn is_unsaved(&self) -> bool {
-        self.draft != self.kept
+        self.draft != self.kept || self.has_left_out
     }
 
     /// Whether a change can be taken back, and made again.
@@ -211,7 +232,7 @@ impl PlanDocument {
     /// A file holds a draft from now on.
     pub(super) fn saved(&mut self, path: &Path, draft: Arc<Draft>) {
         (self.path, self.kept) = (Some(path.to_owned()), draft);
-        self.problems.clear();
+        self.has_left_out = false;
     }
 
     /// The draft that is saved now.
@@ -222,7 +243,7 @@ impl PlanDocument {
     fn show(&mut self, draft: Arc<Draft>, sources: &Sources) {
         self.draft = draft;
         self.review = Review::of(&self.draft, sources);
-        self.plan = self.review.plan().map(Arc::new);
+        self.plan = self.review.plan().filter(|_| self.problems.is_empty()).map(Arc::new);
         self.by_cell.clear();
         self.head_errors.clear();
         for (place, finding) in self.review.findings.iter().enumerate() {

@@ -8,7 +8,7 @@ use super::picture::NUDGE;
 use super::sheet::Sheet;
 use super::sorting;
 use super::{PartsPage, PlanCommand, PlanField};
-use crate::message::Message;
+use crate::message::{Message, Say};
 use crate::part::{Column, Draft, HeadField, MOST_FEATURES, Row, Spot};
 use crate::session::command::Effect;
 use crate::session::shared::Shared;
@@ -72,6 +72,12 @@ impl PartsPage {
                 let place = self.next_finding(forwards)?;
                 return self.go_to_finding(place);
             }
+            PlanCommand::GoToProblem(place) => {
+                if let Some(row) = self.document.row_of_problem(place) {
+                    self.sheet.go(row, column, false, &self.document);
+                }
+            }
+            PlanCommand::LeaveOut => self.leave_out(shared, &sources),
             PlanCommand::ChoosePicture(path) => match self.choose_picture(&path) {
                 Ok(name) => {
                     shared.file_answered(Ok(()));
@@ -269,6 +275,15 @@ impl PartsPage {
         });
         let moved = if up { rows.start - 1..=rows.end - 2 } else { rows.start + 1..=rows.end };
         self.sheet.select_rows(moved);
+    }
+
+    /// The plan is what could be read of its file from now on; what could not is told once more.
+    fn leave_out(&mut self, shared: &mut Shared, sources: &Sources) {
+        let left = self.document.leave_out(sources);
+        if !left.is_empty() {
+            let message = Message::new("parts-page-left-out").text("name", self.document.name());
+            shared.note(message.count("count", left.len()), left.iter().map(Say::message).collect());
+        }
     }
 
     /// The place of what is wrong after the cell, or before it, and round again.
