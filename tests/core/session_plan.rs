@@ -7,7 +7,8 @@ use fitcheck::message::Message;
 use fitcheck::part::{Column, Document, Draft, HeadField, Row, Spot};
 use fitcheck::report::image::Image;
 use fitcheck::session::parts::{PartPicture, PartsView, PlanCommand, PlanField, Sight};
-use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, Purpose, Session, Step};
+use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, PartsField, Purpose, Session, Step};
+use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 
 fn apply(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
@@ -396,6 +397,56 @@ fn the_picture_is_asked_for_once_its_name_is_typed_and_late_answers_change_nothi
     apply(&mut session, Command::OpenDialog(Purpose::OpenPicture));
     plan(&mut session, PlanCommand::ChoosePicture("/elsewhere/plate.png".into()));
     assert!(said(&session.notices()[0].message).contains("is not in the folder of the plan"));
+}
+
+#[test]
+fn a_part_keeps_the_picture_that_its_plan_had_when_it_was_begun() {
+    let text = "fitcheck_plan = 1\npicture = \"a.png\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n";
+    let mut session = opened_at(text, "/plans/plate.toml");
+    apply(&mut session, PartsCommand::Show(PartsView::Walk));
+    act(&mut session, Action::BeginPart);
+    // Another plan with a feature of the same name is opened before the picture was read.
+    let other = Document::read(text.replace("a.png", "b.png").replace("25 H7", "10 H7").as_bytes()).unwrap();
+    let read = PlanCommand::Read { path: "/other/plate.toml".into(), result: Ok(Box::new(other)) };
+    assert_eq!(plan(&mut session, read), [Effect::ReadPicture("/other/b.png".into())]);
+    plan(&mut session, PlanCommand::PictureRead { path: "/other/b.png".into(), result: Ok(dots()) });
+    assert_eq!(session.parts().walk_sight(), Some(Sight::Awaited));
+    let mut own = PartPicture::clone(&dots());
+    own.size = [1, 2];
+    let own = Arc::new(own);
+    plan(&mut session, PlanCommand::PictureRead { path: "/plans/a.png".into(), result: Ok(Arc::clone(&own)) });
+    assert_eq!(session.parts().walk_sight(), Some(Sight::Seen(own)));
+    assert_eq!(session.parts().sight(), Some(Sight::Seen(dots())), "the plan that is edited has its own");
+    act(&mut session, Action::NextPart);
+    act(&mut session, Action::NextPart);
+    act(&mut session, Action::BeginPart);
+    assert_eq!(session.parts().walk_sight(), Some(Sight::Seen(dots())));
+}
+
+#[test]
+fn a_verdict_is_shown_on_the_plan_that_it_was_made_by_alone() {
+    let text = "fitcheck_plan = 1\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n";
+    let status = |session: &Session| session.parts().balloons()[0].status;
+    let mut session = opened_at(text, "/plans/plate.toml");
+    apply(&mut session, PartsCommand::Show(PartsView::Walk));
+    act(&mut session, Action::BeginPart);
+    apply(&mut session, Field::from(PartsField::Value).typed("25.010".to_owned()));
+    act(&mut session, Action::TakeValue);
+    assert_eq!(status(&session), Some(Status::Good));
+    // Its balloon may be moved, and other limits have no verdict yet.
+    plan(&mut session, PlanCommand::PlaceBalloon { row: 0, at: [0.5, 0.5], is_done: true });
+    assert_eq!(status(&session), Some(Status::Good));
+    go(&mut session, 0, Column::Callout);
+    type_cell(&mut session, "25 H6");
+    assert_eq!(status(&session), None);
+    plan(&mut session, PlanCommand::Undo);
+    assert_eq!(status(&session), Some(Status::Good));
+    // The same feature in another plan is one of another part.
+    let other = Document::read(text.as_bytes()).unwrap();
+    plan(&mut session, PlanCommand::Read { path: "/other/plate.toml".into(), result: Ok(Box::new(other)) });
+    plan(&mut session, PlanCommand::Discard(true));
+    assert_eq!(status(&session), None);
+    assert_eq!(session.parts().walk_balloons()[0].status, Some(Status::Good));
 }
 
 #[test]

@@ -107,4 +107,3 @@ walk-page-watch-count = { $count ->
        *[other] { $count } files taken
     }
 walk-page-report = Report…
-walk-page-report-other-picture = { $name }: the plan has named another picture since this part was begun

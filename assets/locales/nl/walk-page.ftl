@@ -107,4 +107,3 @@ walk-page-watch-count = { $count ->
        *[other] { $count } bestanden genomen
     }
 walk-page-report = Rapport…
-walk-page-report-other-picture = { $name }: het plan noemt een andere afbeelding sinds met dit onderdeel begonnen is

@@ -35,6 +35,7 @@ impl PageState for PartsPage {
         // While a name is typed it is not yet that of a file.
         let picture = if self.document.is_typing() { None } else { self.ask_for_picture() };
         effects.extend(picture.map(Effect::ReadPicture));
+        self.keep_picture();
         effects
     }
 
@@ -59,6 +60,7 @@ impl PageState for PartsPage {
             News::Sources | News::OwnTables => self.try_resume(shared),
             _ => {}
         }
+        self.keep_picture();
     }
 }
 
@@ -106,6 +108,7 @@ impl PartsPage {
         self.saving = None;
         self.sheet = Sheet::of(&self.document);
         self.shown = Shown::default();
+        self.opened += 1;
         self.ask_for_serial();
     }
 

@@ -85,7 +85,7 @@ impl PartsPage {
                 }
                 Err(why) => _ = shared.file_answered::<()>(Err(why)),
             },
-            PlanCommand::PictureRead { path, result } => self.picture_read(&path, result),
+            PlanCommand::PictureRead { path, result } => self.picture_read(&path, &result),
             command => self.edit_rows(&command, &sources),
         }
         self.sheet.follow(&self.document);

@@ -76,6 +76,9 @@ pub struct PartsPage {
     document: PlanDocument,
     sheet: Sheet,
     shown: picture::Shown,
+    /// How many plans were opened.
+    opened: u64,
+    walk_picture: Option<picture::WalkPicture>,
     walking: Walking,
     resume: Resume,
     watched: Watched,
