@@ -326,7 +326,7 @@ impl Session {
         }
         self.tables.saved(path);
         self.budget.saved(path, &self.shared);
-        self.parts.saved(path);
+        let details = self.parts.saved(path).into_iter().collect();
         if let Some(purpose) = purpose {
             self.shared.places.used(purpose, path);
         }
@@ -336,7 +336,7 @@ impl Session {
             None => Message::new("file-written-here").text("name", name),
         };
         let file = Some(path.to_owned());
-        self.shared.notices.push(Notice { file, ..Notice::of(message, false) });
+        self.shared.notices.push(Notice { file, details, ..Notice::of(message, false) });
     }
 }
 

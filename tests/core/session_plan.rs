@@ -366,6 +366,43 @@ fn fields_of_the_part_are_one_change_each() {
     assert_eq!(draft(&session).text(HeadField::Part), None);
 }
 
+/// Saves the plan in a format of the list: what the file gets.
+fn save(session: &mut Session, format: usize, path: &str) -> String {
+    act(session, Action::SavePlan(format));
+    apply(session, Command::TypePath(path.to_owned()));
+    let effects = apply(session, Command::Confirm);
+    let [Effect::ForDialog(number, effect)] = effects.as_slice() else { panic!("{effects:?}") };
+    let Effect::Save(path, content) = effect.as_ref() else { panic!("{effect:?}") };
+    let answer = Command::Saved { path: path.clone(), result: Ok(()) };
+    apply(session, Command::Answered(*number, Box::new(answer)));
+    String::from_utf8(content.bytes().unwrap()).unwrap()
+}
+
+#[test]
+fn a_plan_as_csv_is_a_copy_where_it_has_less_and_says_what_is_left_out() {
+    let mut session = opened_at(&format!("picture = \"a.png\"\n{THREE}"), "/plans/plate.toml");
+    plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::Drawing), "D1".to_owned()));
+    let text = save(&mut session, 1, "/plans/plate.csv");
+    assert!(!text.contains("D1") && text.contains("25 H7"), "{text}");
+    let document = session.parts().document();
+    assert_eq!((document.path(), document.is_unsaved()), (Some(std::path::Path::new("/plans/plate.toml")), true));
+    let details: Vec<String> = session.notices().last().unwrap().details.iter().map(said).collect();
+    assert_eq!(
+        details,
+        ["The file is a copy: CSV has the features alone, and drawing, picture of the part is left out"]
+    );
+    assert_eq!(apply(&mut session, Command::AskToLeave), [], "it is asked first");
+    // One that has nothing but features is the plan itself, and so is one as TOML.
+    let mut session = opened(PLATE);
+    go(&mut session, 0, Column::Callout);
+    type_cell(&mut session, "30 H7");
+    save(&mut session, 1, "/plans/other.csv");
+    assert!(!session.parts().is_unsaved() && session.notices().last().unwrap().details.is_empty());
+    plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::Part), "Plate".to_owned()));
+    assert!(save(&mut session, 0, "/plans/plate.toml").contains("part = \"Plate\""));
+    assert!(!session.parts().is_unsaved());
+}
+
 fn dots() -> Arc<PartPicture> {
     let file = Image::read("plate.svg", b"<svg width=\"2\" height=\"1\"/>").unwrap();
     Arc::new(PartPicture { size: [2, 1], dots: vec![255; 8], file })

@@ -124,3 +124,4 @@ parts-page-beside-more = en nog { $count }
 parts-page-balloon-simulated = { $status }, gesimuleerd
 parts-page-more = Rijen en cellen
 parts-page-picture-heavy = { $name } tekenen duurt te lang: er zijn filters, grote patronen of te veel lagen; teken het zonder, of bewaar het als PNG
+parts-page-copy = Het bestand is een kopie: CSV heeft alleen de kenmerken, en { $keys } van het onderdeel blijft weg

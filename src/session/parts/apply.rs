@@ -8,7 +8,7 @@ use jiff::civil::DateTime;
 use super::document::PlanDocument;
 use super::picture::Shown;
 use super::sheet::Sheet;
-use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand};
+use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand, Saving};
 use crate::message::Message;
 use crate::part::{Document, Draft, Row};
 use crate::session::command::{Effect, Page};
@@ -122,19 +122,23 @@ impl PartsPage {
 
     /// The bytes for a file.
     pub(in crate::session) fn bytes(&mut self, path: &Path) -> Vec<u8> {
-        self.saving = Some((path.to_owned(), self.document.to_save()));
+        let (draft, left) = (self.document.to_save(), self.document.left_out_of(path));
+        self.saving = Some(Saving { path: path.to_owned(), draft, left });
         self.document.bytes(path)
     }
 
-    /// A file was written. If it was the plan's, it holds the plan as it was then.
-    pub(in crate::session) fn saved(&mut self, path: &Path) {
-        if let Some((_, draft)) = self.saving.take_if(|(saving, _)| saving == path) {
+    /// A file was written. If it was the plan's, it holds the plan as it was then; returns what is to be said of one with less in it.
+    pub(in crate::session) fn saved(&mut self, path: &Path) -> Option<Message> {
+        let Saving { draft, left, .. } = self.saving.take_if(|saving| saving.path == path)?;
+        if left.is_empty() {
             self.document.saved(path, draft);
+            return None;
         }
+        Some(Message::new("parts-page-copy").text("keys", left.join(", ")))
     }
 
     /// A file was not written: whatever is written under its name later is not this plan.
     pub(in crate::session) fn not_saved(&mut self, path: &Path) {
-        self.saving.take_if(|(saving, _)| saving == path);
+        self.saving.take_if(|saving| saving.path == path);
     }
 }

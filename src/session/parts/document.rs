@@ -223,10 +223,16 @@ impl PlanDocument {
         self.show(Arc::clone(&self.draft), sources);
     }
 
+    /// What a file with this name has no place for: CSV has the features alone.
+    pub(super) fn left_out_of(&self, path: &Path) -> Vec<&'static str> {
+        let is_left = |field: &HeadField| self.draft.text(*field).is_some() && field.column().is_none();
+        let left = HeadField::ALL.into_iter().filter(|field| is_csv(path) && is_left(field));
+        left.map(HeadField::key).collect()
+    }
+
     /// The text for a file with this name.
     pub(super) fn bytes(&self, path: &Path) -> Vec<u8> {
-        let is_csv = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
-        if is_csv { self.draft.to_csv().into_bytes() } else { self.draft.to_toml().into_bytes() }
+        if is_csv(path) { self.draft.to_csv().into_bytes() } else { self.draft.to_toml().into_bytes() }
     }
 
     /// A file holds a draft from now on.
@@ -254,6 +260,10 @@ impl PlanDocument {
             }
         }
     }
+}
+
+fn is_csv(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }
 
 /// The first place in which two drafts differ.

@@ -86,8 +86,16 @@ pub struct PartsPage {
     errands: Vec<Effect>,
     /// A plan that is to be opened, once it is said what becomes of the changes.
     waiting: Option<PlanDocument>,
-    /// What is being written, and where.
-    saving: Option<(PathBuf, Arc<Draft>)>,
+    saving: Option<Saving>,
+}
+
+/// A plan that is being written.
+#[derive(Debug)]
+struct Saving {
+    path: PathBuf,
+    draft: Arc<Draft>,
+    /// What the file has no place for: with less than the plan it is a copy.
+    left: Vec<&'static str>,
 }
 
 impl PartsPage {
