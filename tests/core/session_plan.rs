@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use fitcheck::exchange::{Given, read_plan};
 use fitcheck::message::Message;
 use fitcheck::part::{Column, Document, Draft, HeadField, Row, Spot};
 use fitcheck::report::image::Image;
 use fitcheck::session::parts::{PartPicture, PartsView, PlanCommand, PlanField, Sight};
 use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, PartsField, Purpose, Session, Step};
+use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 
@@ -336,6 +338,23 @@ fn a_plan_that_could_not_be_read_whole_measures_nothing_until_the_rest_is_left_o
         apply(&mut session, PartsCommand::Show(PartsView::Walk));
         assert!(session.can(Action::BeginPart) && session.can(Action::WatchFolder), "{text}");
     }
+}
+
+#[test]
+fn what_a_plan_of_another_tool_leaves_out_is_told_when_it_is_opened() {
+    // A diameter, and the roundness of a second characteristic.
+    let text = "K0100/0 2\nK1001/1 P\nK2001/1 1\nK2002/1 A\nK2101/1 25\nK2110/1 25\nK2111/1 25.021\nK2142/1 mm\n\
+                K2001/2 2\nK2002/2 ROUND\nK2004/2 0\nK2009/2 104\nK2101/2 0\nK2110/2 0\nK2111/2 0.01\nK2142/2 mm\n";
+    let sources = Sources::default();
+    let given = Given::new(&sources, jiff::civil::DateTime::MIN);
+    let document = read_plan("a.dfq", text.as_bytes(), given).unwrap();
+    let mut session = Session::new(Language::En);
+    apply(&mut session, Command::OpenPage(Page::Parts));
+    plan(&mut session, PlanCommand::Read { path: "/plans/a.dfq".into(), result: Ok(Box::new(document)) });
+    let notice = &session.notices()[0];
+    assert_eq!(said(&notice.message), "a.dfq is opened, and one thing of it is not taken over");
+    assert!(said(&notice.details[0]).contains("ROUND"), "{}", said(&notice.details[0]));
+    assert_eq!((notice.details.len(), draft(&session).rows.len()), (1, 1));
 }
 
 #[test]

@@ -70,12 +70,12 @@ impl PartsPage {
         match command {
             PlanCommand::New => {
                 let draft = Draft::of(vec![Row::default()]);
-                self.open_or_ask(PlanDocument::new(draft, &sources));
+                self.open_or_ask(PlanDocument::new(draft, &sources), shared);
             }
             PlanCommand::Read { path, result } => self.plan_read(path, result, shared),
             PlanCommand::Discard(true) => {
                 if let Some(document) = self.waiting.take() {
-                    self.open(document);
+                    self.open(document, shared);
                 }
             }
             PlanCommand::Discard(false) => self.waiting = None,
@@ -88,21 +88,25 @@ impl PartsPage {
 
     fn plan_read(&mut self, path: PathBuf, result: Result<Box<Document>, Message>, shared: &mut Shared) {
         if let Some(document) = shared.file_answered(result) {
-            self.open_or_ask(PlanDocument::read(path, *document, &shared.sources));
+            let document = PlanDocument::read(path, *document, &shared.sources);
+            self.open_or_ask(document, shared);
             self.try_resume(shared);
         }
     }
 
     /// Opens a plan; changes that no file holds are asked about first.
-    fn open_or_ask(&mut self, document: PlanDocument) {
+    fn open_or_ask(&mut self, document: PlanDocument, shared: &mut Shared) {
         if self.document.is_unsaved() {
             self.waiting = Some(document);
         } else {
-            self.open(document);
+            self.open(document, shared);
         }
     }
 
-    fn open(&mut self, document: PlanDocument) {
+    fn open(&mut self, mut document: PlanDocument, shared: &mut Shared) {
+        let remarks = document.take_remarks();
+        let opened = Message::new("parts-page-opened").text("name", document.name()).count("count", remarks.len());
+        shared.note_details(opened, remarks);
         self.document = document;
         // What is still being written is another plan.
         self.saving = None;

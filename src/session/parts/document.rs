@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say};
 use crate::part::{Column, Document, Draft, Finding, HeadField, Plan, PlanError, PlanFeature, Review, Spot};
 use crate::tolerance::Sources;
 
@@ -41,6 +41,8 @@ pub struct PlanDocument {
     problems: Vec<PlanError>,
     /// Whether some of that was left out: its file says more than the draft until it is saved.
     has_left_out: bool,
+    /// What it does not take over of its file on purpose: told when it is opened.
+    remarks: Vec<Message>,
     review: Review,
     /// The first finding of every cell, by its place among all of them.
     by_cell: BTreeMap<(usize, Option<Column>), usize>,
@@ -60,9 +62,9 @@ impl PlanDocument {
 
     /// What a file holds.
     pub(super) fn read(path: PathBuf, document: Document, sources: &Sources) -> Self {
-        let draft = Arc::new(document.draft);
-        let mut read =
-            Self { kept: Arc::clone(&draft), path: Some(path), problems: document.problems, ..Self::default() };
+        let Document { draft, problems, remarks } = document;
+        let (draft, remarks) = (Arc::new(draft), remarks.iter().map(Say::message).collect());
+        let mut read = Self { kept: Arc::clone(&draft), path: Some(path), problems, remarks, ..Self::default() };
         read.show(draft, sources);
         read
     }
@@ -124,6 +126,11 @@ impl PlanDocument {
         self.has_left_out |= !left.is_empty();
         self.check(sources);
         left
+    }
+
+    /// What it does not take over of its file: told once.
+    pub(super) fn take_remarks(&mut self) -> Vec<Message> {
+        std::mem::take(&mut self.remarks)
     }
 
     /// The file's name without the folder.
