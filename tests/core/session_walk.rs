@@ -463,6 +463,32 @@ fn what_comes_into_the_watched_folder_is_taken_once_it_is_on_disk_and_not_before
 }
 
 #[test]
+fn a_watch_begins_anew_only_once_what_it_found_before_is_on_disk() {
+    for stops in [false, true] {
+        let mut session = walking();
+        let run = watched(&mut session);
+        let news = look(&session, 1, "name;measured\nBORE;12.03\n");
+        let (batch, _) = kept(&send(&mut session, WalkCommand::Watched { run, news: Box::new(news) }));
+        // What is on its way to the disk is not known there yet.
+        if stops {
+            assert_eq!(act(&mut session, Action::StopWatch), [Effect::StopWatch]);
+            let again = send(&mut session, WalkCommand::Watch { folder: "/in".into(), is_folder: true });
+            assert_eq!(again, []);
+        } else {
+            assert_eq!(send(&mut session, Command::SetLanguage(Language::Nl)), []);
+        }
+        assert!(session.parts().watched().is_recording());
+        let full = Err(Message::new("records-page-no-thread"));
+        assert_eq!(send(&mut session, RecordsCommand::Kept { run: batch, result: full }), []);
+        let effects = send(&mut session, RecordsCommand::TryAgain);
+        assert!(matches!(effects[..], [Effect::Keep { .. }]), "{effects:?}");
+        let effects = send(&mut session, RecordsCommand::Kept { run: batch, result: Ok(vec![head(8)]) });
+        let [Effect::Watch { run: anew, .. }] = effects[..] else { panic!("{effects:?}") };
+        assert!(run < anew && !session.parts().watched().is_recording());
+    }
+}
+
+#[test]
 fn a_watch_that_was_ended_changes_nothing_any_more() {
     let mut session = walking();
     let run = watched(&mut session);

@@ -49,7 +49,7 @@ impl PageState for PartsPage {
             self.document.check(&shared.sources);
         }
         match news {
-            News::Kept(run, is_kept) => self.batch_kept(*run, *is_kept),
+            News::Kept(run, is_kept) => self.batch_kept(*run, *is_kept, shared),
             // Notes are in the language of the window, and prints are read through the user's own mask.
             News::Columns | News::StatusWindow => self.watch_anew(shared),
             News::TakenBack { number, by } => self.taken_back(*number, by.as_deref(), shared),

@@ -78,8 +78,10 @@ pub struct Watched {
     plan_path: Option<PathBuf>,
     /// The number of the watch.
     run: u64,
-    /// Whether it waits for the journal to be opened.
+    /// Whether it has to wait before it can begin.
     is_late: bool,
+    /// Whether it waits for checks that are not on disk yet.
+    is_unwritten: bool,
     known: Option<usize>,
     files: VecDeque<TakenFile>,
     count: usize,
@@ -122,7 +124,7 @@ impl Watched {
 
     /// Whether something that came is not on disk yet.
     pub const fn is_recording(&self) -> bool {
-        self.pending.is_some()
+        self.pending.is_some() || self.is_unwritten
     }
 
     /// What is kept of it until the next time; a plan without a file cannot be.
@@ -135,6 +137,7 @@ impl Watched {
     pub(super) fn stop(&mut self) -> Option<Effect> {
         self.run += 1;
         (self.waiting, self.trouble, self.pending) = (Vec::new(), None, None);
+        (self.is_late, self.is_unwritten) = (false, false);
         self.folder.take().map(|_| Effect::StopWatch)
     }
 }
@@ -166,18 +169,23 @@ impl PartsPage {
         self.begin_watch(shared);
     }
 
-    /// Begins a watch that was asked for: what the journal knows already is not taken again, so that has to be open.
+    /// Begins a watch that was asked for. What the journal knows already is not taken again, so that has to be open, and nothing may be
+    /// on its way there: it would be taken a second time.
     pub(super) fn begin_watch(&mut self, shared: &mut Shared) {
         let watched = &mut self.watched;
         let (Some(folder), Some(plan)) = (watched.folder.clone(), watched.plan.clone()) else { return };
         if !watched.is_late || *shared.recording.keeping() == Keeping::Opening {
             return;
         }
-        watched.is_late = false;
         if shared.recording.has_failed_to_open() {
-            watched.folder = None;
+            (watched.folder, watched.is_late, watched.is_unwritten) = (None, false, false);
             return shared.tell(Message::new("walk-page-watch-no-journal"));
         }
+        watched.is_unwritten = shared.recording.is_on() && 0 < shared.recording.unwritten();
+        if watched.is_unwritten {
+            return;
+        }
+        watched.is_late = false;
         self.errands.push(Effect::Watch { run: watched.run, folder, plan });
     }
 
@@ -241,10 +249,12 @@ impl PartsPage {
         }
     }
 
-    /// The journal has answered: what is on disk is taken. What is not stays waiting until it is tried again.
-    pub(super) fn batch_kept(&mut self, batch: u64, is_kept: bool) {
+    /// The journal has answered: what is on disk is taken, and a watch that waited for it begins. What is not stays waiting until it is
+    /// tried again.
+    pub(super) fn batch_kept(&mut self, batch: u64, is_kept: bool, shared: &mut Shared) {
         if let Some((look, _)) = self.watched.pending.take_if(|(_, pending)| is_kept && *pending == batch) {
             self.errands.push(Effect::WatchTaken { run: self.watched.run, look });
         }
+        self.begin_watch(shared);
     }
 }
