@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use fitcheck::control::mask::Mask;
 use fitcheck::exchange::{Item, import_each};
 use fitcheck::journal::Record;
 use fitcheck::journal::chain::{ChainId, Hash, Head};
@@ -15,7 +16,7 @@ use fitcheck::session::{
 };
 use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Words};
+use fitcheck::words::{Dialogue, Language, Words};
 use jiff::civil::{DateTime, date};
 use jiff::tz::{TimeZone, offset};
 
@@ -510,6 +511,60 @@ fn a_folder_is_watched_once_the_journal_is_open() {
     assert_eq!(send(&mut session, WalkCommand::Watch { folder: "/in".into(), is_folder: true }), []);
     let effects = open_journal(&mut session, 1);
     assert!(matches!(effects[..], [Effect::Watch { .. }]), "{effects:?}");
+}
+
+fn own_mask() -> Command {
+    let (mask, _) = Mask::read(include_bytes!("../../assets/masks/82552_en.a")).unwrap();
+    Command::MaskRead { path: "/masks/own.a".into(), result: Ok((Box::new(mask), Vec::new())) }
+}
+
+/// A session of a folder that is watched, and of a mask of the user's own, after a restart.
+fn watching_by_mask() -> Session {
+    let mut session = walking();
+    watched(&mut session);
+    send(&mut session, own_mask());
+    let saved = Saved::read(&session.saved().write()).unwrap();
+    let (mut back, effects) = Session::restore(saved);
+    assert!(effects.contains(&Effect::Read(Purpose::LoadMask, "/masks/own.a".into())), "{effects:?}");
+    begin_records(&mut back);
+    open_journal(&mut back, 10);
+    let effects = read_plan(&mut back, PLAN);
+    assert!(effects.contains(&Effect::Read(Purpose::WatchFolder, "/in".into())), "{effects:?}");
+    assert_eq!(send(&mut back, WalkCommand::Watch { folder: "/in".into(), is_folder: true }), []);
+    back
+}
+
+#[test]
+fn a_folder_is_watched_again_once_the_own_mask_is_read() {
+    let mut back = watching_by_mask();
+    // What prints are read back through is waited for by files, too.
+    assert_eq!(send(&mut back, FilesCommand::Open(Purpose::ImportValues, "/in/a.txt".into())), []);
+    let effects = send(&mut back, own_mask());
+    let [Effect::Watch { .. }, Effect::Read(Purpose::ImportValues, _)] = &effects[..] else { panic!("{effects:?}") };
+    assert_eq!(back.own_masks()[0].0, "own.a");
+    assert_eq!(back.saved().mask, Some("/masks/own.a".into()));
+}
+
+#[test]
+fn without_the_own_mask_no_folder_is_watched_until_another_one_is_chosen() {
+    let mut back = watching_by_mask();
+    let result = Err(Message::new("walk-page-nothing-asked"));
+    assert_eq!(send(&mut back, Command::MaskRead { path: "/masks/own.a".into(), result }), []);
+    let trouble = said(back.parts().watched().trouble().unwrap());
+    assert!(trouble.starts_with("Your own mask /masks/own.a cannot be read"), "{trouble}");
+    assert_eq!(back.saved().mask, Some("/masks/own.a".into()), "it may be there the next time");
+    let effects = send(&mut back, Command::SetMask(None));
+    assert!(matches!(effects[..], [Effect::Watch { .. }]), "{effects:?}");
+    assert!(back.parts().watched().trouble().is_none() && back.saved().mask.is_none());
+}
+
+#[test]
+fn a_mask_that_was_still_being_read_does_not_come_in_the_place_of_a_chosen_one() {
+    let mut back = watching_by_mask();
+    let effects = send(&mut back, Command::SetMask(Some(Dialogue::Nl)));
+    assert!(matches!(effects[..], [Effect::Watch { .. }]), "{effects:?}");
+    assert_eq!(send(&mut back, own_mask()), []);
+    assert!(back.own_masks().is_empty() && back.saved().mask.is_none());
 }
 
 /// The first feature measures 12.07 of 12 F9, 12.016 to 12.059, which is too large: it was 12.05.

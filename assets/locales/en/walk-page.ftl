@@ -107,3 +107,4 @@ walk-page-watch-count = { $count ->
        *[other] { $count } files taken
     }
 walk-page-report = Report…
+walk-page-watch-no-mask = Your own mask { $path } cannot be read: the folder is watched once it is chosen again, or another mask is (Menu, Own mask…)

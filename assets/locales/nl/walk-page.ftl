@@ -107,3 +107,4 @@ walk-page-watch-count = { $count ->
        *[other] { $count } bestanden genomen
     }
 walk-page-report = Rapport…
+walk-page-watch-no-mask = Je eigen masker { $path } kan niet worden gelezen: de map wordt bewaakt zodra het opnieuw of een ander masker gekozen is (Menu, Eigen masker…)

@@ -19,7 +19,7 @@ use crate::part::Plan;
 use crate::session::command::Effect;
 use crate::session::recording::Keeping;
 use crate::session::saved::SavedWatch;
-use crate::session::shared::Shared;
+use crate::session::shared::{OwnMask, Shared};
 use crate::verdict::Status;
 
 /// How many files are listed, the latest first.
@@ -184,6 +184,15 @@ impl PartsPage {
         watched.is_unwritten = shared.recording.is_on() && 0 < shared.recording.unwritten();
         if watched.is_unwritten {
             return;
+        }
+        match &shared.own_mask {
+            OwnMask::Awaited(_) => return,
+            // What it has printed would be refused, and that for good.
+            OwnMask::Unread(path) => {
+                watched.trouble = Some(Message::new("walk-page-watch-no-mask").text("path", path.display()));
+                return;
+            }
+            OwnMask::Settled => watched.trouble = None,
         }
         watched.is_late = false;
         self.errands.push(Effect::Watch { run: watched.run, folder, plan });
