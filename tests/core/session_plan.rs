@@ -7,6 +7,7 @@ use fitcheck::exchange::{Given, read_plan};
 use fitcheck::message::Message;
 use fitcheck::part::{Column, Document, Draft, HeadField, Row, Spot};
 use fitcheck::report::image::Image;
+use fitcheck::session::action::Part;
 use fitcheck::session::parts::{PartPicture, PartsView, PlanCommand, PlanField, Sight};
 use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, PartsField, Purpose, Session, Step};
 use fitcheck::tolerance::Sources;
@@ -366,6 +367,30 @@ fn a_fault_of_the_file_leads_to_the_feature_that_it_stands_in_or_behind() {
         plan(&mut session, PlanCommand::GoToProblem(place));
         assert_eq!(session.parts().sheet().at().0, row);
     }
+}
+
+/// The actions that keys of the parts page do now.
+fn heard(session: &Session, part: Option<Part>, is_typing: bool) -> Vec<Action> {
+    session.keys(part, is_typing).into_iter().map(|(_, action)| action).collect()
+}
+
+#[test]
+fn keys_of_the_table_do_nothing_where_it_is_not_shown_or_a_field_of_the_part_is_typed_into() {
+    let mut session = opened(PLATE);
+    go(&mut session, 0, Column::Callout);
+    type_cell(&mut session, "30 H7");
+    plan(&mut session, PlanCommand::Undo);
+    plan(&mut session, PlanCommand::Go(1, Column::Name, false));
+    type_cell(&mut session, "B");
+    let of_rows = [Action::InsertPlanRow, Action::DeletePlanRows, Action::MovePlanRows(Step::Up)];
+    let table = heard(&session, Some(Part::Plan), false);
+    assert!(of_rows.iter().all(|action| table.contains(action)) && table.contains(&Action::UndoPlan));
+    let field = heard(&session, None, true);
+    assert!(!of_rows.iter().any(|action| field.contains(action)), "{field:?}");
+    apply(&mut session, PartsCommand::Show(PartsView::Walk));
+    let walk = heard(&session, None, false);
+    assert!(!walk.contains(&Action::UndoPlan) && !of_rows.iter().any(|action| walk.contains(action)), "{walk:?}");
+    assert!(!session.can(Action::UndoPlan) && !session.can(Action::RedoPlan));
 }
 
 #[test]
