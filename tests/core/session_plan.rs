@@ -176,6 +176,123 @@ fn what_is_pasted_and_finds_no_place_is_told() {
 }
 
 #[test]
+fn a_change_that_was_taken_back_can_be_made_again_after_a_cell_was_left_with_escape() {
+    let mut session = opened(PLATE);
+    act(&mut session, Action::SortPlan);
+    go(&mut session, 0, Column::Name);
+    type_cell(&mut session, "B");
+    act(&mut session, Action::UndoPlan);
+    go(&mut session, 1, Column::Callout);
+    plan(&mut session, PlanCommand::Edit(Some("9".to_owned())));
+    assert!(!session.can(Action::RedoPlan), "not while something is typed");
+    plan(&mut session, PlanCommand::Leave);
+    act(&mut session, Action::RedoPlan);
+    assert_eq!(column(&session, Column::Name)[0], "B");
+    // Typed back to what it was, too; something else that is typed is a change.
+    act(&mut session, Action::UndoPlan);
+    go(&mut session, 1, Column::Callout);
+    type_cell(&mut session, "20 H7");
+    assert!(session.can(Action::RedoPlan));
+    type_cell(&mut session, "21 H7");
+    assert!(!session.can(Action::RedoPlan));
+}
+
+#[test]
+fn names_that_look_like_formulas_are_copied_and_pasted_as_they_are() {
+    let mut session = opened("name;callout;axis\n-A;25 H7;-Z\nB;20 H7;\n");
+    plan(&mut session, PlanCommand::Go(0, Column::Name, false));
+    let effects = act(&mut session, Action::CopyPlanCells);
+    let [Effect::Copy(text)] = effects.as_slice() else { panic!("{effects:?}") };
+    assert_eq!(text, "'-A", "a spreadsheet does not compute it");
+    go(&mut session, 1, Column::Name);
+    plan(&mut session, PlanCommand::Paste(text.clone()));
+    go(&mut session, 2, Column::Name);
+    plan(&mut session, PlanCommand::Paste("'=1+1\n'plain\n".to_owned()));
+    assert_eq!(column(&session, Column::Name), ["-A", "-A", "=1+1", "'plain"]);
+}
+
+#[test]
+fn an_empty_clipboard_changes_nothing_and_adds_no_feature() {
+    let mut session = opened(PLATE);
+    for row in [1, 3] {
+        go(&mut session, row, Column::Callout);
+        for text in ["", "\n", "\r\n"] {
+            plan(&mut session, PlanCommand::Paste(text.to_owned()));
+        }
+    }
+    assert_eq!(column(&session, Column::Callout), ["25 H7", "20 H7", "16 H7"]);
+    assert!(!session.can(Action::UndoPlan));
+    // Empty rows of a block empty cells, and are no features below the last one.
+    go(&mut session, 2, Column::Name);
+    plan(&mut session, PlanCommand::Paste("N\t\n\t\n\t\n".to_owned()));
+    assert_eq!(column(&session, Column::Name), ["A1", "A2", "N"]);
+}
+
+#[test]
+fn a_word_begun_below_the_last_feature_and_erased_leaves_no_row() {
+    let mut session = opened(PLATE);
+    go(&mut session, 3, Column::Name);
+    plan(&mut session, PlanCommand::Edit(Some("x".to_owned())));
+    assert_eq!(draft(&session).rows.len(), 4);
+    plan(&mut session, PlanCommand::Type(PlanField::Cell, String::new()));
+    plan(&mut session, PlanCommand::Type(PlanField::Cell, "y".to_owned()));
+    plan(&mut session, PlanCommand::Type(PlanField::Cell, String::new()));
+    plan(&mut session, PlanCommand::Take(None));
+    assert_eq!((draft(&session).rows.len(), session.parts().document().faults()), (3, 0));
+    assert!(!session.can(Action::UndoPlan) && !session.parts().is_unsaved());
+}
+
+#[test]
+fn a_header_may_have_empty_cells_and_a_name_that_it_has_twice_is_told() {
+    let mut session = opened(PLATE);
+    go(&mut session, 0, Column::Number);
+    plan(&mut session, PlanCommand::Paste("name\tcallout\t\nZ\t10 H7\t\n".to_owned()));
+    assert_eq!((&*column(&session, Column::Number)[0], &*column(&session, Column::Name)[0]), ("1", "Z"));
+    assert_eq!(session.notices().len(), 0, "nothing was in it");
+    plan(&mut session, PlanCommand::Paste("name\t\tcallout\nY\tlost\t12 H7\n".to_owned()));
+    assert_eq!((&*column(&session, Column::Name)[0], &*column(&session, Column::Callout)[0]), ("Y", "12 H7"));
+    assert!(said(&session.notices()[0].message).ends_with("the first row has no name above it"));
+    plan(&mut session, PlanCommand::Paste("name\tname\nX\tW\n".to_owned()));
+    assert_eq!(column(&session, Column::Name)[0], "X");
+    assert!(said(&session.notices()[1].message).contains("names name more than once"));
+}
+
+#[test]
+fn features_without_a_name_keep_what_they_are_called_when_their_rows_get_other_places() {
+    let nameless = "callout;x\n25 H7;3\n20 H7;1\n16 H7;2\n";
+    let names = |session: &Session| -> Vec<String> {
+        let rows = draft(session).rows.iter().enumerate();
+        let called = rows.filter_map(|(at, row)| {
+            let name = &session.parts().document().feature(at)?.name;
+            Some(format!("{name} {}", row.text(Column::X).unwrap_or("-")))
+        });
+        called.collect()
+    };
+    let mut session = opened(nameless);
+    assert_eq!(names(&session), ["F1 3", "F2 1", "F3 2"]);
+    go(&mut session, 0, Column::X);
+    act(&mut session, Action::SortPlan);
+    assert_eq!(names(&session), ["F2 1", "F3 2", "F1 3"]);
+    let mut session = opened(nameless);
+    go(&mut session, 0, Column::X);
+    act(&mut session, Action::MovePlanRows(Step::Down));
+    assert_eq!(names(&session), ["F2 1", "F1 3", "F3 2"]);
+    let mut session = opened(nameless);
+    go(&mut session, 1, Column::X);
+    act(&mut session, Action::InsertPlanRow);
+    assert_eq!(names(&session), ["F1 3", "F2 1", "F3 2"]);
+    // The new one has a name that no other one has.
+    assert_eq!(column(&session, Column::Name), ["F1", "F4", "F2", "F3"]);
+    act(&mut session, Action::UndoPlan);
+    go(&mut session, 0, Column::X);
+    act(&mut session, Action::DeletePlanRows);
+    assert_eq!(names(&session), ["F2 1", "F3 2"]);
+    go(&mut session, 2, Column::Callout);
+    type_cell(&mut session, "12 H7");
+    assert_eq!(column(&session, Column::Name), ["F2", "F3", "F4"]);
+}
+
+#[test]
 fn one_cell_fills_a_block_and_delete_empties_it() {
     let mut session = opened(PLATE);
     go(&mut session, 0, Column::X);

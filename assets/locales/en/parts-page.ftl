@@ -129,3 +129,8 @@ parts-page-opened = { $count ->
     [one] { $name } is opened, and one thing of it is not taken over
    *[other] { $name } is opened, and { $count } things of it are not taken over
 }
+parts-page-pasted-twice = A pasted column was left out: the first row names { $keys } more than once, and the first one counts
+parts-page-pasted-nameless = { $count ->
+    [one] One pasted column was left out: the first row has no name above it
+   *[other] { $count } pasted columns were left out: the first row has no names above them
+}

@@ -129,3 +129,8 @@ parts-page-opened = { $count ->
     [one] { $name } is geopend, en één ding ervan is niet overgenomen
    *[other] { $name } is geopend, en { $count } dingen ervan zijn niet overgenomen
 }
+parts-page-pasted-twice = Een geplakte kolom is weggelaten: de eerste rij noemt { $keys } meer dan eens, en de eerste telt
+parts-page-pasted-nameless = { $count ->
+    [one] Eén geplakte kolom is weggelaten: de eerste rij heeft er geen naam boven
+   *[other] { $count } geplakte kolommen zijn weggelaten: de eerste rij heeft er geen namen boven
+}

@@ -35,6 +35,8 @@ pub struct PlanDocument {
     /// The drafts before the changes, and those that were taken back.
     before: Vec<Arc<Draft>>,
     after: Vec<Arc<Draft>>,
+    /// Those that were taken back before something is typed: they are there again where it is left.
+    after_typing: Vec<Arc<Draft>>,
     /// What the last change goes on with.
     typing: Option<Typing>,
     /// What its file has that a draft has no place for.
@@ -180,13 +182,13 @@ impl PlanDocument {
             return;
         }
         if typing.is_none() || self.typing != typing {
+            self.after_typing = std::mem::take(&mut self.after);
             self.before.push(Arc::clone(&self.draft));
             if MOST_UNDO < self.before.len() {
                 self.before.remove(0);
             }
         }
         self.typing = typing;
-        self.after.clear();
         self.show(Arc::new(draft), sources);
     }
 
@@ -202,7 +204,9 @@ impl PlanDocument {
         {
             // Its texts are where its file has them.
             self.draft = before;
+            self.after = std::mem::take(&mut self.after_typing);
         }
+        self.after_typing.clear();
     }
 
     /// Takes back what was typed and is not settled.
@@ -210,8 +214,15 @@ impl PlanDocument {
         if self.typing.take().is_some()
             && let Some(before) = self.before.pop()
         {
+            self.after = std::mem::take(&mut self.after_typing);
             self.show(before, sources);
         }
+    }
+
+    /// Whether what is typed begins a row, or has begun it.
+    pub(super) fn begins_row(&self, row: usize) -> bool {
+        let is_typed = matches!(self.typing, Some(Typing::Cell(of, _)) if of == row);
+        is_typed && self.before.last().is_some_and(|before| before.rows.len() == row)
     }
 
     /// Takes the last change back, or makes it again; where it was made.

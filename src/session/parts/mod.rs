@@ -4,7 +4,7 @@
 //! |---|---|
 //! | here | the page: which of its two views is open |
 //! | `document` | the plan: a draft that is edited, the file that holds it, undo and redo, and what is wrong with it |
-//! | `sheet`, `editing`, `paste`, `sorting` | its table: where the keys are, and what can be done there |
+//! | `sheet`, `editing`, `rows`, `pasting`, `paste`, `sorting` | its table: where the keys are, and what can be done there |
 //! | `picture` | the part's picture and the balloons on it |
 //! | `walking` | the part that is being measured: which size is asked for, what was measured |
 //! | `measuring`, `judging`, `serials` | what is done on the walk; a value becomes a check; serial numbers are counted up |
@@ -22,9 +22,11 @@ mod field;
 mod judging;
 mod measuring;
 mod paste;
+mod pasting;
 mod picture;
 mod reporting;
 mod resume;
+mod rows;
 mod serials;
 mod sheet;
 mod sorting;
