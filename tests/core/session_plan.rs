@@ -564,6 +564,18 @@ fn a_plan_as_csv_is_a_copy_where_it_has_less_and_says_what_is_left_out() {
     assert!(!session.parts().is_unsaved());
 }
 
+#[test]
+fn comments_of_a_plan_are_told_as_lost_before_it_is_saved_and_when_it_is() {
+    let text = format!("# the flange\n{THREE}").replace("\"20 g6\"", "\"20 g6\" # a pin") + "remark = '# none \" #'\n";
+    let text = text + "number = \"\"\"\n# \\\" none\"\"\"\n";
+    let mut session = opened_at(&text, "/plans/plate.toml");
+    assert_eq!(session.parts().document().comments(), 2, "{text}");
+    save(&mut session, 0, "/plans/plate.toml");
+    let details: Vec<String> = session.notices().last().unwrap().details.iter().map(said).collect();
+    assert_eq!(details, ["2 comments of plate.toml are not in the file: a plan is written without comments"]);
+    assert_eq!(session.parts().document().comments(), 0);
+}
+
 fn dots() -> Arc<PartPicture> {
     let file = Image::read("plate.svg", b"<svg width=\"2\" height=\"1\"/>").unwrap();
     Arc::new(PartPicture { size: [2, 1], dots: vec![255; 8], file })

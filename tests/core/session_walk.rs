@@ -8,7 +8,7 @@ use fitcheck::journal::Record;
 use fitcheck::journal::chain::{ChainId, Hash, Head};
 use fitcheck::journal::entry::{Checked, Entry};
 use fitcheck::message::{Message, Say as _};
-use fitcheck::part::Document;
+use fitcheck::part::{Column, Document};
 use fitcheck::session::parts::{PlanCommand, WalkCommand, WatchNews, WatchedFile};
 use fitcheck::session::{
     Action, CheckField, Command, Effect, Field, FilesCommand, OpenJournal, Page, PartsCommand, PartsField, Purpose,
@@ -511,6 +511,71 @@ fn a_folder_is_watched_once_the_journal_is_open() {
     assert_eq!(send(&mut session, WalkCommand::Watch { folder: "/in".into(), is_folder: true }), []);
     let effects = open_journal(&mut session, 1);
     assert!(matches!(effects[..], [Effect::Watch { .. }]), "{effects:?}");
+}
+
+/// A folder that is watched by a plan, with no part begun.
+fn watching_alone() -> (Session, u64) {
+    let mut session = Session::new(Language::En);
+    begin_records(&mut session);
+    open_journal(&mut session, 7);
+    send(&mut session, Command::OpenPage(Page::Parts));
+    read_plan(&mut session, PLAN);
+    let run = watched(&mut session);
+    (session, run)
+}
+
+#[test]
+fn a_watched_value_of_no_part_is_said_to_have_no_serial_number() {
+    let (mut session, run) = watching_alone();
+    let news = look(&session, 1, "name;measured\nBORE;12.03\nPIN;20.1\n");
+    let (_, entries) = kept(&send(&mut session, WalkCommand::Watched { run, news: Box::new(news) }));
+    assert_eq!(entries[0].about.serial, "");
+    let told: Vec<String> = session.parts().watched().files().next().unwrap().said.iter().map(said).collect();
+    assert!(told[0].starts_with("2 values are recorded without a serial number"), "{told:?}");
+    // With a serial number of its own, or of a part that is being measured, it is somebody's.
+    let (mut session, run) = watching_alone();
+    let news = look(&session, 1, "name;serial;measured\nBORE;Z-9;12.03\n");
+    send(&mut session, WalkCommand::Watched { run, news: Box::new(news) });
+    let told: Vec<String> = session.parts().watched().files().next().unwrap().said.iter().map(said).collect();
+    assert!(!told.iter().any(|text| text.contains("without a serial number")), "{told:?}");
+}
+
+fn change(session: &mut Session, callout: &str) {
+    send(session, PartsCommand::Plan(PlanCommand::Go(0, Column::Callout, false)));
+    send(session, PartsCommand::Plan(PlanCommand::Edit(Some(callout.to_owned()))));
+    send(session, PartsCommand::Plan(PlanCommand::Take(None)));
+}
+
+#[test]
+fn a_folder_that_is_judged_by_an_older_plan_says_so() {
+    let (mut session, _) = watching_alone();
+    assert!(!session.parts().watches_other_plan() && session.parts().watched().comes_back());
+    change(&mut session, "12 H7");
+    assert!(session.parts().watches_other_plan());
+    send(&mut session, PartsCommand::Plan(PlanCommand::Undo));
+    assert!(!session.parts().watches_other_plan());
+    // A part that is begun is judged by the plan as it is, and so is the folder from then on.
+    change(&mut session, "12 H7");
+    let effects = act(&mut session, Action::BeginPart);
+    assert!(matches!(effects[..], [_, Effect::Watch { .. }] | [Effect::Watch { .. }, _]), "{effects:?}");
+    assert!(!session.parts().watches_other_plan());
+}
+
+#[test]
+fn a_folder_that_is_watched_by_a_plan_that_no_file_holds_is_not_watched_by_an_older_file_after_a_restart() {
+    let (mut session, _) = watching_alone();
+    change(&mut session, "12 H7");
+    let again = send(&mut session, WalkCommand::Watch { folder: "/in".into(), is_folder: true });
+    assert!(matches!(again[..], [Effect::Watch { .. }]), "{again:?}");
+    assert!(!session.parts().watched().comes_back() && session.saved().walk.watched.is_none());
+    // Saved, it can be read again.
+    act(&mut session, Action::SavePlan(0));
+    send(&mut session, Command::TypePath("/plans/new.toml".to_owned()));
+    let effects = send(&mut session, Command::Confirm);
+    let [Effect::ForDialog(number, _)] = &effects[..] else { panic!("{effects:?}") };
+    let saved = Command::Saved { path: "/plans/new.toml".into(), result: Ok(()) };
+    send(&mut session, Command::Answered(*number, Box::new(saved)));
+    assert_eq!(session.saved().walk.watched.unwrap().plan, PathBuf::from("/plans/new.toml"));
 }
 
 fn own_mask() -> Command {

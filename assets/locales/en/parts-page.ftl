@@ -134,3 +134,11 @@ parts-page-pasted-nameless = { $count ->
     [one] One pasted column was left out: the first row has no name above it
    *[other] { $count } pasted columns were left out: the first row has no names above them
 }
+parts-page-comments = { $count ->
+    [one] Saving loses a comment of the file
+   *[other] Saving loses { $count } comments of the file
+}
+parts-page-comments-lost = { $count ->
+    [one] A comment of { $name } is not in the file: a plan is written without comments
+   *[other] { $count } comments of { $name } are not in the file: a plan is written without comments
+}

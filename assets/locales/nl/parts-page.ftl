@@ -134,3 +134,11 @@ parts-page-pasted-nameless = { $count ->
     [one] Eén geplakte kolom is weggelaten: de eerste rij heeft er geen naam boven
    *[other] { $count } geplakte kolommen zijn weggelaten: de eerste rij heeft er geen namen boven
 }
+parts-page-comments = { $count ->
+    [one] Opslaan verliest een opmerking van het bestand
+   *[other] Opslaan verliest { $count } opmerkingen van het bestand
+}
+parts-page-comments-lost = { $count ->
+    [one] Een opmerking van { $name } staat niet in het bestand: een plan wordt zonder opmerkingen geschreven
+   *[other] { $count } opmerkingen van { $name } staan niet in het bestand: een plan wordt zonder opmerkingen geschreven
+}

@@ -136,8 +136,11 @@ impl PartsPage {
     pub(in crate::session) fn saved(&mut self, path: &Path) -> Option<Message> {
         let Saving { draft, left, .. } = self.saving.take_if(|saving| saving.path == path)?;
         if left.is_empty() {
-            self.document.saved(path, draft);
-            return None;
+            let name = self.document.name();
+            let lost = self.document.saved(path, draft);
+            self.watched.saved_as(self.document.plan(), path);
+            let said = Message::new("parts-page-comments-lost").text("name", name).count("count", lost);
+            return (0 < lost).then_some(said);
         }
         Some(Message::new("parts-page-copy").text("keys", left.join(", ")))
     }

@@ -45,6 +45,8 @@ pub struct PlanDocument {
     has_left_out: bool,
     /// What it does not take over of its file on purpose: told when it is opened.
     remarks: Vec<Message>,
+    /// How many comments its file has.
+    comments: usize,
     review: Review,
     /// The first finding of every cell, by its place among all of them.
     by_cell: BTreeMap<(usize, Option<Column>), usize>,
@@ -64,9 +66,10 @@ impl PlanDocument {
 
     /// What a file holds.
     pub(super) fn read(path: PathBuf, document: Document, sources: &Sources) -> Self {
-        let Document { draft, problems, remarks } = document;
+        let Document { draft, problems, remarks, comments } = document;
         let (draft, remarks) = (Arc::new(draft), remarks.iter().map(Say::message).collect());
-        let mut read = Self { kept: Arc::clone(&draft), path: Some(path), problems, remarks, ..Self::default() };
+        let mut read =
+            Self { kept: Arc::clone(&draft), path: Some(path), problems, remarks, comments, ..Self::default() };
         read.show(draft, sources);
         read
     }
@@ -109,6 +112,11 @@ impl PlanDocument {
     /// What its file has that could not be read. There is no plan until it is left out.
     pub fn problems(&self) -> &[PlanError] {
         &self.problems
+    }
+
+    /// How many comments its file has: lost when it is saved.
+    pub const fn comments(&self) -> usize {
+        self.comments
     }
 
     /// How much is wrong: with the plan, and with its file.
@@ -253,10 +261,11 @@ impl PlanDocument {
         if is_csv(path) { self.draft.to_csv().into_bytes() } else { self.draft.to_toml().into_bytes() }
     }
 
-    /// A file holds a draft from now on.
-    pub(super) fn saved(&mut self, path: &Path, draft: Arc<Draft>) {
+    /// A file holds a draft from now on; returns how many comments are not in it.
+    pub(super) fn saved(&mut self, path: &Path, draft: Arc<Draft>) -> usize {
         (self.path, self.kept) = (Some(path.to_owned()), draft);
         self.has_left_out = false;
+        std::mem::take(&mut self.comments)
     }
 
     /// The draft that is saved now.

@@ -10,7 +10,7 @@ use crate::message::{Message, Say};
 use crate::part::{Column, Draft, HeadField, MOST_FEATURES, Row, Spot};
 use crate::session::command::Effect;
 use crate::session::shared::Shared;
-use crate::session::{Field, Step};
+use crate::session::Field;
 use crate::tolerance::Sources;
 
 impl PartsPage {

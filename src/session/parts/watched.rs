@@ -11,6 +11,7 @@ use jiff::civil::DateTime;
 
 use super::PartsPage;
 use super::arriving::said_of_others;
+use super::measuring::Arriving;
 use crate::exchange::Item;
 use crate::journal::chain::Hash;
 use crate::journal::entry::{FileRole, UsedFile};
@@ -133,6 +134,18 @@ impl Watched {
         Some(SavedWatch { folder, plan }).filter(|saved| saved.folder.to_str().and(saved.plan.to_str()).is_some())
     }
 
+    /// Whether it is there again after a restart: its plan is in a file.
+    pub const fn comes_back(&self) -> bool {
+        self.plan_path.is_some()
+    }
+
+    /// A plan was saved: where it is the one that values are judged by, it can be read again.
+    pub(super) fn saved_as(&mut self, plan: Option<&Arc<Plan>>, path: &Path) {
+        if plan.is_some() && self.plan.as_ref() == plan {
+            self.plan_path = Some(path.to_owned());
+        }
+    }
+
     /// Ends the watch; what was taken stays listed.
     pub(super) fn stop(&mut self) -> Option<Effect> {
         self.run += 1;
@@ -143,6 +156,12 @@ impl Watched {
 }
 
 impl PartsPage {
+    /// Whether the folder is judged by another plan than the one that is open: by the one with which the watch began.
+    pub fn watches_other_plan(&self) -> bool {
+        let own = self.watched.plan.as_ref().filter(|_| self.watched.folder.is_some() && !self.walking.is_begun());
+        own.is_some_and(|own| !self.document.plan().is_some_and(|now| Arc::ptr_eq(own, now) || own == now))
+    }
+
     /// Watches a folder from now on.
     pub(super) fn watch(&mut self, folder: PathBuf, is_folder: bool, shared: &mut Shared) {
         let result = if is_folder {
@@ -155,7 +174,8 @@ impl PartsPage {
         let plan_path = if self.walking.plan().is_some() {
             self.walking.path.clone()
         } else {
-            self.document.path().map(Path::to_owned)
+            // A plan that was changed and not saved cannot be read again.
+            self.document.path().filter(|_| !self.document.is_unsaved()).map(Path::to_owned)
         };
         let Some(plan) = plan else { return shared.tell(Message::new("walk-page-watch-no-plan")) };
         if shared.recording.has_failed_to_open() {
@@ -238,12 +258,14 @@ impl PartsPage {
             let file = UsedFile { role: FileRole::Measurements, name: name.as_str().into(), sha256 };
             let arrived = self.arrive(&plan, items, Some(&file), shared);
             let count = |status: Status| {
-                let is_it = |value: &&super::measuring::Arriving| value.record.verdict.status() == status;
+                let is_it = |value: &&Arriving| value.record.verdict.status() == status;
                 arrived.values.iter().filter(is_it).count()
             };
             let counts = Status::ALL.into_iter().map(|status| (status, count(status))).collect();
             let others = said_of_others(&arrived);
-            let said = arrived.problems.into_iter().chain(remarks).chain(others).chain(arrived.warnings).collect();
+            let nobodys = said_of_nobody(&arrived.values);
+            let said = arrived.problems.into_iter().chain(remarks).chain(others).chain(nobodys);
+            let said = said.chain(arrived.warnings).collect();
             self.watched.files.push_front(TakenFile { name, time: now, counts, said });
             self.watched.files.truncate(MOST);
             self.watched.count += 1;
@@ -266,4 +288,14 @@ impl PartsPage {
         }
         self.begin_watch(shared);
     }
+}
+
+/// That some values are of no part: neither their file nor a part that is being measured says whose they are.
+fn said_of_nobody(values: &[Arriving]) -> Option<Message> {
+    let is_nobodys = |value: &&Arriving| {
+        let has_serial = value.labels.as_deref().is_some_and(|labels| !labels.serial.is_empty());
+        value.at.is_none() && !has_serial
+    };
+    let count = values.iter().filter(is_nobodys).count();
+    (0 < count).then(|| Message::new("walk-page-watch-nobody").count("count", count))
 }

@@ -50,6 +50,10 @@ pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
         if !document.problems().is_empty() {
             view.field_button(ui, Action::LeaveOutOfPlan);
         }
+        if 0 < document.comments() {
+            let comments = Message::new("parts-page-comments").count("count", document.comments());
+            quiet(ui, view.words.say(&comments));
+        }
     });
 }
 
