@@ -540,6 +540,15 @@ fn a_watched_value_of_no_part_is_said_to_have_no_serial_number() {
     assert!(!told.iter().any(|text| text.contains("without a serial number")), "{told:?}");
 }
 
+#[test]
+fn watched_values_are_of_the_part_of_the_plan_that_they_are_judged_by() {
+    let (mut session, run) = watching_alone();
+    let news = look(&session, 1, "name;measured\nBORE;12.03\n");
+    read_plan(&mut session, &PLAN.replace("Flange", "Cover"));
+    let (_, entries) = kept(&send(&mut session, WalkCommand::Watched { run, news: Box::new(news) }));
+    assert_eq!(entries[0].about.part, "Flange");
+}
+
 fn change(session: &mut Session, callout: &str) {
     send(session, PartsCommand::Plan(PlanCommand::Go(0, Column::Callout, false)));
     send(session, PartsCommand::Plan(PlanCommand::Edit(Some(callout.to_owned()))));

@@ -8,9 +8,9 @@ use super::sheet::Sheet;
 use super::{PartsPage, PlanCommand, PlanField};
 use crate::message::{Message, Say};
 use crate::part::{Column, Draft, HeadField, MOST_FEATURES, Row, Spot};
+use crate::session::Field;
 use crate::session::command::Effect;
 use crate::session::shared::Shared;
-use crate::session::Field;
 use crate::tolerance::Sources;
 
 impl PartsPage {

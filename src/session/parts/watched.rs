@@ -134,6 +134,11 @@ impl Watched {
         Some(SavedWatch { folder, plan }).filter(|saved| saved.folder.to_str().and(saved.plan.to_str()).is_some())
     }
 
+    /// The plan that values are judged by.
+    pub(super) const fn plan(&self) -> Option<&Arc<Plan>> {
+        self.plan.as_ref()
+    }
+
     /// Whether it is there again after a restart: its plan is in a file.
     pub const fn comes_back(&self) -> bool {
         self.plan_path.is_some()
