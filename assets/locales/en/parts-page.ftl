@@ -124,7 +124,7 @@ parts-page-beside-more = and { $count } more
 parts-page-balloon-simulated = { $status }, simulated
 parts-page-more = Rows and cells
 parts-page-picture-heavy = { $name } would take too long to draw: it has filters, large patterns or too many layers; draw it without them, or save it as PNG
-parts-page-copy = The file is a copy: CSV has the features alone, and { $keys } of the part is left out
+parts-page-csv-copy = The file is a copy: CSV has the features alone, and { $keys } of the part is left out
 parts-page-opened = { $count ->
     [one] { $name } is opened, and one thing of it is not taken over
    *[other] { $name } is opened, and { $count } things of it are not taken over

@@ -124,7 +124,7 @@ parts-page-beside-more = en nog { $count }
 parts-page-balloon-simulated = { $status }, gesimuleerd
 parts-page-more = Rijen en cellen
 parts-page-picture-heavy = { $name } tekenen duurt te lang: er zijn filters, grote patronen of te veel lagen; teken het zonder, of bewaar het als PNG
-parts-page-copy = Het bestand is een kopie: CSV heeft alleen de kenmerken, en { $keys } van het onderdeel blijft weg
+parts-page-csv-copy = Het bestand is een kopie: CSV heeft alleen de kenmerken, en { $keys } van het onderdeel blijft weg
 parts-page-opened = { $count ->
     [one] { $name } is geopend, en één ding ervan is niet overgenomen
    *[other] { $name } is geopend, en { $count } dingen ervan zijn niet overgenomen

@@ -142,7 +142,7 @@ impl PartsPage {
             let said = Message::new("parts-page-comments-lost").text("name", name).count("count", lost);
             return (0 < lost).then_some(said);
         }
-        Some(Message::new("parts-page-copy").text("keys", left.join(", ")))
+        Some(Message::new("parts-page-csv-copy").text("keys", left.join(", ")))
     }
 
     /// A file was not written: whatever is written under its name later is not this plan.
