@@ -46,7 +46,7 @@ pub(super) struct Beside<'a> {
     /// The columns of files as they were corrected.
     pub columns: &'a Arc<Remembered>,
     /// The user's own mask.
-    pub masks: &'a [(String, Mask)],
+    pub masks: &'a Arc<Vec<(String, Mask)>>,
     pub words: &'a Words,
     pub now: DateTime,
 }
@@ -116,7 +116,7 @@ impl Runner {
     /// Runs an effect; the frame itself does the clipboard.
     pub fn run(&self, ctx: &Context, effect: Effect, beside: &Beside<'_>) {
         let Beside { sources, columns, masks, words, now } = *beside;
-        let masks = masks.to_vec();
+        let masks = Arc::clone(masks);
         let Some(effect) = self.desk.run(ctx, effect) else { return };
         let effect = match effect {
             Effect::Copy(text) => return ctx.copy_text(text),
@@ -384,7 +384,7 @@ mod tests {
             let bytes = vec![b'x'; if number == 0 { 4 << 20 } else { 1 }];
             let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
             let (sources, columns) = (Arc::default(), Arc::default());
-            let beside = Beside { sources: &sources, columns: &columns, masks: &[], words: &words, now };
+            let beside = Beside { sources: &sources, columns: &columns, masks: &Arc::default(), words: &words, now };
             runner.run(&ctx, Effect::Save(path(number), bytes.into()), &beside);
         }
         let answers: Vec<Command> = runner.receiver.iter().take(20).collect();

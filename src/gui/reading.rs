@@ -88,7 +88,7 @@ pub(super) fn read(purpose: Purpose, path: PathBuf, with: With<'_>) -> Found {
         Purpose::Import => return measurements::read(ImportInto::History, path, None, with),
         Purpose::ImportValues(run) => return measurements::read(ImportInto::Part(run), path, None, with),
         Purpose::AskColumns(into) => return measurements::ask(into, path, with),
-        Purpose::LoadMask => Command::MaskRead { name, result: read_mask(&path) },
+        Purpose::LoadMask => Command::MaskRead { result: read_mask(&path), path },
         Purpose::LoadTables => Command::TablesRead { result: read_tables(&path), folder: path },
         Purpose::OpenTable => TablesCommand::Read { name, result: read_table(&path) }.into(),
         Purpose::OpenProgram => ProgramCommand::Read { result: read_program(&path, &mut seen), path }.into(),

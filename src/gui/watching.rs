@@ -30,7 +30,7 @@ pub(super) struct Watch {
     /// The columns of files as they were corrected.
     pub columns: Arc<Remembered>,
     /// The user's own mask.
-    pub masks: Vec<(String, Mask)>,
+    pub masks: Arc<Vec<(String, Mask)>>,
     /// Of what is written beside files that cannot be used.
     pub language: Language,
     pub clock: fn() -> DateTime,

@@ -69,13 +69,48 @@ pub(super) fn read(bytes: &[u8]) -> Result<Document, PlanError> {
     let text = text.trim_start_matches('\u{feff}');
     let lines = Lines::of(text);
     let (table, errors) = DeTable::parse_recoverable(text);
-    let mut reader = Reader { lines, document: Document::default() };
+    let document = Document { comments: comments(text), ..Document::default() };
+    let mut reader = Reader { lines, document };
     for error in errors {
         let at = error.span().map_or(0, |span| span.start);
         reader.problem(at, PlanFault::Toml { said: error.message().to_owned() });
     }
     reader.table(table.get_ref());
     Ok(reader.document)
+}
+
+/// How many comments a file has: `#` outside of texts.
+fn comments(text: &str) -> usize {
+    let (mut count, mut rest) = (0, text);
+    while let Some(found) = rest.find(['#', '"', '\'']).and_then(|at| rest.get(at..)) {
+        let ends = [("\"\"\"", true), ("'''", false), ("\"", true), ("'", false)];
+        let begun = ends.into_iter().find_map(|(end, escapes)| Some((found.strip_prefix(end)?, end, escapes)));
+        rest = if let Some((inner, end, escapes)) = begun {
+            after_text(inner, end, escapes)
+        } else {
+            count += 1;
+            found.split_once('\n').map_or("", |(_comment, after)| after)
+        };
+    }
+    count
+}
+
+/// What comes after the end of a text.
+fn after_text<'a>(text: &'a str, end: &str, escapes: bool) -> &'a str {
+    let mut rest = text;
+    loop {
+        if let Some(after) = rest.strip_prefix(end) {
+            return after;
+        }
+        let mut signs = rest.chars();
+        match signs.next() {
+            None => return "",
+            Some('\n') if end.len() == 1 => return signs.as_str(),
+            Some('\\') if escapes => _ = signs.next(),
+            Some(_) => {}
+        }
+        rest = signs.as_str();
+    }
 }
 
 struct Reader<'a> {

@@ -61,6 +61,8 @@ pub struct Document {
     pub problems: Vec<PlanError>,
     /// What was left out of it on purpose, and is no fault.
     pub remarks: Vec<Located<PlanRemark>>,
+    /// How many comments its file has: a draft has no place for them.
+    pub comments: usize,
 }
 
 impl Document {

@@ -96,8 +96,8 @@ pub enum Command {
     Leave(bool),
     /// A mask was read, or not.
     MaskRead {
-        /// Its name without the folder.
-        name: String,
+        /// Its path.
+        path: PathBuf,
         /// The mask and its warnings.
         result: Result<(Box<Mask>, Vec<Message>), Message>,
     },

@@ -36,7 +36,7 @@ pub use working::Working;
 
 use super::Session;
 use super::command::{Effect, Page, Purpose};
-use super::shared::{MaskChoice, News, Notice};
+use super::shared::{MaskChoice, News, Notice, OwnMask};
 use crate::control::mask::Mask;
 use crate::files::FileError;
 use crate::journal::Record;
@@ -263,10 +263,18 @@ impl Session {
         }
     }
 
-    pub(super) fn mask_read(&mut self, name: String, result: Result<(Box<Mask>, Vec<Message>), Message>) {
+    pub(super) fn mask_read(&mut self, path: PathBuf, result: Result<(Box<Mask>, Vec<Message>), Message>) {
+        if self.shared.answered.is_none() && self.shared.given_up_mask.take_if(|given_up| *given_up == path).is_some() {
+            return;
+        }
+        let awaited = OwnMask::Awaited(path.clone());
         if let Some((mask, details)) = self.shared.file_answered(result) {
+            let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
             self.shared.note_details(Message::new("mask-loaded-with-warnings").text("name", &name), details);
-            self.shared.set_mask(MaskChoice::Own { name, mask: Arc::new(*mask) });
+            self.shared.set_mask(MaskChoice::Own { name, path, mask: Arc::new(*mask) });
+        } else if self.shared.own_mask == awaited {
+            self.shared.own_mask = OwnMask::Unread(path);
+            self.shared.spread(News::OwnMask);
         }
     }
 
@@ -326,7 +334,7 @@ impl Session {
         }
         self.tables.saved(path);
         self.budget.saved(path, &self.shared);
-        self.parts.saved(path);
+        let details = self.parts.saved(path).into_iter().collect();
         if let Some(purpose) = purpose {
             self.shared.places.used(purpose, path);
         }
@@ -336,7 +344,7 @@ impl Session {
             None => Message::new("file-written-here").text("name", name),
         };
         let file = Some(path.to_owned());
-        self.shared.notices.push(Notice { file, ..Notice::of(message, false) });
+        self.shared.notices.push(Notice { file, details, ..Notice::of(message, false) });
     }
 }
 

@@ -100,6 +100,7 @@ pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
 pub use saved::{
     Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
 };
+use shared::OwnMask;
 pub use shared::{MaskChoice, Notice};
 pub use step::Step;
 pub use tables::{TablesCommand, TablesField, TablesPage};
@@ -148,6 +149,7 @@ impl Session {
         shared.sources = Arc::new(sources.with_absent(awaited));
         // A folder that cannot be read now may be there the next time.
         shared.tables_folder.clone_from(&saved.tables_folder);
+        shared.own_mask = saved.mask.clone().map(OwnMask::Awaited).unwrap_or_default();
         let session = Self {
             check: CheckPage::new(&saved.inputs, &shared.sources),
             fit: FitPage::new(&saved.inputs, &shared.sources),
@@ -161,11 +163,12 @@ impl Session {
             shared,
         };
         let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));
+        let mask = saved.mask.map(|path| Effect::Read(Purpose::LoadMask, path));
         let budget = saved.budget.map(|path| Effect::Read(Purpose::UseBudget, path));
         // The plan of a part that was interrupted.
         let plan = saved.walk.plan.or_else(|| saved.walk.watched.map(|watched| watched.plan));
         let plan = plan.map(|path| Effect::Read(Purpose::OpenPlan, path));
-        (session, tables.into_iter().chain(budget).chain(plan).collect())
+        (session, tables.into_iter().chain(mask).chain(budget).chain(plan).collect())
     }
 
     /// What survives a restart.
@@ -179,6 +182,7 @@ impl Session {
             density: self.shared.density,
             // A path that is not text cannot be written.
             tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
+            mask: self.shared.mask_file().filter(|path| path.to_str().is_some()),
             budget: self.budget.used_file().cloned().filter(|path| path.to_str().is_some()),
             source: self.shared.sources.base(),
             standard: self.shared.sources.options(),
@@ -198,11 +202,8 @@ impl Session {
     }
 
     /// The user's own mask by its name: what it has printed is read back through it. Nothing where a built-in one is chosen.
-    pub fn own_masks(&self) -> Vec<(String, Mask)> {
-        match &self.shared.mask {
-            MaskChoice::Own { name, mask } => vec![(name.clone(), Mask::clone(mask))],
-            MaskChoice::OfLanguage | MaskChoice::Shipped(_) => Vec::new(),
-        }
+    pub const fn own_masks(&self) -> &Arc<Vec<(String, Mask)>> {
+        &self.shared.own_masks
     }
 
     /// Applies a command at a local date and time, and returns what the outside world has to do.
@@ -307,7 +308,7 @@ impl Session {
             }
             Command::Leave(false) => shared.leaving = false,
             Command::Leave(true) => return vec![Effect::Leave],
-            Command::MaskRead { name, result } => self.mask_read(name, result),
+            Command::MaskRead { path, result } => self.mask_read(path, result),
             Command::TablesRead { folder, result } => self.tables_read(folder, result),
             Command::NoOwnTables => self.use_tables(Vec::new(), None),
             Command::UseSource(base) => {

@@ -32,6 +32,8 @@ pub struct Saved {
     pub density: Density,
     /// The folder of the user's own tables.
     pub tables_folder: Option<PathBuf>,
+    /// The user's own mask, where one is chosen.
+    pub mask: Option<PathBuf>,
     /// The file of the budget that checks use.
     pub budget: Option<PathBuf>,
     /// What limits are looked up in after the user's own tables.
@@ -152,6 +154,7 @@ impl Default for Saved {
             keypad: false,
             density: Density::default(),
             tables_folder: None,
+            mask: None,
             budget: None,
             source: Base::default(),
             standard: iso286::Options::default(),

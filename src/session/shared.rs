@@ -39,9 +39,23 @@ pub enum MaskChoice {
     Own {
         /// Its file's name.
         name: String,
+        /// Its file.
+        path: PathBuf,
         /// The mask.
         mask: Arc<Mask>,
     },
+}
+
+/// The user's own mask of the last time, before another one is chosen.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) enum OwnMask {
+    /// There was none, or it was read.
+    #[default]
+    Settled,
+    /// It is being read.
+    Awaited(PathBuf),
+    /// It could not be read; it may be there the next time.
+    Unread(PathBuf),
 }
 
 /// A notice, shown until it is closed.
@@ -81,6 +95,8 @@ pub(super) enum News {
     OwnTables,
     /// The status window is drawn in another language or with another mask.
     StatusWindow,
+    /// The user's own mask of the last time cannot be read.
+    OwnMask,
     /// The simulated workpiece was changed.
     Workpiece,
     /// The simulated workpiece was changed, and is what is measured from now on.
@@ -144,10 +160,16 @@ pub(super) struct Shared {
     /// Whether a finger was used last.
     pub is_touched: bool,
     pub mask: MaskChoice,
+    /// The user's own mask of the last time.
+    pub own_mask: OwnMask,
+    /// The mask that was still being read when the user chose another one: its answer comes too late.
+    pub given_up_mask: Option<PathBuf>,
+    /// The user's own mask by its name, for whatever reads prints.
+    pub own_masks: Arc<Vec<(String, Mask)>>,
     pub sources: Arc<Sources>,
     /// The folder of the user's own tables.
     pub tables_folder: Option<PathBuf>,
-    /// What waits until those are read: a file that is judged as it is read.
+    /// What waits until those and the mask are read: a file that is judged as it is read.
     held: Vec<Effect>,
     /// The folder that was still being read when the user chose other tables, or none: its answer comes too late.
     pub given_up: Option<PathBuf>,
@@ -203,6 +225,14 @@ impl Shared {
     }
 
     pub fn set_mask(&mut self, mask: MaskChoice) {
+        self.own_masks = Arc::new(match &mask {
+            MaskChoice::Own { name, mask, .. } => vec![(name.clone(), Mask::clone(mask))],
+            MaskChoice::OfLanguage | MaskChoice::Shipped(_) => Vec::new(),
+        });
+        if let OwnMask::Awaited(path) = std::mem::take(&mut self.own_mask) {
+            let is_it = matches!(&mask, MaskChoice::Own { path: read, .. } if *read == path);
+            self.given_up_mask = Some(path).filter(|_| !is_it);
+        }
         self.mask = mask;
         self.spread(News::StatusWindow);
     }
@@ -216,10 +246,20 @@ impl Shared {
         }
     }
 
-    /// Holds back files that are judged as they are read while the user's own tables are awaited, and lets them go
+    /// The file of the user's own mask, also of one that is not read yet.
+    pub fn mask_file(&self) -> Option<PathBuf> {
+        match (&self.own_mask, &self.mask) {
+            (OwnMask::Awaited(path) | OwnMask::Unread(path), _) | (_, MaskChoice::Own { path, .. }) => {
+                Some(path.clone())
+            }
+            _ => None,
+        }
+    }
+
+    /// Holds back files that are judged as they are read while the user's own tables or mask are awaited, and lets them go
     /// afterwards: nothing is judged by limits that are about to change.
     pub fn in_order(&mut self, effects: Vec<Effect>) -> Vec<Effect> {
-        if !self.awaits_tables() {
+        if !self.awaits_tables() && !matches!(self.own_mask, OwnMask::Awaited(_)) {
             return effects.into_iter().chain(std::mem::take(&mut self.held)).collect();
         }
         let is_judged = |effect: &Effect| match effect.errand() {

@@ -359,7 +359,7 @@ fn an_answer_after_its_dialog_was_closed_is_told_and_leaves_the_next_dialog_alon
     let refusal = || FileError::IsFolder { path: path() };
     let failures: [Command; 4] = [
         Command::Check(CheckCommand::Imported { name: "folder".to_owned(), result: Err(refusal().message()) }),
-        Command::MaskRead { name: "folder".to_owned(), result: Err(refusal().message()) },
+        Command::MaskRead { path: "folder".into(), result: Err(refusal().message()) },
         Command::TablesRead { folder: path(), result: Err(refusal().message()) },
         Command::Saved { path: path(), result: Err(refusal()) },
     ];

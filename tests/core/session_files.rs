@@ -537,7 +537,7 @@ fn a_late_answer_asks_closes_and_refuses_nothing_in_another_dialog() {
     let answers: [Command; 5] = [
         Command::Saved { path: path(), result: Ok(()) },
         Command::Saved { path: path(), result: Err(exists()) },
-        Command::MaskRead { name: "a".into(), result: Err(exists().message()) },
+        Command::MaskRead { path: "a".into(), result: Err(exists().message()) },
         FilesCommand::IsFolder(path()).into(),
         Command::Picked(Some(path())),
     ];

@@ -3,11 +3,15 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use fitcheck::exchange::{Given, read_plan};
 use fitcheck::message::Message;
 use fitcheck::part::{Column, Document, Draft, HeadField, Row, Spot};
 use fitcheck::report::image::Image;
+use fitcheck::session::action::Part;
 use fitcheck::session::parts::{PartPicture, PartsView, PlanCommand, PlanField, Sight};
-use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, Purpose, Session, Step};
+use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, PartsField, Purpose, Session, Step};
+use fitcheck::tolerance::Sources;
+use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 
 fn apply(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {
@@ -172,6 +176,123 @@ fn what_is_pasted_and_finds_no_place_is_told() {
 }
 
 #[test]
+fn a_change_that_was_taken_back_can_be_made_again_after_a_cell_was_left_with_escape() {
+    let mut session = opened(PLATE);
+    act(&mut session, Action::SortPlan);
+    go(&mut session, 0, Column::Name);
+    type_cell(&mut session, "B");
+    act(&mut session, Action::UndoPlan);
+    go(&mut session, 1, Column::Callout);
+    plan(&mut session, PlanCommand::Edit(Some("9".to_owned())));
+    assert!(!session.can(Action::RedoPlan), "not while something is typed");
+    plan(&mut session, PlanCommand::Leave);
+    act(&mut session, Action::RedoPlan);
+    assert_eq!(column(&session, Column::Name)[0], "B");
+    // Typed back to what it was, too; something else that is typed is a change.
+    act(&mut session, Action::UndoPlan);
+    go(&mut session, 1, Column::Callout);
+    type_cell(&mut session, "20 H7");
+    assert!(session.can(Action::RedoPlan));
+    type_cell(&mut session, "21 H7");
+    assert!(!session.can(Action::RedoPlan));
+}
+
+#[test]
+fn names_that_look_like_formulas_are_copied_and_pasted_as_they_are() {
+    let mut session = opened("name;callout;axis\n-A;25 H7;-Z\nB;20 H7;\n");
+    plan(&mut session, PlanCommand::Go(0, Column::Name, false));
+    let effects = act(&mut session, Action::CopyPlanCells);
+    let [Effect::Copy(text)] = effects.as_slice() else { panic!("{effects:?}") };
+    assert_eq!(text, "'-A", "a spreadsheet does not compute it");
+    go(&mut session, 1, Column::Name);
+    plan(&mut session, PlanCommand::Paste(text.clone()));
+    go(&mut session, 2, Column::Name);
+    plan(&mut session, PlanCommand::Paste("'=1+1\n'plain\n".to_owned()));
+    assert_eq!(column(&session, Column::Name), ["-A", "-A", "=1+1", "'plain"]);
+}
+
+#[test]
+fn an_empty_clipboard_changes_nothing_and_adds_no_feature() {
+    let mut session = opened(PLATE);
+    for row in [1, 3] {
+        go(&mut session, row, Column::Callout);
+        for text in ["", "\n", "\r\n"] {
+            plan(&mut session, PlanCommand::Paste(text.to_owned()));
+        }
+    }
+    assert_eq!(column(&session, Column::Callout), ["25 H7", "20 H7", "16 H7"]);
+    assert!(!session.can(Action::UndoPlan));
+    // Empty rows of a block empty cells, and are no features below the last one.
+    go(&mut session, 2, Column::Name);
+    plan(&mut session, PlanCommand::Paste("N\t\n\t\n\t\n".to_owned()));
+    assert_eq!(column(&session, Column::Name), ["A1", "A2", "N"]);
+}
+
+#[test]
+fn a_word_begun_below_the_last_feature_and_erased_leaves_no_row() {
+    let mut session = opened(PLATE);
+    go(&mut session, 3, Column::Name);
+    plan(&mut session, PlanCommand::Edit(Some("x".to_owned())));
+    assert_eq!(draft(&session).rows.len(), 4);
+    plan(&mut session, PlanCommand::Type(PlanField::Cell, String::new()));
+    plan(&mut session, PlanCommand::Type(PlanField::Cell, "y".to_owned()));
+    plan(&mut session, PlanCommand::Type(PlanField::Cell, String::new()));
+    plan(&mut session, PlanCommand::Take(None));
+    assert_eq!((draft(&session).rows.len(), session.parts().document().faults()), (3, 0));
+    assert!(!session.can(Action::UndoPlan) && !session.parts().is_unsaved());
+}
+
+#[test]
+fn a_header_may_have_empty_cells_and_a_name_that_it_has_twice_is_told() {
+    let mut session = opened(PLATE);
+    go(&mut session, 0, Column::Number);
+    plan(&mut session, PlanCommand::Paste("name\tcallout\t\nZ\t10 H7\t\n".to_owned()));
+    assert_eq!((&*column(&session, Column::Number)[0], &*column(&session, Column::Name)[0]), ("1", "Z"));
+    assert_eq!(session.notices().len(), 0, "nothing was in it");
+    plan(&mut session, PlanCommand::Paste("name\t\tcallout\nY\tlost\t12 H7\n".to_owned()));
+    assert_eq!((&*column(&session, Column::Name)[0], &*column(&session, Column::Callout)[0]), ("Y", "12 H7"));
+    assert!(said(&session.notices()[0].message).ends_with("the first row has no name above it"));
+    plan(&mut session, PlanCommand::Paste("name\tname\nX\tW\n".to_owned()));
+    assert_eq!(column(&session, Column::Name)[0], "X");
+    assert!(said(&session.notices()[1].message).contains("names name more than once"));
+}
+
+#[test]
+fn features_without_a_name_keep_what_they_are_called_when_their_rows_get_other_places() {
+    let nameless = "callout;x\n25 H7;3\n20 H7;1\n16 H7;2\n";
+    let names = |session: &Session| -> Vec<String> {
+        let rows = draft(session).rows.iter().enumerate();
+        let called = rows.filter_map(|(at, row)| {
+            let name = &session.parts().document().feature(at)?.name;
+            Some(format!("{name} {}", row.text(Column::X).unwrap_or("-")))
+        });
+        called.collect()
+    };
+    let mut session = opened(nameless);
+    assert_eq!(names(&session), ["F1 3", "F2 1", "F3 2"]);
+    go(&mut session, 0, Column::X);
+    act(&mut session, Action::SortPlan);
+    assert_eq!(names(&session), ["F2 1", "F3 2", "F1 3"]);
+    let mut session = opened(nameless);
+    go(&mut session, 0, Column::X);
+    act(&mut session, Action::MovePlanRows(Step::Down));
+    assert_eq!(names(&session), ["F2 1", "F1 3", "F3 2"]);
+    let mut session = opened(nameless);
+    go(&mut session, 1, Column::X);
+    act(&mut session, Action::InsertPlanRow);
+    assert_eq!(names(&session), ["F1 3", "F2 1", "F3 2"]);
+    // The new one has a name that no other one has.
+    assert_eq!(column(&session, Column::Name), ["F1", "F4", "F2", "F3"]);
+    act(&mut session, Action::UndoPlan);
+    go(&mut session, 0, Column::X);
+    act(&mut session, Action::DeletePlanRows);
+    assert_eq!(names(&session), ["F2 1", "F3 2"]);
+    go(&mut session, 2, Column::Callout);
+    type_cell(&mut session, "12 H7");
+    assert_eq!(column(&session, Column::Name), ["F2", "F3", "F4"]);
+}
+
+#[test]
 fn one_cell_fills_a_block_and_delete_empties_it() {
     let mut session = opened(PLATE);
     go(&mut session, 0, Column::X);
@@ -291,6 +412,104 @@ fn a_plan_with_every_kind_of_mistake_opens_and_shows_all_of_them() {
     assert_eq!((effects.len(), session.parts().sheet().at()), (0, (1, Column::X)));
 }
 
+/// Two features that are right, and a third one.
+const THREE: &str = "fitcheck_plan = 1
+[[feature]]
+name = \"A\"
+callout = \"25 H7\"
+[[feature]]
+name = \"B\"
+callout = \"25 H7\"
+[[feature]]
+name = \"C\"
+callout = \"20 g6\"
+";
+
+#[test]
+fn a_plan_that_could_not_be_read_whole_measures_nothing_until_the_rest_is_left_out() {
+    for (text, features) in [
+        (THREE.replace("fitcheck_plan = 1", "fitcheck_plan = 2"), 3),
+        (THREE.replace("name = \"C\"", "rule = [1]\nname = \"C\""), 3),
+        (THREE.replace("name = \"C\"", "u_mu = 9\nname = \"C\""), 3),
+        (THREE.replace("[[feature]]\nname = \"C\"", "[[featur]]\nname = \"C\""), 2),
+        (format!("{THREE}[[feature]\nname = \"D\"\ncallout = \"30 H7\"\n"), 3),
+        ("name,callout,x,y,z\nA,25 H7,40,5,30,-8\n".to_owned(), 1),
+    ] {
+        let mut session = opened_at(&text, "/plans/plate.toml");
+        let document = session.parts().document();
+        assert_eq!((document.findings().len(), document.draft().rows.len()), (0, features), "{text}");
+        assert_eq!(document.faults(), document.problems().len(), "{text}");
+        assert!(document.plan().is_none() && 0 < document.faults(), "{text}");
+        // It is not lost by the way, either.
+        assert!(!session.can(Action::SavePlan(0)) && !session.can(Action::SavePlan(1)), "{text}");
+        let count = document.faults();
+        apply(&mut session, PartsCommand::Show(PartsView::Walk));
+        assert!(!session.can(Action::BeginPart) && !session.can(Action::WatchFolder), "{text}");
+        apply(&mut session, PartsCommand::Show(PartsView::Plan));
+        act(&mut session, Action::LeaveOutOfPlan);
+        let notice = session.notices().last().unwrap();
+        assert!(said(&notice.message).contains("left out of the plan"), "{}", said(&notice.message));
+        assert_eq!(notice.details.len(), count);
+        // The file has it still, so that this plan is one that no file holds.
+        assert!(session.parts().document().plan().is_some() && session.parts().is_unsaved(), "{text}");
+        assert!(session.can(Action::SavePlan(0)) && !session.can(Action::LeaveOutOfPlan), "{text}");
+        apply(&mut session, PartsCommand::Show(PartsView::Walk));
+        assert!(session.can(Action::BeginPart) && session.can(Action::WatchFolder), "{text}");
+    }
+}
+
+#[test]
+fn what_a_plan_of_another_tool_leaves_out_is_told_when_it_is_opened() {
+    // A diameter, and the roundness of a second characteristic.
+    let text = "K0100/0 2\nK1001/1 P\nK2001/1 1\nK2002/1 A\nK2101/1 25\nK2110/1 25\nK2111/1 25.021\nK2142/1 mm\n\
+                K2001/2 2\nK2002/2 ROUND\nK2004/2 0\nK2009/2 104\nK2101/2 0\nK2110/2 0\nK2111/2 0.01\nK2142/2 mm\n";
+    let sources = Sources::default();
+    let given = Given::new(&sources, jiff::civil::DateTime::MIN);
+    let document = read_plan("a.dfq", text.as_bytes(), given).unwrap();
+    let mut session = Session::new(Language::En);
+    apply(&mut session, Command::OpenPage(Page::Parts));
+    plan(&mut session, PlanCommand::Read { path: "/plans/a.dfq".into(), result: Ok(Box::new(document)) });
+    let notice = &session.notices()[0];
+    assert_eq!(said(&notice.message), "a.dfq is opened, and one thing of it is not taken over");
+    assert!(said(&notice.details[0]).contains("ROUND"), "{}", said(&notice.details[0]));
+    assert_eq!((notice.details.len(), draft(&session).rows.len()), (1, 1));
+}
+
+#[test]
+fn a_fault_of_the_file_leads_to_the_feature_that_it_stands_in_or_behind() {
+    let text =
+        THREE.replace("name = \"B\"", "u_mu = 9\nname = \"B\"").replace("name = \"C\"", "shade = 1\nname = \"C\"");
+    let mut session = opened_at(&text, "/plans/plate.toml");
+    for (place, row) in [(1, 2), (0, 1)] {
+        plan(&mut session, PlanCommand::GoToProblem(place));
+        assert_eq!(session.parts().sheet().at().0, row);
+    }
+}
+
+/// The actions that keys of the parts page do now.
+fn heard(session: &Session, part: Option<Part>, is_typing: bool) -> Vec<Action> {
+    session.keys(part, is_typing).into_iter().map(|(_, action)| action).collect()
+}
+
+#[test]
+fn keys_of_the_table_do_nothing_where_it_is_not_shown_or_a_field_of_the_part_is_typed_into() {
+    let mut session = opened(PLATE);
+    go(&mut session, 0, Column::Callout);
+    type_cell(&mut session, "30 H7");
+    plan(&mut session, PlanCommand::Undo);
+    plan(&mut session, PlanCommand::Go(1, Column::Name, false));
+    type_cell(&mut session, "B");
+    let of_rows = [Action::InsertPlanRow, Action::DeletePlanRows, Action::MovePlanRows(Step::Up)];
+    let table = heard(&session, Some(Part::Plan), false);
+    assert!(of_rows.iter().all(|action| table.contains(action)) && table.contains(&Action::UndoPlan));
+    let field = heard(&session, None, true);
+    assert!(!of_rows.iter().any(|action| field.contains(action)), "{field:?}");
+    apply(&mut session, PartsCommand::Show(PartsView::Walk));
+    let walk = heard(&session, None, false);
+    assert!(!walk.contains(&Action::UndoPlan) && !of_rows.iter().any(|action| walk.contains(action)), "{walk:?}");
+    assert!(!session.can(Action::UndoPlan) && !session.can(Action::RedoPlan));
+}
+
 #[test]
 fn fields_of_the_part_are_one_change_each() {
     let mut session = opened(PLATE);
@@ -306,6 +525,55 @@ fn fields_of_the_part_are_one_change_each() {
     assert_eq!((far(&session), draft(&session).text(HeadField::Part)), (0, Some("Plate")));
     act(&mut session, Action::UndoPlan);
     assert_eq!(draft(&session).text(HeadField::Part), None);
+}
+
+/// Saves the plan in a format of the list: what the file gets.
+fn save(session: &mut Session, format: usize, path: &str) -> String {
+    act(session, Action::SavePlan(format));
+    apply(session, Command::TypePath(path.to_owned()));
+    let effects = apply(session, Command::Confirm);
+    let [Effect::ForDialog(number, effect)] = effects.as_slice() else { panic!("{effects:?}") };
+    let Effect::Save(path, content) = effect.as_ref() else { panic!("{effect:?}") };
+    let answer = Command::Saved { path: path.clone(), result: Ok(()) };
+    apply(session, Command::Answered(*number, Box::new(answer)));
+    String::from_utf8(content.bytes().unwrap()).unwrap()
+}
+
+#[test]
+fn a_plan_as_csv_is_a_copy_where_it_has_less_and_says_what_is_left_out() {
+    let mut session = opened_at(&format!("picture = \"a.png\"\n{THREE}"), "/plans/plate.toml");
+    plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::Drawing), "D1".to_owned()));
+    let text = save(&mut session, 1, "/plans/plate.csv");
+    assert!(!text.contains("D1") && text.contains("25 H7"), "{text}");
+    let document = session.parts().document();
+    assert_eq!((document.path(), document.is_unsaved()), (Some(std::path::Path::new("/plans/plate.toml")), true));
+    let details: Vec<String> = session.notices().last().unwrap().details.iter().map(said).collect();
+    assert_eq!(
+        details,
+        ["The file is a copy: CSV has the features alone, and drawing, picture of the part is left out"]
+    );
+    assert_eq!(apply(&mut session, Command::AskToLeave), [], "it is asked first");
+    // One that has nothing but features is the plan itself, and so is one as TOML.
+    let mut session = opened(PLATE);
+    go(&mut session, 0, Column::Callout);
+    type_cell(&mut session, "30 H7");
+    save(&mut session, 1, "/plans/other.csv");
+    assert!(!session.parts().is_unsaved() && session.notices().last().unwrap().details.is_empty());
+    plan(&mut session, PlanCommand::Type(PlanField::Head(HeadField::Part), "Plate".to_owned()));
+    assert!(save(&mut session, 0, "/plans/plate.toml").contains("part = \"Plate\""));
+    assert!(!session.parts().is_unsaved());
+}
+
+#[test]
+fn comments_of_a_plan_are_told_as_lost_before_it_is_saved_and_when_it_is() {
+    let text = format!("# the flange\n{THREE}").replace("\"20 g6\"", "\"20 g6\" # a pin") + "remark = '# none \" #'\n";
+    let text = text + "number = \"\"\"\n# \\\" none\"\"\"\n";
+    let mut session = opened_at(&text, "/plans/plate.toml");
+    assert_eq!(session.parts().document().comments(), 2, "{text}");
+    save(&mut session, 0, "/plans/plate.toml");
+    let details: Vec<String> = session.notices().last().unwrap().details.iter().map(said).collect();
+    assert_eq!(details, ["2 comments of plate.toml are not in the file: a plan is written without comments"]);
+    assert_eq!(session.parts().document().comments(), 0);
 }
 
 fn dots() -> Arc<PartPicture> {
@@ -339,6 +607,56 @@ fn the_picture_is_asked_for_once_its_name_is_typed_and_late_answers_change_nothi
     apply(&mut session, Command::OpenDialog(Purpose::OpenPicture));
     plan(&mut session, PlanCommand::ChoosePicture("/elsewhere/plate.png".into()));
     assert!(said(&session.notices()[0].message).contains("is not in the plan's folder"));
+}
+
+#[test]
+fn a_part_keeps_the_picture_that_its_plan_had_when_it_was_begun() {
+    let text = "fitcheck_plan = 1\npicture = \"a.png\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n";
+    let mut session = opened_at(text, "/plans/plate.toml");
+    apply(&mut session, PartsCommand::Show(PartsView::Walk));
+    act(&mut session, Action::BeginPart);
+    // Another plan with a feature of the same name is opened before the picture was read.
+    let other = Document::read(text.replace("a.png", "b.png").replace("25 H7", "10 H7").as_bytes()).unwrap();
+    let read = PlanCommand::Read { path: "/other/plate.toml".into(), result: Ok(Box::new(other)) };
+    assert_eq!(plan(&mut session, read), [Effect::ReadPicture("/other/b.png".into())]);
+    plan(&mut session, PlanCommand::PictureRead { path: "/other/b.png".into(), result: Ok(dots()) });
+    assert_eq!(session.parts().walk_sight(), Some(Sight::Awaited));
+    let mut own = PartPicture::clone(&dots());
+    own.size = [1, 2];
+    let own = Arc::new(own);
+    plan(&mut session, PlanCommand::PictureRead { path: "/plans/a.png".into(), result: Ok(Arc::clone(&own)) });
+    assert_eq!(session.parts().walk_sight(), Some(Sight::Seen(own)));
+    assert_eq!(session.parts().sight(), Some(Sight::Seen(dots())), "the plan that is edited has its own");
+    act(&mut session, Action::NextPart);
+    act(&mut session, Action::NextPart);
+    act(&mut session, Action::BeginPart);
+    assert_eq!(session.parts().walk_sight(), Some(Sight::Seen(dots())));
+}
+
+#[test]
+fn a_verdict_is_shown_on_the_plan_that_it_was_made_by_alone() {
+    let text = "fitcheck_plan = 1\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n";
+    let status = |session: &Session| session.parts().balloons()[0].status;
+    let mut session = opened_at(text, "/plans/plate.toml");
+    apply(&mut session, PartsCommand::Show(PartsView::Walk));
+    act(&mut session, Action::BeginPart);
+    apply(&mut session, Field::from(PartsField::Value).typed("25.010".to_owned()));
+    act(&mut session, Action::TakeValue);
+    assert_eq!(status(&session), Some(Status::Good));
+    // Its balloon may be moved, and other limits have no verdict yet.
+    plan(&mut session, PlanCommand::PlaceBalloon { row: 0, at: [0.5, 0.5], is_done: true });
+    assert_eq!(status(&session), Some(Status::Good));
+    go(&mut session, 0, Column::Callout);
+    type_cell(&mut session, "25 H6");
+    assert_eq!(status(&session), None);
+    plan(&mut session, PlanCommand::Undo);
+    assert_eq!(status(&session), Some(Status::Good));
+    // The same feature in another plan is one of another part.
+    let other = Document::read(text.as_bytes()).unwrap();
+    plan(&mut session, PlanCommand::Read { path: "/other/plate.toml".into(), result: Ok(Box::new(other)) });
+    plan(&mut session, PlanCommand::Discard(true));
+    assert_eq!(status(&session), None);
+    assert_eq!(session.parts().walk_balloons()[0].status, Some(Status::Good));
 }
 
 #[test]

@@ -2,12 +2,13 @@
 
 use std::path::PathBuf;
 
+use fitcheck::control::mask::Mask;
 use fitcheck::exchange::{Item, import_each};
 use fitcheck::journal::Record;
 use fitcheck::journal::chain::{ChainId, Hash, Head};
 use fitcheck::journal::entry::{Checked, Entry};
 use fitcheck::message::{Message, Say as _};
-use fitcheck::part::Document;
+use fitcheck::part::{Column, Document};
 use fitcheck::session::parts::{PlanCommand, WalkCommand, WatchNews, WatchedFile};
 use fitcheck::session::{
     Action, CheckField, Command, Effect, Field, FilesCommand, OpenJournal, Page, PartsCommand, PartsField, Purpose,
@@ -15,7 +16,7 @@ use fitcheck::session::{
 };
 use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Status;
-use fitcheck::words::{Language, Words};
+use fitcheck::words::{Dialogue, Language, Words};
 use jiff::ToSpan as _;
 use jiff::civil::{DateTime, date};
 use jiff::tz::{TimeZone, offset};
@@ -481,6 +482,32 @@ fn what_comes_into_the_watched_folder_is_taken_once_it_is_on_disk_and_not_before
 }
 
 #[test]
+fn a_watch_begins_anew_only_once_what_it_found_before_is_on_disk() {
+    for stops in [false, true] {
+        let mut session = walking();
+        let run = watched(&mut session);
+        let news = look(&session, 1, "name;measured\nBORE;12.03\n");
+        let (batch, _) = kept(&send(&mut session, WalkCommand::Watched { run, news: Box::new(news) }));
+        // What is on its way to the disk is not known there yet.
+        if stops {
+            assert_eq!(act(&mut session, Action::StopWatch), [Effect::StopWatch]);
+            let again = send(&mut session, WalkCommand::Watch { folder: "/in".into(), is_folder: true });
+            assert_eq!(again, []);
+        } else {
+            assert_eq!(send(&mut session, Command::SetLanguage(Language::Nl)), []);
+        }
+        assert!(session.parts().watched().is_recording());
+        let full = Err(Message::new("records-page-no-thread"));
+        assert_eq!(send(&mut session, RecordsCommand::Kept { run: batch, result: full }), []);
+        let effects = send(&mut session, RecordsCommand::TryAgain);
+        assert!(matches!(effects[..], [Effect::Keep { .. }]), "{effects:?}");
+        let effects = send(&mut session, RecordsCommand::Kept { run: batch, result: Ok(vec![head(8)]) });
+        let [Effect::Watch { run: anew, .. }] = effects[..] else { panic!("{effects:?}") };
+        assert!(run < anew && !session.parts().watched().is_recording());
+    }
+}
+
+#[test]
 fn a_watch_that_was_ended_changes_nothing_any_more() {
     let mut session = walking();
     let run = watched(&mut session);
@@ -502,6 +529,134 @@ fn a_folder_is_watched_once_the_journal_is_open() {
     assert_eq!(send(&mut session, WalkCommand::Watch { folder: "/in".into(), is_folder: true }), []);
     let effects = open_journal(&mut session, 1);
     assert!(matches!(effects[..], [Effect::Watch { .. }]), "{effects:?}");
+}
+
+/// A folder that is watched by a plan, with no part begun.
+fn watching_alone() -> (Session, u64) {
+    let mut session = Session::new(Language::En);
+    begin_records(&mut session);
+    open_journal(&mut session, 7);
+    send(&mut session, Command::OpenPage(Page::Parts));
+    read_plan(&mut session, PLAN);
+    let run = watched(&mut session);
+    (session, run)
+}
+
+#[test]
+fn a_watched_value_of_no_part_is_said_to_have_no_serial_number() {
+    let (mut session, run) = watching_alone();
+    let news = look(&session, 1, "name;measured\nBORE;12.03\nPIN;20.1\n");
+    let (_, entries) = kept(&send(&mut session, WalkCommand::Watched { run, news: Box::new(news) }));
+    assert_eq!(entries[0].about.serial, "");
+    let told: Vec<String> = session.parts().watched().files().next().unwrap().said.iter().map(said).collect();
+    assert!(told[0].starts_with("2 values are recorded without a serial number"), "{told:?}");
+    // With a serial number of its own, or of a part that is being measured, it is somebody's.
+    let (mut session, run) = watching_alone();
+    let news = look(&session, 1, "name;serial;measured\nBORE;Z-9;12.03\n");
+    send(&mut session, WalkCommand::Watched { run, news: Box::new(news) });
+    let told: Vec<String> = session.parts().watched().files().next().unwrap().said.iter().map(said).collect();
+    assert!(!told.iter().any(|text| text.contains("without a serial number")), "{told:?}");
+}
+
+#[test]
+fn watched_values_are_of_the_part_of_the_plan_that_they_are_judged_by() {
+    let (mut session, run) = watching_alone();
+    let news = look(&session, 1, "name;measured\nBORE;12.03\n");
+    read_plan(&mut session, &PLAN.replace("Flange", "Cover"));
+    let (_, entries) = kept(&send(&mut session, WalkCommand::Watched { run, news: Box::new(news) }));
+    assert_eq!(entries[0].about.part, "Flange");
+}
+
+fn change(session: &mut Session, callout: &str) {
+    send(session, PartsCommand::Plan(PlanCommand::Go(0, Column::Callout, false)));
+    send(session, PartsCommand::Plan(PlanCommand::Edit(Some(callout.to_owned()))));
+    send(session, PartsCommand::Plan(PlanCommand::Take(None)));
+}
+
+#[test]
+fn a_folder_that_is_judged_by_an_older_plan_says_so() {
+    let (mut session, _) = watching_alone();
+    assert!(!session.parts().watches_other_plan() && session.parts().watched().comes_back());
+    change(&mut session, "12 H7");
+    assert!(session.parts().watches_other_plan());
+    send(&mut session, PartsCommand::Plan(PlanCommand::Undo));
+    assert!(!session.parts().watches_other_plan());
+    // A part that is begun is judged by the plan as it is, and so is the folder from then on.
+    change(&mut session, "12 H7");
+    let effects = act(&mut session, Action::BeginPart);
+    assert!(matches!(effects[..], [_, Effect::Watch { .. }] | [Effect::Watch { .. }, _]), "{effects:?}");
+    assert!(!session.parts().watches_other_plan());
+}
+
+#[test]
+fn a_folder_that_is_watched_by_a_plan_that_no_file_holds_is_not_watched_by_an_older_file_after_a_restart() {
+    let (mut session, _) = watching_alone();
+    change(&mut session, "12 H7");
+    let again = send(&mut session, WalkCommand::Watch { folder: "/in".into(), is_folder: true });
+    assert!(matches!(again[..], [Effect::Watch { .. }]), "{again:?}");
+    assert!(!session.parts().watched().comes_back() && session.saved().walk.watched.is_none());
+    // Saved, it can be read again.
+    act(&mut session, Action::SavePlan(0));
+    send(&mut session, Command::TypePath("/plans/new.toml".to_owned()));
+    let effects = send(&mut session, Command::Confirm);
+    let [Effect::ForDialog(number, _)] = &effects[..] else { panic!("{effects:?}") };
+    let saved = Command::Saved { path: "/plans/new.toml".into(), result: Ok(()) };
+    send(&mut session, Command::Answered(*number, Box::new(saved)));
+    assert_eq!(session.saved().walk.watched.unwrap().plan, PathBuf::from("/plans/new.toml"));
+}
+
+fn own_mask() -> Command {
+    let (mask, _) = Mask::read(include_bytes!("../../assets/masks/82552_en.a")).unwrap();
+    Command::MaskRead { path: "/masks/own.a".into(), result: Ok((Box::new(mask), Vec::new())) }
+}
+
+/// A session of a folder that is watched, and of a mask of the user's own, after a restart.
+fn watching_by_mask() -> Session {
+    let mut session = walking();
+    watched(&mut session);
+    send(&mut session, own_mask());
+    let saved = Saved::read(&session.saved().write()).unwrap();
+    let (mut back, effects) = Session::restore(saved);
+    assert!(effects.contains(&Effect::Read(Purpose::LoadMask, "/masks/own.a".into())), "{effects:?}");
+    begin_records(&mut back);
+    open_journal(&mut back, 10);
+    let effects = read_plan(&mut back, PLAN);
+    assert!(effects.contains(&Effect::Read(Purpose::WatchFolder, "/in".into())), "{effects:?}");
+    assert_eq!(send(&mut back, WalkCommand::Watch { folder: "/in".into(), is_folder: true }), []);
+    back
+}
+
+#[test]
+fn a_folder_is_watched_again_once_the_own_mask_is_read() {
+    let mut back = watching_by_mask();
+    // What prints are read back through is waited for by files, too.
+    assert_eq!(send(&mut back, FilesCommand::Open(Purpose::ImportValues, "/in/a.txt".into())), []);
+    let effects = send(&mut back, own_mask());
+    let [Effect::Watch { .. }, Effect::Read(Purpose::ImportValues, _)] = &effects[..] else { panic!("{effects:?}") };
+    assert_eq!(back.own_masks()[0].0, "own.a");
+    assert_eq!(back.saved().mask, Some("/masks/own.a".into()));
+}
+
+#[test]
+fn without_the_own_mask_no_folder_is_watched_until_another_one_is_chosen() {
+    let mut back = watching_by_mask();
+    let result = Err(Message::new("walk-page-nothing-asked"));
+    assert_eq!(send(&mut back, Command::MaskRead { path: "/masks/own.a".into(), result }), []);
+    let trouble = said(back.parts().watched().trouble().unwrap());
+    assert!(trouble.starts_with("Your own mask /masks/own.a cannot be read"), "{trouble}");
+    assert_eq!(back.saved().mask, Some("/masks/own.a".into()), "it may be there the next time");
+    let effects = send(&mut back, Command::SetMask(None));
+    assert!(matches!(effects[..], [Effect::Watch { .. }]), "{effects:?}");
+    assert!(back.parts().watched().trouble().is_none() && back.saved().mask.is_none());
+}
+
+#[test]
+fn a_mask_that_was_still_being_read_does_not_come_in_the_place_of_a_chosen_one() {
+    let mut back = watching_by_mask();
+    let effects = send(&mut back, Command::SetMask(Some(Dialogue::Nl)));
+    assert!(matches!(effects[..], [Effect::Watch { .. }]), "{effects:?}");
+    assert_eq!(send(&mut back, own_mask()), []);
+    assert!(back.own_masks().is_empty() && back.saved().mask.is_none());
 }
 
 /// The first feature measures 12.07 of 12 F9, 12.016 to 12.059, which is too large: it was 12.05.

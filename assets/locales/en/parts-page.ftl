@@ -55,7 +55,13 @@ parts-page-features = { $count ->
 parts-page-fault-of = { $row }, { $column }
 parts-page-fault-row = Row { $row }
 parts-page-fault-plan = Plan
-parts-page-lost = Lines of the file that are not part of a plan: saving discards them
+parts-page-lost = Not understood in the file: nothing is measured or saved by this plan until it is corrected there or left out here
+parts-page-leave-out = Leave these out
+parts-page-leave-out-hint = The plan is then what could be read; what was not understood may be a feature
+parts-page-left-out = { $count ->
+    [one] { $name }: one thing that was not understood is left out of the plan; the file has it until the plan is saved
+   *[other] { $name }: { $count } things that were not understood are left out of the plan; the file has them until the plan is saved
+}
 parts-page-pasted-rows = { $count ->
     [one] One pasted row was skipped: a plan has at most { $most } features
    *[other] { $count } pasted rows were skipped: a plan has at most { $most } features
@@ -118,3 +124,21 @@ parts-page-beside-more = and { $count } more
 parts-page-balloon-simulated = { $status }, simulated
 parts-page-more = Rows and cells
 parts-page-picture-heavy = { $name } would take too long to draw: it has filters, large patterns or too many layers; remove them, or save the picture as PNG
+parts-page-csv-copy = The file is a copy: CSV has the features alone, and { $keys } of the part is left out
+parts-page-opened = { $count ->
+    [one] { $name } is opened, and one thing of it is not taken over
+   *[other] { $name } is opened, and { $count } things of it are not taken over
+}
+parts-page-pasted-twice = A pasted column was left out: the first row names { $keys } more than once, and the first one counts
+parts-page-pasted-nameless = { $count ->
+    [one] One pasted column was left out: the first row has no name above it
+   *[other] { $count } pasted columns were left out: the first row has no names above them
+}
+parts-page-comments = { $count ->
+    [one] Saving loses a comment of the file
+   *[other] Saving loses { $count } comments of the file
+}
+parts-page-comments-lost = { $count ->
+    [one] A comment of { $name } is not in the file: a plan is written without comments
+   *[other] { $count } comments of { $name } are not in the file: a plan is written without comments
+}

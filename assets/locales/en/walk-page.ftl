@@ -118,4 +118,10 @@ walk-page-watch-count = { $count ->
        *[other] { $count } files imported
     }
 walk-page-report = Report…
-walk-page-report-other-picture = { $name }: the plan has named another picture since this part was started
+walk-page-watch-no-mask = Your own mask { $path } cannot be read: the folder is watched once it is chosen again, or another mask is (Menu, Own mask…)
+walk-page-watch-nobody = { $count ->
+        [one] One value is recorded without a serial number: its file names none, and no part is being measured by this plan
+       *[other] { $count } values are recorded without a serial number: their file names none, and no part is being measured by this plan
+    }
+walk-page-watch-other-plan = The folder is judged by the plan as it was when the watch began. Begin a part, or watch the folder again, to judge by the plan as it is now.
+walk-page-watch-not-saved = The plan has changes that no file holds: the folder is not watched again after a restart.

@@ -55,7 +55,13 @@ parts-page-features = { $count ->
 parts-page-fault-of = { $row }, { $column }
 parts-page-fault-row = Rij { $row }
 parts-page-fault-plan = Plan
-parts-page-lost = Regels van het bestand die niet bij een plan horen: opslaan verliest ze
+parts-page-lost = Niet begrepen in het bestand: met dit plan wordt niets gemeten of opgeslagen tot het daar verbeterd of hier weggelaten is
+parts-page-leave-out = Deze weglaten
+parts-page-leave-out-hint = Het plan is dan wat gelezen kon worden; wat niet begrepen is, kan een kenmerk zijn
+parts-page-left-out = { $count ->
+    [one] { $name }: één ding dat niet begrepen is, is uit het plan weggelaten; het bestand heeft het tot het plan wordt opgeslagen
+   *[other] { $name }: { $count } dingen die niet begrepen zijn, zijn uit het plan weggelaten; het bestand heeft ze tot het plan wordt opgeslagen
+}
 parts-page-pasted-rows = { $count ->
     [one] Eén geplakte rij is weggelaten: een plan heeft hoogstens { $most } kenmerken
    *[other] { $count } geplakte rijen zijn weggelaten: een plan heeft hoogstens { $most } kenmerken
@@ -118,3 +124,21 @@ parts-page-beside-more = en nog { $count }
 parts-page-balloon-simulated = { $status }, gesimuleerd
 parts-page-more = Rijen en cellen
 parts-page-picture-heavy = { $name } tekenen duurt te lang: er zijn filters, grote patronen of te veel lagen; teken het zonder, of bewaar het als PNG
+parts-page-csv-copy = Het bestand is een kopie: CSV heeft alleen de kenmerken, en { $keys } van het onderdeel blijft weg
+parts-page-opened = { $count ->
+    [one] { $name } is geopend, en één ding ervan is niet overgenomen
+   *[other] { $name } is geopend, en { $count } dingen ervan zijn niet overgenomen
+}
+parts-page-pasted-twice = Een geplakte kolom is weggelaten: de eerste rij noemt { $keys } meer dan eens, en de eerste telt
+parts-page-pasted-nameless = { $count ->
+    [one] Eén geplakte kolom is weggelaten: de eerste rij heeft er geen naam boven
+   *[other] { $count } geplakte kolommen zijn weggelaten: de eerste rij heeft er geen namen boven
+}
+parts-page-comments = { $count ->
+    [one] Opslaan verliest een opmerking van het bestand
+   *[other] Opslaan verliest { $count } opmerkingen van het bestand
+}
+parts-page-comments-lost = { $count ->
+    [one] Een opmerking van { $name } staat niet in het bestand: een plan wordt zonder opmerkingen geschreven
+   *[other] { $count } opmerkingen van { $name } staan niet in het bestand: een plan wordt zonder opmerkingen geschreven
+}

@@ -118,4 +118,10 @@ walk-page-watch-count = { $count ->
        *[other] { $count } bestanden genomen
     }
 walk-page-report = Rapport…
-walk-page-report-other-picture = { $name }: het plan noemt een andere afbeelding sinds met dit onderdeel begonnen is
+walk-page-watch-no-mask = Je eigen masker { $path } kan niet worden gelezen: de map wordt bewaakt zodra het opnieuw of een ander masker gekozen is (Menu, Eigen masker…)
+walk-page-watch-nobody = { $count ->
+        [one] Eén waarde is vastgelegd zonder serienummer: het bestand noemt er geen, en er wordt geen onderdeel met dit plan gemeten
+       *[other] { $count } waarden zijn vastgelegd zonder serienummer: het bestand noemt er geen, en er wordt geen onderdeel met dit plan gemeten
+    }
+walk-page-watch-other-plan = De map wordt beoordeeld met het plan zoals het was toen de bewaking begon. Begin een onderdeel, of bewaak de map opnieuw, om met het huidige plan te beoordelen.
+walk-page-watch-not-saved = Het plan heeft wijzigingen die in geen bestand staan: de map wordt na een herstart niet opnieuw bewaakt.

@@ -2,6 +2,8 @@
 //!
 //! Both views show it: on the plan balloons are moved, on the walk they lead to their feature.
 
+use std::sync::{Arc, Weak};
+
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align2, EventFilter, Id, Key, Painter, Pos2, Rect, Response, ScrollArea, Sense, Stroke, TextureHandle,
@@ -22,7 +24,8 @@ const MOST_BESIDE: usize = 40;
 /// The picture of the plan that is edited; its balloons are moved.
 pub(super) fn plan_picture_ui(ui: &mut Ui, view: &mut View<'_>) {
     let balloons = view.session.parts().balloons();
-    if let Some(row) = picture_ui(ui, view, &balloons, true) {
+    let sight = view.session.parts().sight();
+    if let Some(row) = picture_ui(ui, view, (sight, &balloons), true) {
         let (_, column) = view.session.parts().sheet().at();
         view.send(PartsCommand::Plan(PlanCommand::Go(row, column, false)));
     }
@@ -31,7 +34,8 @@ pub(super) fn plan_picture_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// The picture of the part that is measured; a balloon leads to its feature.
 pub(super) fn walk_picture_ui(ui: &mut Ui, view: &mut View<'_>) {
     let balloons = view.session.parts().walk_balloons();
-    let clicked = picture_ui(ui, view, &balloons, false);
+    let sight = view.session.parts().walk_sight();
+    let clicked = picture_ui(ui, view, (sight, &balloons), false);
     let first = clicked.and_then(|row| balloons.get(row)?.first);
     if let Some(first) = first {
         view.send(PartsCommand::Walk(WalkCommand::Go(first)));
@@ -39,8 +43,13 @@ pub(super) fn walk_picture_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 /// The picture with its balloons, in the room that is left. The row of a balloon that was clicked.
-fn picture_ui(ui: &mut Ui, view: &mut View<'_>, balloons: &[Balloon], can_move: bool) -> Option<usize> {
-    let picture = match view.session.parts().sight() {
+fn picture_ui(
+    ui: &mut Ui,
+    view: &mut View<'_>,
+    (sight, balloons): (Option<Sight>, &[Balloon]),
+    can_move: bool,
+) -> Option<usize> {
+    let picture = match sight {
         Some(Sight::Seen(picture)) => picture,
         Some(Sight::Awaited) => {
             quiet(ui, view.text("parts-page-picture-awaited"));
@@ -60,7 +69,7 @@ fn picture_ui(ui: &mut Ui, view: &mut View<'_>, balloons: &[Balloon], can_move: 
     let foot = if can_move && !beside.is_empty() { control(ui) + space(9.0) } else { 0.0 };
     let frame = Rect::from_min_max(room.min, pos2(room.right(), (room.bottom() - foot).max(room.top() + space(10.0))));
     let rect = within(frame, &picture);
-    draw(ui, view, &picture, rect);
+    draw(ui, &picture, rect);
     let figure = ui.interact(frame, Id::unique(("part-picture", can_move)), Sense::HOVER);
     let on = balloons.len() - beside.len();
     let said = Message::new("parts-page-picture-said").count("on", on).count("count", balloons.len());
@@ -117,15 +126,16 @@ fn on_picture(rect: Rect, at: Pos2) -> [f64; 2] {
 }
 
 /// Draws the picture; its dots go to the graphics card once.
-fn draw(ui: &Ui, view: &View<'_>, picture: &PartPicture, rect: Rect) {
+fn draw(ui: &Ui, picture: &Arc<PartPicture>, rect: Rect) {
     let key = Id::unique("part-picture-dots");
-    let number = view.session.parts().picture_number();
-    let kept: Option<(u64, TextureHandle)> = ui.data(|data| data.get_temp(key));
-    let texture = kept.filter(|(of, _)| *of == number).map(|(_, texture)| texture);
+    let kept: Option<(Weak<PartPicture>, TextureHandle)> = ui.data(|data| data.get_temp(key));
+    // The memory of a picture is no other's while it is remembered here.
+    let is_its = |of: &Weak<PartPicture>| std::ptr::eq(of.as_ptr(), Arc::as_ptr(picture));
+    let texture = kept.filter(|(of, _)| is_its(of)).map(|(_, texture)| texture);
     let texture = texture.unwrap_or_else(|| {
         let image = theme::picture(picture.size, &picture.dots);
         let texture = ui.ctx().load_texture("part", image, TextureOptions::LINEAR);
-        ui.data_mut(|data| data.insert_temp(key, (number, texture.clone())));
+        ui.data_mut(|data| data.insert_temp(key, (Arc::downgrade(picture), texture.clone())));
         texture
     });
     // What an SVG picture leaves open is paper, whatever the theme: its lines are black.

@@ -313,6 +313,8 @@ actions! {
     PreviousFinding;
     /// Goes to what is wrong after it.
     NextFinding;
+    /// Leaves out what could not be read of the plan's file.
+    LeaveOutOfPlan;
     /// Chooses the part's picture.
     ChoosePicture;
     /// Begins a part with the serial number in its field.

@@ -30,20 +30,24 @@ pub(super) fn open() -> Row {
 pub(super) fn save(number: usize) -> Row {
     let text = if number == 0 { "parts-page-save" } else { "parts-page-save-csv" };
     let row = on(Page::Parts, text, Command::OpenDialog(Purpose::SavePlan(number)));
-    let row = row.when(|session| !session.parts().document().is_empty());
+    // What could not be read of its file is not lost by the way.
+    let row = row.when(|session| {
+        let document = session.parts().document();
+        !document.is_empty() && document.problems().is_empty()
+    });
     if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
 }
 
 pub(super) fn undo() -> Row {
     of_page("parts-page-undo", PartsCommand::Plan(PlanCommand::Undo))
         .key(Shortcut::ctrl('Z'))
-        .when(|session| session.parts().document().can_undo().0)
+        .when(|session| has_table(session) && session.parts().document().can_undo().0)
 }
 
 pub(super) fn redo() -> Row {
     of_page("parts-page-redo", PartsCommand::Plan(PlanCommand::Redo))
         .key(Shortcut::ctrl('Y'))
-        .when(|session| session.parts().document().can_undo().1)
+        .when(|session| has_table(session) && session.parts().document().can_undo().1)
 }
 
 /// The table of the plan is in sight.
@@ -60,10 +64,12 @@ fn has_findings(session: &Session) -> bool {
     has_table(session) && !session.parts().document().findings().is_empty()
 }
 
+/// Its keys are heard while the table has the focus, and not in a field of the part.
 fn in_table(text: &'static str, command: PlanCommand) -> Row {
     within(Part::Plan, text, PartsCommand::Plan(command)).when(has_table)
 }
 
+/// Its keys are heard wherever the table is in sight.
 fn of_table(text: &'static str, command: PlanCommand) -> Row {
     of_page(text, PartsCommand::Plan(command)).when(has_table)
 }
@@ -95,23 +101,23 @@ pub(super) fn copy() -> Row {
 }
 
 pub(super) fn paste() -> Row {
-    of_table("parts-page-paste", PlanCommand::AskForPaste).key(Shortcut::ctrl('V'))
+    in_table("parts-page-paste", PlanCommand::AskForPaste).key(Shortcut::ctrl('V'))
 }
 
 pub(super) fn insert() -> Row {
-    of_table("parts-page-insert", PlanCommand::Insert)
+    in_table("parts-page-insert", PlanCommand::Insert)
         .key(Shortcut::ctrl('I'))
         .when(|session| has_table(session) && session.parts().document().draft().rows.len() < MOST_FEATURES)
 }
 
 pub(super) fn delete() -> Row {
-    of_table("parts-page-delete", PlanCommand::Delete).key(Shortcut::ctrl('D')).when(is_on_feature)
+    in_table("parts-page-delete", PlanCommand::Delete).key(Shortcut::ctrl('D')).when(is_on_feature)
 }
 
 pub(super) fn move_rows(step: Step) -> Row {
     let (text, key): (_, _) =
         if step == Step::Up { ("parts-page-up", Key::Up) } else { ("parts-page-down", Key::Down) };
-    of_table(text, PlanCommand::MoveRows(step)).key(Shortcut { held: Held::Alt, key }).when(is_on_feature)
+    in_table(text, PlanCommand::MoveRows(step)).key(Shortcut { held: Held::Alt, key }).when(is_on_feature)
 }
 
 pub(super) fn sort() -> Row {
@@ -143,6 +149,13 @@ pub(super) fn next_finding() -> Row {
     of_table("parts-page-next", PlanCommand::NextFinding(true))
         .key(Shortcut::plain(Key::Function(4)))
         .when(has_findings)
+}
+
+pub(super) fn leave_out() -> Row {
+    of_table("parts-page-leave-out", PlanCommand::LeaveOut)
+        .hint("parts-page-leave-out-hint")
+        .key(Shortcut::ctrl('L'))
+        .when(|session| has_table(session) && !session.parts().document().problems().is_empty())
 }
 
 pub(super) fn choose_picture() -> Row {

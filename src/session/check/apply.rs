@@ -119,6 +119,7 @@ impl PageState for CheckPage {
             News::Budget if self.own_judging().from == UncertaintyFrom::Budget => self.edited(&shared.sources),
             News::Opened(_)
             | News::OwnTables
+            | News::OwnMask
             | News::Workpiece
             | News::WorkpieceTaken
             | News::ContactsTaken

@@ -8,7 +8,7 @@ use jiff::civil::DateTime;
 use super::document::PlanDocument;
 use super::picture::Shown;
 use super::sheet::Sheet;
-use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand};
+use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand, Saving};
 use crate::message::Message;
 use crate::part::{Document, Draft, Row};
 use crate::session::command::{Effect, Page};
@@ -40,6 +40,7 @@ impl PageState for PartsPage {
         // While a name is typed it is not yet that of a file.
         let picture = if self.document.is_typing() { None } else { self.ask_for_picture() };
         effects.extend(picture.map(Effect::ReadPicture));
+        self.keep_picture();
         effects
     }
 
@@ -53,9 +54,10 @@ impl PageState for PartsPage {
             self.document.check(&shared.sources);
         }
         match news {
-            News::Kept(run, is_kept) => self.batch_kept(*run, *is_kept),
+            News::Kept(run, is_kept) => self.batch_kept(*run, *is_kept, shared),
             // Notes are in the language of the window, and prints are read through the user's own mask.
             News::Columns | News::StatusWindow => self.watch_anew(shared),
+            News::OwnMask => self.begin_watch(shared),
             News::TakenBack { number, by } => self.taken_back(*number, by.as_deref(), shared),
             News::Journal => {
                 self.begin_watch(shared);
@@ -64,6 +66,7 @@ impl PageState for PartsPage {
             News::Sources | News::OwnTables => self.try_resume(shared),
             _ => {}
         }
+        self.keep_picture();
     }
 }
 
@@ -73,12 +76,12 @@ impl PartsPage {
         match command {
             PlanCommand::New => {
                 let draft = Draft::of(vec![Row::default()]);
-                self.open_or_ask(PlanDocument::new(draft, &sources));
+                self.open_or_ask(PlanDocument::new(draft, &sources), shared);
             }
             PlanCommand::Read { path, result } => self.plan_read(path, result, shared),
             PlanCommand::Discard(true) => {
                 if let Some(document) = self.waiting.take() {
-                    self.open(document);
+                    self.open(document, shared);
                 }
             }
             PlanCommand::Discard(false) => self.waiting = None,
@@ -91,24 +94,31 @@ impl PartsPage {
 
     fn plan_read(&mut self, path: PathBuf, result: Result<Box<Document>, Message>, shared: &mut Shared) {
         if let Some(document) = shared.file_answered(result) {
-            self.open_or_ask(PlanDocument::read(path, *document, &shared.sources));
+            let document = PlanDocument::read(path, *document, &shared.sources);
+            self.open_or_ask(document, shared);
             self.try_resume(shared);
         }
     }
 
     /// Opens a plan; changes that no file holds are asked about first.
-    fn open_or_ask(&mut self, document: PlanDocument) {
+    fn open_or_ask(&mut self, document: PlanDocument, shared: &mut Shared) {
         if self.document.is_unsaved() {
             self.waiting = Some(document);
         } else {
-            self.open(document);
+            self.open(document, shared);
         }
     }
 
-    fn open(&mut self, document: PlanDocument) {
+    fn open(&mut self, mut document: PlanDocument, shared: &mut Shared) {
+        let remarks = document.take_remarks();
+        let opened = Message::new("parts-page-opened").text("name", document.name()).count("count", remarks.len());
+        shared.note_details(opened, remarks);
         self.document = document;
+        // What is still being written is another plan.
+        self.saving = None;
         self.sheet = Sheet::of(&self.document);
         self.shown = Shown::default();
+        self.opened += 1;
         self.ask_for_serial();
     }
 
@@ -122,19 +132,26 @@ impl PartsPage {
 
     /// The bytes for a file.
     pub(in crate::session) fn bytes(&mut self, path: &Path) -> Vec<u8> {
-        self.saving = Some((path.to_owned(), self.document.to_save()));
+        let (draft, left) = (self.document.to_save(), self.document.left_out_of(path));
+        self.saving = Some(Saving { path: path.to_owned(), draft, left });
         self.document.bytes(path)
     }
 
-    /// A file was written. If it was the plan's, it holds the plan as it was then.
-    pub(in crate::session) fn saved(&mut self, path: &Path) {
-        if let Some((_, draft)) = self.saving.take_if(|(saving, _)| saving == path) {
-            self.document.saved(path, draft);
+    /// A file was written. If it was the plan's, it holds the plan as it was then; returns what is to be said of one with less in it.
+    pub(in crate::session) fn saved(&mut self, path: &Path) -> Option<Message> {
+        let Saving { draft, left, .. } = self.saving.take_if(|saving| saving.path == path)?;
+        if left.is_empty() {
+            let name = self.document.name();
+            let lost = self.document.saved(path, draft);
+            self.watched.saved_as(self.document.plan(), path);
+            let said = Message::new("parts-page-comments-lost").text("name", name).count("count", lost);
+            return (0 < lost).then_some(said);
         }
+        Some(Message::new("parts-page-csv-copy").text("keys", left.join(", ")))
     }
 
     /// A file was not written: whatever is written under its name later is not this plan.
     pub(in crate::session) fn not_saved(&mut self, path: &Path) {
-        self.saving.take_if(|(saving, _)| saving == path);
+        self.saving.take_if(|saving| saving.path == path);
     }
 }

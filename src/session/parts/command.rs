@@ -78,6 +78,10 @@ pub enum PlanCommand {
     GoToFinding(usize),
     /// Goes to the next thing that is wrong, or to the one before.
     NextFinding(bool),
+    /// Goes to what could not be read of the file, by its place in the list.
+    GoToProblem(usize),
+    /// Leaves out what could not be read of the file.
+    LeaveOut,
     /// Puts the balloon of a row on the picture: shares of its width and height.
     PlaceBalloon {
         /// The row.

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say};
 use crate::part::{Column, Document, Draft, Finding, HeadField, Plan, PlanError, PlanFeature, Review, Spot};
 use crate::tolerance::Sources;
 
@@ -35,10 +35,18 @@ pub struct PlanDocument {
     /// The drafts before the changes, and those that were taken back.
     before: Vec<Arc<Draft>>,
     after: Vec<Arc<Draft>>,
+    /// Those that were taken back before something is typed: they are there again where it is left.
+    after_typing: Vec<Arc<Draft>>,
     /// What the last change goes on with.
     typing: Option<Typing>,
     /// What its file has that a draft has no place for.
     problems: Vec<PlanError>,
+    /// Whether some of that was left out: its file says more than the draft until it is saved.
+    has_left_out: bool,
+    /// What it does not take over of its file on purpose: told when it is opened.
+    remarks: Vec<Message>,
+    /// How many comments its file has.
+    comments: usize,
     review: Review,
     /// The first finding of every cell, by its place among all of them.
     by_cell: BTreeMap<(usize, Option<Column>), usize>,
@@ -58,9 +66,10 @@ impl PlanDocument {
 
     /// What a file holds.
     pub(super) fn read(path: PathBuf, document: Document, sources: &Sources) -> Self {
-        let draft = Arc::new(document.draft);
+        let Document { draft, problems, remarks, comments } = document;
+        let (draft, remarks) = (Arc::new(draft), remarks.iter().map(Say::message).collect());
         let mut read =
-            Self { kept: Arc::clone(&draft), path: Some(path), problems: document.problems, ..Self::default() };
+            Self { kept: Arc::clone(&draft), path: Some(path), problems, remarks, comments, ..Self::default() };
         read.show(draft, sources);
         read
     }
@@ -70,7 +79,7 @@ impl PlanDocument {
         &self.draft
     }
 
-    /// The plan, where nothing is wrong with it.
+    /// The plan, where nothing is wrong with it and its file was read whole: what was not understood may be a feature.
     pub const fn plan(&self) -> Option<&Arc<Plan>> {
         self.plan.as_ref()
     }
@@ -100,9 +109,38 @@ impl PlanDocument {
         self.review.features.get(row)?.as_ref()
     }
 
-    /// What its file has that could not be read: lost when it is saved.
+    /// What its file has that could not be read. There is no plan until it is left out.
     pub fn problems(&self) -> &[PlanError] {
         &self.problems
+    }
+
+    /// How many comments its file has: lost when it is saved.
+    pub const fn comments(&self) -> usize {
+        self.comments
+    }
+
+    /// How much is wrong: with the plan, and with its file.
+    pub fn faults(&self) -> usize {
+        self.review.findings.len() + self.problems.len()
+    }
+
+    /// The feature in which, or behind which, the file has something that could not be read.
+    pub(super) fn row_of_problem(&self, place: usize) -> Option<usize> {
+        let line = self.problems.get(place)?.place.line?;
+        self.draft.rows.iter().rposition(|row| row.place.line.is_some_and(|begins| begins <= line))
+    }
+
+    /// The plan is what could be read of its file; returns what could not.
+    pub(super) fn leave_out(&mut self, sources: &Sources) -> Vec<PlanError> {
+        let left = std::mem::take(&mut self.problems);
+        self.has_left_out |= !left.is_empty();
+        self.check(sources);
+        left
+    }
+
+    /// What it does not take over of its file: told once.
+    pub(super) fn take_remarks(&mut self) -> Vec<Message> {
+        std::mem::take(&mut self.remarks)
     }
 
     /// The file's name without the folder.
@@ -123,7 +161,7 @@ impl PlanDocument {
 
     /// Whether there are changes that no file holds.
     pub fn is_unsaved(&self) -> bool {
-        self.draft != self.kept
+        self.draft != self.kept || self.has_left_out
     }
 
     /// Whether a change can be taken back, and made again.
@@ -152,13 +190,13 @@ impl PlanDocument {
             return;
         }
         if typing.is_none() || self.typing != typing {
+            self.after_typing = std::mem::take(&mut self.after);
             self.before.push(Arc::clone(&self.draft));
             if MOST_UNDO < self.before.len() {
                 self.before.remove(0);
             }
         }
         self.typing = typing;
-        self.after.clear();
         self.show(Arc::new(draft), sources);
     }
 
@@ -174,7 +212,9 @@ impl PlanDocument {
         {
             // Its texts are where its file has them.
             self.draft = before;
+            self.after = std::mem::take(&mut self.after_typing);
         }
+        self.after_typing.clear();
     }
 
     /// Takes back what was typed and is not settled.
@@ -182,8 +222,15 @@ impl PlanDocument {
         if self.typing.take().is_some()
             && let Some(before) = self.before.pop()
         {
+            self.after = std::mem::take(&mut self.after_typing);
             self.show(before, sources);
         }
+    }
+
+    /// Whether what is typed begins a row, or has begun it.
+    pub(super) fn begins_row(&self, row: usize) -> bool {
+        let is_typed = matches!(self.typing, Some(Typing::Cell(of, _)) if of == row);
+        is_typed && self.before.last().is_some_and(|before| before.rows.len() == row)
     }
 
     /// Takes the last change back, or makes it again; where it was made.
@@ -202,16 +249,23 @@ impl PlanDocument {
         self.show(Arc::clone(&self.draft), sources);
     }
 
-    /// The text for a file with this name.
-    pub(super) fn bytes(&self, path: &Path) -> Vec<u8> {
-        let is_csv = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"));
-        if is_csv { self.draft.to_csv().into_bytes() } else { self.draft.to_toml().into_bytes() }
+    /// What a file with this name has no place for: CSV has the features alone.
+    pub(super) fn left_out_of(&self, path: &Path) -> Vec<&'static str> {
+        let is_left = |field: &HeadField| self.draft.text(*field).is_some() && field.column().is_none();
+        let left = HeadField::ALL.into_iter().filter(|field| is_csv(path) && is_left(field));
+        left.map(HeadField::key).collect()
     }
 
-    /// A file holds a draft from now on.
-    pub(super) fn saved(&mut self, path: &Path, draft: Arc<Draft>) {
+    /// The text for a file with this name.
+    pub(super) fn bytes(&self, path: &Path) -> Vec<u8> {
+        if is_csv(path) { self.draft.to_csv().into_bytes() } else { self.draft.to_toml().into_bytes() }
+    }
+
+    /// A file holds a draft from now on; returns how many comments are not in it.
+    pub(super) fn saved(&mut self, path: &Path, draft: Arc<Draft>) -> usize {
         (self.path, self.kept) = (Some(path.to_owned()), draft);
-        self.problems.clear();
+        self.has_left_out = false;
+        std::mem::take(&mut self.comments)
     }
 
     /// The draft that is saved now.
@@ -222,7 +276,7 @@ impl PlanDocument {
     fn show(&mut self, draft: Arc<Draft>, sources: &Sources) {
         self.draft = draft;
         self.review = Review::of(&self.draft, sources);
-        self.plan = self.review.plan().map(Arc::new);
+        self.plan = self.review.plan().filter(|_| self.problems.is_empty()).map(Arc::new);
         self.by_cell.clear();
         self.head_errors.clear();
         for (place, finding) in self.review.findings.iter().enumerate() {
@@ -233,6 +287,10 @@ impl PlanDocument {
             }
         }
     }
+}
+
+fn is_csv(path: &Path) -> bool {
+    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv"))
 }
 
 /// The first place in which two drafts differ.

@@ -216,7 +216,7 @@ impl PartsPage {
     /// What a value is named in the journal: by its file, and what that does not say by this part.
     fn named(&self, value: &Arriving, words: &Words) -> Named {
         let (is_own, of_file) = (value.at.is_some(), value.labels.as_deref());
-        let part = self.walking.plan().or(self.document.plan()).map(|plan| plan.head.part.clone()).unwrap_or_default();
+        let part = self.walking.plan().or(self.watched.plan()).map(|plan| plan.head.part.clone()).unwrap_or_default();
         let given = |text: Option<&String>| text.filter(|text| !text.is_empty()).cloned();
         let label = given(of_file.map(|labels| &labels.part)).unwrap_or_default();
         let part = if part.is_empty() { label.clone() } else { part };

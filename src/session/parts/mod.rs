@@ -4,7 +4,7 @@
 //! |---|---|
 //! | here | the page: which of its two views is open |
 //! | `document` | the plan: a draft that is edited, the file that holds it, undo and redo, and what is wrong with it |
-//! | `sheet`, `editing`, `paste`, `sorting` | its table: where the keys are, and what can be done there |
+//! | `sheet`, `editing`, `rows`, `pasting`, `paste`, `sorting` | its table: where the keys are, and what can be done there |
 //! | `picture` | the part's picture and the balloons on it |
 //! | `walking` | the part that is being measured: which size is asked for, what was measured |
 //! | `measuring`, `judging`, `serials` | what is done on the walk; a value becomes a check; serial numbers are counted up |
@@ -26,10 +26,12 @@ mod field;
 mod judging;
 mod measuring;
 mod paste;
+mod pasting;
 mod picture;
 mod planned;
 mod reporting;
 mod resume;
+mod rows;
 mod serials;
 mod sheet;
 mod sorting;
@@ -82,6 +84,9 @@ pub struct PartsPage {
     document: PlanDocument,
     sheet: Sheet,
     shown: picture::Shown,
+    /// How many plans were opened.
+    opened: u64,
+    walk_picture: Option<picture::WalkPicture>,
     walking: Walking,
     asking: Asking,
     /// The parts that were measured since the window was opened, by their names and serial numbers.
@@ -94,8 +99,16 @@ pub struct PartsPage {
     errands: Vec<Effect>,
     /// A plan that is to be opened, once it is said what becomes of the changes.
     waiting: Option<PlanDocument>,
-    /// What is being written, and where.
-    saving: Option<(PathBuf, Arc<Draft>)>,
+    saving: Option<Saving>,
+}
+
+/// A plan that is being written.
+#[derive(Debug)]
+struct Saving {
+    path: PathBuf,
+    draft: Arc<Draft>,
+    /// What the file has no place for: with less than the plan it is a copy.
+    left: Vec<&'static str>,
 }
 
 impl PartsPage {

@@ -40,10 +40,25 @@ fn read(text: &str, with_marks: bool) -> Option<Vec<Vec<String>>> {
     (!is_quoted).then_some(rows)
 }
 
-/// The columns of a block whose first row names them; `None` where it does not.
-pub(super) fn header(rows: &[Vec<String>]) -> Option<Vec<Column>> {
-    let first = rows.first().filter(|row| 1 < row.len() && 1 < rows.len())?;
-    first.iter().map(|name| Column::of_key(name)).collect()
+/// The columns of a block whose first row names at least two of them, and those that it names once more, which are left out;
+/// `None` where it does not. A cell without a name has no column.
+pub(super) fn header(rows: &[Vec<String>]) -> Option<(Vec<Option<Column>>, Vec<Column>)> {
+    let first = rows.first().filter(|_| 1 < rows.len())?;
+    let (mut columns, mut twice) = (Vec::new(), Vec::new());
+    for name in first {
+        let is_empty = name.trim().is_empty();
+        let column = if is_empty { None } else { Some(Column::of_key(name)?) };
+        let is_twice = column.is_some() && columns.contains(&column);
+        twice.extend(column.filter(|_| is_twice));
+        columns.push(column.filter(|_| !is_twice));
+    }
+    let count = columns.iter().flatten().count() + twice.len();
+    (1 < count).then_some((columns, twice))
+}
+
+/// A cell without the mark that says that it is no formula.
+pub(super) fn bare(column: Column, text: &str) -> &str {
+    text.strip_prefix('\'').filter(|bare| column.is_free_text() && harmless(bare) == text).unwrap_or(text)
 }
 
 /// A row of cells as a line.

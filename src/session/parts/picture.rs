@@ -7,7 +7,7 @@ use std::sync::Arc;
 
 use super::PartsPage;
 use crate::message::Message;
-use crate::part::{Column, FeatureStanding, HeadField, Plan, Step as SizeStep, standings};
+use crate::part::{Column, FeatureStanding, HeadField, Plan, PlanFeature, Step as SizeStep, standings};
 use crate::report::image::{Image, is_plain_name};
 use crate::verdict::Status;
 
@@ -51,8 +51,30 @@ pub(super) struct Shown {
     refused: Option<Message>,
     /// The folder of a picture that was chosen before the plan had a file.
     folder: Option<PathBuf>,
-    /// How many pictures were read.
-    number: u64,
+}
+
+/// The picture of the part that is measured: that of its plan as it was begun, whatever plan is opened meanwhile.
+#[derive(Debug, Clone)]
+pub(super) struct WalkPicture {
+    plan: Arc<Plan>,
+    shown: Shown,
+    /// How many plans had been opened.
+    opened: u64,
+}
+
+impl Shown {
+    fn sight(&self) -> Option<Sight> {
+        let refused = self.refused.clone().map(Sight::Refused);
+        refused.or_else(|| self.asked.as_ref().map(|(_, sight)| sight.clone()))
+    }
+
+    fn read(&mut self, path: &Path, result: &Result<Arc<PartPicture>, Message>) {
+        if let Some((asked, sight)) = &mut self.asked
+            && asked == path
+        {
+            *sight = result.clone().map_or_else(Sight::Refused, Sight::Seen);
+        }
+    }
 }
 
 /// A balloon: a feature on the picture, or beside it.
@@ -79,16 +101,26 @@ pub struct Balloon {
 }
 
 impl PartsPage {
-    /// What became of the plan's picture; `None` where it names none.
+    /// What became of the picture of the plan that is edited; `None` where it names none.
     pub fn sight(&self) -> Option<Sight> {
-        let shown = &self.shown;
-        let refused = shown.refused.clone().map(Sight::Refused);
-        refused.or_else(|| shown.asked.as_ref().map(|(_, sight)| sight.clone()))
+        self.shown.sight()
     }
 
-    /// A number that changes with the picture.
-    pub const fn picture_number(&self) -> u64 {
-        self.shown.number
+    /// What became of the picture of the part that is measured; `None` where its plan names none.
+    pub fn walk_sight(&self) -> Option<Sight> {
+        self.walk_picture.as_ref()?.shown.sight()
+    }
+
+    /// A part that was begun keeps the picture that its plan has now.
+    pub(super) fn keep_picture(&mut self) {
+        let of = self.walk_picture.as_ref().map(|kept| &kept.plan);
+        match self.walking.plan() {
+            Some(plan) if of.is_some_and(|of| Arc::ptr_eq(of, plan)) => {}
+            plan => {
+                let kept = |plan| WalkPicture { plan, shown: self.shown.clone(), opened: self.opened };
+                self.walk_picture = plan.map(Arc::clone).map(kept);
+            }
+        }
     }
 
     /// The picture's file, once it is known which one it is to be.
@@ -111,17 +143,14 @@ impl PartsPage {
             return None;
         }
         self.shown.asked = wanted.clone().map(|path| (path, Sight::Awaited));
-        self.shown.number += 1;
         wanted
     }
 
     /// A picture was read, or not. An answer that comes too late is for another picture, and changes nothing.
-    pub(super) fn picture_read(&mut self, path: &Path, result: Result<Arc<PartPicture>, Message>) {
-        if let Some((asked, sight)) = &mut self.shown.asked
-            && asked == path
-        {
-            *sight = result.map_or_else(Sight::Refused, Sight::Seen);
-            self.shown.number += 1;
+    pub(super) fn picture_read(&mut self, path: &Path, result: &Result<Arc<PartPicture>, Message>) {
+        let of_walk = self.walk_picture.as_mut().map(|kept| &mut kept.shown);
+        for shown in std::iter::once(&mut self.shown).chain(of_walk) {
+            shown.read(path, result);
         }
     }
 
@@ -141,10 +170,13 @@ impl PartsPage {
         }
     }
 
-    /// The balloons of the plan that is edited.
+    /// The balloons of the plan that is edited. Verdicts are those of the part that was begun by it, of features with the same limits.
     pub fn balloons(&self) -> Vec<Balloon> {
-        let steps = self.steps_by_name();
-        let steps: BTreeMap<&str, &Known> = steps.iter().map(|step| (step.name.as_str(), step)).collect();
+        let is_its = self.walk_picture.as_ref().is_some_and(|kept| kept.opened == self.opened);
+        let steps = if is_its { self.steps_by_name() } else { Vec::new() };
+        let features = self.walking.plan().map(|plan| plan.features()).unwrap_or_default();
+        let steps: BTreeMap<&str, (&Known, &PlanFeature)> =
+            steps.iter().zip(features).map(|(step, feature)| (step.name.as_str(), (step, feature))).collect();
         let rows = self.document.draft().rows.iter().enumerate();
         rows.map(|(row, cells)| {
             let name = cells.text(Column::Name).map_or_else(|| format!("F{}", row + 1), str::to_owned);
@@ -152,7 +184,8 @@ impl PartsPage {
             let is_on = |share: &f64| (0.0..=1.0).contains(share);
             let at = number(Column::BalloonX).filter(is_on).zip(number(Column::BalloonY).filter(is_on));
             let label = cells.text(Column::Number).map_or_else(|| (row + 1).to_string(), str::to_owned);
-            let step = steps.get(name.as_str());
+            let is_same = |own: &PlanFeature| self.document.feature(row).is_some_and(|now| is_same(own, now));
+            let step = steps.get(name.as_str()).filter(|(_, own)| is_same(own)).map(|(step, _)| step);
             step.map_or_else(|| Balloon::open(row, label.clone(), name.clone()), |step| step.balloon(row, &label))
                 .at(at.map(|(x, y)| [x, y]))
         })
@@ -178,6 +211,11 @@ impl PartsPage {
     fn steps_by_name(&self) -> Vec<Known> {
         self.walking.plan().map_or_else(Vec::new, |plan| known(plan, self.walking.walk().steps(), self.walking.at()))
     }
+}
+
+/// Whether a verdict of one feature is one of the other.
+fn is_same(one: &PlanFeature, other: &PlanFeature) -> bool {
+    one.kind == other.kind && one.limits == other.limits && one.rule == other.rule
 }
 
 /// What the walk knows of a feature.

@@ -7,7 +7,6 @@ use jiff::civil::DateTime;
 use super::{PartsPage, Sight};
 use crate::journal::Record;
 use crate::message::Message;
-use crate::part::HeadField;
 use crate::report::Report;
 use crate::report::image::Image;
 use crate::report::part::PartSheet;
@@ -26,19 +25,15 @@ impl PartsPage {
                 sheet.skip(at, &reason);
             }
         }
-        sheet.picture = (!plan.head.picture.is_empty()).then(|| self.image(&plan.head.picture));
+        sheet.picture = (!plan.head.picture.is_empty()).then(|| self.image());
         let records: Vec<Arc<Record>> = sheet.records().map(Arc::clone).collect();
         let part = Some(plan.head.part.clone()).filter(|part| !part.is_empty());
         Some(Report { part, parts: vec![sheet], ..Report::new(now, records) })
     }
 
-    /// The picture of the plan, or why it is not at hand.
-    fn image(&self, name: &str) -> Result<Image, Message> {
-        // The plan may name another one since the part was begun.
-        if self.document.draft().text(HeadField::Picture) != Some(name) {
-            return Err(Message::new("walk-page-report-other-picture").text("name", name));
-        }
-        match self.sight() {
+    /// The picture that the plan had when the part was begun, or why it is not at hand.
+    fn image(&self) -> Result<Image, Message> {
+        match self.walk_sight() {
             Some(Sight::Seen(picture)) => Ok(picture.file.clone()),
             Some(Sight::Refused(why)) => Err(why),
             Some(Sight::Awaited) => Err(Message::new("parts-page-picture-awaited")),

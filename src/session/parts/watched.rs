@@ -11,6 +11,7 @@ use jiff::civil::DateTime;
 
 use super::PartsPage;
 use super::arriving::said_of_others;
+use super::measuring::Arriving;
 use crate::exchange::Item;
 use crate::journal::chain::Hash;
 use crate::journal::entry::{FileRole, UsedFile};
@@ -19,7 +20,7 @@ use crate::part::Plan;
 use crate::session::command::Effect;
 use crate::session::recording::Keeping;
 use crate::session::saved::SavedWatch;
-use crate::session::shared::Shared;
+use crate::session::shared::{OwnMask, Shared};
 use crate::verdict::Status;
 
 /// How many files are listed, the latest first.
@@ -78,8 +79,10 @@ pub struct Watched {
     plan_path: Option<PathBuf>,
     /// The number of the watch.
     run: u64,
-    /// Whether it waits for the journal to be opened.
+    /// Whether it has to wait before it can begin.
     is_late: bool,
+    /// Whether it waits for checks that are not on disk yet.
+    is_unwritten: bool,
     known: Option<usize>,
     files: VecDeque<TakenFile>,
     count: usize,
@@ -122,7 +125,7 @@ impl Watched {
 
     /// Whether something that came is not on disk yet.
     pub const fn is_recording(&self) -> bool {
-        self.pending.is_some()
+        self.pending.is_some() || self.is_unwritten
     }
 
     /// What is kept of it until the next time; a plan without a file cannot be.
@@ -131,15 +134,39 @@ impl Watched {
         Some(SavedWatch { folder, plan }).filter(|saved| saved.folder.to_str().and(saved.plan.to_str()).is_some())
     }
 
+    /// The plan that values are judged by.
+    pub(super) const fn plan(&self) -> Option<&Arc<Plan>> {
+        self.plan.as_ref()
+    }
+
+    /// Whether it is there again after a restart: its plan is in a file.
+    pub const fn comes_back(&self) -> bool {
+        self.plan_path.is_some()
+    }
+
+    /// A plan was saved: where it is the one that values are judged by, it can be read again.
+    pub(super) fn saved_as(&mut self, plan: Option<&Arc<Plan>>, path: &Path) {
+        if plan.is_some() && self.plan.as_ref() == plan {
+            self.plan_path = Some(path.to_owned());
+        }
+    }
+
     /// Ends the watch; what was taken stays listed.
     pub(super) fn stop(&mut self) -> Option<Effect> {
         self.run += 1;
         (self.waiting, self.trouble, self.pending) = (Vec::new(), None, None);
+        (self.is_late, self.is_unwritten) = (false, false);
         self.folder.take().map(|_| Effect::StopWatch)
     }
 }
 
 impl PartsPage {
+    /// Whether the folder is judged by another plan than the one that is open: by the one with which the watch began.
+    pub fn watches_other_plan(&self) -> bool {
+        let own = self.watched.plan.as_ref().filter(|_| self.watched.folder.is_some() && !self.walking.is_begun());
+        own.is_some_and(|own| !self.document.plan().is_some_and(|now| Arc::ptr_eq(own, now) || own == now))
+    }
+
     /// Watches a folder from now on.
     pub(super) fn watch(&mut self, folder: PathBuf, is_folder: bool, shared: &mut Shared) {
         let result = if is_folder {
@@ -152,7 +179,8 @@ impl PartsPage {
         let plan_path = if self.walking.plan().is_some() {
             self.walking.path.clone()
         } else {
-            self.document.path().map(Path::to_owned)
+            // A plan that was changed and not saved cannot be read again.
+            self.document.path().filter(|_| !self.document.is_unsaved()).map(Path::to_owned)
         };
         let Some(plan) = plan else { return shared.tell(Message::new("walk-page-watch-no-plan")) };
         if shared.recording.has_failed_to_open() {
@@ -166,18 +194,32 @@ impl PartsPage {
         self.begin_watch(shared);
     }
 
-    /// Begins a watch that was asked for: what the journal knows already is not taken again, so that has to be open.
+    /// Begins a watch that was asked for. What the journal knows already is not taken again, so that has to be open, and nothing may be
+    /// on its way there: it would be taken a second time.
     pub(super) fn begin_watch(&mut self, shared: &mut Shared) {
         let watched = &mut self.watched;
         let (Some(folder), Some(plan)) = (watched.folder.clone(), watched.plan.clone()) else { return };
         if !watched.is_late || *shared.recording.keeping() == Keeping::Opening {
             return;
         }
-        watched.is_late = false;
         if shared.recording.has_failed_to_open() {
-            watched.folder = None;
+            (watched.folder, watched.is_late, watched.is_unwritten) = (None, false, false);
             return shared.tell(Message::new("walk-page-watch-no-journal"));
         }
+        watched.is_unwritten = shared.recording.is_on() && 0 < shared.recording.unwritten();
+        if watched.is_unwritten {
+            return;
+        }
+        match &shared.own_mask {
+            OwnMask::Awaited(_) => return,
+            // What it has printed would be refused, and that for good.
+            OwnMask::Unread(path) => {
+                watched.trouble = Some(Message::new("walk-page-watch-no-mask").text("path", path.display()));
+                return;
+            }
+            OwnMask::Settled => watched.trouble = None,
+        }
+        watched.is_late = false;
         self.errands.push(Effect::Watch { run: watched.run, folder, plan });
     }
 
@@ -221,12 +263,14 @@ impl PartsPage {
             let file = UsedFile { role: FileRole::Measurements, name: name.as_str().into(), sha256 };
             let arrived = self.arrive(&plan, items, Some(&file), shared);
             let count = |status: Status| {
-                let is_it = |value: &&super::measuring::Arriving| value.record.verdict.status() == status;
+                let is_it = |value: &&Arriving| value.record.verdict.status() == status;
                 arrived.values.iter().filter(is_it).count()
             };
             let counts = Status::ALL.into_iter().map(|status| (status, count(status))).collect();
             let others = said_of_others(&arrived);
-            let said = arrived.problems.into_iter().chain(remarks).chain(others).chain(arrived.warnings).collect();
+            let nobodys = said_of_nobody(&arrived.values);
+            let said = arrived.problems.into_iter().chain(remarks).chain(others).chain(nobodys);
+            let said = said.chain(arrived.warnings).collect();
             self.watched.files.push_front(TakenFile { name, time: now, counts, said });
             self.watched.files.truncate(MOST);
             self.watched.count += 1;
@@ -241,10 +285,22 @@ impl PartsPage {
         }
     }
 
-    /// The journal has answered: what is on disk is taken. What is not stays waiting until it is tried again.
-    pub(super) fn batch_kept(&mut self, batch: u64, is_kept: bool) {
+    /// The journal has answered: what is on disk is taken, and a watch that waited for it begins. What is not stays waiting until it is
+    /// tried again.
+    pub(super) fn batch_kept(&mut self, batch: u64, is_kept: bool, shared: &mut Shared) {
         if let Some((look, _)) = self.watched.pending.take_if(|(_, pending)| is_kept && *pending == batch) {
             self.errands.push(Effect::WatchTaken { run: self.watched.run, look });
         }
+        self.begin_watch(shared);
     }
+}
+
+/// That some values are of no part: neither their file nor a part that is being measured says whose they are.
+fn said_of_nobody(values: &[Arriving]) -> Option<Message> {
+    let is_nobodys = |value: &&Arriving| {
+        let has_serial = value.labels.as_deref().is_some_and(|labels| !labels.serial.is_empty());
+        value.at.is_none() && !has_serial
+    };
+    let count = values.iter().filter(is_nobodys).count();
+    (0 < count).then(|| Message::new("walk-page-watch-nobody").count("count", count))
 }

@@ -14,7 +14,7 @@ use crate::session::{Action, PartsCommand};
 /// Whether there is anything to list.
 pub(in crate::gui::parts) fn has_any(view: &View<'_>) -> bool {
     let document = view.session.parts().document();
-    !document.findings().is_empty() || !document.problems().is_empty()
+    0 < document.faults()
 }
 
 /// What is wrong with the cell at which the keys are, in a line that is always there.
@@ -32,7 +32,8 @@ pub(in crate::gui::parts) fn here_ui(ui: &mut Ui, view: &View<'_>) {
 
 /// How much is wrong, and the buttons that lead there.
 pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let count = view.session.parts().document().findings().len();
+    let document = view.session.parts().document();
+    let count = document.faults();
     ui.horizontal_wrapped(|ui| {
         ui.set_min_height(control(ui));
         let text = match count {
@@ -42,9 +43,16 @@ pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
         let colour = if count == 0 { palette(ui.ctx()).text.0 } else { palette(ui.ctx()).error.0 };
         let said = ui.label(RichText::new(&text).font(theme::bold(sizes().body)).color(colour));
         live(ui, &said, &text, Live::Polite);
-        if 0 < count {
+        if !document.findings().is_empty() {
             view.field_button(ui, Action::PreviousFinding);
             view.field_button(ui, Action::NextFinding);
+        }
+        if !document.problems().is_empty() {
+            view.field_button(ui, Action::LeaveOutOfPlan);
+        }
+        if 0 < document.comments() {
+            let comments = Message::new("parts-page-comments").count("count", document.comments());
+            quiet(ui, view.words.say(&comments));
         }
     });
 }
@@ -62,7 +70,10 @@ pub(in crate::gui::parts) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
                 (Some(finding), _) => finding_ui(ui, view, place, finding),
                 (None, Some(place)) => {
                     let text = problems.get(place).map(|problem| view.words.told(problem)).unwrap_or_default();
-                    ui.add_sized(vec2(ui.available_width(), height), line(&text)).on_hover_text(text);
+                    if line_ui(ui, &text, &text) {
+                        view.send(PartsCommand::Plan(PlanCommand::GoToProblem(place)));
+                        grid::focus_next(ui);
+                    }
                 }
                 (None, None) => {
                     ui.horizontal(|ui| {
@@ -75,17 +86,17 @@ pub(in crate::gui::parts) fn list_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
 }
 
-fn line(text: &str) -> eframe::egui::Label {
-    eframe::egui::Label::new(RichText::new(text).size(sizes().small)).truncate().halign(eframe::egui::Align::Min)
+/// A line of the list; whether it was clicked.
+fn line_ui(ui: &mut Ui, text: &str, whole: &str) -> bool {
+    let button = Button::new(RichText::new(text).size(sizes().small)).truncate().frame(false);
+    ui.add(button.min_size(vec2(ui.available_width(), control(ui)))).on_hover_text(whole).clicked()
 }
 
 /// What is wrong, and a way there.
 fn finding_ui(ui: &mut Ui, view: &mut View<'_>, place: usize, finding: &Finding) {
     let what = view.words.told(&finding.what);
     let text = format!("{}   {what}", spot(view, finding.spot));
-    let button = Button::new(RichText::new(&text).size(sizes().small)).truncate().frame(false);
-    let response = ui.add(button.min_size(vec2(ui.available_width(), control(ui)))).on_hover_text(what);
-    if response.clicked() {
+    if line_ui(ui, &text, &what) {
         view.send(PartsCommand::Plan(PlanCommand::GoToFinding(place)));
         if matches!(finding.spot, Spot::Feature(..)) {
             grid::focus_next(ui);

@@ -49,7 +49,7 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
         if document.is_empty() {
             quiet(ui, view.text("walk-page-no-plan"));
         } else {
-            let count = document.findings().len();
+            let count = document.faults();
             problem(ui, view.words.say(&Message::new("walk-page-plan-wrong").count("count", count)));
         }
         return recent_ui(ui, view);

@@ -47,7 +47,7 @@ fn asked_text(words: &Words, size: &Size<'_>) -> String {
 /// Whether the part that is measured has a picture.
 fn has_picture(view: &View<'_>) -> bool {
     let parts = view.session.parts();
-    parts.walking().is_begun() && parts.sight().is_some()
+    parts.walking().is_begun() && parts.walk_sight().is_some()
 }
 
 /// The picture above the sizes, where the plan has one.

@@ -28,6 +28,12 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
             Some(known) => quiet(ui, view.words.say(&Message::new("walk-page-known").count("count", known))),
             None => quiet(ui, view.text("walk-page-watch-begins")),
         };
+        if session.parts().watches_other_plan() {
+            problem(ui, view.text("walk-page-watch-other-plan"));
+        }
+        if !watched.comes_back() {
+            quiet(ui, view.text("walk-page-watch-not-saved"));
+        }
     }
     if let MaskChoice::Own { name, .. } = session.mask() {
         quiet(ui, view.words.say(&Message::new("walk-page-mask").text("name", name)));

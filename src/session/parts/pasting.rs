@@ -1,0 +1,104 @@
+//! Cells on their way between the table of a plan and a spreadsheet.
+
+use super::PartsPage;
+use super::editing::{clamped, selected, write};
+use super::paste;
+use crate::message::Message;
+use crate::part::{Column, MOST_FEATURES, Row};
+use crate::session::shared::Shared;
+use crate::tolerance::Sources;
+
+impl PartsPage {
+    /// The selected cells as a spreadsheet takes them.
+    pub(super) fn copied(&self) -> String {
+        let (rows, columns) = (self.sheet.selected_rows(), self.sheet.selected_columns());
+        let rows = self.document.draft().rows.get(clamped(&rows, self.document.draft().rows.len()));
+        let lines = rows
+            .into_iter()
+            .flatten()
+            .map(|row| paste::line(columns.iter().map(|column| (*column, row.cell(*column).text.clone()))));
+        let lines: Vec<String> = lines.collect();
+        lines.join("\n")
+    }
+
+    /// Puts cells at the cell; one cell alone goes into every selected one. What finds no place is told, and an empty clipboard changes
+    /// nothing.
+    pub(super) fn paste(&mut self, text: &str, shared: &mut Shared, sources: &Sources) {
+        if text.trim_matches([' ', '\r', '\n']).is_empty() {
+            return;
+        }
+        let mut rows = paste::cells(text);
+        let named = paste::header(&rows);
+        if named.is_some() {
+            rows.remove(0);
+        }
+        let row = *self.sheet.selected_rows().start();
+        let (columns, twice) = named.clone().unwrap_or_else(|| (self.columns_from_corner(), Vec::new()));
+        if let ([cells], None) = (rows.as_slice(), &named)
+            && let [text] = cells.as_slice()
+            && self.sheet.is_block()
+        {
+            return self.fill(text, sources);
+        }
+        // Empty rows below the last feature would be features without anything.
+        let count = self.document.draft().rows.len();
+        while count < row + rows.len() && rows.last().is_some_and(|row| row.iter().all(|cell| cell.trim().is_empty())) {
+            rows.pop();
+        }
+        let lost_rows = (row + rows.len()).saturating_sub(MOST_FEATURES);
+        let wide = rows.iter().map(Vec::len).max().unwrap_or_default();
+        let nowhere = |at: &usize| columns.get(*at).is_none_or(Option::is_none);
+        let has_text = |at: &usize| rows.iter().any(|row| row.get(*at).is_some_and(|cell| !cell.trim().is_empty()));
+        // A column without a name is one that is meant to be left out, unless it holds something.
+        let lost_columns = (0..wide).filter(nowhere).filter(|at| named.is_none() || has_text(at)).count();
+        rows.truncate(rows.len().saturating_sub(lost_rows));
+        let block = (rows.len(), wide.min(columns.len()));
+        self.document.change(sources, |draft| {
+            while draft.rows.len() < row + rows.len() {
+                draft.rows.push(Row::default());
+            }
+            for (row, cells) in draft.rows.iter_mut().skip(row).zip(rows) {
+                for (column, text) in columns.iter().zip(cells) {
+                    if let Some(column) = column {
+                        write(row, *column, paste::bare(*column, text.trim()));
+                    }
+                }
+            }
+        });
+        self.sheet.follow(&self.document);
+        if named.is_none() {
+            let column = columns.first().copied().flatten().unwrap_or(Column::Name);
+            self.sheet.select((row, column), block.0, block.1);
+        }
+        if 0 < lost_rows {
+            let message = Message::new("parts-page-pasted-rows").count("count", lost_rows);
+            shared.tell(message.count("most", MOST_FEATURES));
+        }
+        if !twice.is_empty() {
+            let keys: Vec<&str> = twice.into_iter().map(Column::key).collect();
+            shared.tell(Message::new("parts-page-pasted-twice").text("keys", keys.join(", ")));
+        } else if 0 < lost_columns {
+            let id = if named.is_some() { "parts-page-pasted-nameless" } else { "parts-page-pasted-columns" };
+            shared.tell(Message::new(id).count("count", lost_columns));
+        }
+    }
+
+    /// The shown columns from the upper left corner of what is selected.
+    fn columns_from_corner(&self) -> Vec<Option<Column>> {
+        let corner = self.sheet.selected_columns().first().copied().unwrap_or(Column::Name);
+        let shown = self.sheet.columns().iter().skip_while(|column| **column != corner);
+        shown.copied().map(Some).collect()
+    }
+
+    /// Writes one text into every selected cell.
+    fn fill(&mut self, text: &str, sources: &Sources) {
+        let (rows, columns) = (self.sheet.selected_rows(), self.sheet.selected_columns());
+        self.document.change(sources, |draft| {
+            for row in selected(draft, &rows) {
+                for column in &columns {
+                    write(row, *column, paste::bare(*column, text.trim()));
+                }
+            }
+        });
+    }
+}
