@@ -92,9 +92,10 @@ With --plan the page begins with each part: its status, what is missing, its pic
 a feature, and where each value is from. JSON has the same as parts, without places on the picture.
 
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
-error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. It is
-also 1 where a part of the plan lacks a value. CSV has the checks alone, with the name of the
-picture: standard error tells what it does not hold.";
+error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. With
+--plan it is that of the worst part, of each feature the last value, and 1 where none is worse
+than good but a part lacks a value or has a simulated one. CSV has the checks alone, with the
+name of the picture: standard error tells what it does not hold.";
 
 /// Why a `--check` is not a check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
@@ -174,7 +175,7 @@ impl Args {
             let judged = record(text, &given.sources, now).map_err(|error| error.message());
             match judged.and_then(|record| given.judge.judged(record).map_err(|error| error.message())) {
                 Ok(record) => {
-                    collected.see(&record, io);
+                    collected.see_typed(&record, io);
                     given.typed.push(record);
                 }
                 Err(error) => collected.refuse(Message::new("report-note").text("place", text), error, io),
@@ -182,8 +183,7 @@ impl Args {
         }
         let checks = Arc::new(given);
         let (parts, of_plan) = collected.end_parts(io);
-        let Some(worst) = collected.worst else { return Err(CliError::ReportEmpty) };
-        let bad = collected.bad;
+        let Some(outcome) = collected.outcome() else { return Err(CliError::ReportEmpty) };
         let report = Report {
             title: self.title.clone().unwrap_or_default(),
             part: self.part.clone().or(of_plan),
@@ -204,7 +204,7 @@ impl Args {
             return Err(stopped);
         }
         written?;
-        Ok(if bad { Outcome::BadData } else { Outcome::Judged(worst) })
+        Ok(outcome)
     }
 
     /// Warns of what CSV has no place for.

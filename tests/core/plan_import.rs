@@ -213,41 +213,6 @@ fn deviations_and_coordinates_below_zero_are_read_where_the_plan_has_no_diameter
     assert_eq!((out + &err).matches("is not above 0").count(), 5);
 }
 
-/// 25.0205 is 0.5 µm below the limit: good by the limits, undecided with an uncertainty of 1 µm by ISO 14253-1:2017.
-#[test]
-fn another_rule_or_material_than_that_of_the_plan_is_told_beside_the_verdict() {
-    let place = Place::new();
-    let plan = "name;callout;rule;u_um;material\nA;25 H7;iso14253-2017;1;aluminium\n";
-    let judged = |more: &[&str]| {
-        let (code, rows) = place.judged(plan, "name;measured\nA;25.0205\n", more);
-        (code, rows[0].clone())
-    };
-    let (code, row) = judged(&[]);
-    assert_eq!(code, 12);
-    silent(&row);
-    let (_, row) = judged(&["--rule", "iso14253-2017", "--u", "1"]);
-    silent(&row);
-    let (code, row) = judged(&["--rule", "simple"]);
-    assert_eq!(code, 0);
-    says(&row, Some("GOOD"), "the plan has another rule for this: ISO 14253-1:2017");
-    // The uncertainty alone changes nothing of which rule it is: 2.5 µm leave nothing accepted, and do not make it good.
-    let (code, row) = judged(&["--u", "2.5"]);
-    assert_eq!(code, 12);
-    says(&row, Some("RE-MEASURE"), "the plan has another rule for this");
-    // 25.0205 mm at 22 °C is smaller at 20 °C, whatever the material.
-    let (_, row) = judged(&["--temperature", "22", "--material", "steel"]);
-    says(&row, Some("RE-MEASURE"), "the plan has another material for this: aluminium; --material counts");
-    let (_, row) = judged(&["--temperature", "22", "--material", "aluminium"]);
-    silent(&row);
-    // An explicit simple rule of the plan is one, too.
-    let (_, rows) = place.judged(
-        "name;callout;rule\nA;25 H7;simple\n",
-        "name;measured\nA;25.0205\n",
-        &["--rule", "iso14253-2017", "--u", "1"],
-    );
-    says(&rows[0], Some("RE-MEASURE"), "the plan has another rule for this: no guard band");
-}
-
 /// A row of Fitcheck without a callout, its limits from a log, keeps how it was brought to 20 °C: by hand, 25.0215 mm at 26 °C is
 /// 25.019774 mm at 20 °C with 11.5 millionths per kelvin.
 #[test]
@@ -416,4 +381,30 @@ fn the_columns_of_a_rule_are_there_when_the_plan_has_one() {
         at(name);
     }
     assert_eq!([&rows[0][at("rule_name")], &rows[1][at("rule_name")]], ["iso14253-2017", ""]);
+}
+
+/// The exit code is that of the part as its page says it, whoever reports it.
+#[test]
+fn import_and_report_end_with_the_status_of_the_worst_part() {
+    let place = Place::new();
+    let plan = "name;callout\nA;25 H7\nB;25 H7\n";
+    for (values, code, why) in [
+        ("A;25.01;;\nB;25.01;;\n", 0, "all is measured and good"),
+        ("A;25.01;;true\nB;25.01;;true\n", 1, "nobody measured it"),
+        ("A;25.01;;\n", 1, "B is missing"),
+        ("A;25.1;;\n", 11, "scrap stays scrap, whatever is missing"),
+        ("A;24.99;;\n", 10, "and rework rework"),
+        ("A;25.1;;\nA;25.01;;\nB;25.01;;\n", 0, "A was measured again"),
+        ("A;25.01;;\nA;25.1;;\nB;25.01;;\n", 11, "the last value counts"),
+        ("A;25.01;7;\nB;25.01;7;\nA;24.99;8;\n", 10, "the worst of two parts"),
+        ("A;25.01;7;\nB;25.01;7;\nA;25.01;8;\n", 1, "one of two parts is open"),
+        ("A;25.1;;\nC;25.01;;\n", 1, "C is of no feature"),
+    ] {
+        place.write("own.csv", plan);
+        place.write("v.csv", &format!("name;measured;serial;simulated\n{values}"));
+        for command in [&["import", "--format", "csv"][..], &["report", "-o", "r.html"]] {
+            let (found, out, err) = place.say(&[command, &["--plan", "own.csv", "v.csv"]].concat());
+            assert_eq!(found, code, "{command:?}: {why}: {out}{err}");
+        }
+    }
 }

@@ -68,8 +68,6 @@ walk-page-row-simulated = simulated
 walk-page-times = { $count } values
 walk-page-rule-plan = Judged by the plan's rule: { $rule }
 walk-page-rule-own = The plan has no rule; judged by the rule of the check page: { $rule }
-walk-page-not-corrected = Not brought to 20 °C: a place on the part is no size
-walk-page-material = Brought to 20 °C with the plan's material, { $name }
 walk-page-nothing-asked = no size of the plan is asked for
 walk-page-refused = { $count ->
         [one] A check is not recorded: { $why }

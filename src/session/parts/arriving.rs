@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::PartsPage;
-use super::judging::{by_rule, rule_said};
+use super::judging::judged_by;
 use super::measuring::Arriving;
 use crate::exchange::{ByPlan, Item, Labels};
 use crate::journal::Record;
@@ -94,8 +94,7 @@ impl PartsPage {
     fn arriving(&self, plan: &Plan, record: Record, labels: Labels, shared: &Shared) -> Result<Arriving, Message> {
         let size = plan.sizes().find(|size| size.name() == record.id);
         let size = size.ok_or_else(|| Message::new("walk-page-nothing-asked"))?;
-        let record = by_rule(&size, record, shared)?;
-        let remarks = vec![rule_said(&size, &record)];
+        let (record, remarks) = judged_by(&size, record, shared)?;
         let is_own = labels.serial.is_empty() || labels.serial == self.walking.serial();
         let at = self.walking.place_of(&record.id).filter(|_| is_own);
         Ok(Arriving { at, record: Arc::new(record), remarks, labels: Some(Box::new(labels)), file: None })
