@@ -383,6 +383,59 @@ fn the_columns_of_a_rule_are_there_when_the_plan_has_one() {
     assert_eq!([&rows[0][at("rule_name")], &rows[1][at("rule_name")]], ["iso14253-2017", ""]);
 }
 
+/// The columns of the journal that say of which part a check is: who, part, serial number, feature.
+fn parts_of(place: &Place) -> Vec<[String; 4]> {
+    let (_, listed, err) = place.say(&["journal", "list", "--journal", "j.sqlite", "--format", "csv"]);
+    let rows = csv::Reader::from_reader(listed.as_bytes()).into_records().map(Result::unwrap).collect::<Vec<_>>();
+    assert!(!rows.is_empty(), "{err}");
+    let mut parts: Vec<_> = rows.iter().map(|row| [3, 4, 5, 6].map(|at| row[at].to_owned())).collect();
+    parts.sort();
+    parts
+}
+
+#[test]
+fn parts_of_a_file_without_serial_numbers_can_be_told_apart_in_the_journal() {
+    let place = Place::new();
+    place.write("own.toml", "fitcheck_plan = 1\npart = \"Flange\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n[[feature]]\nname = \"B\"\ncallout = \"25 H7\"\n");
+    place.write("v.csv", "part;name;measured\nP1;A;25.1\nP2;A;25.01\nflange;B;25.01\n");
+    let record = ["--record", "--journal", "j.sqlite"];
+    let (code, _, err) = place.say(&[&["import", "--plan", "own.toml", "v.csv"], &record[..]].concat());
+    assert_eq!(code, 11, "{err}");
+    let part = |part: &str, feature: &str| ["", part, "", feature].map(str::to_owned);
+    assert_eq!(parts_of(&place), [part("Flange", "B"), part("P1", "A"), part("P2", "A")]);
+    for missing in ["P1: not measured: B", "P2: not measured: B", "flange: not measured: A"] {
+        assert!(err.contains(missing), "{missing}: {err}");
+    }
+    // A serial number tells parts apart, and the plan says what they are.
+    place.write("v.csv", "part;serial;name;measured\nP1;7;A;25.01\n");
+    std::fs::remove_file(place.0.path().join("j.sqlite")).unwrap();
+    place.say(&[&["import", "--plan", "own.toml", "v.csv"], &record[..]].concat());
+    assert_eq!(parts_of(&place), [["", "Flange", "7", "A"].map(str::to_owned)]);
+}
+
+#[test]
+fn what_a_watched_file_says_counts_before_the_options() {
+    let place = Place::new();
+    place.write("own.csv", "name;callout\nA;25 H7\n");
+    std::fs::create_dir(place.0.path().join("in")).unwrap();
+    place.write("in/a.csv", "name;part;serial;who;measured\nA;P18;18;Bert;25.01\n");
+    place.write("in/b.csv", "name;measured\nA;25.01\n");
+    let own = ["--serial", "17", "--who", "Anna", "--part", "P17", "--journal", "j.sqlite"];
+    for plan in [&["--plan", "own.csv"][..], &[]] {
+        _ = std::fs::remove_file(place.0.path().join("j.sqlite"));
+        if plan.is_empty() {
+            place.write("in/a.csv", "name;part;serial;who;callout;measured\nA;P18;18;Bert;25 H7;25.011\n");
+            place.write("in/b.csv", "name;callout;measured\nA;25 H7;25.012\n");
+        }
+        let (code, out, err) = place.say(&[&["watch", "in", "--until-idle", "0.5"], plan, &own].concat());
+        assert_eq!(code, 0, "{out}{err}");
+        // With a plan the serial number tells parts apart, and the part is that of all files.
+        let part = if plan.is_empty() { "P18" } else { "P17" };
+        let expected = [["Anna", "P17", "17", "A"], ["Bert", part, "18", "A"]];
+        assert_eq!(parts_of(&place), expected.map(|row| row.map(str::to_owned)));
+    }
+}
+
 /// The exit code is that of the part as its page says it, whoever reports it.
 #[test]
 fn import_and_report_end_with_the_status_of_the_worst_part() {
