@@ -17,6 +17,7 @@
 //! | `query` | which records are listed, and in which order; where records are kept, as a trait |
 //! | `memory` | records in memory |
 //! | `natural` | texts in the order in which people count |
+//! | `planned` | a value of a plan's size becomes a record: what the plan says, and what is given beside it |
 //! | `window` | the status window of a record |
 
 pub mod ask;
@@ -29,6 +30,7 @@ pub mod found;
 pub mod inspection;
 pub mod memory;
 pub mod natural;
+pub mod planned;
 pub mod query;
 mod window;
 

@@ -11,6 +11,7 @@ use jiff::civil::DateTime;
 
 use super::judging::{Judge, JudgeArgs};
 use super::measured::{Hashing, Measured};
+use super::parts::PlanParts;
 use super::progress::{Watched, Work};
 use super::record::RecordArgs;
 use super::said::CliWarning;
@@ -19,7 +20,7 @@ use crate::control::mask::Mask;
 use crate::exchange::{Body, ByPlan, FORMATS, Given, Item, MOST_ROWS, WHOLE, import_from};
 use crate::files;
 use crate::journal::chain::Hash;
-use crate::part::{Size, Walk};
+use crate::part::{Plan, Size};
 use crate::report::columns::names;
 use crate::verdict::Status;
 use keeping::Keeping;
@@ -103,8 +104,9 @@ Examples:
   fitcheck import bores.csv --rule iso14253-2017 --u 1.2 --format csv
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
-it is 1 if any row or file could not be used or judged and, with --plan, if all that was measured is good but \
-features of a part have no value. These are named at the end; in CSV and JSON each is a row with the plan as its file. \
+it is 1 if any row or file could not be used or judged. With --plan it is that of the worst part, by the last value of \
+each feature, and 1 if none is worse than good but features of a part have no value or a simulated one. Features without \
+a value are named at the end; in CSV and JSON each is a row with the plan as its file. \
 CSV and measuring logs may have any size, files of other formats and pipes up to {largest} MiB. \
 With --record, up to {MOST_ROWS} rows of a file are read.",
         formats.collect::<String>(),
@@ -117,8 +119,8 @@ With --record, up to {MOST_ROWS} rows of a file are read.",
 struct Tally {
     worst: Option<Status>,
     bad: bool,
-    /// Whether a part of the plan has sizes without a value.
-    is_incomplete: bool,
+    /// The parts of the plan, where there is one: the last value of a size counts.
+    parts: Option<PlanParts>,
 }
 
 impl Args {
@@ -138,7 +140,7 @@ impl Args {
         let mut import = Import {
             printer: Printer::new(self.format, judge.more_of(plan.as_ref()), io)?,
             judge: &judge,
-            tally: Tally::default(),
+            tally: Tally { parts: plan.as_ref().map(PlanParts::of), ..Tally::default() },
             keeping: recorder.map(|recorder| match &plan {
                 Some(plan) => Keeping::new(recorder.of_plan(&plan.head.part), io),
                 None => Keeping::new(recorder, io),
@@ -245,37 +247,35 @@ impl Import<'_> {
     }
 
     /// Says which sizes of which parts have no value: in a sentence, and for machines as rows.
-    fn missing(&mut self, by_plan: &ByPlan<'_>, plan: &Path, io: &mut Io<'_>) {
-        let nothing = Walk::new(by_plan.plan(), String::new());
-        let is_nothing = by_plan.parts().next().is_none();
-        for (part, walk) in by_plan.parts().chain(is_nothing.then_some(("", &nothing))) {
-            let names: Vec<String> = by_plan.missing(walk).map(Size::name).collect();
-            if names.is_empty() {
+    fn missing(&mut self, plan: &Plan, path: &Path, io: &mut Io<'_>) {
+        let Some(parts) = &self.tally.parts else { return };
+        let sizes: Vec<Size<'_>> = plan.sizes().collect();
+        for (who, walk) in parts.each() {
+            let missing: Vec<&Size<'_>> = walk.missing().filter_map(|at| sizes.get(at)).collect();
+            if missing.is_empty() {
                 continue;
             }
-            self.tally.is_incomplete = true;
-            let who: Vec<&str> = [part, &walk.serial].into_iter().filter(|text| !text.is_empty()).collect();
-            let (who, names) = (who.join(" "), names.join(", "));
-            for size in by_plan.missing(walk) {
+            for size in &missing {
                 if self.printed.is_ok() {
-                    self.printed = self.printer.row(&Row::missing(plan, size, &who), io);
+                    self.printed = self.printer.row(&Row::missing(path, size, &who), io);
                 }
             }
+            let names = missing.iter().map(|size| size.name()).collect::<Vec<_>>().join(", ");
             if who.is_empty() {
                 io.warn(&CliWarning::PlanMissing { names });
             } else {
                 io.warn(&CliWarning::PlanMissingOf { who, names });
             }
         }
-        if by_plan.has_more() {
-            io.warn(&CliWarning::PlanMoreParts { most: by_plan.parts().count() });
+        if let (most, true) = parts.count() {
+            io.warn(&CliWarning::PlanMoreParts { most });
         }
     }
 
     fn end(mut self, plan: Option<&Path>, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         // What is missing of a file that was not read to its end is not known.
         if let (Some(by_plan), Some(plan)) = (self.by_plan.take().filter(|_| !self.is_stopped), plan) {
-            self.missing(&by_plan, plan, io);
+            self.missing(by_plan.plan(), plan, io);
         }
         let printed = self.printed.and_then(|()| self.printer.end(io));
         if self.is_stopped {
@@ -289,13 +289,7 @@ impl Import<'_> {
             self.tally.bad |= keeping.end(io)?;
         }
         printed?;
-        Ok(match self.tally.worst {
-            _ if self.tally.bad => Outcome::BadData,
-            // Scrap stays scrap, whatever is missing; nothing is green without all of it.
-            None | Some(Status::Good) if self.tally.is_incomplete => Outcome::BadData,
-            Some(worst) => Outcome::Judged(worst),
-            None => Outcome::Done,
-        })
+        Ok(self.tally.outcome())
     }
 }
 
@@ -339,6 +333,18 @@ pub(super) fn warn(path: &Path, item: &Item, io: &mut Io<'_>) {
 impl Tally {
     fn count(&mut self, row: &Row) {
         self.bad |= row.error.is_some();
-        self.worst = self.worst.max(row.part_status());
+        match (&mut self.parts, &row.judged) {
+            (Some(parts), Some(record)) => parts.see(record, &row.labels),
+            _ => self.worst = self.worst.max(row.part_status()),
+        }
+    }
+
+    fn outcome(&self) -> Outcome {
+        match (&self.parts, self.worst) {
+            _ if self.bad => Outcome::BadData,
+            (Some(parts), worst) => parts.outcome(worst),
+            (None, Some(worst)) => Outcome::Judged(worst),
+            (None, None) => Outcome::Done,
+        }
     }
 }

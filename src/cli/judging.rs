@@ -9,12 +9,14 @@ use super::rule::RuleArgs;
 use super::{CliError, CliRemark, CliWarning, Io, Refused as _};
 use crate::budget::{Budget, BudgetWarning};
 use crate::journal::Record;
-use crate::part::{Material, Plan, PlanFeature};
+use crate::journal::planned::{self, Beside, Planned, PlannedError, PlannedRemark};
+use crate::message::{IntoArg as _, Say as _};
+use crate::part::{Plan, Size};
 use crate::report::csv::More;
 use crate::tolerance::fit::materials::Certainty;
 use crate::tolerance::fit::thermal::Correction;
 use crate::verdict::Rule;
-use crate::verdict::rules::Uncertainty;
+use crate::verdict::rules::{Given, RuleName, Uncertainty};
 
 /// By which rule a measured value is judged, and what is known of it.
 #[derive(Debug, Clone, clap::Args)]
@@ -29,18 +31,19 @@ pub(super) struct JudgeArgs {
     pub(super) budget: Option<PathBuf>,
 }
 
-/// What a plan says of judging a size.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Planned {
-    pub(super) rule: Option<Rule>,
-    pub(super) material: Option<Material>,
-}
+/// The sizes of a plan by the names of records; none without a plan.
+#[derive(Debug, Default)]
+pub(super) struct Sizes<'a>(BTreeMap<String, Size<'a>>);
 
-impl Planned {
-    /// Of every size of a plan, by the names of records.
-    pub(super) fn of(plan: &Plan) -> BTreeMap<String, Self> {
-        let of = |feature: &PlanFeature| Self { rule: feature.rule, material: feature.material.clone() };
-        plan.sizes().map(|size| (size.name(), of(size.feature))).collect()
+impl<'a> Sizes<'a> {
+    /// Of a plan, where there is one.
+    pub(super) fn of(plan: Option<&'a Plan>) -> Self {
+        Self(plan.into_iter().flat_map(Plan::sizes).map(|size| (size.name(), size)).collect())
+    }
+
+    /// Whether there is no plan.
+    pub(super) fn is_empty(&self) -> bool {
+        self.0.is_empty()
     }
 }
 
@@ -48,8 +51,11 @@ impl Planned {
 #[derive(Debug)]
 pub(super) struct Judge {
     rule: Rule,
-    /// What the options say of the rule: a plan may have another one.
+    /// What the options say of the rule: a budget gives each record an uncertainty.
     options: RuleArgs,
+    /// The rule where they name it, and what they give it; a plan may have another one.
+    named: Option<RuleName>,
+    given: Given,
     warmth: Option<Warmth>,
     /// A budget, which gives each record an uncertainty of its own, and its file.
     budget: Option<(String, Budget)>,
@@ -60,12 +66,15 @@ impl JudgeArgs {
     pub(super) fn judge(&self, io: &mut Io<'_>) -> Result<Judge, CliError> {
         let warmth = self.warm.warmth()?;
         let options = self.rule.clone();
-        let Some(path) = &self.budget else {
-            return Ok(Judge { rule: options.rule()?, options, warmth, budget: None });
+        let (named, given) = (options.named(), options.given(None)?);
+        let (rule, budget) = match &self.budget {
+            None => (options.rule()?, None),
+            // Any uncertainty shows whether the rule has what it needs.
+            Some(path) => {
+                (options.rule_with(Some(Uncertainty::standard("1").said()?))?, Some(super::budget::read(path, io)?))
+            }
         };
-        // Any uncertainty shows whether the rule has what it needs.
-        let rule = options.rule_with(Some(Uncertainty::standard("1").said()?))?;
-        Ok(Judge { rule, options, warmth, budget: Some(super::budget::read(path, io)?) })
+        Ok(Judge { rule, options, named, given, warmth, budget })
     }
 }
 
@@ -90,14 +99,33 @@ impl Judge {
         self.rule.is_plain() && self.warmth.is_none()
     }
 
-    /// What of a plan is not what a record was judged with: the options count, and the plan says something else.
-    pub(super) fn differs(&self, planned: &Planned, record: &Record) -> Vec<CliWarning<'static>> {
-        let rule = planned.rule.filter(|rule| *rule != record.verdict.rule).map(|rule| CliWarning::PlanRule { rule });
-        let warm = self.warmth.as_ref().map(|warmth| warmth.part.warm.expansion);
-        let is_other = |material: &&Material| warm.is_some_and(|expansion| expansion != material.expansion);
-        let material = planned.material.as_ref().filter(is_other);
-        let material = material.map(|Material { name, .. }| CliWarning::PlanMaterial { name: name.clone() });
-        rule.into_iter().chain(material).collect()
+    /// A record by the plan where there is one and it is of a size of it, and what is to be warned of.
+    ///
+    /// # Errors
+    /// Where it cannot be judged as the plan and the options say.
+    pub(super) fn judged_of(
+        &self,
+        sizes: &Sizes<'_>,
+        record: Record,
+    ) -> Result<(Record, Vec<PlannedRemark>), CliError> {
+        let Some(size) = sizes.0.get(&record.id) else { return Ok((self.judged(record)?, Vec::new())) };
+        let Planned { record, mut said } = self.judged_by_plan(size, record)?;
+        said.retain(PlannedRemark::is_warning);
+        Ok((record, said))
+    }
+
+    /// A record of a plan's size: the plan counts, and the options where it says nothing.
+    fn judged_by_plan(&self, size: &Size<'_>, record: Record) -> Result<Planned, CliError> {
+        let warm = self.warmth.as_ref().map(|warmth| (warmth.part.warm, warmth.scale));
+        let budget = self.budget.as_ref().map(|(_file, budget)| budget);
+        let beside = Beside { rule: self.named, given: self.given, budget, warm };
+        planned::judge(size, record, &beside).map_err(|error| match (&error, &self.budget) {
+            (PlannedError::Budget(_), Some((file, _))) => {
+                CliError::About { what: file.as_str().arg(), error: error.message() }
+            }
+            (PlannedError::AlreadyCorrected, _) => CliError::AlreadyCorrected,
+            _ => CliError::Said(error.message()),
+        })
     }
 
     /// A record as it judges it.
@@ -114,17 +142,11 @@ impl Judge {
             }
             None => record,
         };
-        // Only a plan has judged by a rule of its own. It counts where the options say nothing else.
-        let planned = record.verdict.rule;
-        let rule = |budget| {
-            if planned.is_plain() { self.options.rule_with(budget) } else { self.options.over(planned, budget) }
-        };
         let Some((name, budget)) = &self.budget else {
-            let rule = if planned.is_plain() { self.rule } else { rule(None)? };
-            return Ok(if rule == planned { record } else { record.by(rule) });
+            return Ok(if self.rule == record.verdict.rule { record } else { record.by(self.rule) });
         };
         let (found, uncertainty) = record.assess(budget.clone()).about(name)?;
-        Ok(record.by_budget(rule(Some(uncertainty))?, Arc::new(found.provenance())))
+        Ok(record.by_budget(self.options.rule_with(Some(uncertainty))?, Arc::new(found.provenance())))
     }
 
     /// Says once how all records are brought to 20 °C and by which budget they are judged.

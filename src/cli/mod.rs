@@ -56,6 +56,7 @@ mod material;
 mod measured;
 mod nc;
 mod pair;
+mod parts;
 mod plan;
 mod progress;
 mod record;

@@ -66,7 +66,7 @@ pub(super) struct StreamArgs {
     /// Who measures, where the files do not say it
     #[arg(long, value_name = "NAME")]
     who: Option<String>,
-    /// The part, in place of the plan's
+    /// The part, in place of the plan's, where the files do not say it
     #[arg(long, value_name = "NAME")]
     part: Option<String>,
     /// Its serial number, where the files do not say it
@@ -133,8 +133,10 @@ impl JournalArgs {
 pub(super) struct Recorder {
     place: Place,
     about: About,
-    /// Whether a plan names the features: what a value is called is never the part then.
-    has_plan: bool,
+    /// The part of a plan that names the features, empty where it names no part: what a value is called is never the part then.
+    plan: Option<String>,
+    /// Whether what a file says counts before what the options say: they stand for all files that come.
+    is_file_first: bool,
     entries: Vec<Entry>,
 }
 
@@ -147,7 +149,8 @@ impl RecordArgs {
         io.remember();
         let (station, part, serial) = (self.station.as_ref(), self.part.as_ref(), self.serial.as_ref());
         let about = about(station, [self.who.as_ref(), part, serial, self.feature_name.as_ref(), self.remark.as_ref()]);
-        Ok(Some(Recorder { place: Place::of(self.journal.as_deref())?, about, has_plan: false, entries: Vec::new() }))
+        let place = Place::of(self.journal.as_deref())?;
+        Ok(Some(Recorder { place, about, plan: None, is_file_first: false, entries: Vec::new() }))
     }
 }
 
@@ -167,11 +170,8 @@ fn about(station: Option<&String>, given: [Option<&String>; 5]) -> About {
 
 impl Recorder {
     /// The same for the features of a plan, and the part that it is of.
-    pub(super) fn of_plan(mut self, part: &str) -> Self {
-        if self.about.part.is_empty() {
-            part.clone_into(&mut self.about.part);
-        }
-        Self { has_plan: true, ..self }
+    pub(super) fn of_plan(self, part: &str) -> Self {
+        Self { plan: Some(part.to_owned()), ..self }
     }
 
     /// A record. What its file or field calls it is the part, where none is named; otherwise the feature.
@@ -179,7 +179,7 @@ impl Recorder {
         self.size_of(record, &Labels::default(), files)
     }
 
-    /// The same with what its file says of part, serial number and operator, where no option says it.
+    /// The same with what its file says of part, serial number and operator: where no option says it, or before the options.
     pub(super) fn size_of(
         &mut self,
         record: Arc<Record>,
@@ -198,14 +198,13 @@ impl Recorder {
 
     fn about(&self, id: &str, labels: &Labels) -> About {
         let mut about = self.about.clone();
-        let of_file =
-            [(&mut about.part, &labels.part), (&mut about.serial, &labels.serial), (&mut about.who, &labels.who)];
-        for (text, given) in of_file {
-            if text.is_empty() {
+        for (text, given) in [(&mut about.serial, &labels.serial), (&mut about.who, &labels.who)] {
+            if text.is_empty() || self.is_file_first && !given.is_empty() {
                 text.clone_from(given);
             }
         }
-        if self.has_plan {
+        about.part = self.part(&labels.part, !about.serial.is_empty()).to_owned();
+        if self.plan.is_some() {
             id.clone_into(&mut about.feature);
         } else if about.part.is_empty() {
             id.clone_into(&mut about.part);
@@ -213,6 +212,22 @@ impl Recorder {
             id.clone_into(&mut about.feature);
         }
         about
+    }
+
+    /// The part of a check. The plan's own name tells parts apart by their serial numbers alone: without one, the name in the file does.
+    fn part<'a>(&'a self, of_file: &'a str, has_serial: bool) -> &'a str {
+        let (option, plan) = (self.about.part.as_str(), self.plan.as_deref());
+        if !option.is_empty() && !self.is_file_first {
+            return option;
+        }
+        let of_all = if option.is_empty() { plan.unwrap_or_default() } else { option };
+        let is_same = of_file.trim().is_empty() || of_file.trim().eq_ignore_ascii_case(of_all);
+        match plan {
+            _ if of_all.is_empty() => of_file,
+            _ if is_same => of_all,
+            Some(_) if has_serial => of_all,
+            _ => of_file,
+        }
     }
 
     /// An entry that can be written: one that cannot would keep all others out.
@@ -302,7 +317,8 @@ impl StreamArgs {
         let (part, serial) = (self.part.as_ref(), self.serial.as_ref());
         let about = about(self.station.as_ref(), [self.who.as_ref(), part, serial, None, self.remark.as_ref()]);
         let opening = Opening::new(&about.station, about.time.clone());
-        let recorder = Recorder { place: self.journal.place()?, about, has_plan: false, entries: Vec::new() };
+        let place = self.journal.place()?;
+        let recorder = Recorder { place, about, plan: None, is_file_first: true, entries: Vec::new() };
         let recorder = match plan {
             Some(part) => recorder.of_plan(part),
             None => recorder,

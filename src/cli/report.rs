@@ -93,9 +93,10 @@ for each feature, and the source of each value. JSON has the same as parts, with
 picture.
 
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
-error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. It is
-also 1 if a part of the plan lacks a value. CSV holds only the checks, with the name of the picture:
-standard error reports what it leaves out.";
+error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. With
+--plan it is that of the worst part, by the last value of each feature, and 1 if none is worse
+than good but a part lacks a value or has a simulated one. CSV holds only the checks, with the
+name of the picture: standard error reports what it leaves out.";
 
 /// Why a `--check` is not a check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
@@ -175,7 +176,7 @@ impl Args {
             let judged = record(text, &given.sources, now).map_err(|error| error.message());
             match judged.and_then(|record| given.judge.judged(record).map_err(|error| error.message())) {
                 Ok(record) => {
-                    collected.see(&record, io);
+                    collected.see_typed(&record, io);
                     given.typed.push(record);
                 }
                 Err(error) => collected.refuse(Message::new("report-note").text("place", text), error, io),
@@ -183,8 +184,7 @@ impl Args {
         }
         let checks = Arc::new(given);
         let (parts, of_plan) = collected.end_parts(io);
-        let Some(worst) = collected.worst else { return Err(CliError::ReportEmpty) };
-        let bad = collected.bad;
+        let Some(outcome) = collected.outcome() else { return Err(CliError::ReportEmpty) };
         let report = Report {
             title: self.title.clone().unwrap_or_default(),
             part: self.part.clone().or(of_plan),
@@ -205,7 +205,7 @@ impl Args {
             return Err(stopped);
         }
         written?;
-        Ok(if bad { Outcome::BadData } else { Outcome::Judged(worst) })
+        Ok(outcome)
     }
 
     /// Warns of what CSV has no place for.

@@ -46,24 +46,13 @@ impl RuleArgs {
         Rule::new(self.rule.unwrap_or_default(), self.given(budget)?).about(&What::Option { name: "rule" })
     }
 
-    /// What the options make of the rule of a plan: they replace what they name, and the rest of it stays.
-    pub(super) fn over(&self, planned: Rule, budget: Option<Uncertainty>) -> Result<Rule, CliError> {
-        if self.rule.is_some() {
-            return self.rule_with(budget);
-        }
-        let (given, own) = (self.given(budget)?, *planned.given());
-        let prover = if given.prover == Prover::default() { own.prover } else { given.prover };
-        let given = Given {
-            uncertainty: given.uncertainty.or(own.uncertainty),
-            factor: given.factor.or(own.factor),
-            width: given.width.or(own.width),
-            prover,
-        };
-        Rule::new(planned.name(), given).about(&What::Option { name: "rule" })
+    /// Which rule they name.
+    pub(super) const fn named(&self) -> Option<RuleName> {
+        self.rule
     }
 
     /// What the options give a rule; the uncertainty of a budget instead of theirs.
-    fn given(&self, budget: Option<Uncertainty>) -> Result<Given, CliError> {
+    pub(super) fn given(&self, budget: Option<Uncertainty>) -> Result<Given, CliError> {
         let k = Uncertainty::factor(self.k.as_deref().unwrap_or("2")).about(&What::Option { name: "k" })?;
         let about = |name, read: Result<Uncertainty, UncertaintyError>| read.about(&What::Option { name });
         let uncertainty = match (&self.u, &self.expanded) {

@@ -184,13 +184,6 @@ pub(super) enum CliWarning<'a> {
     PlanNoValue,
     /// The same of one part among several.
     PlanNoValueOf { who: String },
-    /// The rule that a plan has for a size, where the options have another one.
-    PlanRule {
-        #[say(with = Say::message)]
-        rule: Rule,
-    },
-    /// The same of the material.
-    PlanMaterial { name: String },
     /// A skipped column of a file of contacts.
     ColumnNotUsed { column: &'a str },
     /// A coefficient of expansion that no document confirms.

@@ -1,8 +1,6 @@
 //! Values judged by a plan: each finds its feature, and the plan's limits and rule decide. What the file itself says of limits is
 //! compared, and what finds no feature is set aside.
 
-use std::collections::BTreeMap;
-
 use jiff::civil::DateTime;
 
 use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, shorten};
@@ -10,52 +8,30 @@ use super::imported::{Asked, Item, Labels, Unjudged, WhyUnjudged};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Located, Place};
-use crate::part::{By, Clues, Finder, Kind, NotFound, Plan, Size, Taken, Walk};
+use crate::part::{By, Clues, Finder, Kind, NotFound, Plan, Size};
 use crate::probing::Measurement;
 use crate::tolerance::fit::thermal::Correction;
 use crate::verdict::{PositionVerdict, judge_size};
 
-/// The most parts whose missing features are told; more are counted.
-const MOST_PARTS: usize = 10_000;
-
-/// Judges what files hold by a plan, and knows what is missing of each part.
+/// Judges what files hold by a plan.
 #[derive(Debug)]
 pub struct ByPlan<'a> {
     plan: &'a Plan,
     finder: Finder,
     /// The sizes of the plan, as the finder counts them.
     sizes: Vec<Size<'a>>,
-    /// The parts by serial number, and by name where a file names several.
-    parts: BTreeMap<(String, String), Walk>,
-    /// Whether there were more parts than are known.
-    has_more: bool,
 }
 
 impl<'a> ByPlan<'a> {
     /// Of no file yet.
     pub fn new(plan: &'a Plan) -> Self {
         let (finder, sizes) = (Finder::new(plan), plan.sizes().collect());
-        Self { plan, finder, sizes, parts: BTreeMap::new(), has_more: false }
+        Self { plan, finder, sizes }
     }
 
     /// The plan.
     pub const fn plan(&self) -> &'a Plan {
         self.plan
-    }
-
-    /// What was measured of every part: name, serial number, and the walk.
-    pub fn parts(&self) -> impl Iterator<Item = (&str, &Walk)> {
-        self.parts.iter().map(|((part, _), walk)| (part.as_str(), walk))
-    }
-
-    /// Whether there were more parts than [`Self::parts`] has.
-    pub const fn has_more(&self) -> bool {
-        self.has_more
-    }
-
-    /// The sizes that a part has no value of.
-    pub fn missing<'w>(&'w self, walk: &'w Walk) -> impl Iterator<Item = &'w Size<'a>> {
-        walk.missing().filter_map(|at| self.sizes.get(at))
     }
 
     /// Judges one thing of a file by the plan; warnings about it come before it.
@@ -106,7 +82,7 @@ impl<'a> ByPlan<'a> {
         for kind in told {
             take(warning(line, kind));
         }
-        self.keep(at, line, record, labels, take);
+        take(Item::Record { line, record: Box::new(record), labels });
     }
 
     /// The size of the plan.
@@ -137,18 +113,6 @@ impl<'a> ByPlan<'a> {
         let part = &self.plan.head.part;
         let is_other = !part.is_empty() && !given.trim().is_empty() && !given.trim().eq_ignore_ascii_case(part);
         is_other.then(|| ImportWarningKind::PartDiffers { given: shorten(given), part: part.clone() })
-    }
-
-    fn keep(&mut self, at: usize, line: usize, record: Record, labels: Labels, take: &mut dyn FnMut(Item)) {
-        let key = (labels.part.clone(), labels.serial.clone());
-        if self.parts.len() < MOST_PARTS || self.parts.contains_key(&key) {
-            let walk = self.parts.entry(key).or_insert_with(|| Walk::new(self.plan, labels.serial.clone()));
-            let is_simulated = record.measurement.origin.is_simulated();
-            walk.take(at, Taken { status: record.verdict.status(), is_simulated });
-        } else {
-            self.has_more = true;
-        }
-        take(Item::Record { line, record: Box::new(record), labels });
     }
 }
 

@@ -201,6 +201,7 @@ impl Reader<'_> {
             has_own_cycle: self.row.text(Column::Cycle).is_some() || self.row.text(Column::Parameters).is_some(),
             material,
             rule,
+            has_own_rule: self.row.text(Column::Rule).is_some() || self.shared.rule.is_some(),
             remark,
             balloon,
         })

@@ -72,8 +72,10 @@ pub struct PlanFeature {
     pub has_own_cycle: bool,
     /// What it is made of, where the plan says so.
     pub material: Option<Material>,
-    /// The decision rule, where the plan says so.
+    /// The decision rule, where the plan says so; with an uncertainty alone it is the control's.
     pub rule: Option<Rule>,
+    /// Whether the plan names the rule, and not an uncertainty alone.
+    pub has_own_rule: bool,
     /// Anything else.
     pub remark: String,
     /// Where its balloon is on the picture, from 0 to 1 from the left and from the top.

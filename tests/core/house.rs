@@ -54,7 +54,7 @@ const ROOMS: [(&str, &[&str]); 22] = [
     ("control", &["shipped", "message", "length", "words", "tolerance", "verdict", "probing"]),
     ("part", &["message", "length", "tolerance", "verdict", "probing", "control"]),
     ("nc", &["shipped", "message", "length", "words", "tolerance", "verdict", "probing", "control", "part"]),
-    ("journal", &["message", "length", "words", "tolerance", "verdict", "probing", "budget", "control"]),
+    ("journal", &["message", "length", "words", "tolerance", "verdict", "probing", "budget", "control", "part"]),
     ("exchange", &["message", "length", "tolerance", "verdict", "probing", "control", "part", "journal"]),
     (
         "report",

@@ -79,6 +79,7 @@ mod parts;
 mod plan_cli;
 mod plan_files;
 mod plan_import;
+mod plan_judging;
 mod plans;
 mod point_cycles;
 mod point_log;

@@ -213,41 +213,6 @@ fn deviations_and_coordinates_below_zero_are_read_where_the_plan_has_no_diameter
     assert_eq!((out + &err).matches("is not above 0").count(), 5);
 }
 
-/// 25.0205 is 0.5 µm below the limit: good by the limits, undecided with an uncertainty of 1 µm by ISO 14253-1:2017.
-#[test]
-fn another_rule_or_material_than_that_of_the_plan_is_told_beside_the_verdict() {
-    let place = Place::new();
-    let plan = "name;callout;rule;u_um;material\nA;25 H7;iso14253-2017;1;aluminium\n";
-    let judged = |more: &[&str]| {
-        let (code, rows) = place.judged(plan, "name;measured\nA;25.0205\n", more);
-        (code, rows[0].clone())
-    };
-    let (code, row) = judged(&[]);
-    assert_eq!(code, 12);
-    silent(&row);
-    let (_, row) = judged(&["--rule", "iso14253-2017", "--u", "1"]);
-    silent(&row);
-    let (code, row) = judged(&["--rule", "simple"]);
-    assert_eq!(code, 0);
-    says(&row, Some("GOOD"), "the plan has another rule for this: ISO 14253-1:2017");
-    // The uncertainty alone changes nothing of which rule it is: 2.5 µm leave nothing accepted, and do not make it good.
-    let (code, row) = judged(&["--u", "2.5"]);
-    assert_eq!(code, 12);
-    says(&row, Some("RE-MEASURE"), "the plan has another rule for this");
-    // 25.0205 mm at 22 °C is smaller at 20 °C, whatever the material.
-    let (_, row) = judged(&["--temperature", "22", "--material", "steel"]);
-    says(&row, Some("RE-MEASURE"), "the plan has another material for this: aluminium; --material applies");
-    let (_, row) = judged(&["--temperature", "22", "--material", "aluminium"]);
-    silent(&row);
-    // An explicit simple rule of the plan is one, too.
-    let (_, rows) = place.judged(
-        "name;callout;rule\nA;25 H7;simple\n",
-        "name;measured\nA;25.0205\n",
-        &["--rule", "iso14253-2017", "--u", "1"],
-    );
-    says(&rows[0], Some("RE-MEASURE"), "the plan has another rule for this: no guard band");
-}
-
 /// A row of Fitcheck without a callout, its limits from a log, keeps how it was brought to 20 °C: by hand, 25.0215 mm at 26 °C is
 /// 25.019774 mm at 20 °C with 11.5 millionths per kelvin.
 #[test]
@@ -412,4 +377,83 @@ fn the_columns_of_a_rule_are_there_when_the_plan_has_one() {
         at(name);
     }
     assert_eq!([&rows[0][at("rule_name")], &rows[1][at("rule_name")]], ["iso14253-2017", ""]);
+}
+
+/// The columns of the journal that say of which part a check is: who, part, serial number, feature.
+fn parts_of(place: &Place) -> Vec<[String; 4]> {
+    let (_, listed, err) = place.say(&["journal", "list", "--journal", "j.sqlite", "--format", "csv"]);
+    let rows = csv::Reader::from_reader(listed.as_bytes()).into_records().map(Result::unwrap).collect::<Vec<_>>();
+    assert!(!rows.is_empty(), "{err}");
+    let mut parts: Vec<_> = rows.iter().map(|row| [3, 4, 5, 6].map(|at| row[at].to_owned())).collect();
+    parts.sort();
+    parts
+}
+
+#[test]
+fn parts_of_a_file_without_serial_numbers_can_be_told_apart_in_the_journal() {
+    let place = Place::new();
+    place.write("own.toml", "fitcheck_plan = 1\npart = \"Flange\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n[[feature]]\nname = \"B\"\ncallout = \"25 H7\"\n");
+    place.write("v.csv", "part;name;measured\nP1;A;25.1\nP2;A;25.01\nflange;B;25.01\n");
+    let record = ["--record", "--journal", "j.sqlite"];
+    let (code, _, err) = place.say(&[&["import", "--plan", "own.toml", "v.csv"], &record[..]].concat());
+    assert_eq!(code, 11, "{err}");
+    let part = |part: &str, feature: &str| ["", part, "", feature].map(str::to_owned);
+    assert_eq!(parts_of(&place), [part("Flange", "B"), part("P1", "A"), part("P2", "A")]);
+    for missing in ["P1: not measured: B", "P2: not measured: B", "flange: not measured: A"] {
+        assert!(err.contains(missing), "{missing}: {err}");
+    }
+    // A serial number tells parts apart, and the plan says what they are.
+    place.write("v.csv", "part;serial;name;measured\nP1;7;A;25.01\n");
+    std::fs::remove_file(place.0.path().join("j.sqlite")).unwrap();
+    place.say(&[&["import", "--plan", "own.toml", "v.csv"], &record[..]].concat());
+    assert_eq!(parts_of(&place), [["", "Flange", "7", "A"].map(str::to_owned)]);
+}
+
+#[test]
+fn what_a_watched_file_says_counts_before_the_options() {
+    let place = Place::new();
+    place.write("own.csv", "name;callout\nA;25 H7\n");
+    std::fs::create_dir(place.0.path().join("in")).unwrap();
+    place.write("in/a.csv", "name;part;serial;who;measured\nA;P18;18;Bert;25.01\n");
+    place.write("in/b.csv", "name;measured\nA;25.01\n");
+    let own = ["--serial", "17", "--who", "Anna", "--part", "P17", "--journal", "j.sqlite"];
+    for plan in [&["--plan", "own.csv"][..], &[]] {
+        _ = std::fs::remove_file(place.0.path().join("j.sqlite"));
+        if plan.is_empty() {
+            place.write("in/a.csv", "name;part;serial;who;callout;measured\nA;P18;18;Bert;25 H7;25.011\n");
+            place.write("in/b.csv", "name;callout;measured\nA;25 H7;25.012\n");
+        }
+        let (code, out, err) = place.say(&[&["watch", "in", "--until-idle", "0.5"], plan, &own].concat());
+        assert_eq!(code, 0, "{out}{err}");
+        // With a plan the serial number tells parts apart, and the part is that of all files.
+        let part = if plan.is_empty() { "P18" } else { "P17" };
+        let expected = [["Anna", "P17", "17", "A"], ["Bert", part, "18", "A"]];
+        assert_eq!(parts_of(&place), expected.map(|row| row.map(str::to_owned)));
+    }
+}
+
+/// The exit code is that of the part as its page says it, whoever reports it.
+#[test]
+fn import_and_report_end_with_the_status_of_the_worst_part() {
+    let place = Place::new();
+    let plan = "name;callout\nA;25 H7\nB;25 H7\n";
+    for (values, code, why) in [
+        ("A;25.01;;\nB;25.01;;\n", 0, "all is measured and good"),
+        ("A;25.01;;true\nB;25.01;;true\n", 1, "nobody measured it"),
+        ("A;25.01;;\n", 1, "B is missing"),
+        ("A;25.1;;\n", 11, "scrap stays scrap, whatever is missing"),
+        ("A;24.99;;\n", 10, "and rework rework"),
+        ("A;25.1;;\nA;25.01;;\nB;25.01;;\n", 0, "A was measured again"),
+        ("A;25.01;;\nA;25.1;;\nB;25.01;;\n", 11, "the last value counts"),
+        ("A;25.01;7;\nB;25.01;7;\nA;24.99;8;\n", 10, "the worst of two parts"),
+        ("A;25.01;7;\nB;25.01;7;\nA;25.01;8;\n", 1, "one of two parts is open"),
+        ("A;25.1;;\nC;25.01;;\n", 1, "C is of no feature"),
+    ] {
+        place.write("own.csv", plan);
+        place.write("v.csv", &format!("name;measured;serial;simulated\n{values}"));
+        for command in [&["import", "--format", "csv"][..], &["report", "-o", "r.html"]] {
+            let (found, out, err) = place.say(&[command, &["--plan", "own.csv", "v.csv"]].concat());
+            assert_eq!(found, code, "{command:?}: {why}: {out}{err}");
+        }
+    }
 }

@@ -217,3 +217,11 @@ mapping-word = { $given } is not a known column content: allowed are { $allowed 
 mapping-value = { $word }: { $given } is unknown: allowed are { $allowed }
 mapping-twice = { $word } is given twice: give it once
 mapping-toml = not a mapping of columns: { $reason }
+
+# How a value was judged by a plan, and what was given beside it.
+planned-rule = judged by the plan's rule and not by { $given }: { $rule }
+planned-uncertainty = judged with the plan's uncertainty and not with the given one: { $u }
+planned-material = brought to 20 °C with the plan's material and not with the given one: { $name }
+planned-corrected = brought from { $temperature } °C to 20 °C (expansion { $expansion } · 10⁻⁶/K)
+planned-not-corrected = not brought to 20 °C: a place on the part is not a size
+planned-error-already-corrected = the value is at 20 °C already, as its file says: judge it without a temperature

@@ -71,8 +71,6 @@ walk-page-row-simulated = simulated
 walk-page-times = { $count } values
 walk-page-rule-plan = Judged by the plan's rule: { $rule }
 walk-page-rule-own = The plan has no rule; judged by the rule on the check page: { $rule }
-walk-page-not-corrected = Not corrected to 20 °C: a location on the part is not a size
-walk-page-material = Corrected to 20 °C with the plan's material, { $name }
 walk-page-nothing-asked = no size of the plan is being measured
 walk-page-refused = { $count ->
         [one] One check was not recorded: { $why }

@@ -217,3 +217,11 @@ mapping-word = { $given } is niet iets wat een kolom bevat: toegestaan zijn { $a
 mapping-value = { $word }: { $given } is onbekend: toegestaan zijn { $allowed }
 mapping-twice = { $word } staat er twee keer: noem het één keer
 mapping-toml = geen toewijzing van kolommen: { $reason }
+
+# Hoe een waarde met een plan beoordeeld is, en wat ernaast opgegeven was.
+planned-rule = beoordeeld met de regel van het plan en niet met { $given }: { $rule }
+planned-uncertainty = beoordeeld met de onzekerheid van het plan en niet met de opgegeven: { $u }
+planned-material = naar 20 °C herleid met het materiaal van het plan en niet met het opgegeven: { $name }
+planned-corrected = van { $temperature } °C naar 20 °C herleid (uitzetting { $expansion } · 10⁻⁶/K)
+planned-not-corrected = niet naar 20 °C herleid: een plaats op het onderdeel is geen maat
+planned-error-already-corrected = de waarde geldt al bij 20 °C, zoals haar bestand zegt: beoordeel haar zonder temperatuur

@@ -71,8 +71,6 @@ walk-page-row-simulated = gesimuleerd
 walk-page-times = { $count } waarden
 walk-page-rule-plan = Beoordeeld met de regel van het plan: { $rule }
 walk-page-rule-own = Het plan heeft geen regel; beoordeeld met de regel van de pagina Controle: { $rule }
-walk-page-not-corrected = Niet naar 20 °C herleid: een plaats op het onderdeel is geen maat
-walk-page-material = Naar 20 °C herleid met het materiaal van het plan, { $name }
 walk-page-nothing-asked = er wordt geen maat van het plan gevraagd
 walk-page-refused = { $count ->
         [one] Een controle is niet vastgelegd: { $why }

@@ -1,10 +1,9 @@
 //! A row of what `fitcheck import` prints: a record, a measurement that makes none, or an error.
 
-use std::collections::BTreeMap;
 use std::path::Path;
 use std::sync::Arc;
 
-use crate::cli::judging::{Judge, Planned};
+use crate::cli::judging::{Judge, Sizes};
 use crate::cli::{CliRemark, CliWarning};
 use crate::exchange::{ImportError, Item, Labels, Unjudged, WhyUnjudged};
 use crate::journal::Record;
@@ -101,8 +100,8 @@ pub(in crate::cli) struct Rows<'a> {
     judge: &'a Judge,
     /// Whether the check of a row is wanted even where it has no more to say than a control.
     wants_checks: bool,
-    /// What the plan says of judging its sizes.
-    planned: BTreeMap<String, Planned>,
+    /// The sizes of the plan.
+    sizes: Sizes<'a>,
     /// The path as the user gave it.
     path: Arc<str>,
     /// The name without its folder.
@@ -116,13 +115,13 @@ pub(in crate::cli) struct Rows<'a> {
 impl<'a> Rows<'a> {
     pub(in crate::cli) fn of(path: &Path, judge: &'a Judge, wants_checks: bool) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy().as_ref().into();
-        let (path, planned) = (path.display().to_string().into(), BTreeMap::new());
-        Self { judge, wants_checks, planned, path, name, sources: Vec::new(), warnings: (0, Vec::new()) }
+        let (path, sizes) = (path.display().to_string().into(), Sizes::default());
+        Self { judge, wants_checks, sizes, path, name, sources: Vec::new(), warnings: (0, Vec::new()) }
     }
 
     /// The same of values that a plan has judged.
-    pub(in crate::cli) fn by(self, plan: Option<&Plan>) -> Self {
-        Self { planned: plan.map(Planned::of).unwrap_or_default(), ..self }
+    pub(in crate::cli) fn by(self, plan: Option<&'a Plan>) -> Self {
+        Self { sizes: Sizes::of(plan), ..self }
     }
 
     /// The row of what was read; none for a warning, which goes to the row that follows, and for contacts, which have
@@ -177,17 +176,15 @@ impl Rows<'_> {
     /// The row of a record, as the judge of this import says.
     fn record(&mut self, record: Box<Record>) -> Row {
         let source = Some(self.said(&record.limits.source));
-        if self.judge.is_plain() && self.planned.is_empty() {
+        if self.judge.is_plain() && self.sizes.is_empty() {
             let row = Row { source, ..Row::of(&record) };
             return Row { judged: self.wants_checks.then(|| Arc::from(record)), ..row };
         }
         let (id, measured) = (record.id.clone(), record.measurement.diameter);
-        match self.judge.judged(*record) {
-            Ok(record) => {
+        match self.judge.judged_of(&self.sizes, *record) {
+            Ok((record, said)) => {
                 let mut row = Row { source, ..Row::of(&record) };
-                let planned = self.planned.get(&record.id);
-                let differs = planned.map(|planned| self.judge.differs(planned, &record)).unwrap_or_default();
-                row.warnings.extend(differs.iter().map(ToString::to_string));
+                row.warnings.extend(said.iter().map(ToString::to_string));
                 Row { judged: Some(Arc::new(record)), ..row }
             }
             Err(error) => Row { id, measured: Some(measured), error: Some(error.to_string()), ..Row::default() },

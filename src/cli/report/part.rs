@@ -4,7 +4,8 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 use std::sync::Arc;
 
-use super::super::{CliError, CliWarning, Io};
+use super::super::parts::PlanParts;
+use super::super::{CliError, CliWarning, Io, Outcome};
 use crate::exchange::Labels;
 use crate::files;
 use crate::journal::Record;
@@ -13,6 +14,7 @@ use crate::part::Plan;
 use crate::report::image::{Image, is_plain_name};
 use crate::report::part::PartSheet;
 use crate::tolerance::Sources;
+use crate::verdict::Status;
 
 /// The most parts that a report shows as a whole.
 const MOST: usize = 20;
@@ -25,6 +27,8 @@ type Key = (String, String);
 pub(super) struct Parts {
     pub(super) plan: Arc<Plan>,
     picture: Option<Result<Image, Message>>,
+    /// What all of them make of the exit code.
+    all: PlanParts,
     /// The place of each size, by its name.
     places: BTreeMap<String, usize>,
     sheets: Vec<(Key, PartSheet)>,
@@ -39,11 +43,13 @@ impl Parts {
         let name = Some(plan.head.picture.as_str()).filter(|name| !name.is_empty());
         let picture = name.map(|name| image(path, name));
         let places = plan.sizes().map(|size| size.name()).zip(0..).collect();
-        Ok(Self { plan, picture, places, sheets: Vec::new(), others: BTreeSet::new() })
+        let all = PlanParts::of(&plan);
+        Ok(Self { plan, picture, all, places, sheets: Vec::new(), others: BTreeSet::new() })
     }
 
     /// A value of a part.
     pub(super) fn see(&mut self, record: &Record, labels: &Labels) {
+        self.all.see(record, labels);
         let Some(at) = self.places.get(&record.id).copied() else { return };
         let key = (labels.part.clone(), labels.serial.clone());
         if let Some((_, sheet)) = self.sheets.iter_mut().find(|(known, _)| *known == key) {
@@ -64,27 +70,30 @@ impl Parts {
         self.picture.as_ref().and_then(|picture| picture.as_ref().err())
     }
 
-    /// The parts; whether all of them are complete, and a note where there are more. What is missing is told.
-    pub(super) fn end(self, io: &mut Io<'_>) -> (Vec<PartSheet>, bool, Option<Message>) {
-        let mut is_complete = self.others.is_empty();
-        let is_one = self.sheets.len() == 1 && self.others.is_empty();
-        for ((part, serial), sheet) in &self.sheets {
-            let missing = sheet.missing();
+    /// What the parts make of the exit code; a verdict of no part counts, too.
+    pub(super) fn outcome(&self, of_none: Option<Status>) -> Outcome {
+        self.all.outcome(of_none)
+    }
+
+    /// The parts, and a note where there are more. What is missing is told.
+    pub(super) fn end(self, io: &mut Io<'_>) -> (Vec<PartSheet>, Option<Message>) {
+        let is_one = self.all.count() == (1, false);
+        let names: Vec<String> = self.plan.sizes().map(|size| size.name()).collect();
+        for (who, walk) in self.all.each() {
+            let missing: Vec<&str> = walk.missing().filter_map(|at| names.get(at)).map(String::as_str).collect();
+            let names = missing.join(", ");
             if missing.is_empty() {
                 continue;
             }
-            is_complete = false;
-            let names = missing.join(", ");
-            let who: Vec<&str> = [part.as_str(), serial].into_iter().filter(|text| !text.is_empty()).collect();
             if is_one || who.is_empty() {
                 io.warn(&CliWarning::PlanMissing { names });
             } else {
-                io.warn(&CliWarning::PlanMissingOf { who: who.join(" "), names });
+                io.warn(&CliWarning::PlanMissingOf { who, names });
             }
         }
         let more = self.others.len();
         let note = (0 < more).then(|| Message::new("report-more-parts").count("count", more).count("most", MOST));
-        (self.sheets.into_iter().map(|(_, sheet)| sheet).collect(), is_complete, note)
+        (self.sheets.into_iter().map(|(_, sheet)| sheet).collect(), note)
     }
 }
 

@@ -6,10 +6,10 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-use super::super::judging::{Judge, Warned};
+use super::super::judging::{Judge, Sizes, Warned};
 use super::super::measured::Measured;
 use super::super::progress::{Watched, Work, stopped};
-use super::super::{CliError, Io};
+use super::super::{CliError, Io, Outcome};
 use super::part::Parts;
 use crate::exchange::{self, ByPlan, Item, import_from};
 use crate::files::{self, FileError};
@@ -72,6 +72,7 @@ pub(super) fn name(path: &Path) -> String {
 
 impl Checks for Given {
     fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
+        let sizes = Sizes::of(self.plan.as_deref());
         for (path, file, work) in &self.files {
             let mut seen = Ok(());
             work.again(&name(path));
@@ -79,7 +80,7 @@ impl Checks for Given {
                 // What cannot be judged was noted at the first look.
                 if seen.is_ok()
                     && let Item::Record { record, .. } = item
-                    && let Ok(record) = self.judge.judged(*record)
+                    && let Ok((record, _said)) = self.judge.judged_of(&sizes, *record)
                 {
                     seen = see(&record);
                 }
@@ -98,7 +99,7 @@ impl Checks for Given {
 
     /// One way judges all of them.
     fn more(&self) -> io::Result<More> {
-        Ok(self.judge.more())
+        Ok(self.judge.more_of(self.plan.as_deref()))
     }
 }
 
@@ -106,6 +107,10 @@ impl Checks for Given {
 #[derive(Debug, Default)]
 pub(super) struct Collected {
     pub(super) worst: Option<Status>,
+    /// The worst of the checks that are of no file: with a plan they are of no part.
+    worst_typed: Option<Status>,
+    /// What the parts make of the exit code, with a plan.
+    outcome: Option<Outcome>,
     pub(super) notes: Vec<Message>,
     more_notes: usize,
     pub(super) bad: bool,
@@ -119,9 +124,11 @@ impl Collected {
     pub(super) fn file(&mut self, (path, file, work): (&Path, &Measured, &Work), given: &Given, io: &mut Io<'_>) {
         let name = &name(path);
         let line = |line: usize| Message::new("report-note-line").text("place", name).text("line", line);
+        let sizes = Sizes::of(given.plan.as_deref());
         given.read((path, file, work), &mut |item| match item {
-            Item::Record { record, line: at, labels } => match given.judge.judged(*record) {
-                Ok(record) => {
+            Item::Record { record, line: at, labels } => match given.judge.judged_of(&sizes, *record) {
+                Ok((record, said)) => {
+                    said.iter().for_each(|remark| self.note(line(at), remark.message(), io));
                     self.see(&record, io);
                     self.parts.iter_mut().for_each(|parts| parts.see(&record, &labels));
                 }
@@ -143,8 +150,8 @@ impl Collected {
             io.warn(why);
         }
         let name = Some(parts.plan.head.part.clone()).filter(|name| !name.is_empty());
-        let (sheets, is_complete, more) = parts.end(io);
-        self.bad |= !is_complete;
+        self.outcome = Some(parts.outcome(self.worst_typed));
+        let (sheets, more) = parts.end(io);
         self.notes.extend(more);
         (sheets, name)
     }
@@ -152,6 +159,18 @@ impl Collected {
     pub(super) fn see(&mut self, record: &Record, io: &mut Io<'_>) {
         self.warned.see(record, io);
         self.worst = self.worst.max(Some(record.verdict.status()));
+    }
+
+    /// A check from an option.
+    pub(super) fn see_typed(&mut self, record: &Record, io: &mut Io<'_>) {
+        self.see(record, io);
+        self.worst_typed = self.worst_typed.max(Some(record.verdict.status()));
+    }
+
+    /// The outcome of the report; `None` where nothing was judged.
+    pub(super) fn outcome(&self) -> Option<Outcome> {
+        let judged = Outcome::Judged(self.worst?);
+        Some(if self.bad { Outcome::BadData } else { self.outcome.unwrap_or(judged) })
     }
 
     /// The notes of the report; the last one says how many more there are.

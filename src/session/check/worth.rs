@@ -7,12 +7,14 @@ use serde::{Deserialize, Serialize};
 use super::CheckField;
 use crate::budget::{Assessment, Budget, Conditions};
 use crate::journal::Record;
+use crate::journal::planned::Beside;
 use crate::length::{Length, Unit};
 use crate::message::{Message, Say as _};
+use crate::part::PlanFeature;
 use crate::session::budget::OpenBudget;
 use crate::session::field::{KeptField as _, Range, Texts};
 use crate::tolerance::Limits;
-use crate::tolerance::fit::thermal::{Correction, Expansion, Temperature, ThermalError, Warm};
+use crate::tolerance::fit::thermal::{Correction, Temperature, ThermalError, Warm};
 use crate::verdict::Rule;
 use crate::verdict::rules::{
     Acceptance, Given, Prior, Prover, Risks, RuleError, RuleName, Uncertainty, multiple, thousandths,
@@ -189,32 +191,34 @@ impl Worth {
         Some(Correction::new(measured, part, scale))
     }
 
-    /// The same of a part whose material is known.
-    pub(in crate::session) fn correction_of(
-        &self,
-        measured: Length,
-        material: Option<Expansion>,
-    ) -> Option<Correction> {
-        let (part, scale) = self.warm?;
-        let expansion = material.unwrap_or(part.expansion);
-        Some(Correction::new(measured, Warm { expansion, ..part }, scale))
-    }
-
-    /// Judges a record by the rule of a plan, or where that has none by this one.
+    /// What the fields give for judging a value of a plan.
     ///
     /// # Errors
-    /// Why it cannot be judged: no rule, no budget, or no temperature.
-    pub(in crate::session) fn judge_by_plan(
+    /// Why it cannot be judged: a field that cannot be read, or no budget, where the plan itself does not say it.
+    pub(in crate::session) fn beside<'a>(
         &self,
-        record: Record,
-        rule: Option<Rule>,
-        budget: Option<&OpenBudget>,
-    ) -> Result<Record, Message> {
-        match (rule, &self.no_correction) {
-            (_, Some((_, problem))) => Err(problem.clone()),
-            (Some(rule), None) => Ok(record.by(rule)),
-            (None, None) => self.judge(record, budget).map_err(|(_, problem)| problem),
+        feature: &PlanFeature,
+        budget: Option<&'a OpenBudget>,
+    ) -> Result<Beside<'a>, Message> {
+        // A value that cannot be brought to 20 °C is not judged.
+        if let Some((_, problem)) = &self.no_correction {
+            return Err(problem.clone());
         }
+        let warm = self.warm;
+        match &self.no_rule {
+            None => {}
+            Some(_) if feature.has_own_rule => return Ok(Beside { warm, ..Beside::default() }),
+            Some((_, problem)) => return Err(problem.clone()),
+        }
+        let Judging { rule, from, .. } = self.judging;
+        let is_sure = feature.has_own_rule || feature.rule.is_some_and(|rule| rule.uncertainty().is_some());
+        let budget = match (from, budget) {
+            (UncertaintyFrom::Budget, Some(open)) => Some(&open.budget),
+            (UncertaintyFrom::Budget, None) if !is_sure => return Err(Message::new("budget-not-in-use")),
+            _ => None,
+        };
+        let rule = Some(rule).filter(|rule| *rule != RuleName::default());
+        Ok(Beside { rule, given: self.given, budget, warm })
     }
 
     /// Judges a record by the rule; a budget gives the uncertainty of its value and its contacts.

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
 use super::PartsPage;
-use super::judging::{by_rule, rule_said};
+use super::judging::judged_by;
 use super::measuring::Arriving;
 use crate::exchange::{ByPlan, Item, Labels};
 use crate::journal::Record;
@@ -117,8 +117,7 @@ impl PartsPage {
         if labels.serial.is_empty() && of_walk.is_some_and(|plan| !self.is_of_label(plan, &labels.part)) {
             return Err(Message::new("walk-page-other-label").text("part", labels.part.trim()));
         }
-        let record = by_rule(size, record, shared)?;
-        let remarks = vec![rule_said(size, &record)];
+        let (record, remarks) = judged_by(size, record, shared)?;
         let at = self.walking.place_of(&record.id).filter(|_| is_own);
         Ok(Arriving { at, record: Arc::new(record), remarks, labels: Some(Box::new(labels)), file: None })
     }

@@ -1,53 +1,40 @@
-//! A value of a size becomes a check: brought to 20 °C where a temperature is given, judged by the plan's rule, or else by the rule of the
-//! check page.
+//! A value of a size becomes a check, as `journal::planned` judges it: by the plan, and by the check page where the plan says nothing.
 
 use jiff::civil::DateTime;
 
 use crate::journal::Record;
+use crate::journal::planned::{Planned, PlannedRemark, judge};
 use crate::message::{Message, Say as _};
-use crate::part::{Kind, Size};
+use crate::part::Size;
 use crate::probing::Measurement;
 use crate::session::shared::Shared;
 
-/// The check of a value that was measured here.
+/// The check of a value that was measured here, and what is to be said of it.
 pub(super) fn judged(
     size: &Size<'_>,
     measurement: Measurement,
     shared: &Shared,
     now: DateTime,
 ) -> Result<(Record, Vec<Message>), Message> {
-    let (measured, feature) = (measurement.diameter, size.feature);
-    let material = feature.material.as_ref().map(|material| material.expansion);
-    let correction = shared.worth.correction_of(measured, material);
     let record = Record::judged(now, size.name(), size.callout, size.limits.clone(), measurement, None);
-    let mut remarks = Vec::new();
-    let record = match (correction, &feature.kind) {
-        (None, _) => record,
-        // A place on the part has no size of its own that could grow.
-        (Some(_), Kind::Face(..) | Kind::Point(..)) => {
-            remarks.push(Message::new("walk-page-not-corrected"));
-            record
-        }
-        (Some(correction), _) => {
-            if let Some(material) = &feature.material {
-                remarks.push(Message::new("walk-page-material").text("name", &material.name));
-            }
-            record.corrected(correction)
-        }
-    };
-    let record = by_rule(size, record, shared)?;
-    remarks.push(rule_said(size, &record));
-    Ok((record, remarks))
+    judged_by(size, record, shared)
 }
 
-/// The check of a value from a file: judged already by the plan's limits, and by the plan's rule where it has one. At which temperature it
-/// was measured is not known.
-pub(super) fn by_rule(size: &Size<'_>, record: Record, shared: &Shared) -> Result<Record, Message> {
-    shared.worth.judge_by_plan(record, size.feature.rule, shared.budget.as_deref())
+/// The same of a value from a file, which has its own time and position.
+pub(super) fn judged_by(size: &Size<'_>, record: Record, shared: &Shared) -> Result<(Record, Vec<Message>), Message> {
+    let beside = shared.worth.beside(size.feature, shared.budget.as_deref())?;
+    let planned = judge(size, record, &beside).map_err(|error| error.message())?;
+    let mut said: Vec<Message> = planned.messages().collect();
+    let Planned { record, said: remarks } = planned;
+    // That another rule does not count tells the plan's, too.
+    if !remarks.iter().any(|remark| matches!(remark, PlannedRemark::Rule { .. })) {
+        said.push(rule_said(size, &record));
+    }
+    Ok((record, said))
 }
 
 /// By which rule a check was judged, and whose it is.
-pub(super) fn rule_said(size: &Size<'_>, record: &Record) -> Message {
-    let id = if size.feature.rule.is_some() { "walk-page-rule-plan" } else { "walk-page-rule-own" };
+fn rule_said(size: &Size<'_>, record: &Record) -> Message {
+    let id = if size.feature.has_own_rule { "walk-page-rule-plan" } else { "walk-page-rule-own" };
     Message::new(id).message("rule", record.verdict.rule.message())
 }
