@@ -11,6 +11,7 @@
 //! | `arriving`, `watched` | values from files; a folder that is watched |
 //! | `resume` | an interrupted part comes back |
 //! | `reporting` | the part as a report |
+//! | `headline` | what one look is told |
 //! | `field`, `command`, `apply` | its text fields, what can be done, and how |
 
 mod apply;
@@ -19,6 +20,7 @@ mod command;
 mod document;
 mod editing;
 mod field;
+mod headline;
 mod judging;
 mod measuring;
 mod paste;
@@ -38,6 +40,7 @@ use std::sync::Arc;
 pub use command::{PartsCommand, PlanCommand, WalkCommand};
 pub use document::PlanDocument;
 pub use field::{PartsField, PlanField};
+pub use headline::{Headline, Whole};
 pub use picture::{Balloon, PartPicture, Sight};
 pub use sheet::Sheet;
 pub use walking::{Value, WalkRow, Walking};
@@ -112,6 +115,18 @@ impl PartsPage {
         }
     }
 
+    /// The file of the plan by which the part is measured, where another plan is open.
+    pub fn other_plan(&self) -> Option<String> {
+        let path = self.walking.path.as_deref().filter(|_| self.walking.is_begun())?;
+        (Some(path) != self.document.path()).then(|| name_of(path))
+    }
+
+    /// The file of the plan by which the watched folder is judged, where another plan is open.
+    pub fn watched_plan(&self) -> Option<String> {
+        let path = self.watched.plan_path()?;
+        (Some(path) != self.document.path()).then(|| name_of(path))
+    }
+
     /// The folder that is watched, and what came from it.
     pub const fn watched(&self) -> &Watched {
         &self.watched
@@ -151,4 +166,9 @@ impl PartsPage {
     pub fn is_unsaved(&self) -> bool {
         self.document.is_unsaved()
     }
+}
+
+/// The name of a file without its folder.
+fn name_of(path: &std::path::Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }
