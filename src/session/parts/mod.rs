@@ -11,11 +11,12 @@
 //! | `arriving`, `watched` | values from files; a folder that is watched |
 //! | `resume` | an interrupted part comes back |
 //! | `reporting` | the part as a report |
-//! | `headline` | what one look is told |
+//! | `headline`, `choices` | what one look is told; the words that a cell may have |
 //! | `field`, `command`, `apply` | its text fields, what can be done, and how |
 
 mod apply;
 mod arriving;
+mod choices;
 mod command;
 mod document;
 mod editing;
@@ -92,7 +93,9 @@ pub struct PartsPage {
 
 impl PartsPage {
     pub(super) fn new(saved: &SavedInputs, walk: SavedWalk) -> Self {
-        Self { texts: Texts::restored(&saved.texts), resume: Resume::new(walk), ..Self::default() }
+        // A window with an interrupted part opens there.
+        let is_shown = walk.plan.is_some();
+        Self { is_shown, texts: Texts::restored(&saved.texts), resume: Resume::new(walk), ..Self::default() }
     }
 
     /// What its fields have, by their keys in the state file.
