@@ -136,6 +136,9 @@ impl App {
         if let Effect::Focus(field) = effect {
             return field::go_to(ctx, field, self.session.text(field));
         }
+        if effect == Effect::FocusTable {
+            return parts::focus_table(ctx);
+        }
         let (sources, columns) = (self.session.sources(), self.session.remembered_columns());
         let (masks, words, now) = (self.session.own_masks(), &self.words, (self.clock)());
         self.runner.run(ctx, effect, &Beside { sources, columns, masks, words, now });

@@ -270,6 +270,7 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
         Effect::Copy(_)
         | Effect::AskForClipboard
         | Effect::Focus(_)
+        | Effect::FocusTable
         | Effect::Leave
         | Effect::JudgeRows { .. }
         | Effect::StopRows

@@ -1,13 +1,14 @@
 //! The verdict's card: one word that can be read from two metres, its shape, and the lines below it.
 
 use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::text::{LayoutJob, TextWrapping};
 use eframe::egui::{
-    Align, Align2, Color32, FontId, Frame, Layout, Margin, Response, RichText, Sense, Ui, WidgetInfo, vec2,
+    Align, Align2, Color32, FontId, Frame, Layout, Margin, Response, RichText, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 
 use super::columns::{is_low, is_tiny};
 use super::shapes;
-use super::theme::{self, Palette, palette, sizes, space};
+use super::theme::{self, Palette, control, palette, sizes, space};
 use super::view::{View, live};
 use crate::length::{Length, Unit};
 use crate::message::{Message, Say as _};
@@ -117,8 +118,8 @@ pub(super) fn card_height(ui: &Ui, view: &View<'_>, card: &Card) -> f32 {
     let size = word_size(ui, card, width);
     let word = text(&card.word, theme::bold(size));
     let mut heights = vec![word.y];
-    if !is_low(ui) {
-        heights.push(space(16.0));
+    if !is_beside(ui, card, size, width) {
+        heights.push(shape_above(ui));
     }
     if card.is_simulated {
         heights.push(text(&view.text("simulated"), theme::bold(sizes().value)).y);
@@ -150,15 +151,36 @@ fn word_size(ui: &Ui, card: &Card, width: f32) -> f32 {
     wanted.min(wanted * width / word_width(ui, &card.word, wanted).max(1.0)).floor()
 }
 
+/// What a shape beside a word of a size takes of the width.
+fn beside(size: f32) -> f32 {
+    size + space(2.0)
+}
+
+/// Whether the shape stands beside the word: where the window is low and there is room. Elsewhere it stands above it.
+fn is_beside(ui: &Ui, card: &Card, size: f32, width: f32) -> bool {
+    let word = ui.painter().layout_no_wrap(card.word.clone(), theme::bold(size), Color32::PLACEHOLDER);
+    is_low(ui) && word.size().x + beside(size) < width
+}
+
+/// The side of a shape above a word: smaller where the window is low, and never left out.
+fn shape_above(ui: &Ui) -> f32 {
+    if is_tiny(ui) {
+        space(6.0)
+    } else if is_low(ui) {
+        space(9.0)
+    } else {
+        space(16.0)
+    }
+}
+
 /// Shape and word; returns the word's size.
 fn word_ui(ui: &mut Ui, card: &Card, colour: Color32) -> f32 {
     let width = ui.available_width();
     let size = word_size(ui, card, width);
     let text = RichText::new(&card.word).font(theme::bold(size)).color(colour);
-    let galley = ui.painter().layout_no_wrap(card.word.clone(), theme::bold(size), colour);
-    // Beside the word where the window is low and there is room, above it elsewhere.
-    let beside = size + space(2.0);
-    if is_low(ui) && galley.size().x + beside < width {
+    if is_beside(ui, card, size, width) {
+        let (galley, beside) =
+            (ui.painter().layout_no_wrap(card.word.clone(), theme::bold(size), colour), beside(size));
         let row = vec2(width, galley.size().y);
         ui.allocate_ui_with_layout(row, Layout::left_to_right(Align::Center), |ui| {
             ui.add_space((width - galley.size().x - beside) / 2.0);
@@ -167,10 +189,9 @@ fn word_ui(ui: &mut Ui, card: &Card, colour: Color32) -> f32 {
             ui.label(text);
         });
     } else {
-        if !is_low(ui) || card.status.is_none() {
-            let (rect, _) = ui.allocate_exact_size(vec2(space(16.0), space(16.0)), Sense::hover());
-            shapes::status(ui.painter(), rect, card.status, colour);
-        }
+        let side = shape_above(ui);
+        let (rect, _) = ui.allocate_exact_size(vec2(side, side), Sense::hover());
+        shapes::status(ui.painter(), rect, card.status, colour);
         ui.label(text);
     }
     size
@@ -191,6 +212,34 @@ pub(super) fn chip_ui(ui: &mut Ui, status: Status, text: &str) -> Response {
     ui.painter().galley(at.min, galley, colour);
     response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
     response
+}
+
+/// The height of a strip.
+pub(super) fn strip_height(ui: &Ui) -> f32 {
+    control(ui) + space(1.0)
+}
+
+/// A verdict in one line of its own: shape, text and colour, as wide as there is room.
+pub(super) fn strip_ui(ui: &mut Ui, status: Option<Status>, is_simulated: bool, text: &str) {
+    let (fill, colour) = colours(palette(ui.ctx()), status, is_simulated);
+    let (rect, response) = ui.allocate_exact_size(vec2(ui.available_width(), strip_height(ui)), Sense::hover());
+    ui.painter().rect_filled(rect, 4.0, fill);
+    let inner = rect.shrink2(vec2(space(2.0), space(1.0)));
+    let side = space(5.0);
+    let mark = Align2::LEFT_CENTER.align_size_within_rect(vec2(side, side), inner);
+    shapes::status(ui.painter(), mark, status, colour);
+    let mut job = LayoutJob::simple_singleline(text.to_owned(), theme::bold(sizes().limits), colour);
+    job.wrap = TextWrapping::truncate_at_width(inner.width() - side - space(2.0));
+    let galley = ui.painter().layout_job(job);
+    let is_cut = galley.elided;
+    ui.painter().galley(pos2(mark.right() + space(2.0), inner.center().y - galley.size().y / 2.0), galley, colour);
+    if is_simulated {
+        shapes::dashed_frame(ui.painter(), rect, colour);
+    }
+    response.widget_info(|| WidgetInfo::labeled(Role::Label, true, text));
+    if is_cut {
+        response.on_hover_text(text);
+    }
 }
 
 /// The fill of a verdict and the colour on it: pale where nobody measured.

@@ -75,11 +75,17 @@ impl View<'_> {
     }
 
     /// The page's main action, in this size.
-    pub fn main_button(&mut self, ui: &mut Ui, action: Action, size: Vec2) {
+    pub fn main_button(&mut self, ui: &mut Ui, action: Action, size: Vec2) -> Response {
         let palette = theme::palette(ui.ctx());
         let text = RichText::new(action.text(self.session, self.words)).color(palette.on_accent.0);
         let text = text.font(theme::bold(theme::sizes().body));
-        self.button_as(ui, action, Button::new(text).fill(palette.accent.0).min_size(size));
+        let response = self.button_as(ui, action, Button::new(text).fill(palette.accent.0).min_size(size));
+        if response.has_focus() {
+            // The usual ring has the colour of the button.
+            let (rect, stroke) = (response.rect.expand(1.0), egui::Stroke::new(2.0, palette.accent.0));
+            ui.painter().rect_stroke(rect, 5.0, stroke, egui::StrokeKind::Outside);
+        }
+        response
     }
 
     /// The width of a main button that has room for each of these actions, so that it stays where it is when its
@@ -251,6 +257,11 @@ pub(super) fn keep_focus(ui: &Ui, list: &Response) {
     if ui.input(|input| input.key_pressed(Key::Space) || input.key_pressed(Key::Enter)) {
         list.request_focus();
     }
+}
+
+/// A part of a page whose widgets keep their ids, whatever stands before it: the focus stays where it is.
+pub(super) fn steady<T>(ui: &mut Ui, id: impl Hash + Debug, content: impl FnOnce(&mut Ui) -> T) -> T {
+    ui.scope_builder(egui::UiBuilder::new().scope_id(egui::Id::unique(("steady", id))), content).inner
 }
 
 /// Makes a widget a live region: a screen reader reads it whenever it changes.

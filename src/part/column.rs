@@ -111,7 +111,7 @@ impl Column {
     }
 
     /// Whether a file has it as a number where it is one.
-    pub(super) const fn is_number(self) -> bool {
+    pub const fn is_number(self) -> bool {
         matches!(
             self,
             Self::Number

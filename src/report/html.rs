@@ -19,6 +19,7 @@ use askama::Template;
 
 use seen::Seen;
 
+use super::part::PartSheet;
 use super::picture;
 use super::text;
 use super::{Rendering, Report};
@@ -220,7 +221,7 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
     let notes = Notes {
         words,
         told: seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note))).collect(),
-        summary: (1 < seen.total).then(|| summary(&seen, words)),
+        summary: (1 < seen.total).then(|| summary(&seen, &report.parts, words)),
     };
     if !notes.told.is_empty() || notes.summary.is_some() {
         notes.write(out)?;
@@ -273,14 +274,23 @@ fn entries(report: &Report, seen: &Seen, words: &Words) -> Vec<Entry> {
     .collect()
 }
 
-fn summary(seen: &Seen, words: &Words) -> Summary {
+fn summary(seen: &Seen, parts: &[PartSheet], words: &Words) -> Summary {
     let counts = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].into_iter().filter_map(|status| {
         let count = Status::ALL.iter().position(|known| *known == status).and_then(|at| seen.counts.get(at));
         let count = count.copied().unwrap_or_default();
         // Nothing is re-measured without a guard band, so a zero would only raise questions.
         (status != Status::ReMeasure || 0 < count).then(|| Count { word: words.told(&status), count })
     });
-    Summary { counts: counts.collect(), total: seen.total }
+    // What a part lacks belongs to its sizes, too.
+    let standings: Vec<_> = parts.iter().map(PartSheet::standing).collect();
+    let lacks = [
+        ("report-missing", standings.iter().map(|standing| standing.missing).sum::<usize>()),
+        ("report-skipped", standings.iter().map(|standing| standing.skipped).sum()),
+    ];
+    let total = seen.total + lacks.iter().map(|(_, count)| count).sum::<usize>();
+    let lacks = lacks.into_iter().filter(|(_, count)| 0 < *count);
+    let counts = counts.chain(lacks.map(|(id, count)| Count { word: words.get(id), count })).collect();
+    Summary { counts, total }
 }
 
 fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check> {

@@ -497,6 +497,8 @@ pub enum Effect {
     Copy(String),
     /// Give the focus to a field and select its text.
     Focus(Field),
+    /// Give the focus to the table of the plan.
+    FocusTable,
 }
 
 impl Effect {

@@ -147,6 +147,10 @@ impl Session {
         let awaited = saved.tables_folder.as_ref().map(|folder| Absent::Awaited(folder.to_string_lossy().into()));
         let sources = Sources::default().with_base(saved.source, shipped_tables).with_options(saved.standard);
         shared.sources = Arc::new(sources.with_absent(awaited));
+        if saved.walk.plan.is_some() {
+            // An interrupted part goes on where it was.
+            shared.page = Page::Parts;
+        }
         // A folder that cannot be read now may be there the next time.
         shared.tables_folder.clone_from(&saved.tables_folder);
         shared.own_mask = saved.mask.clone().map(OwnMask::Awaited).unwrap_or_default();

@@ -117,7 +117,7 @@ fn the_page_begins_with_the_part_its_picture_and_every_value_with_its_origin_and
             "<svg class=\"balloon good\" x=\"100.00%\" y=\"0.00%\"",
             "<title>Balloon 2, SEAT, GOOD</title>",
             "flange.png; one feature has no balloon on it",
-            "<bdi>BORE_A</bdi></td><td>25 H7</td><td class=\"number\">25.012 mm</td><td class=\"number\">+12 µm</td>",
+            "<bdi>BORE_A</bdi></td><td class=\"whole\">25 H7</td><td class=\"whole\">25.000 … 25.021</td><td class=\"number\">25.012 mm</td><td class=\"number\">+12 µm</td>",
             "values.csv",
             "no guard band",
             "<bdi>HUB</bdi>",

@@ -409,7 +409,8 @@ fn a_plan_with_every_kind_of_mistake_opens_and_shows_all_of_them() {
     let effects = act(&mut session, Action::NextFinding);
     assert_eq!(effects, [Effect::Focus(Field::Plan(PlanField::Head(HeadField::Material)))]);
     let effects = plan(&mut session, PlanCommand::GoToFinding(3));
-    assert_eq!((effects.len(), session.parts().sheet().at()), (0, (1, Column::X)));
+    // What is typed next goes there.
+    assert_eq!((effects.as_slice(), session.parts().sheet().at()), ([Effect::FocusTable].as_slice(), (1, Column::X)));
 }
 
 /// Two features that are right, and a third one.

@@ -223,6 +223,88 @@ fn what_is_wrong_is_marked_listed_and_reached() {
     assert_eq!(field.accesskit_node().data().invalid(), Some(Invalid::True));
 }
 
+/// Whether the table has the focus.
+fn is_at_table(page: &Page) -> bool {
+    page.get_by_role_and_label(Role::Grid, "Features of the plan").accesskit_node().is_focused()
+}
+
+#[test]
+fn a_new_plan_is_typed_into_at_once_and_is_no_mistake() {
+    let (_folder, path) = folder(PLATE);
+    // On the walk, too: the new plan is where the keys are.
+    let mut page = Window { files: vec![(Purpose::OpenPlan, path)], ..Window::default() }.open();
+    page.key_press_modifiers(Modifiers::COMMAND, Key::N);
+    page.run();
+    page.get_by_label("Type the first feature, or paste rows of a spreadsheet");
+    assert!(page.query_by_label_contains("fault").is_none());
+    assert!(is_at_table(&page));
+    type_text(&mut page, "1");
+    press(&mut page, Key::Tab);
+    type_text(&mut page, "A1");
+    press(&mut page, Key::Enter);
+    assert_eq!(texts(&page, Column::Name), ["A1"]);
+    page.get_by_label("One fault");
+}
+
+#[test]
+fn the_table_stays_where_it_is_whether_there_are_faults_or_not() {
+    let (_folder, mut page) = plate();
+    let top = page.get_by_label("Row 1, Callout, 25 H7").rect().top();
+    cell(&mut page, "Row 3, Callout, 16 H7");
+    type_text(&mut page, "16 Q7");
+    page.get_by_label("One fault");
+    assert!((page.get_by_label("Row 1, Callout, 25 H7").rect().top() - top).abs() < 0.5);
+    press(&mut page, Key::Enter);
+    // What leads to a fault leaves the keys there.
+    press(&mut page, Key::F4);
+    type_text(&mut page, "16 H7");
+    press(&mut page, Key::Enter);
+    page.get_by_label("No faults in the plan");
+    assert!((page.get_by_label("Row 1, Callout, 25 H7").rect().top() - top).abs() < 0.5);
+    // After a notice the keys are in the table.
+    page.input_mut().events.push(Event::Paste("a\tb\tc\td\te\tf\tg\th\ti\n".to_owned()));
+    page.run();
+    page.get_by_label_contains("pasted column");
+    press(&mut page, Key::Escape);
+    assert!(is_at_table(&page));
+}
+
+#[test]
+fn the_words_that_a_cell_may_have_are_offered_below_it() {
+    let (_folder, path) = folder(&PLATE.replace("picture = \"plate.svg\"\n", ""));
+    let mut page = open(Window::default(), &path);
+    cell(&mut page, "Row 1, Kind, empty");
+    press(&mut page, Key::F2);
+    click(&mut page, Role::Button, "width");
+    assert_eq!(texts(&page, Column::Kind)[0], "width");
+    assert!(is_at_table(&page));
+    // By key: the second of those that begin with what is typed.
+    type_text(&mut page, "p");
+    press(&mut page, Key::ArrowDown);
+    press(&mut page, Key::ArrowDown);
+    press(&mut page, Key::Enter);
+    assert_eq!(texts(&page, Column::Kind)[1], "point");
+    // A callout without letters: the column that says hole or shaft comes into sight.
+    cell(&mut page, "Row 3, Callout, 16 H7");
+    type_text(&mut page, "16 +0.1/0");
+    press(&mut page, Key::Enter);
+    cell(&mut page, "Row 3, Hole or shaft, empty");
+    press(&mut page, Key::F2);
+    click(&mut page, Role::Button, "hole");
+    assert_eq!(texts(&page, Column::Feature)[2], "hole");
+}
+
+#[test]
+fn without_a_plan_there_are_buttons_where_the_text_is() {
+    let mut page = Window::default().open();
+    page.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
+    page.run();
+    click(&mut page, Role::Button, "Plan");
+    page.get_by_label("No plan yet: open or create one.");
+    let lowest = page.get_all_by_role_and_label(Role::Button, "New plan").map(|node| node.rect().top());
+    assert!(100.0 < lowest.fold(0.0, f32::max));
+}
+
 fn balloon(page: &Page, row: usize) -> Option<[f64; 2]> {
     page.state().session().parts().balloons()[row].at
 }
@@ -249,6 +331,10 @@ fn balloons_are_dragged_and_moved_by_key() {
     page.key_press_modifiers(Modifiers::COMMAND, Key::Z);
     page.run();
     assert_eq!(balloon(&page, 0), Some([0.25, 0.5]), "a drag is one change");
+    // What was let go is moved by the keys next.
+    press(&mut page, Key::ArrowRight);
+    assert!((balloon(&page, 0).unwrap()[0] - 0.255).abs() < 1e-6, "{:?}", balloon(&page, 0));
+    press(&mut page, Key::ArrowLeft);
     // From beside the picture onto it.
     let three = page.get_by_label("Balloon 3, A10, not measured, not on the picture").rect().center();
     page.drag_at(three);

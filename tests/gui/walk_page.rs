@@ -8,7 +8,7 @@ use std::time::{Duration, Instant};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Key, Modifiers, Theme, Vec2, ViewportId, vec2};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
+use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::journal::{Local, Records};
 use fitcheck::gui::{App, Store};
 use fitcheck::journal::ask::Question;
@@ -156,9 +156,13 @@ fn twelve_features_are_measured_from_everywhere() {
     value(&mut page, "12.03");
     page.get_by_label("Measured 2 times: all values are kept, and this one is used");
     page.get_by_label("Every size has a value or is skipped");
-    page.get_by_label("12 measured, 0 missing, 1 skipped");
-    page.get_by_label_contains("6 values are simulated");
-    page.get_by_label("No verdict yet");
+    // Nothing is open: the large verdict is the part's, and the last size is the small line.
+    let said = verdict(&page);
+    assert!(said.starts_with("No verdict yet. The part A-0099"), "{said}");
+    for reason in ["12 measured, 0 missing, 1 skipped", "Skipped: D11", "6 values are simulated"] {
+        assert!(said.contains(reason), "{said}");
+    }
+    page.get_by_label("D12: 12.030 mm, GOOD");
     assert_eq!(recorded(folder.path()), 13);
     // The next part.
     press(&mut page, Key::F8);
@@ -184,9 +188,12 @@ fn an_interrupted_part_is_there_after_a_restart() {
     drop(page);
     let window = Window { files: Vec::new(), ..window_of(folder.path(), DESK) };
     let mut page = window.open();
-    page.key_press_modifiers(Modifiers::COMMAND, Key::Num9);
-    page.run();
+    // The window opens where the part is, and what is typed is its next value.
+    assert_eq!(page.state().session().page(), Page::Parts);
     page.get_by_label("The interrupted part A-0099 was restored with 2 values");
+    assert!(has_focus(&page, Role::TextInput, "Measured value"));
+    press(&mut page, Key::Escape);
+    assert!(has_focus(&page, Role::TextInput, "Measured value"));
     assert_eq!(asked(&page).as_deref(), Some("SLOT"));
     let list = rows(&page);
     assert!(list[0].contains("GOOD") && list[0].contains("25.010 mm") && list[0].contains("2 values"), "{list:?}");
@@ -285,6 +292,172 @@ fn a_scanner_types_the_serial_number_once_a_plan_is_open() {
     page.event(eframe::egui::Event::Text("B-1".to_owned()));
     press(&mut page, Key::Enter);
     assert_eq!(page.state().session().parts().walking().serial(), "B-1");
+}
+
+/// Three sizes.
+const THREE: &str = "number;name;callout\n1;A;25 H7\n2;B;20 H7\n3;C;16 H7\n";
+
+fn begun_with_three(folder: &Path, size: Vec2) -> Harnessed {
+    put(&folder.join("flange.csv"), THREE);
+    let mut page = window_of(folder, size).open();
+    type_into(&mut page, "Serial number", "A-1");
+    press(&mut page, Key::Enter);
+    page
+}
+
+/// Whether what has a role and a name has the focus.
+fn has_focus(page: &Harnessed, role: Role, name: &str) -> bool {
+    page.get_by_role_and_label(role, name).accesskit_node().is_focused()
+}
+
+#[test]
+fn the_large_verdict_is_the_parts_once_nothing_is_open() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun_with_three(folder.path(), DESK);
+    page.get_by_label("The part: no verdict yet");
+    value(&mut page, "25.03");
+    assert!(verdict(&page).starts_with("SCRAP"), "{}", verdict(&page));
+    value(&mut page, "20.01");
+    // The size is large, and that the part is scrap is plain to see.
+    assert!(verdict(&page).starts_with("GOOD"), "{}", verdict(&page));
+    page.get_by_label("The part: SCRAP");
+    value(&mut page, "16.01");
+    let said = verdict(&page);
+    assert!(said.starts_with("SCRAP. The part A-1. Because of A. 3 measured, 0 missing, 0 skipped"), "{said}");
+    page.get_by_label("C: 16.010 mm, GOOD");
+    assert!(page.query_by_label_contains("The part: ").is_none());
+    // The next part is the main thing to do.
+    assert!(has_focus(&page, Role::Button, "Next part"));
+    press(&mut page, Key::Enter);
+    assert!(has_focus(&page, Role::TextInput, "Serial number"));
+    assert!(!page.state().session().parts().walking().is_begun());
+}
+
+#[test]
+fn measuring_again_is_of_the_selected_size_whose_own_verdict_is_shown() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun_with_three(folder.path(), DESK);
+    for text in ["25.03", "20.01"] {
+        value(&mut page, text);
+    }
+    let row = |page: &mut Harnessed, name: &str| {
+        page.get_by(|node| node.role() == Role::Row && node.label().is_some_and(|label| label.contains(name))).click();
+        page.run();
+    };
+    row(&mut page, "1  A");
+    assert!(verdict(&page).starts_with("SCRAP") && verdict(&page).contains("A: 25.030 mm"), "{}", verdict(&page));
+    row(&mut page, "3  C");
+    assert!(!verdict(&page).contains("mm"), "nothing is measured of it: {}", verdict(&page));
+    row(&mut page, "2  B");
+    press(&mut page, Key::F6);
+    assert_eq!(asked(&page).as_deref(), Some("B"));
+    assert!(has_focus(&page, Role::TextInput, "Measured value"));
+    value(&mut page, "20.02");
+    assert!(verdict(&page).contains("B: 20.020 mm"), "{}", verdict(&page));
+    // After a value it is of the size that was measured last.
+    press(&mut page, Key::F6);
+    assert_eq!(asked(&page).as_deref(), Some("B"));
+}
+
+/// Where the left edges and tops of some things are.
+fn places(page: &Harnessed) -> Vec<(String, i32, i32)> {
+    let names = ["Report…", "Watch a folder…", "Use value", "Skip", "Import values…"];
+    let place = |name: &&str| {
+        let rect = page.get_by_role_and_label(Role::Button, name).rect();
+        let dot = |side: f32| format!("{side:.0}").parse().unwrap();
+        ((*name).to_owned(), dot(rect.left()), dot(rect.top()))
+    };
+    names.iter().map(place).collect()
+}
+
+#[test]
+fn nothing_moves_when_a_verdict_or_an_error_comes() {
+    for size in [DESK, vec2(1024.0, 600.0)] {
+        let folder = tempfile::tempdir().unwrap();
+        let mut page = begun_with_three(folder.path(), size);
+        let before = places(&page);
+        let columns = |page: &Harnessed| page.get_by_label_contains("2  B").rect();
+        let row = columns(&page);
+        for (said, text) in [("GOOD", "25.01"), ("REWORK", "19.99"), ("SCRAP", "16.03")] {
+            value(&mut page, "abc");
+            assert_eq!(places(&page), before, "an error at {size}");
+            press(&mut page, Key::F7);
+            press(&mut page, Key::Escape);
+            assert_eq!(places(&page), before, "a reason that is not given at {size}");
+            if said == "SCRAP" {
+                break;
+            }
+            value(&mut page, text);
+            assert!(verdict(&page).starts_with(said), "{}", verdict(&page));
+            assert_eq!(places(&page), before, "{said} at {size}");
+        }
+        assert_eq!(columns(&page), row);
+    }
+}
+
+#[test]
+fn a_reason_is_asked_for_in_place_and_by_key() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun_with_three(folder.path(), vec2(1024.0, 600.0));
+    press(&mut page, Key::F7);
+    assert!(has_focus(&page, Role::Button, "No access for the probe"));
+    for name in ["Gauge missing", "Not machined yet", "Measured elsewhere", "Skip for this reason", "Do not skip"] {
+        let rect = page.get_by_role_and_label(Role::Button, name).rect();
+        assert!(rect.bottom() < 600.0, "{name}: {rect:?}");
+    }
+    press(&mut page, Key::Enter);
+    assert_eq!(asked(&page).as_deref(), Some("B"));
+    assert!(has_focus(&page, Role::TextInput, "Measured value"));
+    press(&mut page, Key::F7);
+    press(&mut page, Key::Escape);
+    assert!(has_focus(&page, Role::TextInput, "Measured value"));
+}
+
+#[test]
+fn the_focus_comes_back_to_the_value_and_the_ring_stays_where_it_is() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun_with_three(folder.path(), DESK);
+    // A notice, a dialog.
+    let csv = folder.path().join("values.csv");
+    put(&csv, "name;measured\nB;20.006\nNOBODY;3\n");
+    drop_file(&mut page, csv);
+    page.get_by_label("values.csv: 1 imported, 1 not");
+    press(&mut page, Key::Escape);
+    assert!(has_focus(&page, Role::TextInput, "Measured value"));
+    click(&mut page, Role::Button, "Watch a folder…");
+    press(&mut page, Key::Escape);
+    assert!(has_focus(&page, Role::TextInput, "Measured value"));
+    // What comes from a folder changes nothing of the focus.
+    let drops = folder.path().join("drops");
+    std::fs::create_dir(&drops).unwrap();
+    let ctx = page.ctx.clone();
+    page.state_mut().send(&ctx, WalkCommand::Watch { folder: drops.clone(), is_folder: true }.into());
+    until(&mut page, |page| page.state().session().parts().watched().known().is_some());
+    page.get_by_role_and_label(Role::Button, "Watch a folder…").focus();
+    page.run();
+    put(&drops.join("d.csv"), "name;measured\nC;16.005\n");
+    until(&mut page, |page| page.state().session().parts().watched().count() == 1);
+    assert!(has_focus(&page, Role::Button, "Watch a folder…"));
+}
+
+#[test]
+fn a_low_window_shows_the_shape_of_every_verdict_and_what_is_asked() {
+    let folder = tempfile::tempdir().unwrap();
+    let page = begun_with_three(folder.path(), vec2(1024.0, 600.0));
+    page.get_by_label_contains("2  B, 20 H7");
+}
+
+#[test]
+fn the_plan_is_named_where_another_one_is_open() {
+    let folder = tempfile::tempdir().unwrap();
+    let mut page = begun_with_three(folder.path(), DESK);
+    assert!(page.query_by_label("Measured by the plan flange.csv").is_none());
+    let other = folder.path().join("other.csv");
+    put(&other, THREE);
+    let ctx = page.ctx.clone();
+    page.state_mut().send(&ctx, FilesCommand::Open(Purpose::OpenPlan, other).into());
+    page.run();
+    page.get_by_label("Measured by the plan flange.csv");
 }
 
 #[test]

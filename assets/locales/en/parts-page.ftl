@@ -44,6 +44,7 @@ parts-page-limits = Limits
 parts-page-editing = { $column } of row { $row }
 parts-page-head = Part
 parts-page-no-fault = No faults in the plan
+parts-page-blank = Type the first feature, or paste rows of a spreadsheet
 parts-page-faults = { $count ->
     [one] One fault
    *[other] { $count } faults

@@ -104,9 +104,9 @@ walk-page-watch-no-plan = watching a folder needs a plan without faults: open on
 walk-page-watch-no-journal = the journal cannot be opened: which files were imported before is unknown, so no folder is watched
 walk-page-watch-begins = Checking the journal for files imported before
 walk-page-known = { $count ->
-        [0] No file was imported before
-        [one] One file was imported before and is not imported again
-       *[other] { $count } files and parts of files were imported before and are not imported again
+        [0] The journal has no files from before
+        [one] The journal has one file from before, from any folder: it is not imported again
+       *[other] The journal has { $count } files and parts of files from before, from any folder: they are not imported again
     }
 walk-page-mask = FN 16 output is read back through the mask { $name }
 walk-page-watch-recording = Being recorded
@@ -116,6 +116,18 @@ walk-page-watch-count = { $count ->
        *[other] { $count } files imported
     }
 walk-page-report = Report…
+walk-page-report-html = Inspection report (HTML)…
+walk-page-report-csv = Values of the part as CSV…
+walk-page-report-json = Values of the part as JSON…
+walk-page-because = Because of { $names }
+walk-page-left-out = Skipped: { $names }. A part with skipped sizes cannot be good.
+walk-page-whole = The whole part
+walk-page-whole-serial = The part { $serial }
+walk-page-strip-open = The part: no verdict yet
+walk-page-strip-part = The part: { $status }
+walk-page-strip-size = { $name }: { $value } mm, { $status }
+walk-page-by-plan = Measured by the plan { $name }
+walk-page-judged-by-plan = Judged by the plan { $name }
 walk-page-watch-no-mask = Your own mask { $path } cannot be read: the folder is watched once it is chosen again, or another mask is (Menu, Own mask…)
 walk-page-watch-nobody = { $count ->
         [one] One value is recorded without a serial number: its file names none, and no part is being measured by this plan

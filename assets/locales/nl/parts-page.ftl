@@ -39,11 +39,12 @@ parts-page-table = Kenmerken van het plan
 parts-page-cell = Rij { $row }, { $column }, { $text }
 parts-page-cell-empty = Rij { $row }, { $column }, leeg
 parts-page-cell-wrong = { $cell }, fout: { $what }
-parts-page-new-row = volgende
+parts-page-new-row = nieuw
 parts-page-limits = Grensmaten
 parts-page-editing = { $column } van rij { $row }
 parts-page-head = Onderdeel
 parts-page-no-fault = Er is niets mis met het plan
+parts-page-blank = Typ het eerste kenmerk, of plak rijen van een rekenblad
 parts-page-faults = { $count ->
     [one] Eén fout
    *[other] { $count } fouten

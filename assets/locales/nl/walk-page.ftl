@@ -104,9 +104,9 @@ walk-page-watch-no-plan = een map wordt bewaakt met een plan zonder fouten: open
 walk-page-watch-no-journal = het journaal kan niet worden geopend: wat al genomen is, is niet bekend, dus er wordt geen map bewaakt
 walk-page-watch-begins = Het journaal wordt gevraagd wat al genomen is
 walk-page-known = { $count ->
-        [0] Er is nog niets genomen
-        [one] Eén bestand is al genomen, en wordt niet nog eens genomen
-       *[other] { $count } bestanden en delen van bestanden zijn al genomen, en worden niet nog eens genomen
+        [0] Het journaal heeft nog geen bestanden
+        [one] Het journaal heeft één eerder bestand, uit welke map ook: het wordt niet nog eens genomen
+       *[other] Het journaal heeft { $count } eerdere bestanden en delen van bestanden, uit welke map ook: ze worden niet nog eens genomen
     }
 walk-page-mask = Afdrukken worden teruggelezen door het masker { $name }
 walk-page-watch-recording = Wordt vastgelegd
@@ -116,6 +116,18 @@ walk-page-watch-count = { $count ->
        *[other] { $count } bestanden genomen
     }
 walk-page-report = Rapport…
+walk-page-report-html = Meetrapport (HTML)…
+walk-page-report-csv = Waarden van het onderdeel als CSV…
+walk-page-report-json = Waarden van het onderdeel als JSON…
+walk-page-because = Wegens { $names }
+walk-page-left-out = Overgeslagen: { $names }. Een onderdeel met overgeslagen maten kan niet goed zijn.
+walk-page-whole = Het hele onderdeel
+walk-page-whole-serial = Onderdeel { $serial }
+walk-page-strip-open = Het onderdeel: nog geen oordeel
+walk-page-strip-part = Het onderdeel: { $status }
+walk-page-strip-size = { $name }: { $value } mm, { $status }
+walk-page-by-plan = Gemeten met het plan { $name }
+walk-page-judged-by-plan = Beoordeeld met het plan { $name }
 walk-page-watch-no-mask = Je eigen masker { $path } kan niet worden gelezen: de map wordt bewaakt zodra het opnieuw of een ander masker gekozen is (Menu, Eigen masker…)
 walk-page-watch-nobody = { $count ->
         [one] Eén waarde is vastgelegd zonder serienummer: het bestand noemt er geen, en er wordt geen onderdeel met dit plan gemeten

@@ -5,9 +5,11 @@
 //! | `head` | above both views: the switch between them, new, open, save |
 //! | `plan_view`, `plan` | the plan as a table |
 //! | `picture` | the part's picture with its balloons |
+//! | `home` | where the focus goes when whatever had it is gone |
 //! | `walk` | the part that is measured, feature by feature |
 
 mod head;
+mod home;
 mod picture;
 mod plan;
 mod plan_view;
@@ -17,11 +19,12 @@ use eframe::egui::{CentralPanel, Frame, Panel, Ui};
 
 use super::view::View;
 use crate::session::parts::PartsView;
-pub(super) use plan::grid::id as plan_id;
+pub(super) use plan::grid::{focus as focus_table, id as plan_id};
 pub(super) use walk::sizes_id;
 
 /// The page.
 pub(super) fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
+    home::home_ui(ui, view);
     let is_walk = view.session.parts().view() == PartsView::Walk;
     // Where there is no room, the head scrolls with the walk: the verdict stays in sight.
     if !(is_walk && walk::has_head(ui, view)) {

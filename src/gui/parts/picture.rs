@@ -170,6 +170,10 @@ fn balloon_ui(ui: &Ui, view: &mut View<'_>, (balloon, at): (&Balloon, Pos2), (re
             view.send(PartsCommand::Plan(PlanCommand::PlaceBalloon { row: balloon.row, at, is_done }));
         }
     }
+    // What is clicked or let go is moved by the keys next.
+    if response.clicked() || response.drag_stopped() {
+        response.request_focus();
+    }
     keys(ui, view, balloon, &response);
     response.clicked()
 }

@@ -1,20 +1,21 @@
 //! The plan as a table, with its picture beside it and what is wrong with it below.
 
-use eframe::egui::{CentralPanel, Frame, Ui};
+use eframe::egui::{CentralPanel, Frame, Ui, vec2};
 
 use super::picture;
 use super::plan::{faults, form, grid, tools};
 use crate::gui::columns::{Side, column_ui, of_height, panel_ui};
 use crate::gui::keypad::keypad_ui;
-use crate::gui::theme::space;
-use crate::gui::view::View;
+use crate::gui::theme::{control, space};
+use crate::gui::view::{View, quiet};
+use crate::session::Action;
 
 /// The least size of a window in which table, picture and faults stand beside each other.
 const ROOM: [f32; 2] = [225.0, 160.0];
 
 pub(super) fn plan_ui(ui: &mut Ui, view: &mut View<'_>) {
     if view.session.parts().document().is_empty() {
-        return faults::none_ui(ui, view);
+        return none_ui(ui, view);
     }
     keypad_ui(ui, view);
     let size = ui.ctx().content_rect().size();
@@ -24,6 +25,20 @@ pub(super) fn plan_ui(ui: &mut Ui, view: &mut View<'_>) {
     } else {
         large_ui(ui, view);
     }
+}
+
+/// No plan yet: what can be done about it, in the middle.
+fn none_ui(ui: &mut Ui, view: &mut View<'_>) {
+    ui.add_space(ui.available_height() * 0.3);
+    ui.vertical_centered(|ui| {
+        quiet(ui, view.text("parts-page-no-plan"));
+        let actions = [Action::OpenPlan, Action::NewPlan];
+        let size = vec2(view.width_of(ui, &actions), control(ui));
+        for action in actions {
+            let button = view.named(action).min_size(size);
+            view.button_as(ui, action, button);
+        }
+    });
 }
 
 /// Everything below each other; the page scrolls.
@@ -54,15 +69,11 @@ fn large_ui(ui: &mut Ui, view: &mut View<'_>) {
     if faults::has_any(view) {
         let all = ui.available_height();
         let sizes = ((all * 0.4).min(space(50.0)), space(22.0)..=(all * 0.6).max(space(23.0)));
-        panel_ui(ui, view, Side::Bottom, "plan-faults", sizes, |ui, view| {
-            faults::count_ui(ui, view);
-            faults::list_ui(ui, view);
-        });
+        panel_ui(ui, view, Side::Bottom, "plan-faults", sizes, faults::list_ui);
     }
     CentralPanel::default().frame(Frame::central_panel(ui.style()).inner_margin(0.0)).show(ui, |ui| {
-        if !faults::has_any(view) {
-            faults::count_ui(ui, view);
-        }
+        // In its place whether there are faults or not: the table does not move.
+        faults::count_ui(ui, view);
         let room = ui.available_height() - space(8.0);
         of_height(ui, room, |ui| grid::grid_ui(ui, view));
         faults::here_ui(ui, view);

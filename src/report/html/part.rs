@@ -58,6 +58,7 @@ pub(super) struct SizeView {
     pub number: String,
     pub name: String,
     pub asked: String,
+    pub limits: String,
     pub measured: String,
     pub deviation: String,
     pub word: String,
@@ -218,6 +219,7 @@ fn size_view(size: &Size<'_>, step: &Step, record: Option<&crate::journal::Recor
         number: size.feature.number.clone(),
         name: size.name(),
         asked: size.callout.map_or_else(of_point, |callout| callout.to_string()),
+        limits: limits(size, words),
         measured: record.map(|record| mm(record.measurement.diameter)).unwrap_or_default(),
         deviation: record
             .map(|record| format!("{} µm", words.signed_um(record.verdict.size.deviation)))
@@ -226,6 +228,14 @@ fn size_view(size: &Size<'_>, step: &Step, record: Option<&crate::journal::Recor
         origin: record.map(|record| words.told(&record.measurement.origin)).unwrap_or_default(),
         rule: record.map(|record| origins::rule(record.verdict.rule, words)).unwrap_or_default(),
     }
+}
+
+/// Minimum and maximum, with as many decimals as both need.
+fn limits(size: &Size<'_>, words: &Words) -> String {
+    let ends = [size.limits.minimum(), size.limits.maximum()];
+    let decimals = ends.into_iter().map(decimals_of).fold(3, usize::max);
+    let [minimum, maximum] = ends.map(|end| words.mm(end, decimals));
+    format!("{minimum} … {maximum}")
 }
 
 /// Whether any part has a picture that the page can show.

@@ -65,7 +65,10 @@ impl Action {
             Self::Export(number) => {
                 RENDERINGS.get(number).map(|to| words.get(&format!("export-{}", to.name))).unwrap_or_default()
             }
-            Self::ReportRecords(number) | Self::ReportPart(number) => {
+            Self::ReportPart(number) => {
+                RENDERINGS.get(number).map(|to| words.get(&format!("walk-page-report-{}", to.name))).unwrap_or_default()
+            }
+            Self::ReportRecords(number) => {
                 RENDERINGS.get(number).map(|to| words.get(&format!("export-{}", to.name))).unwrap_or_default()
             }
             Self::SavePairs(number) => PAIR_FORMATS

@@ -32,7 +32,7 @@ impl PageState for PartsPage {
             PartsCommand::Show(view) => {
                 self.settle();
                 self.view = view;
-                self.ask_for_serial();
+                self.ask_for_keys();
             }
             PartsCommand::Plan(command) => effects.extend(self.apply_plan(command, shared)),
             PartsCommand::Walk(command) => effects = self.apply_walk(command, shared, now),
@@ -45,10 +45,11 @@ impl PageState for PartsPage {
     }
 
     fn follow(&mut self, news: &News, shared: &mut Shared) {
+        let was_begun = self.walking.is_begun();
         if let News::Opened(page) = news {
             self.settle();
             self.is_shown = *page == Page::Parts;
-            self.ask_for_serial();
+            self.ask_for_keys();
         }
         if matches!(news, News::Sources | News::OwnTables) {
             self.document.check(&shared.sources);
@@ -67,6 +68,9 @@ impl PageState for PartsPage {
             _ => {}
         }
         self.keep_picture();
+        if !was_begun && self.walking.is_begun() {
+            self.ask_for_keys();
+        }
     }
 }
 
@@ -97,6 +101,7 @@ impl PartsPage {
             let document = PlanDocument::read(path, *document, &shared.sources);
             self.open_or_ask(document, shared);
             self.try_resume(shared);
+            self.ask_for_keys();
         }
     }
 
@@ -116,18 +121,27 @@ impl PartsPage {
         self.document = document;
         // What is still being written is another plan.
         self.saving = None;
+        if self.document.is_blank() {
+            self.view = PartsView::Plan;
+        }
         self.sheet = Sheet::of(&self.document);
         self.shown = Shown::default();
         self.opened += 1;
-        self.ask_for_serial();
+        self.ask_for_keys();
     }
 
-    /// Where a part can be begun, what a reader scans is its serial number.
-    fn ask_for_serial(&mut self) {
-        let can_begin = self.document.plan().is_some() && !self.walking.is_begun();
-        if self.is_shown && self.view == PartsView::Walk && can_begin {
-            self.errands.push(Effect::Focus(PartsField::Serial.into()));
-        }
+    /// Gives the keys to what is typed next: the table of the plan, the value of the size that is asked for, or the serial number where a
+    /// part can be begun.
+    fn ask_for_keys(&mut self) {
+        let effect = match self.view {
+            PartsView::Plan if self.document.is_empty() => None,
+            PartsView::Plan => Some(Effect::FocusTable),
+            PartsView::Walk if self.walking.is_begun() => {
+                self.walking.at().map(|_| Effect::Focus(PartsField::Value.into()))
+            }
+            PartsView::Walk => self.document.plan().map(|_| Effect::Focus(PartsField::Serial.into())),
+        };
+        self.errands.extend(effect.filter(|_| self.is_shown));
     }
 
     /// The bytes for a file.

@@ -127,7 +127,7 @@ pub enum WalkCommand {
     TakeMeant,
     /// Measures the feature by its cycle on a perfect part.
     Simulate,
-    /// Asks once more for the size that is shown.
+    /// Asks once more for the size that is looked at.
     Again,
     /// Asks why the size is left out, or not.
     AskSkip(bool),

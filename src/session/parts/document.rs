@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::message::{Message, Say};
-use crate::part::{Column, Document, Draft, Finding, HeadField, Plan, PlanError, PlanFeature, Review, Spot};
+use crate::part::{Column, Document, Draft, Finding, HeadField, Plan, PlanError, PlanFeature, Review, Row, Spot};
 use crate::tolerance::Sources;
 
 /// What a plan is called that no file holds yet.
@@ -159,6 +159,14 @@ impl PlanDocument {
         self.draft.rows.is_empty() && *self.draft == Draft::default() && self.before.is_empty()
     }
 
+    /// Whether it is a new plan that nothing was written into: nothing is wrong with it yet.
+    pub fn is_blank(&self) -> bool {
+        self.path.is_none()
+            && self.before.is_empty()
+            && !self.draft.rows.is_empty()
+            && *self.draft == Draft::of(vec![Row::default(); self.draft.rows.len()])
+    }
+
     /// Whether there are changes that no file holds.
     pub fn is_unsaved(&self) -> bool {
         self.draft != self.kept || self.has_left_out
@@ -277,6 +285,9 @@ impl PlanDocument {
         self.draft = draft;
         self.review = Review::of(&self.draft, sources);
         self.plan = self.review.plan().filter(|_| self.problems.is_empty()).map(Arc::new);
+        if self.is_blank() {
+            self.review.findings.clear();
+        }
         self.by_cell.clear();
         self.head_errors.clear();
         for (place, finding) in self.review.findings.iter().enumerate() {

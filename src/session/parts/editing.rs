@@ -156,7 +156,7 @@ impl PartsPage {
             Spot::Feature(row, column) => {
                 let (_, here) = self.sheet.at();
                 self.sheet.show(row, column.unwrap_or(here), &self.document);
-                None
+                Some(Effect::FocusTable)
             }
             Spot::Head(field) => Some(Effect::Focus(Field::Plan(PlanField::Head(field)))),
             Spot::Plan => None,

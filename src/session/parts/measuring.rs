@@ -58,6 +58,9 @@ impl PartsPage {
             WalkCommand::AskSkip(is_open) => {
                 self.walking.quiet();
                 self.walking.is_skipping = is_open && self.walking.at().is_some();
+                if !is_open {
+                    return vec![Effect::Focus(PartsField::Value.into())];
+                }
             }
             WalkCommand::Skip(reason) => return self.skip(&reason),
             WalkCommand::Next => return self.next_part(shared),

@@ -13,16 +13,19 @@
 //! | `arriving`, `watched` | values from files; a folder that is watched |
 //! | `resume`, `planned` | an interrupted part comes back, as far as its plan asks for the same |
 //! | `reporting` | the part as a report |
+//! | `headline`, `choices` | what one look is told; the words that a cell may have |
 //! | `field`, `command`, `apply` | its text fields, what can be done, and how |
 
 mod apply;
 mod arriving;
 mod asking;
+mod choices;
 mod command;
 mod document;
 mod editing;
 mod ending;
 mod field;
+mod headline;
 mod judging;
 mod measuring;
 mod paste;
@@ -45,6 +48,7 @@ use std::sync::Arc;
 pub use command::{PartsCommand, PlanCommand, WalkCommand};
 pub use document::PlanDocument;
 pub use field::{PartsField, PlanField};
+pub use headline::{Headline, Whole};
 pub use picture::{Balloon, PartPicture, Sight};
 pub use sheet::Sheet;
 pub use walking::{Value, WalkRow, Walking};
@@ -113,7 +117,9 @@ struct Saving {
 
 impl PartsPage {
     pub(super) fn new(saved: &SavedInputs, walk: SavedWalk) -> Self {
-        Self { texts: Texts::restored(&saved.texts), resume: Resume::new(walk), ..Self::default() }
+        // A window with an interrupted part opens there.
+        let is_shown = walk.plan.is_some();
+        Self { is_shown, texts: Texts::restored(&saved.texts), resume: Resume::new(walk), ..Self::default() }
     }
 
     /// What its fields have, by their keys in the state file.
@@ -134,6 +140,18 @@ impl PartsPage {
             (Some(own), Some(now)) => !Arc::ptr_eq(own, now) && own != now,
             (own, _) => own.is_some(),
         }
+    }
+
+    /// The file of the plan by which the part is measured, where another plan is open.
+    pub fn other_plan(&self) -> Option<String> {
+        let path = self.walking.path.as_deref().filter(|_| self.walking.is_begun())?;
+        (Some(path) != self.document.path()).then(|| name_of(path))
+    }
+
+    /// The file of the plan by which the watched folder is judged, where another plan is open.
+    pub fn watched_plan(&self) -> Option<String> {
+        let path = self.watched.plan_path()?;
+        (Some(path) != self.document.path()).then(|| name_of(path))
     }
 
     /// The folder that is watched, and what came from it.
@@ -175,4 +193,9 @@ impl PartsPage {
     pub fn is_unsaved(&self) -> bool {
         self.document.is_unsaved()
     }
+}
+
+/// The name of a file without its folder.
+fn name_of(path: &std::path::Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
 }

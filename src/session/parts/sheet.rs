@@ -3,8 +3,9 @@
 use std::ops::RangeInclusive;
 
 use super::document::PlanDocument;
-use crate::part::{Column, Draft, MOST_FEATURES, Spot};
+use crate::part::{Column, Draft, MOST_FEATURES, PlanFault, Spot};
 use crate::session::Step;
+use crate::tolerance::LimitsError;
 
 /// The columns that are always shown.
 const USUAL: [Column; 7] =
@@ -104,8 +105,13 @@ impl Sheet {
 
     /// Columns that something is written in, or wrong with, are shown from then on.
     pub(super) fn follow(&mut self, document: &PlanDocument) {
+        // Where a callout does not say hole or shaft, there is a column that does.
+        let asks_for_side = |what: &PlanFault| matches!(what, PlanFault::Limits { error, .. } if matches!(**error, LimitsError::NoFeature { .. } | LimitsError::OtherFeature { .. }));
         let is_wrong = |column: Column| {
-            document.findings().iter().any(|finding| matches!(finding.spot, Spot::Feature(_, Some(of)) if of == column))
+            document.findings().iter().any(|finding| {
+                matches!(finding.spot, Spot::Feature(_, Some(of)) if of == column)
+                    || column == Column::Feature && asks_for_side(&finding.what)
+            })
         };
         let used: Vec<Column> = document.draft().used().collect();
         let (at, from) = (self.at(), self.columns.get(self.from.1).copied());

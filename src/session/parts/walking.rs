@@ -61,7 +61,7 @@ pub struct Walking {
     is_chosen: bool,
     /// The size that was asked for when the text in the field of the value was typed.
     typed_at: Option<usize>,
-    /// The size whose last value is shown.
+    /// The size that is looked at: the one whose value came last, or the one that was chosen since.
     shown: Option<usize>,
     /// A number that goes up whenever the size that is asked for has to come into sight.
     look: u64,
@@ -145,12 +145,6 @@ impl Walking {
         steps.filter(|(_, step)| step.is_open()).map(|(name, _)| name.as_str())
     }
 
-    /// Whether any row of the list has a remark: that it was simulated, measured several times, or left out.
-    pub fn has_remarks(&self) -> bool {
-        let is_simulated = |step: &Step| step.counts().is_some_and(|taken| taken.is_simulated);
-        self.walk.steps().iter().any(|step| 1 < step.taken.len() || step.skipped.is_some() || is_simulated(step))
-    }
-
     /// How many sizes there are.
     pub fn count(&self) -> usize {
         self.names.len()
@@ -193,7 +187,7 @@ impl Walking {
         self.values.get(at).map_or(&[], Vec::as_slice)
     }
 
-    /// The size whose value is shown, and the value of it that counts.
+    /// The size that is looked at, and the value of it that counts, where it has one.
     pub fn shown(&self) -> Option<(usize, &Value)> {
         let at = self.shown?;
         Some((at, self.counting(at)?))
@@ -329,6 +323,8 @@ impl Walking {
             self.is_chosen = true;
             self.look += 1;
             self.quiet();
+            // Its own verdict is shown, or none.
+            self.shown = Some(at);
         }
     }
 

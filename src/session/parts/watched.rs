@@ -98,6 +98,11 @@ impl Watched {
         self.folder.as_deref()
     }
 
+    /// The file of the plan that it is judged by, while it is watched.
+    pub(super) fn plan_path(&self) -> Option<&Path> {
+        self.plan_path.as_deref().filter(|_| self.folder.is_some())
+    }
+
     /// How many files and parts of files were known when it began; `None` before that.
     pub const fn known(&self) -> Option<usize> {
         self.known

@@ -5,7 +5,7 @@ use eframe::egui::{Button, RichText, ScrollArea, Ui, vec2};
 
 use super::{column_id, grid, head_id};
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, live, problem, quiet};
+use crate::gui::view::{View, live, problem};
 use crate::message::Message;
 use crate::part::{Finding, Spot};
 use crate::session::parts::PlanCommand;
@@ -37,6 +37,7 @@ pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
         ui.set_min_height(control(ui));
         let text = match count {
+            0 if view.session.parts().document().is_blank() => view.text("parts-page-blank"),
             0 => view.text("parts-page-no-fault"),
             count => view.words.say(&Message::new("parts-page-faults").count("count", count)),
         };
@@ -120,9 +121,4 @@ fn spot(view: &View<'_>, spot: Spot) -> String {
             }
         }
     }
-}
-
-/// Whether the plan has no features in it, told quietly.
-pub(in crate::gui::parts) fn none_ui(ui: &mut Ui, view: &View<'_>) {
-    quiet(ui, view.text("parts-page-no-plan"));
 }

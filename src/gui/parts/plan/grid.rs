@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::style::ScrollAnimation;
 use eframe::egui::{
-    Event, FocusDirection, Id, Key, Pos2, Rect, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2,
+    Context, Event, FocusDirection, Id, Key, Pos2, Rect, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2,
 };
 
 use super::{column_id, editor, paint};
@@ -21,15 +21,20 @@ pub(in crate::gui) fn id() -> Id {
     Id::unique("plan-grid")
 }
 
+/// Gives the table the focus when it is drawn next.
+pub(in crate::gui) fn focus(ctx: &Context) {
+    let frame = ctx.cumulative_frame_nr();
+    ctx.data_mut(|data| data.insert_temp(soon(), frame));
+    ctx.request_repaint();
+}
+
 fn soon() -> Id {
     id().with("soon")
 }
 
 /// Gives the table the focus in the next frame: it may be drawn after what was clicked, which would lose it again.
 pub(super) fn focus_next(ui: &Ui) {
-    let frame = ui.ctx().cumulative_frame_nr();
-    ui.data_mut(|data| data.insert_temp(soon(), frame));
-    ui.ctx().request_repaint();
+    focus(ui.ctx());
 }
 
 /// A column of the table.
@@ -47,6 +52,7 @@ impl Shown {
             Self::Of(Column::Number | Column::Axis) => 14.0,
             Self::Of(Column::Name | Column::Parameters) => 30.0,
             Self::Of(Column::X | Column::Y | Column::Z) => 18.0,
+            Self::Of(Column::Feature) => 28.0,
             Self::Of(Column::Remark) | Self::Limits => 44.0,
             Self::Of(_) => 24.0,
         }
@@ -192,16 +198,16 @@ fn body_ui(ui: &mut Ui, view: &mut View<'_>, layout: &Layout, (viewport, is_focu
     }
     let (row, column) = view.session.parts().sheet().at();
     let at = layout.across(column).map(|across| layout.rect(origin, row, across));
-    follow(ui, view, at);
+    follow(ui, view, at, viewport.height());
     if let Some(rect) = at.filter(|_| view.session.parts().sheet().is_editing()) {
         editor::editor_ui(ui, view, rect);
     }
     origin
 }
 
-/// The cell comes into sight when the keys have moved; afterwards scrolling is free.
-fn follow(ui: &Ui, view: &View<'_>, at: Option<Rect>) {
-    let moves = view.session.parts().sheet().moves();
+/// The cell comes into sight when the keys have moved, or the table has become lower; afterwards scrolling is free.
+fn follow(ui: &Ui, view: &View<'_>, at: Option<Rect>, height: f32) {
+    let moves = (view.session.parts().sheet().moves(), lines_of(height));
     let before = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(id().with("moves")), moves));
     if let Some(rect) = at.filter(|_| before != moves) {
         ui.scroll_to_rect_animation(rect, None, ScrollAnimation::none());
@@ -222,6 +228,7 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, rect: Rect, (row, column): (usize, Colu
         text,
         is_wrong: finding.is_some(),
         is_fixed: false,
+        is_figure: column.is_number(),
         is_selected: is_in,
         cursor: is_at.then_some(is_focused),
     };
@@ -261,7 +268,15 @@ fn limits_ui(ui: &Ui, view: &View<'_>, rect: Rect, row: usize) {
     let feature = view.session.parts().document().feature(row);
     let text = feature.map(|feature| limits(view.words, feature)).unwrap_or_default();
     let palette = palette(ui.ctx());
-    let look = paint::Look { palette, text: &text, is_wrong: false, is_fixed: true, is_selected: false, cursor: None };
+    let look = paint::Look {
+        palette,
+        text: &text,
+        is_wrong: false,
+        is_fixed: true,
+        is_figure: false,
+        is_selected: false,
+        cursor: None,
+    };
     paint::cell(ui.painter(), rect, &look);
     let cell = ui.interact(rect, id().with((row, "limits")), Sense::HOVER);
     cell.widget_info(|| {

@@ -13,6 +13,8 @@ pub(super) struct Look<'a> {
     /// It cannot be edited.
     pub is_fixed: bool,
     pub is_selected: bool,
+    /// Figures stand at the right.
+    pub is_figure: bool,
     /// The keys are there; whether the table has the focus.
     pub cursor: Option<bool>,
 }
@@ -35,7 +37,12 @@ pub(super) fn cell(painter: &Painter, rect: Rect, look: &Look<'_>) {
         room.max.x -= space(2.0);
     }
     let colour = if look.is_fixed { palette.quiet.0 } else { palette.text.0 };
-    text_ui(painter, room, look.text, &theme::font(sizes().body), colour);
+    let font = theme::font(sizes().body);
+    if look.is_figure {
+        let width = painter.layout_no_wrap(look.text.to_owned(), font.clone(), colour).size().x;
+        room.min.x = room.min.x.max(room.max.x - width - 1.0);
+    }
+    text_ui(painter, room, look.text, &font, colour);
     if let Some(focused) = look.cursor {
         let width = if focused { 3.0 } else { 1.5 };
         painter.rect_stroke(rect, 2.0, Stroke::new(width, palette.accent.0), StrokeKind::Inside);

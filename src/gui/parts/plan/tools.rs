@@ -2,7 +2,7 @@
 
 use eframe::egui::Ui;
 
-use crate::gui::theme::space;
+use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::message::Message;
 use crate::session::{Action, Step};
@@ -45,6 +45,12 @@ pub(in crate::gui::parts) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
                 // What is on the clipboard comes to what has the focus.
                 ui.memory_mut(|memory| memory.request_focus(super::grid::id()));
             }
+        }
+        // In one line, in the next row where there is no room.
+        let name = Action::ShowAllColumns.text(view.session, view.words);
+        let name = ui.painter().layout_no_wrap(name, theme::font(sizes().body), palette(ui.ctx()).text.0).size().x;
+        if ui.available_size_before_wrap().x < name + ui.spacing().icon_width + space(6.0) {
+            ui.end_row();
         }
         view.checkbox(ui, Action::ShowAllColumns);
         let count = view.session.parts().document().draft().rows.len();

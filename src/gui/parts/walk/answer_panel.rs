@@ -1,68 +1,196 @@
-//! Right: the verdict of the value that came last, and what the values make of the part.
+//! Right: the verdict of the size that is looked at, or of the whole part once nothing is open; and below it the other one of the two.
+//!
+//! Card, strip and buttons keep their places, whatever the verdict is: lines for which the card has no room go below.
 
-use eframe::egui::{Ui, vec2};
+use eframe::egui::{Id, Ui, vec2};
 
 use crate::gui::check::{check_card, recorded_ui};
-use crate::gui::theme::{control, space};
-use crate::gui::verdict_card::{Card, card_ui, chip_ui, lines_below_ui, status_id};
-use crate::gui::view::{View, doubt_text, heading, problem, quiet};
+use crate::gui::columns::is_tiny;
+use crate::gui::theme::{control, sizes, space};
+use crate::gui::verdict_card::{Card, card_height, card_ui, lines_below_ui, remove, status_id, strip_height, strip_ui};
+use crate::gui::view::{Digits, View, doubt_text, heading, problem, quiet, steady};
 use crate::message::{Message, Say as _};
 use crate::report::RENDERINGS;
-use crate::session::parts::{Value, Walking};
-use crate::session::{Action, Keeping, Recorded};
+use crate::session::parts::{Headline, Value, Walking};
+use crate::session::{Action, Keeping, Question, Recorded};
+use crate::verdict::Status;
 
 /// How many missing sizes are named.
 const NAMED: usize = 12;
 
-/// The card of the value, or a question about it.
+/// The share of the height that a card keeps at most.
+const MOST: f32 = 0.62;
+
+/// The card, or a question about the value; below it a strip, and the number of the record.
 pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let walking = session.parts().walking();
+    let room = room(ui, view);
     if let Some(question) = walking.question() {
-        let card = Card {
-            word: view.text("word-question"),
-            value: Some(format!("{} mm", view.words.mm(question.measured, 3))),
-            lines: vec![doubt_text(view.words, question.doubt), view.text("walk-page-question-enter")],
-            ..Card::default()
-        };
-        card_ui(ui, view, &card);
-        let size = vec2(ui.available_width(), control(ui));
-        if question.doubt.meant().is_some() {
-            view.main_button(ui, Action::TakeMeantValue, size);
-        }
-        let anyway = view.named(Action::TakeValue).min_size(size);
-        view.button_as(ui, Action::TakeValue, anyway);
-        return;
+        return question_ui(ui, view, question, room);
     }
-    card_ui(ui, view, &card(view, walking));
-    if let Some((_, value)) = walking.shown().filter(|_| walking.refusal().is_none()) {
-        recorded_ui(ui, view, recorded(view, value));
+    let (card, below) = fitted(ui, view, headline_card(view, walking), room);
+    card_ui(ui, view, &card);
+    ui.data_mut(|data| data.insert_temp(below_id(), below));
+    // Where there is little room, a part without a verdict gives way.
+    if walking.is_begun() && (!is_tiny(ui) || walking.is_done() || walking.status().is_some()) {
+        ui.add_space(space(1.0));
+        standing_strip_ui(ui, view, walking);
+    }
+    if walking.is_begun() && session.recording().is_on() {
+        let recorded = walking.shown().filter(|_| walking.refusal().is_none());
+        recorded_ui(ui, view, recorded.and_then(|(_, value)| recorded_of(view, value)));
     }
 }
 
-fn recorded<'a>(view: &View<'a>, value: &Value) -> Option<Recorded<'a>> {
+/// The lines for which the card had no room.
+fn below_id() -> Id {
+    Id::unique("walk-below")
+}
+
+/// What is asked about a typed value; as high as card, strip and record together.
+fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question, room: f32) {
+    let gap = ui.spacing().item_spacing.y;
+    let record = if view.session.recording().is_on() { sizes().small * 1.4 + gap } else { 0.0 };
+    let buttons = if question.doubt.meant().is_some() { 2.0 } else { 1.0 };
+    let all = room + space(1.0) + gap + strip_height(ui) + record;
+    let card = Card {
+        word: view.text("word-question"),
+        value: Some(format!("{} mm", view.words.mm(question.measured, 3))),
+        lines: vec![doubt_text(view.words, question.doubt), view.text("walk-page-question-enter")],
+        height: (all - buttons * (control(ui) + gap)).max(0.0),
+        ..Card::default()
+    };
+    card_ui(ui, view, &card);
+    ui.data_mut(|data| data.insert_temp(below_id(), Vec::<String>::new()));
+    let size = vec2(ui.available_width(), control(ui));
+    if question.doubt.meant().is_some() {
+        view.main_button(ui, Action::TakeMeantValue, size);
+    }
+    let anyway = view.named(Action::TakeValue).min_size(size);
+    view.button_as(ui, Action::TakeValue, anyway);
+}
+
+fn recorded_of<'a>(view: &View<'a>, value: &Value) -> Option<Recorded<'a>> {
     let of_check = value.id.and_then(|id| view.session.recording().of_check(id));
     of_check.or(value.number.map(Recorded::Kept))
 }
 
-fn card(view: &View<'_>, walking: &Walking) -> Card {
-    let none = |lines: Vec<String>| Card { word: view.text(status_id(None)), lines, ..Card::default() };
-    if let Some(refusal) = walking.refusal() {
-        return none(vec![view.words.say(refusal)]);
+/// The height of a card, whatever is in it: that of the tallest of the usual results.
+fn room(ui: &Ui, view: &View<'_>) -> f32 {
+    if is_tiny(ui) {
+        return 0.0;
     }
-    let Some((at, value)) = walking.shown() else { return none(Vec::new()) };
+    let said = |id: &'static str| view.words.say(&Message::new(id).text("um", "88.8"));
+    let tallest = Card {
+        status: Some(Status::Rework),
+        word: view.words.told(&Status::Rework),
+        value: Some("88: 88.8888 mm".to_owned()),
+        instruction: Some(remove(view.words, "88.8")),
+        lines: vec![said("remove-to-middle"), said("remove-per-side")],
+        ..Card::default()
+    };
+    card_height(ui, view, &tallest).min(ui.available_height() * MOST)
+}
+
+/// A card of this height, and the lines for which it has no room.
+fn fitted(ui: &Ui, view: &View<'_>, mut card: Card, room: f32) -> (Card, Vec<String>) {
+    let mut below = Vec::new();
+    if !is_tiny(ui) {
+        while !card.lines.is_empty() && room < card_height(ui, view, &card) {
+            below.extend(card.lines.pop());
+        }
+        below.reverse();
+    }
+    card.height = room;
+    (card, below)
+}
+
+fn no_card(view: &View<'_>, lines: Vec<String>) -> Card {
+    Card { word: view.text(status_id(None)), lines, ..Card::default() }
+}
+
+/// The card of what the one look is for.
+fn headline_card(view: &View<'_>, walking: &Walking) -> Card {
+    if let Some(refusal) = walking.refusal() {
+        return no_card(view, vec![view.words.say(refusal)]);
+    }
+    match walking.headline() {
+        Headline::Size(None) => no_card(view, Vec::new()),
+        Headline::Size(Some((at, value))) => size_card(view, walking, at, value),
+        Headline::Part(whole) => {
+            let serial = walking.serial();
+            let name = Message::new(if serial.is_empty() { "walk-page-whole" } else { "walk-page-whole-serial" });
+            Card {
+                status: whole.status,
+                is_simulated: whole.is_simulated,
+                word: whole
+                    .status
+                    .map_or_else(|| view.text("walk-page-not-complete"), |status| view.words.told(&status)),
+                value: Some(view.words.say(&name.text("serial", serial))),
+                lines: whole.reasons.iter().map(|reason| view.words.say(reason)).collect(),
+                ..Card::default()
+            }
+        }
+    }
+}
+
+/// The card of a size.
+fn size_card(view: &View<'_>, walking: &Walking, at: usize, value: &Value) -> Card {
     let card = check_card(view.words, &value.record, walking.is_round(at));
     Card { value: card.value.map(|mm| format!("{}: {mm}", walking.name(at))), ..card }
 }
 
-/// By which rule, what a gauge said besides, and the part as a whole.
+/// The part while sizes are open; afterwards the size that is looked at.
+fn standing_strip_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
+    let words = view.words;
+    let simulated = |word: String, is_simulated: bool| {
+        if is_simulated { words.say(&Message::new("parts-page-balloon-simulated").text("status", word)) } else { word }
+    };
+    match (walking.headline(), walking.shown()) {
+        (Headline::Size(_), _) => {
+            let (status, is_simulated) = (walking.status(), walking.is_decided_by_simulation());
+            let text = status.map_or_else(
+                || words.get("walk-page-strip-open"),
+                |status| {
+                    let word = simulated(words.told(&status), is_simulated);
+                    words.say(&Message::new("walk-page-strip-part").text("status", word))
+                },
+            );
+            strip_ui(ui, status, is_simulated, &text);
+        }
+        (Headline::Part(_), Some((at, value))) => {
+            let record = &value.record;
+            let (status, is_simulated) = (record.verdict.status(), record.measurement.origin.is_simulated());
+            let mm = Digits::of(record).mm(words, record.measurement.diameter, 3);
+            let text = Message::new("walk-page-strip-size").text("name", walking.name(at)).text("value", mm);
+            strip_ui(
+                ui,
+                Some(status),
+                is_simulated,
+                &words.say(&text.text("status", simulated(words.told(&status), is_simulated))),
+            );
+        }
+        (Headline::Part(_), None) => _ = ui.allocate_space(vec2(ui.available_width(), strip_height(ui))),
+    }
+}
+
+/// What can be done with the part; then by which rule, what a gauge said besides, and what is missing.
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let walking = session.parts().walking();
+    actions_ui(ui, view, walking);
     if walking.question().is_none() {
-        lines_below_ui(ui, &card(view, walking));
+        lines_below_ui(ui, &headline_card(view, walking));
+    }
+    let below: Vec<String> = ui.data(|data| data.get_temp(below_id())).unwrap_or_default();
+    for line in &below {
+        ui.label(line);
     }
     if let Some((at, value)) = walking.shown() {
+        if matches!(walking.headline(), Headline::Part(_)) {
+            size_lines_ui(ui, &size_card(view, walking, at, value));
+        }
         for remark in &value.remarks {
             quiet(ui, view.words.say(remark));
         }
@@ -81,23 +209,47 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// What the values make of the part: good is said of a part that is complete alone.
-fn standing_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
+/// The buttons, above everything whose height changes.
+fn actions_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
+    steady(ui, "walk-answer-actions", |ui| {
+        ui.horizontal_wrapped(|ui| {
+            ui.spacing_mut().interact_size.y = control(ui);
+            ui.add_enabled_ui(walking.is_begun(), |ui| {
+                ui.menu_button(view.text("walk-page-report"), |ui| {
+                    for number in 0..RENDERINGS.len() {
+                        view.menu_item(ui, Action::ReportPart(number));
+                    }
+                });
+            });
+            view.field_button(ui, Action::WatchFolder);
+            if view.session.parts().watched().folder().is_some() {
+                view.field_button(ui, Action::StopWatch);
+            }
+        });
+    });
+}
+
+/// What is said of a size below the part: what to do, and how far it is from its limits.
+fn size_lines_ui(ui: &mut Ui, card: &Card) {
+    if let Some((what, rest)) = &card.instruction {
+        ui.label(format!("{what} {rest}"));
+    }
+    for line in &card.lines {
+        ui.label(line);
+    }
+}
+
+/// How far the part is, while sizes are open: the card says it afterwards.
+fn standing_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
+    if walking.is_done() {
+        return;
+    }
     let standing = walking.standing();
     heading(ui, view.text("walk-page-part-status"));
-    match walking.status() {
-        Some(status) => _ = chip_ui(ui, status, &view.words.told(&status)),
-        None => _ = ui.label(view.text("walk-page-not-complete")),
-    }
     ui.label(view.words.say(&standing.message()));
     if 0 < standing.simulated {
         problem(ui, view.words.say(&Message::new("walk-page-simulated").count("count", standing.simulated)));
     }
-    ui.menu_button(view.text("walk-page-report"), |ui| {
-        for number in 0..RENDERINGS.len() {
-            view.menu_item(ui, Action::ReportPart(number));
-        }
-    });
     if 0 < standing.missing {
         let named: Vec<&str> = walking.open().take(NAMED).collect();
         let more = if named.len() < standing.missing { " …" } else { "" };

@@ -1,14 +1,15 @@
 //! Left: before a part its plan and serial number, then the size that is asked for and the field of its value.
 
-use eframe::egui::{Button, RichText, Ui, vec2};
+use eframe::egui::{Button, Key, RichText, Ui, vec2};
 
 use super::asked_text;
 use super::skip_panel::skip_ui;
-use crate::gui::columns::is_tiny;
+use crate::gui::columns::{is_low, is_tiny};
+use crate::gui::dialogs::just_opened;
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::limits::limits_ui;
 use crate::gui::theme::{self, control, sizes, space};
-use crate::gui::view::{View, heading, problem, quiet};
+use crate::gui::view::{View, heading, problem, quiet, steady};
 use crate::message::Message;
 use crate::part::Size;
 use crate::session::parts::PartsField;
@@ -24,20 +25,46 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     part_ui(ui, view);
     ui.separator();
+    // Nothing else is asked until that is answered: the buttons come back in their places.
+    if let (Some(size), true) = (walking.asked(), walking.is_skipping()) {
+        name_ui(ui, &size);
+        return skip_ui(ui, view);
+    }
+    let mut actions = vec![Action::SizeAgain, Action::SkipSize, Action::NextPart];
     match walking.asked() {
         Some(size) => size_ui(ui, view, &size),
-        None => _ = heading(ui, view.text("walk-page-done")),
+        None => {
+            heading(ui, view.text("walk-page-done"));
+            next_ui(ui, view);
+            actions.pop();
+        }
     }
     ui.separator();
-    ui.horizontal_wrapped(|ui| {
-        let of_files = [Action::ImportValues, Action::ImportValuesColumns];
-        for action in [Action::SizeAgain, Action::SkipSize, Action::NextPart].into_iter().chain(of_files) {
-            view.field_button(ui, action);
-        }
+    actions.extend([Action::ImportValues, Action::ImportValuesColumns]);
+    steady(ui, "walk-actions", |ui| {
+        ui.horizontal_wrapped(|ui| {
+            for action in actions {
+                view.field_button(ui, action);
+            }
+        });
     });
     if walking.is_warned() {
         let missing = walking.standing().missing;
         problem(ui, view.words.say(&Message::new("walk-page-next-warned").count("count", missing)));
+    }
+}
+
+/// Once nothing is open, the next part is the main thing to do. The button gets the focus, but never from an Enter that is still held.
+fn next_ui(ui: &mut Ui, view: &mut View<'_>) {
+    let size = vec2(ui.available_width(), control(ui));
+    let button = steady(ui, "walk-next", |ui| ui.horizontal(|ui| view.main_button(ui, Action::NextPart, size)).inner);
+    let wants = button.id.with("wants");
+    if just_opened(ui, button.id.with("shown")) {
+        ui.data_mut(|data| data.insert_temp(wants, true));
+    }
+    let is_held = ui.input(|input| input.key_down(Key::Enter));
+    if !is_held && ui.data_mut(|data| std::mem::take(data.get_temp_mut_or_default::<bool>(wants))) {
+        button.request_focus();
     }
 }
 
@@ -46,7 +73,7 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let document = session.parts().document();
     if document.plan().is_none() {
-        if document.is_empty() {
+        if document.is_empty() || document.is_blank() {
             quiet(ui, view.text("walk-page-no-plan"));
         } else {
             let count = document.faults();
@@ -105,17 +132,15 @@ fn part_ui(ui: &mut Ui, view: &View<'_>) {
     if view.session.parts().has_other_plan() {
         quiet(ui, view.text("walk-page-other-plan"));
     }
+    if let Some(name) = view.session.parts().other_plan() {
+        quiet(ui, view.words.say(&Message::new("walk-page-by-plan").text("name", name)));
+    }
 }
 
 /// The size that is asked for, readable from afar, and the field of its value.
 fn size_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
-    let session = view.session;
-    let (walking, feature) = (session.parts().walking(), size.feature);
-    let mut name = size.name();
-    if !feature.number.is_empty() {
-        name = format!("{}  {name}", feature.number);
-    }
-    ui.label(RichText::new(name).font(theme::bold(sizes().value)));
+    let feature = size.feature;
+    name_ui(ui, size);
     let asked = asked_text(view.words, size);
     ui.label(RichText::new(asked).font(theme::font(sizes().value)));
     limits_ui(ui, view, size.limits);
@@ -130,7 +155,32 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
     if !feature.remark.is_empty() {
         ui.label(&feature.remark);
     }
-    if let Some(at) = walking.at() {
+    value_ui(ui, view, size);
+}
+
+/// Which size is asked for, readable from afar.
+fn name_ui(ui: &mut Ui, size: &Size<'_>) {
+    let mut name = size.name();
+    if !size.feature.number.is_empty() {
+        name = format!("{}  {name}", size.feature.number);
+    }
+    ui.label(RichText::new(name).font(theme::bold(sizes().value)));
+}
+
+/// What is wrong with the value; else what there is of the size already. The lines are there in any case: the buttons keep their places.
+fn note_ui(ui: &mut Ui, view: &View<'_>) {
+    let walking = view.session.parts().walking();
+    // The keypad leaves no room to spare.
+    let lines = match (view.session.has_keypad(), is_low(ui)) {
+        (true, _) => 0.0,
+        (false, true) => 1.0,
+        (false, false) => 2.0,
+    };
+    ui.vertical(|ui| {
+        ui.spacing_mut().item_spacing.y = 0.0;
+        ui.set_min_height(lines * space(5.0));
+        error_ui(ui, view, PartsField::Value);
+        let Some(at) = walking.at().filter(|_| view.session.error(PartsField::Value).is_none()) else { return };
         let count = walking.values(at).len();
         if 0 < count {
             quiet(ui, view.words.say(&Message::new("walk-page-measured-before").count("count", count)));
@@ -139,11 +189,7 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
         if let Some(reason) = reason {
             quiet(ui, view.words.say(&Message::new("walk-page-skipped").text("reason", reason)));
         }
-    }
-    value_ui(ui, view, size);
-    if walking.is_skipping() {
-        skip_ui(ui, view);
-    }
+    });
 }
 
 fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
@@ -161,12 +207,14 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
         field_ui(ui, view, PartsField::Value, name.id, Look::large(width - space(12.0)));
         quiet(ui, "mm");
     });
-    error_ui(ui, view, PartsField::Value);
-    ui.horizontal_wrapped(|ui| {
-        let size = vec2(view.width_of(ui, &[Action::TakeValue]), control(ui));
-        view.main_button(ui, Action::TakeValue, size);
-        view.field_button(ui, Action::SimulateValue);
-        keypad_ui(ui, view);
+    note_ui(ui, view);
+    steady(ui, "walk-value", |ui| {
+        ui.horizontal_wrapped(|ui| {
+            let size = vec2(view.width_of(ui, &[Action::TakeValue]), control(ui));
+            view.main_button(ui, Action::TakeValue, size);
+            view.field_button(ui, Action::SimulateValue);
+            keypad_ui(ui, view);
+        });
     });
 }
 

@@ -40,6 +40,9 @@ pub(super) fn has_head(ui: &Ui, view: &View<'_>) -> bool {
 /// What a size asks for: its callout, or the deviations of a point.
 fn asked_text(words: &Words, size: &Size<'_>) -> String {
     let deviations = &size.limits.deviations;
+    if size.callout.is_none() && deviations.upper() == deviations.lower().negated() {
+        return format!("±{} µm", words.um(deviations.upper()));
+    }
     let of_point = || format!("{} / {} µm", words.signed_um(deviations.upper()), words.signed_um(deviations.lower()));
     size.callout.map_or_else(of_point, |callout| callout.to_string())
 }

@@ -36,13 +36,18 @@ const COLUMNS: usize = 5;
 /// Whether a column has figures: they stand at the right.
 const IS_FIGURE: [bool; COLUMNS] = [false, false, true, true, false];
 
-/// The columns within a width, behind the mark of the verdict; one that has no room is left out: what is asked gives way first, then the
-/// remark, then the deviation. The row says it all under the pointer.
-fn columns(left: f32, width: f32, has_remarks: bool) -> [Option<Rangef>; COLUMNS] {
-    const GIVE_WAY: [usize; 3] = [1, 4, 3];
-    let mut wanted = [26.0, 26.0, 21.0, 25.0, if has_remarks { 36.0 } else { 0.0 }].map(space);
+/// The columns within a width, behind the mark of the verdict, whatever is in them; one that has no room is left out: the remark, which is
+/// narrower first, then the deviation, then what is asked. The row says it all under the pointer.
+fn columns(left: f32, width: f32) -> [Option<Rangef>; COLUMNS] {
+    const GIVE_WAY: [usize; 3] = [4, 3, 1];
+    const REMARK: [f32; 2] = [14.0, 36.0];
+    let mut wanted = [23.0, 18.0, 20.0, 18.0, 0.0].map(space);
     let (mark, bar) = (space(10.0), space(3.0));
     let room = (width - mark - bar).max(0.0);
+    let left_over = room - wanted.iter().sum::<f32>();
+    if let Some(remark) = wanted.last_mut() {
+        *remark = left_over.clamp(space(REMARK[0]), space(REMARK[1]));
+    }
     for column in GIVE_WAY {
         if wanted.iter().sum::<f32>() <= room {
             break;
@@ -78,7 +83,7 @@ pub(super) fn sizes_ui(ui: &mut Ui, view: &mut View<'_>) {
         let area = ScrollArea::vertical().id_salt("walk-rows").auto_shrink(false).min_scrolled_height(0.0);
         area.show_rows(ui, control(ui), walking.count(), |ui, places| {
             follow(ui, walking, ui.max_rect().top() - times(control(ui), places.start));
-            let columns = columns(ui.max_rect().left(), ui.available_width(), walking.has_remarks());
+            let columns = columns(ui.max_rect().left(), ui.available_width());
             for place in places {
                 row_ui(ui, view, walking, &columns, place);
             }
@@ -153,12 +158,13 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking, columns: &[Option
         }
     }
     let mut is_cut = false;
+    let sign = view.words.language().decimal_sign();
     let texts = [&cells.name, &cells.asked, &cells.value, &cells.deviation, &cells.remark];
     for ((text, column), is_figure) in texts.into_iter().zip(columns).zip(IS_FIGURE) {
         is_cut |= match column {
             Some(column) => {
                 let cell = Rect::from_x_y_ranges(*column, rect.y_range());
-                text_ui(&painter, cell, text, is_figure, palette.text)
+                text_ui(&painter, cell, text, is_figure.then_some(sign), palette.text)
             }
             None => !text.is_empty(),
         };
@@ -173,14 +179,26 @@ fn row_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking, columns: &[Option
     }
 }
 
-/// A text in one line of a cell, figures at the right; returns whether it was cut.
-fn text_ui(painter: &eframe::egui::Painter, cell: Rect, text: &str, is_figure: bool, colour: theme::Hex) -> bool {
+/// A text in one line of a cell, figures at the right with their decimal signs below each other; returns whether it was cut.
+fn text_ui(painter: &eframe::egui::Painter, cell: Rect, text: &str, figure: Option<char>, colour: theme::Hex) -> bool {
+    /// What most figures have behind the decimal sign.
+    const DECIMALS: &str = "0000";
     let cell = cell.shrink2(vec2(space(1.0), 0.0));
     let mut job = LayoutJob::simple_singleline(text.to_owned(), theme::font(sizes().body), colour.0);
     job.wrap = TextWrapping::truncate_at_width(cell.width().max(0.0));
     let galley = painter.layout_job(job);
     let is_cut = galley.elided;
-    let left = if is_figure { cell.right() - galley.size().x } else { cell.left() };
+    let width = |text: String| painter.layout_no_wrap(text, theme::font(sizes().body), colour.0).size().x;
+    let left = match figure {
+        // A micrometre has its unit behind it, and no decimals as a rule.
+        Some(sign) if !text.contains(' ') && text.contains(sign) => {
+            let behind = text.rsplit(sign).next().unwrap_or_default().to_owned();
+            let short = (width(DECIMALS.to_owned()) - width(behind)).max(0.0);
+            (cell.right() - galley.size().x - short).max(cell.left())
+        }
+        Some(_) => cell.right() - galley.size().x,
+        None => cell.left(),
+    };
     painter.galley(pos2(left, cell.center().y - galley.size().y / 2.0), galley, colour.0);
     is_cut
 }

@@ -2,9 +2,10 @@
 
 use eframe::egui::{Button, Ui, vec2};
 
+use crate::gui::dialogs::just_opened;
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, control, sizes};
-use crate::gui::view::{View, heading};
+use crate::gui::view::{View, heading, steady};
 use crate::session::Action;
 use crate::session::parts::{PartsField, WalkCommand};
 
@@ -13,11 +14,15 @@ const USUAL: [&str; 4] =
     ["walk-page-skip-access", "walk-page-skip-gauge", "walk-page-skip-machined", "walk-page-skip-elsewhere"];
 
 pub(super) fn skip_ui(ui: &mut Ui, view: &mut View<'_>) {
-    ui.separator();
     heading(ui, view.text("walk-page-skip-why"));
-    ui.horizontal_wrapped(|ui| {
-        for reason in USUAL.map(|id| view.text(id)) {
-            if ui.add(Button::new(&reason).min_size(vec2(0.0, control(ui)))).clicked() {
+    steady(ui, "walk-skip", |ui| {
+        for (place, reason) in USUAL.map(|id| view.text(id)).into_iter().enumerate() {
+            let button = ui.add(Button::new(&reason).min_size(vec2(ui.available_width(), control(ui))));
+            // The key that asks leads to the answers.
+            if place == 0 && just_opened(ui, button.id.with("shown")) {
+                button.request_focus();
+            }
+            if button.clicked() {
                 view.send(WalkCommand::Skip(reason));
             }
         }

@@ -6,8 +6,8 @@ use crate::gui::theme::space;
 use crate::gui::verdict_card::chip_ui;
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::Message;
+use crate::session::MaskChoice;
 use crate::session::parts::TakenFile;
-use crate::session::{Action, MaskChoice};
 
 /// How many files are shown.
 const MOST: usize = 50;
@@ -16,14 +16,11 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let watched = session.parts().watched();
     heading(ui, view.text("walk-page-watched"));
-    ui.horizontal_wrapped(|ui| {
-        view.field_button(ui, Action::WatchFolder);
-        if watched.folder().is_some() {
-            view.field_button(ui, Action::StopWatch);
-        }
-    });
     if let Some(folder) = watched.folder() {
         ui.label(folder.display().to_string());
+        if let Some(name) = session.parts().watched_plan() {
+            quiet(ui, view.words.say(&Message::new("walk-page-judged-by-plan").text("name", name)));
+        }
         match watched.known() {
             Some(known) => quiet(ui, view.words.say(&Message::new("walk-page-known").count("count", known))),
             None => quiet(ui, view.text("walk-page-watch-begins")),
