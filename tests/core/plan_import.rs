@@ -461,3 +461,54 @@ fn import_and_report_end_with_the_status_of_the_worst_part() {
         }
     }
 }
+
+#[test]
+fn a_set_for_a_control_names_what_it_does_not_know_of_judging() {
+    let place = Place::new();
+    place.write("own.csv", "name;callout;x;y;z;rule;u_um;material\nBORE;25 H7;40;30;-8;iso14253-2017;2;steel\nPLAIN;25 H7;80;30;-8;simple;;\nSURE;25 H7;120;30;-8;;2;\n");
+    let (code, _, err) = place.say(&["nc", "own.csv", "--control", "tnc7", "-o", "set"]);
+    assert_eq!(code, 0, "{err}");
+    let readme = std::fs::read_to_string(place.0.path().join("set/README.TXT")).unwrap();
+    for (name, said) in [("BORE", "rule iso14253-2017, u_um 2, material steel"), ("SURE", "u_um 2")] {
+        assert!(err.contains(&format!("{name}: the plan says {said}, and the set does not know it")), "{err}");
+        assert!(readme.contains(&format!("  {name:<20} {said}\r\n")), "{readme}");
+    }
+    assert!(!err.contains("PLAIN:"), "{err}");
+    assert!(readme.contains("Judged here by the limits alone: the plan says more"), "{readme}");
+    // A plan that says no more has no such lines.
+    let (_, _, err) =
+        place.say(&["nc", "25 H7", "--x", "1", "--y", "2", "--z", "-8", "--control", "tnc7", "-o", "plain"]);
+    let readme = std::fs::read_to_string(place.0.path().join("plain/README.TXT")).unwrap();
+    assert!(
+        !err.contains("does not know") && !readme.contains("the plan says more") && !readme.contains('{'),
+        "{readme}"
+    );
+}
+
+#[test]
+fn everything_that_a_control_cannot_measure_is_told_at_once() {
+    let place = Place::new();
+    place.write(
+        "own.csv",
+        "name;callout;feature;x;y;z\nA B;12 ±0.02;hole;;;\nGOOD;25 H7;;0;0;-8\nPIN;25 ±0.1;shaft;0;0;-8\n",
+    );
+    let (code, _, err) = place.say(&["nc", "own.csv", "--control", "tnc7", "-o", "set"]);
+    assert_eq!(code, 1);
+    assert_eq!(err.lines().filter(|line| line.contains("own.csv")).count(), 4, "{err}");
+    for line in ["line 2", "line 4"] {
+        assert!(err.contains(line), "{err}");
+    }
+}
+
+#[test]
+fn a_plan_is_read_from_a_workbook() {
+    let place = Place::new();
+    let rows = [&["number", "name", "callout", "x", "y", "z"][..], &["1", "A", "25 H7", "40", "30,5", "-8"]];
+    fitcheck::files::write(&place.0.path().join("own.xlsx"), &crate::xlsx::workbook(&rows)).unwrap();
+    place.write("v.csv", "name;measured\nA;25.01\n");
+    let (code, rows) = place.rows(&["import", "--plan", "own.xlsx", "v.csv"]);
+    assert_eq!((code, rows[0]["status"].as_str()), (0, Some("GOOD")), "{rows:?}");
+    let (code, out, err) = place.say(&["plan", "check", "own.xlsx"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(out.contains("25 H7"), "{out}");
+}
