@@ -209,6 +209,7 @@ exchange-warning-sheets-left = sheet { $sheet } is read; other sheets are not: {
 gauge-frame = the signs that frame the line were left out
 gauge-channel = from channel { $channel }
 gauge-inches = { $given } inches
+gauge-error-text = { $given } may be the number of an error of the gauge: where it is a size, write it with its unit, { $given } mm
 gauge-opinion = the gauge says { $sign }; the limits of the plan decide
 
 mapping-no-value = { $given } says nothing about a column: write a word, = and a column, such as measured=3

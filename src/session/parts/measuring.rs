@@ -82,7 +82,8 @@ impl PartsPage {
         let asked_about = self.walking.question.take();
         let Some(at) = self.walking.at() else { return };
         let range = if self.walking.may_be_any() { Range::Any } else { Range::AboveZero };
-        let gauged = gauge::read(self.text(PartsField::Value)).map_err(|error| error.message());
+        let asked = self.walking.asked().map(|size| size.limits.nominal);
+        let gauged = gauge::read(self.text(PartsField::Value), asked).map_err(|error| error.message());
         let read = gauged.and_then(|gauged| {
             // The range of the other fields.
             let value = range.read(&gauged.value.to_string())?;
