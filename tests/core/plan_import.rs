@@ -238,15 +238,38 @@ fn a_name_that_no_feature_has_beside_a_number_that_one_has_is_told() {
     let place = Place::new();
     let plan = "number;name;callout;x;y\n3;PIN;25 H7;40;30\n";
     let of = |values: &str| place.judged(plan, values, &[]).1.remove(0);
-    let row = of("name;number;measured\nBORE_X;3;25.01\n");
-    assert_eq!(row["id"], "PIN");
-    says(&row, Some("GOOD"), "no feature of the plan is called BORE_X; found by its number: PIN of the plan");
+    // The size speaks for the number.
+    for values in
+        ["name;number;callout;measured\nBORE_X;3;25 H7;25.01\n", "name;number;nominal;measured\nBORE_X;3;25;25.01\n"]
+    {
+        let row = of(values);
+        assert_eq!(row["id"], "PIN");
+        says(&row, Some("GOOD"), "no feature of the plan is called BORE_X; found by its number: PIN of the plan");
+    }
     says(&of("number;measured\n3;25.01\n"), Some("GOOD"), "found by its number: PIN of the plan");
     says(&of("name;measured\n3;25.01\n"), Some("GOOD"), "\"found by its number: PIN of the plan\"");
     says(&of("number;measured\n03;25.01\n"), Some("GOOD"), "found by its number: PIN of the plan");
     let place_of = of("name;x;y;measured\nBORE_X;40;30;25.01\n");
     says(&place_of, Some("GOOD"), "no feature of the plan is called BORE_X; found by its place: PIN of the plan");
     silent(&of("name;number;measured\nPIN;3;25.01\n"));
+}
+
+/// The rows of a file are numbered, and so are the balloons: that is no reason to take one for the other.
+#[test]
+fn a_running_number_beside_a_name_that_the_plan_does_not_know_finds_nothing() {
+    let place = Place::new();
+    let plan = "number;name;callout\n1;BORE;25 H7\n2;PIN;25 H7\n";
+    let (code, rows) = place.judged(plan, "number;name;measured\n1;circle 7;25.01\n2;circle 9;25.01\n", &[]);
+    assert_eq!(code, 1);
+    for (row, name) in [(&rows[0], "BORE"), (&rows[1], "PIN")] {
+        says(row, None, &format!("a number alone may be a running one: {name} has it"));
+    }
+    // Without a name the number is all that there is.
+    let (code, rows) = place.judged(plan, "number;measured\n1;25.01\n2;25.01\n", &[]);
+    assert_eq!((code, rows[1]["id"].as_str()), (0, Some("PIN")));
+    // Other limits do not speak for it.
+    let (_, rows) = place.judged(plan, "number;name;measured;min;max\n1;circle 7;25.01;25.000;25.033\n", &[]);
+    assert_eq!(rows[0]["status"], Json::Null, "{rows:?}");
 }
 
 #[test]

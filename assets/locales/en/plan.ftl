@@ -55,6 +55,7 @@ plan-not-found-unknown = not judged: no feature of the plan has this name or num
 plan-not-found-no-clue = not judged: the value has neither a name nor a number nor a place, so no feature of the plan is found for it
 plan-not-found-half-place = not judged: no feature of the plan has this name or number, and a place needs X and Y
 plan-not-found-contradiction = not judged: by its name it is { $name } of the plan, by its number { $number }
+plan-not-found-other-name = no feature of the plan is called { $given }, and a number alone may be a running one: { $name } has it; name the feature as the plan does, or give its nominal size
 plan-not-found-other-nominal = not judged: it would be { $name } of the plan, but its nominal size is { $given }
 plan-not-found-several = not judged: several features of the plan lie there: { $names }
 plan-not-found-which-side = not judged: the value does not say which of { $names } it is
