@@ -8,7 +8,7 @@ use super::args::dialogue;
 use super::plan::{is_plan_file, read_named, whole};
 use super::{CliError, CliRemark, Io, Outcome, Refused as _, TableArgs};
 use crate::files;
-use crate::nc::sets::{Control, ControlFolder, FeatureFault, NcSet, SetError, Target};
+use crate::nc::sets::{Control, ControlFolder, FeatureError, FeatureFault, NcSet, SetError, Target};
 use crate::part::{Column, DEFAULT_CLEARANCE_HEIGHT, Document, Draft, Plan, Row};
 use crate::tolerance::{Callout, Sources, Tolerance};
 use crate::words::Dialogue;
@@ -19,8 +19,10 @@ Examples:
   fitcheck nc plan.csv --control itnc530 --language de -o set.zip
   fitcheck nc plan.csv --control tnc620 --folder 'TNC:\\nc_prog\\order_12' -o order_12
 
-A plan is a CSV file with one feature per line, separated by comma, semicolon or tabulator; the header
-names the columns in any order:
+A plan is a TOML file, or a CSV or workbook with one feature per line; docs/PLANS.md says what each column
+has. The columns of a feature, in any order:
+  {columns}
+A set needs these of them:
   callout, x, y, z          nominal size and class such as 25 H7; centre and measuring height in mm
   kind                      diameter (of a hole or shaft, default), width (of a slot or ridge), face,
                             pocket or boss (four walls), point (of any surface)
@@ -40,16 +42,32 @@ The callout of a point is the band about its nominal place along the normal, suc
 The set holds a main program, the program that it calls, the tables 82553 (FIT_HOLE.TAB and
 FIT_SHAFT.TAB for later controls), the mask and a page that says what goes where. The tables have
 the 47 classes of NC-Solution 8255 and a column more for each other class of the plan. A callout
-without a class, such as 12 ±0.02 or 10m, is refused: the program looks limits up by class.
+without a class, such as 12 ±0.02 or 10m, is refused: the program looks limits up by class. The set
+judges by the limits alone: a rule, an uncertainty or a material of the plan is named in a remark and
+in README.TXT. A cycle or parameters of the plan's own are refused.
 
 A name that ends in .zip becomes one file, any other a folder. Files that are there already stay
 as they are: --force overwrites them.
 
 Exit codes: 0 done, 1 bad data, 2 wrong usage.";
 
+/// The help with the columns that a plan has now, a line of at most 100 characters each.
+fn help() -> String {
+    let mut lines = vec![String::new()];
+    for column in Column::ALL {
+        let line = lines.last_mut().filter(|line| line.len() + column.key().len() < 98);
+        match line {
+            Some(line) if line.is_empty() => line.push_str(column.key()),
+            Some(line) => *line = format!("{line}, {}", column.key()),
+            None => lines.push(column.key().to_owned()),
+        }
+    }
+    EXAMPLES.replace("{columns}", &lines.join(",\n  "))
+}
+
 /// Write programs, tables and mask with which a control measures fits
 #[derive(Debug, clap::Args)]
-#[command(after_help = EXAMPLES)]
+#[command(after_help = help())]
 pub(super) struct Args {
     /// A callout such as "25 H7", a plan as CSV, or - for a plan from standard input
     #[arg(value_name = "CALLOUT|PLAN.csv")]
@@ -124,7 +142,7 @@ impl Args {
         let sources = self.tables.load(io)?;
         let target = self.target()?;
         let (name, plan) = self.plan(&sources, io)?;
-        let set = named(NcSet::make(&plan, &target, &sources), name.as_deref())?;
+        let set = named(NcSet::make(&plan, &target, &sources), name.as_deref(), io)?;
         for remark in &set.remarks {
             io.remark(remark);
         }
@@ -197,11 +215,24 @@ impl Args {
     }
 }
 
-/// Adds the plan's file to its errors.
-fn named(set: Result<NcSet, SetError>, name: Option<&str>) -> Result<NcSet, CliError> {
-    match (set, name) {
-        (Err(SetError::Feature(error)), Some(name)) => Err(error).about(name),
-        (set, _) => set.said(),
+/// Adds the plan's file to its errors, and tells all of them.
+fn named(set: Result<NcSet, SetError>, name: Option<&str>, io: &mut Io<'_>) -> Result<NcSet, CliError> {
+    let about = |error: FeatureError| match name {
+        Some(name) => Err(error).about(name),
+        None => Err(error).said(),
+    };
+    match set {
+        Err(SetError::Feature(error)) => about(error),
+        Err(SetError::Features { first, others }) => {
+            let mut last: Result<NcSet, CliError> = about(*first);
+            for error in others {
+                if let Err(before) = std::mem::replace(&mut last, about(error)) {
+                    io.fail(before);
+                }
+            }
+            last
+        }
+        set => set.said(),
     }
 }
 

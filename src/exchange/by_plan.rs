@@ -100,7 +100,24 @@ impl<'a> ByPlan<'a> {
             Some(given) if by != By::Name && planned.is_some_and(|planned| planned != given) => {
                 Err(NotFound::OtherNominal { name: self.name(at), given })
             }
+            // A name that is known to no feature speaks against the number, unless the size speaks for it.
+            _ if by == By::Number && has_name_and_number(value) && !self.agrees(at, asked) => {
+                Err(NotFound::OtherName { given: shorten(id.trim()), name: self.name(at) })
+            }
             _ => Ok((at, by)),
+        }
+    }
+
+    /// Whether a file asks for what the plan asks for: the same nominal size, or else limits that are all the plan's.
+    fn agrees(&self, at: usize, asked: &Asked) -> bool {
+        let Some(limits) = self.sizes.get(at).map(|size| size.limits) else { return false };
+        match (asked.nominal, asked.minimum, asked.maximum) {
+            (Some(nominal), ..) => nominal == limits.nominal,
+            (None, None, None) => false,
+            (None, minimum, maximum) => {
+                minimum.is_none_or(|minimum| minimum == limits.minimum())
+                    && maximum.is_none_or(|maximum| maximum == limits.maximum())
+            }
         }
     }
 
@@ -168,6 +185,11 @@ impl Value {
         let why = WhyUnjudged::NotInPlan(why);
         Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why }
     }
+}
+
+/// Whether a file has both: without a number cell its name is the number.
+fn has_name_and_number(value: &Value) -> bool {
+    !value.id.trim().is_empty() && !value.labels.number.trim().is_empty()
 }
 
 /// Whether a value of a size may be zero or less: a coordinate or a deviation, not a distance.

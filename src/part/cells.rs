@@ -6,7 +6,7 @@ use super::kind::{Direction, Kind, Towards, WidthAxis};
 use crate::length::Length;
 use crate::probing::cycle::{Axis, number};
 use crate::tolerance::callout::band;
-use crate::tolerance::{Callout, Deviations};
+use crate::tolerance::{Callout, Deviations, Feature};
 
 /// The axes of a width.
 const WIDTH_AXES: [&str; 2] = ["X", "Y"];
@@ -16,6 +16,9 @@ const DIRECTIONS: [&str; 6] = ["+X", "-X", "+Y", "-Y", "+Z", "-Z"];
 
 /// The most characters of a cell that an error repeats.
 const LONGEST: usize = 80;
+
+/// A cell of a feature, and what is wrong with it.
+pub type CellFault = (Column, PlanFault);
 
 /// What a plan says of a feature's kind and its sizes.
 #[derive(Debug, Clone, Copy)]
@@ -37,58 +40,99 @@ impl KindCells<'_> {
     /// components with blanks between them: `0.5 0 -1`.
     ///
     /// # Errors
-    /// The column, and what it has and what it may hold.
-    pub fn read(&self) -> Result<Kind, (Column, PlanFault)> {
+    /// Every column that is wrong, and what it has and what it may hold.
+    pub fn read(&self) -> Result<Kind, Vec<CellFault>> {
+        let (kind, faults) = self.read_all();
+        kind.filter(|_kind| faults.is_empty()).ok_or(faults)
+    }
+
+    /// The kind as far as its own cells say it, also beside a cell that it does not have, and every fault.
+    pub(super) fn read_all(&self) -> (Option<Kind>, Vec<CellFault>) {
         let word = self.kind.unwrap_or("diameter");
-        let Some(word) = Kind::WORDS.into_iter().find(|known| known.eq_ignore_ascii_case(word)) else {
-            return Err((Column::Kind, unknown("kind", word, &Kind::WORDS)));
+        let mut faults = Vec::new();
+        let kind = match Kind::WORDS.into_iter().find(|known| known.eq_ignore_ascii_case(word)) {
+            Some(word) => self.of_kind(word, &mut faults),
+            None => {
+                faults.push((Column::Kind, unknown("kind", word, &Kind::WORDS)));
+                self.of_no_kind(&mut faults);
+                None
+            }
         };
-        let has_no = |column: Column, given: Option<&str>| match given {
-            Some(_) => Err((column, PlanFault::NotOf { column: column.key(), kind: word })),
-            None => Ok(()),
-        };
-        if !["pocket", "boss"].contains(&word) {
-            has_no(Column::SecondCallout, self.second)?;
+        (kind, faults)
+    }
+
+    fn of_kind(&self, word: &'static str, faults: &mut Vec<CellFault>) -> Option<Kind> {
+        let (is_rectangle, is_point) = (["pocket", "boss"].contains(&word), word == "point");
+        for (column, given, is_of) in [
+            (Column::SecondCallout, self.second, is_rectangle),
+            (Column::Axis, self.axis, !is_rectangle && word != "diameter"),
+        ] {
+            if given.is_some() && !is_of {
+                faults.push((column, PlanFault::NotOf { column: column.key(), kind: word }));
+            }
         }
-        let first = || callout(self.callout).map_err(|fault| (Column::Callout, fault));
-        let axis = || self.axis.ok_or((Column::Axis, PlanFault::NoCell { column: "axis" }));
+        if self.axis.is_none() && ["face", "point"].contains(&word) {
+            faults.push((Column::Axis, PlanFault::NoCell { column: "axis" }));
+        }
+        let first = |faults: &mut Vec<CellFault>| kept(faults, Column::Callout, callout(self.callout));
         match word {
             "width" => {
+                let first = first(faults);
                 let axis = match self.axis.map_or(Some(0), |axis| at(&WIDTH_AXES, axis)) {
                     Some(0) => WidthAxis::X,
                     Some(_) => WidthAxis::Y,
                     None => {
-                        let given = self.axis.unwrap_or_default();
-                        return Err((Column::Axis, unknown("axis", given, &WIDTH_AXES)));
+                        faults.push((Column::Axis, unknown("axis", self.axis.unwrap_or_default(), &WIDTH_AXES)));
+                        return None;
                     }
                 };
-                Ok(Kind::Width(first()?, axis))
+                Some(Kind::Width(first?, axis))
             }
             "face" => {
-                let axis = axis()?;
-                let towards = towards(axis).ok_or_else(|| (Column::Axis, unknown("axis", axis, &DIRECTIONS)))?;
-                Ok(Kind::Face(first()?, towards))
+                let (first, axis) = (first(faults), self.axis?);
+                let towards = towards(axis).ok_or_else(|| unknown("axis", axis, &DIRECTIONS));
+                let towards = kept(faults, Column::Axis, towards);
+                Some(Kind::Face(first?, towards?))
             }
-            "point" => {
-                let axis = axis()?;
-                let no_direction = || PlanFault::Direction { given: shortened(axis), known: DIRECTIONS.join(", ") };
-                let direction = direction(axis).ok_or_else(|| (Column::Axis, no_direction()))?;
-                let band = point_band(self.callout).map_err(|fault| (Column::Callout, fault))?;
-                Ok(Kind::Point(band, direction))
+            _ if is_point => {
+                let (band, axis) = (kept(faults, Column::Callout, point_band(self.callout)), self.axis?);
+                let direction = kept(faults, Column::Axis, direction(axis).ok_or_else(|| no_direction(axis)));
+                Some(Kind::Point(band?, direction?))
             }
-            "pocket" | "boss" => {
-                has_no(Column::Axis, self.axis)?;
-                let first = first()?;
-                let second = self.second.map_or(Ok(first), callout);
-                let sides = [first, second.map_err(|fault| (Column::SecondCallout, fault))?];
-                Ok(if word == "boss" { Kind::Boss(sides) } else { Kind::Pocket(sides) })
+            _ if is_rectangle => {
+                let first = first(faults);
+                let second = match self.second {
+                    Some(text) => kept(faults, Column::SecondCallout, callout(text)),
+                    None => first,
+                };
+                let sides = [first?, second?];
+                Some(if word == "boss" { Kind::Boss(sides) } else { Kind::Pocket(sides) })
             }
-            _ => {
-                has_no(Column::Axis, self.axis)?;
-                Ok(Kind::Diameter(first()?))
-            }
+            _ => Some(Kind::Diameter(first(faults)?)),
         }
     }
+
+    /// Of an unknown kind: what no kind could have in the other cells.
+    fn of_no_kind(&self, faults: &mut Vec<CellFault>) {
+        if point_band(self.callout).is_err() {
+            kept(faults, Column::Callout, callout(self.callout));
+        }
+        if let Some(second) = self.second {
+            kept(faults, Column::SecondCallout, callout(second));
+        }
+        if let Some(axis) = self.axis.filter(|axis| at(&WIDTH_AXES, axis).is_none()) {
+            kept(faults, Column::Axis, direction(axis).ok_or_else(|| no_direction(axis)));
+        }
+    }
+}
+
+/// What a cell has, or its fault among the others.
+fn kept<T>(faults: &mut Vec<CellFault>, column: Column, read: Result<T, PlanFault>) -> Option<T> {
+    read.map_err(|fault| faults.push((column, fault))).ok()
+}
+
+fn no_direction(axis: &str) -> PlanFault {
+    PlanFault::Direction { given: shortened(axis), known: DIRECTIONS.join(", ") }
 }
 
 /// Which of the known words it is.
@@ -129,8 +173,46 @@ fn direction(text: &str) -> Option<Direction> {
     Direction::new(parts?.try_into().ok()?)
 }
 
+/// What the cells of a kind say together: letters, band and coordinate go with it.
+pub(super) fn check_kind(kind: &Kind, place: [Option<Length>; 3]) -> Vec<CellFault> {
+    let fault = match kind {
+        Kind::Diameter(_) | Kind::Width(..) => None,
+        Kind::Face(callout, towards) => check_face(*callout, *towards, place),
+        Kind::Pocket(sides) => return check_sides(kind, *sides, Feature::Hole, "H7"),
+        Kind::Boss(sides) => return check_sides(kind, *sides, Feature::Shaft, "h7"),
+        Kind::Point(band, _) if is_band_of_cycle(band) => None,
+        Kind::Point(band, _) => Some(PlanFault::BandSide { upper: band.upper(), lower: band.lower() }),
+    };
+    fault.map(|what| (Column::Callout, what)).into_iter().collect()
+}
+
+/// The coordinate of a face is the nominal size, and it is judged as an outside dimension: too large is rework.
+fn check_face(callout: Callout, towards: Towards, [x, y, z]: [Option<Length>; 3]) -> Option<PlanFault> {
+    if callout.feature() == Some(Feature::Hole) {
+        return Some(PlanFault::FaceClass { callout });
+    }
+    let coordinate = match towards.axis {
+        Axis::First => x,
+        Axis::Second => y,
+        Axis::Third => z,
+    };
+    let coordinate = coordinate.filter(|coordinate| *coordinate != callout.nominal())?;
+    Some(PlanFault::FacePlace { callout, coordinate })
+}
+
+/// The word and the letters say the same.
+fn check_sides(kind: &Kind, sides: [Callout; 2], feature: Feature, example: &'static str) -> Vec<CellFault> {
+    let [first, second] = sides;
+    let is_other = |callout: &Callout| callout.feature().is_some_and(|side| side != feature);
+    // Without a cell of its own the second side has the callout of the first.
+    let second = Some(second).filter(|second| *second != first);
+    let all = [(Column::Callout, Some(first)), (Column::SecondCallout, second)];
+    let others = all.into_iter().filter_map(|(column, callout)| Some((column, callout.filter(is_other)?)));
+    others.map(|(column, callout)| (column, PlanFault::SideClass { callout, kind: kind.word(), example })).collect()
+}
+
 /// Whether the cycle takes a band: its text has an upper deviation of 0 or more and a lower one of 0 or less, and a band
 /// without a width monitors nothing.
-pub(super) fn is_band_of_cycle(band: &Deviations) -> bool {
+fn is_band_of_cycle(band: &Deviations) -> bool {
     band.lower() <= Length::ZERO && Length::ZERO <= band.upper() && band.lower() < band.upper()
 }

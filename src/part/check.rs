@@ -2,17 +2,17 @@
 
 use std::str::FromStr;
 
-use super::cells::{KindCells, is_band_of_cycle};
+use super::cells::{KindCells, check_kind};
 use super::column::{Column, HeadField};
 use super::draft::{Draft, Row};
 use super::fault::{Finding, PlanFault, Spot};
-use super::kind::{Kind, Towards};
+use super::kind::Kind;
+use super::measured_by;
 use super::names::Names;
 use super::plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, Head, MOST_FEATURES, Material, Plan, PlanFeature};
-use super::values::{beginning, in_range, is_decided, material, plain_text, rule, travel};
+use super::values::{beginning, in_range, material, plain_text, rule, travel};
 use crate::length::{Length, LengthError};
-use crate::probing::cycle::{Angle, Axis, Cycle, Inputs, Meaning, Parameter, number};
-use crate::probing::cycles::{cycle_named, cycles_of};
+use crate::probing::cycle::{Angle, Axis, Cycle, Inputs, Meaning, number};
 use crate::tolerance::{Feature, Limits, Source, Sources, Tolerance};
 use crate::verdict::Rule;
 
@@ -117,15 +117,18 @@ fn head(draft: &Draft, faults: &mut Faults) -> (Head, Shared) {
     if let Some(text) = draft.text(HeadField::Material) {
         shared.material = faults.take(Spot::Head(HeadField::Material), material(text));
     }
+    let mut is_told = false;
     // A rule that cannot judge is told once, here, and not with every feature.
-    let read = rule(shared.rule.as_deref(), shared.uncertainty.as_deref());
-    if let Err((column, what)) = read {
+    for (column, what) in rule(shared.rule.as_deref(), shared.uncertainty.as_deref()).err().unwrap_or_default() {
         let field = if column == Column::Rule { HeadField::Rule } else { HeadField::Uncertainty };
         // An uncertainty of its own may complete the rule of a feature.
         if !(column == Column::Rule && shared.uncertainty.is_none() && matches!(what, PlanFault::Rule { .. })) {
             faults.add(Spot::Head(field), what);
-            (shared.rule, shared.uncertainty) = (None, None);
+            is_told = true;
         }
+    }
+    if is_told {
+        (shared.rule, shared.uncertainty) = (None, None);
     }
     for (axis, field) in [HeadField::TravelX, HeadField::TravelY, HeadField::TravelZ].into_iter().enumerate() {
         if let (Some(text), Some(place)) = (draft.text(field), shared.travel.get_mut(axis)) {
@@ -169,16 +172,22 @@ impl Reader<'_> {
         {
             self.fault(Column::ClearanceHeight, PlanFault::ClearanceHeight { height: clearance_height, z });
         }
+        self.within_travel(place, clearance_height);
         let side = self.side();
         let kind = self.kind(place, angle);
         let sides = kind.as_ref().map_or(&[""][..], Kind::sides);
         for (column, what) in names.take(self.row.place.line, &number, &name, sides) {
             self.fault(column, what);
         }
-        let limits = kind.as_ref().and_then(|kind| self.limits(kind, side));
-        let feature = limits.as_ref().and_then(|limits| Some(limits.first()?.feature)).unwrap_or(Feature::Shaft);
-        let cycle = kind.as_ref().and_then(|kind| self.cycle(kind, feature));
-        let parameters = cycle.and_then(|cycle| self.parameters(cycle)).unwrap_or_default();
+        // Letters that do not go with the kind have no limits that would say more.
+        let limits = kind.as_ref().filter(|kind| check_kind(kind, place).is_empty());
+        let limits = limits.and_then(|kind| self.limits(kind, side));
+        // Whether a hole or a shaft is measured may be known without limits; where it is not, no cycle is the wrong one.
+        let first = limits.as_ref().and_then(|limits| Some(limits.first()?.feature));
+        let letters = kind.as_ref().and_then(|kind| kind.callouts().first()?.feature());
+        let feature = first.or(letters).or(side);
+        let cycle = self.cycle(kind.as_ref().filter(|_kind| feature.is_some()), feature.unwrap_or(Feature::Shaft));
+        let parameters = self.parameters(cycle);
         let material = self.material();
         let rule = self.rule();
         let remark = self.text(Column::Remark, LONGEST_TEXT);
@@ -242,6 +251,18 @@ impl Reader<'_> {
         })
     }
 
+    /// The probe moves at the clearance height above what a program measures.
+    fn within_travel(&mut self, place: [Option<Length>; 3], height: Length) {
+        let [.., travel] = self.shared.travel;
+        if let Some([minimum, maximum]) = travel
+            && place.iter().all(Option::is_some)
+            && !(minimum <= height && height <= maximum)
+        {
+            let what = PlanFault::Travel { axis: "Z", given: height, minimum, maximum };
+            self.fault(Column::ClearanceHeight, what);
+        }
+    }
+
     /// Hole or shaft, where the plan says it.
     fn side(&mut self) -> Option<Feature> {
         let text = self.row.text(Column::Feature)?;
@@ -252,31 +273,23 @@ impl Reader<'_> {
     }
 
     fn kind(&mut self, place: [Option<Length>; 3], angle: Angle) -> Option<Kind> {
-        let Some(callout) = self.row.text(Column::Callout) else {
+        let callout = self.row.text(Column::Callout);
+        if callout.is_none() {
             self.fault(Column::Callout, PlanFault::NoCell { column: "callout" });
-            return None;
-        };
+        }
         let (kind, axis) = (self.row.text(Column::Kind), self.row.text(Column::Axis));
-        let cells = KindCells { kind, axis, callout, second: self.row.text(Column::SecondCallout) };
-        let kind = match cells.read() {
-            Ok(kind) => kind,
-            Err((column, what)) => {
-                self.fault(column, what);
-                return None;
-            }
-        };
+        let second = self.row.text(Column::SecondCallout);
+        let (kind, faults) = KindCells { kind, axis, callout: callout.unwrap_or_default(), second }.read_all();
+        for (column, what) in faults.into_iter().filter(|(column, _)| callout.is_some() || *column != Column::Callout) {
+            self.fault(column, what);
+        }
+        let kind = kind?;
         if !matches!(kind, Kind::Diameter(_)) && angle != Angle::default() {
             self.fault(Column::Angle, PlanFault::NotOf { column: "angle", kind: kind.word() });
         }
-        let checked = match &kind {
-            Kind::Diameter(_) | Kind::Width(..) => Ok(()),
-            Kind::Face(callout, towards) => check_face(*callout, *towards, place),
-            Kind::Pocket(sides) => check_sides(&kind, sides, Feature::Hole, "H7"),
-            Kind::Boss(sides) => check_sides(&kind, sides, Feature::Shaft, "h7"),
-            Kind::Point(band, _) if is_band_of_cycle(band) => Ok(()),
-            Kind::Point(band, _) => Err(PlanFault::BandSide { upper: band.upper(), lower: band.lower() }),
-        };
-        self.take(Column::Callout, checked)?;
+        for (column, what) in check_kind(&kind, place) {
+            self.fault(column, what);
+        }
         Some(kind)
     }
 
@@ -298,47 +311,28 @@ impl Reader<'_> {
                 let limits = self.sources.limits(&callout, side);
                 limits.map_err(|error| PlanFault::Limits { callout, error: Box::new(error) })
             };
-            let limits = self.take(column, limits)?;
+            let Some(limits) = self.take(column, limits) else { continue };
             // Far below a millimetre a class can reach below 0, which no cycle accepts.
             let range = in_range(Meaning::MinimumDiameter, &limits.minimum());
             if !matches!(kind, Kind::Face(..)) {
-                self.take(column, range)?;
+                self.take(column, range);
             }
             all.push(limits);
         }
-        Some(all)
+        Some(all).filter(|all| !all.is_empty())
     }
 
-    fn cycle(&mut self, kind: &Kind, feature: Feature) -> Option<&'static Cycle> {
-        let Some(text) = self.row.text(Column::Cycle) else { return kind.cycle(feature) };
-        let shape = kind.shape(feature);
-        let milling = || cycles_of(crate::probing::cycle::Control::Milling).filter(|cycle| cycle.shape() == shape);
-        let found = cycle_named(text).filter(|cycle| milling().any(|known| known.code == cycle.code));
-        let known = || milling().map(|cycle| cycle.code).collect::<Vec<_>>().join(", ");
-        let unknown = || PlanFault::Unknown { column: "cycle", given: beginning(text), known: known() };
-        self.take(Column::Cycle, found.ok_or_else(unknown))
+    fn cycle(&mut self, kind: Option<&Kind>, feature: Feature) -> Option<&'static Cycle> {
+        let read = measured_by::cycle(self.row.text(Column::Cycle), kind, feature);
+        self.take(Column::Cycle, read).flatten()
     }
 
-    /// Further parameters, separated by blanks; those that a column of the plan decides are refused.
-    fn parameters(&mut self, cycle: &'static Cycle) -> Option<Inputs> {
-        let free = |parameter: &Parameter| !is_decided(parameter.meaning);
-        let mut inputs = Inputs::new();
-        for word in self.row.text(Column::Parameters).unwrap_or_default().split_whitespace() {
-            let parameter = word.split_once('=').and_then(|(name, value)| {
-                Some((cycle.parameter_named(name).filter(|parameter| free(parameter))?, value))
-            });
-            let Some((parameter, value)) = parameter else {
-                let known =
-                    cycle.parameters.iter().filter(|parameter| free(parameter)).map(|known| known.key.to_string());
-                let known = known.collect::<Vec<_>>().join(", ");
-                let what = PlanFault::Parameter { given: beginning(word), cycle: cycle.code, known };
-                self.fault(Column::Parameters, what);
-                return None;
-            };
-            let accepted = parameter.accept(value).map_err(|error| PlanFault::Range(Box::new(error)));
-            inputs = inputs.with(parameter.key, self.take(Column::Parameters, accepted)?);
-        }
-        Some(inputs)
+    fn parameters(&mut self, cycle: Option<&'static Cycle>) -> Inputs {
+        let text = self.row.text(Column::Parameters).unwrap_or_default();
+        measured_by::parameters(text, cycle).unwrap_or_else(|faults| {
+            faults.into_iter().for_each(|what| self.fault(Column::Parameters, what));
+            Inputs::new()
+        })
     }
 
     fn material(&mut self) -> Option<Material> {
@@ -353,8 +347,8 @@ impl Reader<'_> {
         let (name, uncertainty) = (own.or(self.shared.rule.as_deref()), own_u.or(self.shared.uncertainty.as_deref()));
         match rule(name, uncertainty) {
             Ok(rule) => rule,
-            Err((column, what)) => {
-                self.fault(column, what);
+            Err(faults) => {
+                faults.into_iter().for_each(|(column, what)| self.fault(column, what));
                 None
             }
         }
@@ -378,39 +372,5 @@ impl Reader<'_> {
             }
             _ => None,
         }
-    }
-}
-
-/// The coordinate of a face is the nominal size, and it is judged as an outside dimension: too large is rework.
-fn check_face(
-    callout: crate::tolerance::Callout,
-    towards: Towards,
-    [x, y, z]: [Option<Length>; 3],
-) -> Result<(), PlanFault> {
-    if callout.feature() == Some(Feature::Hole) {
-        return Err(PlanFault::FaceClass { callout });
-    }
-    let coordinate = match towards.axis {
-        Axis::First => x,
-        Axis::Second => y,
-        Axis::Third => z,
-    };
-    match coordinate {
-        Some(coordinate) if coordinate != callout.nominal() => Err(PlanFault::FacePlace { callout, coordinate }),
-        _ => Ok(()),
-    }
-}
-
-/// The word and the letters say the same.
-fn check_sides(
-    kind: &Kind,
-    sides: &[crate::tolerance::Callout; 2],
-    feature: Feature,
-    example: &'static str,
-) -> Result<(), PlanFault> {
-    let other = sides.iter().find(|callout| callout.feature().is_some_and(|side| side != feature));
-    match other {
-        Some(callout) => Err(PlanFault::SideClass { callout: *callout, kind: kind.word(), example }),
-        None => Ok(()),
     }
 }

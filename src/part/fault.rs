@@ -230,6 +230,11 @@ pub enum PlanFault {
         /// The parameters that may be given.
         known: String,
     },
+    /// A parameter that no measuring cycle takes from a plan.
+    NoParameter {
+        /// What was given.
+        given: String,
+    },
     /// The probe would move at or below the measuring height.
     ClearanceHeight {
         /// The clearance height.

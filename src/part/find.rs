@@ -51,6 +51,13 @@ pub enum NotFound {
         /// The feature of that number.
         number: String,
     },
+    /// Only its number is that of a feature, and its name is of none: a number may be a running one.
+    OtherName {
+        /// What the file calls it.
+        given: String,
+        /// The name of the feature.
+        name: String,
+    },
     /// The feature of that number or place has another nominal size.
     OtherNominal {
         /// Its name.

@@ -9,6 +9,7 @@
 //! | `values` | what single cells say: texts, materials, rules, travels |
 //! | `plan` | a plan without a fault: features with limits |
 //! | `kind`, `cells` | what is measured of a feature, and how cells say it |
+//! | `measured_by` | which cycle measures a feature, with which further parameters |
 //! | `names` | what a value may be called: of one feature alone |
 //! | `csv`, `file` | plans as CSV, and as TOML |
 //! | `find` | which feature a value is of |
@@ -29,6 +30,7 @@ mod fault;
 mod file;
 mod find;
 mod kind;
+mod measured_by;
 mod names;
 mod plan;
 mod simulated;
@@ -37,7 +39,7 @@ mod values;
 mod walk;
 mod workpiece;
 
-pub use cells::KindCells;
+pub use cells::{CellFault, KindCells};
 pub use check::Review;
 pub use column::{Column, HeadField};
 pub use draft::{Cell, Draft, Row};

@@ -1,5 +1,6 @@
 //! What single cells of a plan say: texts, materials, rules, travels.
 
+use super::cells::CellFault;
 use super::column::Column;
 use super::fault::PlanFault;
 use super::plan::Material;
@@ -65,37 +66,42 @@ pub(super) fn material(text: &str) -> Result<Material, PlanFault> {
     }
 }
 
-/// A rule by its name and the standard uncertainty in micrometres; `fixed=2` has its guard band behind the name.
-pub(super) fn rule(name: Option<&str>, uncertainty: Option<&str>) -> Result<Option<Rule>, (Column, PlanFault)> {
-    let uncertainty = match uncertainty {
-        Some(text) => {
-            let read = Uncertainty::standard(text);
-            Some(read.map_err(|error| (Column::Uncertainty, PlanFault::Uncertainty { column: "u_um", error }))?)
+/// A rule by its name and the standard uncertainty in micrometres; `fixed=2` has its guard band behind the name. Each of the two cells has
+/// its own fault; whether they go together is told where both can be read.
+pub(super) fn rule(name: Option<&str>, uncertainty: Option<&str>) -> Result<Option<Rule>, Vec<CellFault>> {
+    let mut faults = Vec::new();
+    let read = uncertainty.map(Uncertainty::standard).transpose();
+    let uncertainty = read.unwrap_or_else(|error| {
+        faults.push((Column::Uncertainty, PlanFault::Uncertainty { column: "u_um", error }));
+        None
+    });
+    let named = name.map(named).transpose().unwrap_or_else(|fault| {
+        faults.push((Column::Rule, fault));
+        None
+    });
+    if !faults.is_empty() {
+        return Err(faults);
+    }
+    match (named, name) {
+        (Some((rule, width)), Some(text)) => {
+            let rule = Rule::new(rule, Given { uncertainty, width, ..Given::default() });
+            rule.map(Some).map_err(|error| vec![(Column::Rule, PlanFault::Rule { rule: beginning(text), error })])
         }
-        None => None,
-    };
-    let Some(text) = name else {
         // An uncertainty alone is shown with the control's rule.
-        return match uncertainty {
-            Some(_) => Ok(Rule::new(RuleName::Simple, Given { uncertainty, ..Given::default() }).ok()),
-            None => Ok(None),
-        };
-    };
+        _ => Ok(uncertainty.and_then(|_u| Rule::new(RuleName::Simple, Given { uncertainty, ..Given::default() }).ok())),
+    }
+}
+
+/// The name of a rule, and its guard band where it has one.
+fn named(text: &str) -> Result<(RuleName, Option<Length>), PlanFault> {
     let (word, width) = text.split_once('=').map_or((text, None), |(word, width)| (word.trim(), Some(width)));
     let unknown = || {
         let known = RuleName::ALL.map(RuleName::word).join(", ");
-        (Column::Rule, PlanFault::Unknown { column: "rule", given: beginning(text), known })
+        PlanFault::Unknown { column: "rule", given: beginning(text), known }
     };
     let name = RuleName::of_word(&word.to_lowercase()).ok_or_else(unknown)?;
-    let width = match width {
-        Some(width) => {
-            let read = Length::parse_in(width, crate::length::Unit::Micrometre);
-            Some(read.map_err(|error| (Column::Rule, PlanFault::Number { column: "rule", error }))?)
-        }
-        None => None,
-    };
-    let rule = Rule::new(name, Given { uncertainty, width, ..Given::default() });
-    rule.map(Some).map_err(|error| (Column::Rule, PlanFault::Rule { rule: beginning(text), error }))
+    let width = width.map(|width| Length::parse_in(width, crate::length::Unit::Micrometre)).transpose();
+    Ok((name, width.map_err(|error| PlanFault::Number { column: "rule", error })?))
 }
 
 /// Two numbers, the smaller one first.

@@ -1,7 +1,9 @@
 //! Part plans as files: TOML and CSV, every fault at once with its place, and what is written reads back.
 
+use std::collections::BTreeSet;
+
 use fitcheck::length::Length;
-use fitcheck::part::{Column, Document, Draft, HeadField, Plan, Row};
+use fitcheck::part::{Column, Document, Draft, HeadField, Plan, PlanFault, Row};
 use fitcheck::tolerance::{Feature, Sources};
 use proptest::prelude::*;
 
@@ -128,6 +130,171 @@ parameters = \"Q423=3 Q999=1\"
     let lines: Vec<usize> =
         errors.iter().filter_map(|error| error.strip_prefix("line ")?.split([',', ':']).next()?.parse().ok()).collect();
     assert!(lines.is_sorted(), "{errors:#?}");
+}
+
+/// Every cell of the first feature is wrong, and each has its own fault.
+const WRONG: &str = r#"fitcheck_plan = 1
+drwaing = 3
+travel_x = [250, -250]
+travel_z = [-100, 60]
+
+[[feature]]
+number = "1"
+name = "A"
+kind = "groove"
+axis = "W"
+callout = "twenty five"
+callout2 = "wide"
+x = "4O"
+angle = 400
+rule = "isso"
+u_um = "x"
+cycle = "9999"
+parameters = "Q999=1 Q998"
+material = "cheese"
+balloon_x = 2
+balloon_y = 0.5
+
+[[feature]]
+number = "01"
+name = "a"
+callout = "25 H7/g6"
+z = -100.001
+
+[[feature]]
+kind = "face"
+axis = "-Z"
+callout = "10 H7"
+
+[[feature]]
+kind = "face"
+axis = "-Z"
+z = 5
+callout = "10 h7"
+
+[[feature]]
+kind = "point"
+axis = "0 0 0"
+callout = "25 H7"
+
+[[feature]]
+kind = "point"
+axis = "-Z"
+callout = "+0.1 +0.05"
+
+[[feature]]
+name = "K1"
+kind = "pocket"
+axis = "X"
+callout = "40 h7"
+callout2 = "25 g6"
+
+[[feature]]
+name = "K1 X"
+callout = true
+colour = "red"
+
+[[feature]]
+number = "A"
+name = "1"
+callout = "25 H7"
+rule = "iso14253-2017"
+material = "999"
+parameters = "Q261=5 Q423=99"
+remark = "a\nb"
+z = -5
+clearance_height = -8
+
+[[feature]]
+callout = "4000 H7"
+"#;
+
+/// The name of a fault that a cell can have; `None` of those of a file as a whole, which leave no plan to look at or come one at a time.
+/// Whoever adds a fault decides here whether it is in the plan above.
+fn of_cell(fault: &PlanFault) -> Option<&'static str> {
+    match fault {
+        PlanFault::NoFeatures
+        | PlanFault::TooMany { .. }
+        | PlanFault::TooLarge { .. }
+        | PlanFault::NotAPlan
+        | PlanFault::OtherVersion { .. }
+        | PlanFault::Toml { .. }
+        | PlanFault::File { .. }
+        | PlanFault::NoColumn { .. }
+        | PlanFault::UnknownColumn { .. }
+        | PlanFault::ColumnTwice { .. }
+        | PlanFault::Cells { .. } => None,
+        PlanFault::UnknownKey { .. } => Some("UnknownKey"),
+        PlanFault::OtherValue { .. } => Some("OtherValue"),
+        PlanFault::NoCell { .. } => Some("NoCell"),
+        PlanFault::Number { .. } => Some("Number"),
+        PlanFault::Callout { .. } => Some("Callout"),
+        PlanFault::Fit { .. } => Some("Fit"),
+        PlanFault::Unknown { .. } => Some("Unknown"),
+        PlanFault::NotOf { .. } => Some("NotOf"),
+        PlanFault::Direction { .. } => Some("Direction"),
+        PlanFault::NoBand { .. } => Some("NoBand"),
+        PlanFault::BandSide { .. } => Some("BandSide"),
+        PlanFault::SideClass { .. } => Some("SideClass"),
+        PlanFault::FaceClass { .. } => Some("FaceClass"),
+        PlanFault::FacePlace { .. } => Some("FacePlace"),
+        PlanFault::Limits { .. } => Some("Limits"),
+        PlanFault::Range(_) => Some("Range"),
+        PlanFault::Parameter { .. } => Some("Parameter"),
+        PlanFault::NoParameter { .. } => Some("NoParameter"),
+        PlanFault::ClearanceHeight { .. } => Some("ClearanceHeight"),
+        PlanFault::Travel { .. } => Some("Travel"),
+        PlanFault::NoTravel { .. } => Some("NoTravel"),
+        PlanFault::Text { .. } => Some("Text"),
+        PlanFault::SameName { .. } => Some("SameName"),
+        PlanFault::SameNumber { .. } => Some("SameNumber"),
+        PlanFault::SameSize { .. } => Some("SameSize"),
+        PlanFault::NumberIsName { .. } => Some("NumberIsName"),
+        PlanFault::NameIsNumber { .. } => Some("NameIsNumber"),
+        PlanFault::Material(_) => Some("Material"),
+        PlanFault::Thermal(_) => Some("Thermal"),
+        PlanFault::Rule { .. } => Some("Rule"),
+        PlanFault::Uncertainty { .. } => Some("Uncertainty"),
+        PlanFault::Balloon { .. } => Some("Balloon"),
+    }
+}
+
+#[test]
+fn a_plan_with_every_kind_of_mistake_shows_all_of_them_at_once() {
+    let errors = Document::read(WRONG.as_bytes()).unwrap().plan(&Sources::default()).unwrap_err();
+    let found: BTreeSet<&str> = errors.iter().filter_map(|error| of_cell(&error.what)).collect();
+    let own = include_str!("plan_files.rs");
+    let all: BTreeSet<&str> =
+        own.split("=> Some(\"").skip(1).filter_map(|rest| rest.split_once("\")")).map(|(name, _)| name).collect();
+    assert!(30 < all.len());
+    assert_eq!(found, all, "{errors:#?}");
+    // Of the first feature every cell but name, number and balloon_y, and of the parameters each word.
+    let lines = [9, 10, 11, 12, 13, 14, 15, 16, 17, 18, 18, 19, 20];
+    let of_first: Vec<usize> =
+        errors.iter().filter_map(|error| error.place.line).filter(|line| (7..22).contains(line)).collect();
+    assert_eq!(of_first, lines, "{errors:#?}");
+    // Both sides of a pocket.
+    let of_pocket = errors.iter().filter(|error| matches!(error.what, PlanFault::SideClass { .. })).count();
+    assert_eq!(of_pocket, 2, "{errors:#?}");
+}
+
+#[test]
+fn the_probe_moves_freely_within_the_machines_travel() {
+    let plan = |height: &str, place: &str| {
+        format!(
+            "fitcheck_plan = 1\ntravel_z = [-100, 40]\n[[feature]]\ncallout = \"25 H7\"\nx = 1\ny = 2\n{place}{height}"
+        )
+    };
+    let z = "z = -8\n";
+    let errors = read(&plan("clearance_height = 41\n", z), &Sources::default()).unwrap_err();
+    assert_eq!(errors, ["line 8, column 20: Z41 is outside the machine's travel, -100 to 40 mm"]);
+    // So it does where the plan leaves the height to 50 mm.
+    let errors = read(&plan("", z), &Sources::default()).unwrap_err();
+    assert_eq!(errors.len(), 1, "{errors:?}");
+    assert!(errors[0].contains("Z50 is outside"), "{errors:?}");
+    assert!(read(&plan("clearance_height = 40\n", z), &Sources::default()).is_ok());
+    // What is not measured by a program needs no height.
+    assert!(read(&plan("", ""), &Sources::default()).is_ok());
 }
 
 #[test]

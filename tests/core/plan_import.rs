@@ -238,15 +238,38 @@ fn a_name_that_no_feature_has_beside_a_number_that_one_has_is_told() {
     let place = Place::new();
     let plan = "number;name;callout;x;y\n3;PIN;25 H7;40;30\n";
     let of = |values: &str| place.judged(plan, values, &[]).1.remove(0);
-    let row = of("name;number;measured\nBORE_X;3;25.01\n");
-    assert_eq!(row["id"], "PIN");
-    says(&row, Some("GOOD"), "no feature of the plan is called BORE_X; matched by number to PIN of the plan");
+    // The size speaks for the number.
+    for values in
+        ["name;number;callout;measured\nBORE_X;3;25 H7;25.01\n", "name;number;nominal;measured\nBORE_X;3;25;25.01\n"]
+    {
+        let row = of(values);
+        assert_eq!(row["id"], "PIN");
+        says(&row, Some("GOOD"), "no feature of the plan is called BORE_X; matched by number to PIN of the plan");
+    }
     says(&of("number;measured\n3;25.01\n"), Some("GOOD"), "matched by number to PIN of the plan");
     says(&of("name;measured\n3;25.01\n"), Some("GOOD"), "\"matched by number to PIN of the plan\"");
     says(&of("number;measured\n03;25.01\n"), Some("GOOD"), "matched by number to PIN of the plan");
     let place_of = of("name;x;y;measured\nBORE_X;40;30;25.01\n");
     says(&place_of, Some("GOOD"), "no feature of the plan is called BORE_X; matched by location to PIN of the plan");
     silent(&of("name;number;measured\nPIN;3;25.01\n"));
+}
+
+/// The rows of a file are numbered, and so are the balloons: that is no reason to take one for the other.
+#[test]
+fn a_running_number_beside_a_name_that_the_plan_does_not_know_finds_nothing() {
+    let place = Place::new();
+    let plan = "number;name;callout\n1;BORE;25 H7\n2;PIN;25 H7\n";
+    let (code, rows) = place.judged(plan, "number;name;measured\n1;circle 7;25.01\n2;circle 9;25.01\n", &[]);
+    assert_eq!(code, 1);
+    for (row, name) in [(&rows[0], "BORE"), (&rows[1], "PIN")] {
+        says(row, None, &format!("a number alone may be a running one: {name} has it"));
+    }
+    // Without a name the number is all that there is.
+    let (code, rows) = place.judged(plan, "number;measured\n1;25.01\n2;25.01\n", &[]);
+    assert_eq!((code, rows[1]["id"].as_str()), (0, Some("PIN")));
+    // Other limits do not speak for it.
+    let (_, rows) = place.judged(plan, "number;name;measured;min;max\n1;circle 7;25.01;25.000;25.033\n", &[]);
+    assert_eq!(rows[0]["status"], Json::Null, "{rows:?}");
 }
 
 #[test]
@@ -456,4 +479,55 @@ fn import_and_report_end_with_the_status_of_the_worst_part() {
             assert_eq!(found, code, "{command:?}: {why}: {out}{err}");
         }
     }
+}
+
+#[test]
+fn a_set_for_a_control_names_what_it_does_not_know_of_judging() {
+    let place = Place::new();
+    place.write("own.csv", "name;callout;x;y;z;rule;u_um;material\nBORE;25 H7;40;30;-8;iso14253-2017;2;steel\nPLAIN;25 H7;80;30;-8;simple;;\nSURE;25 H7;120;30;-8;;2;\n");
+    let (code, _, err) = place.say(&["nc", "own.csv", "--control", "tnc7", "-o", "set"]);
+    assert_eq!(code, 0, "{err}");
+    let readme = std::fs::read_to_string(place.0.path().join("set/README.TXT")).unwrap();
+    for (name, said) in [("BORE", "rule iso14253-2017, u_um 2, material steel"), ("SURE", "u_um 2")] {
+        assert!(err.contains(&format!("{name}: the plan says {said}, and the set does not know it")), "{err}");
+        assert!(readme.contains(&format!("  {name:<20} {said}\r\n")), "{readme}");
+    }
+    assert!(!err.contains("PLAIN:"), "{err}");
+    assert!(readme.contains("Judged here by the limits alone: the plan says more"), "{readme}");
+    // A plan that says no more has no such lines.
+    let (_, _, err) =
+        place.say(&["nc", "25 H7", "--x", "1", "--y", "2", "--z", "-8", "--control", "tnc7", "-o", "plain"]);
+    let readme = std::fs::read_to_string(place.0.path().join("plain/README.TXT")).unwrap();
+    assert!(
+        !err.contains("does not know") && !readme.contains("the plan says more") && !readme.contains('{'),
+        "{readme}"
+    );
+}
+
+#[test]
+fn everything_that_a_control_cannot_measure_is_told_at_once() {
+    let place = Place::new();
+    place.write(
+        "own.csv",
+        "name;callout;feature;x;y;z\nA B;12 ±0.02;hole;;;\nGOOD;25 H7;;0;0;-8\nPIN;25 ±0.1;shaft;0;0;-8\n",
+    );
+    let (code, _, err) = place.say(&["nc", "own.csv", "--control", "tnc7", "-o", "set"]);
+    assert_eq!(code, 1);
+    assert_eq!(err.lines().filter(|line| line.contains("own.csv")).count(), 4, "{err}");
+    for line in ["line 2", "line 4"] {
+        assert!(err.contains(line), "{err}");
+    }
+}
+
+#[test]
+fn a_plan_is_read_from_a_workbook() {
+    let place = Place::new();
+    let rows = [&["number", "name", "callout", "x", "y", "z"][..], &["1", "A", "25 H7", "40", "30,5", "-8"]];
+    fitcheck::files::write(&place.0.path().join("own.xlsx"), &crate::xlsx::workbook(&rows)).unwrap();
+    place.write("v.csv", "name;measured\nA;25.01\n");
+    let (code, rows) = place.rows(&["import", "--plan", "own.xlsx", "v.csv"]);
+    assert_eq!((code, rows[0]["status"].as_str()), (0, Some("GOOD")), "{rows:?}");
+    let (code, out, err) = place.say(&["plan", "check", "own.xlsx"]);
+    assert_eq!(code, 0, "{err}");
+    assert!(out.contains("25 H7"), "{out}");
 }

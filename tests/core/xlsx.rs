@@ -65,6 +65,11 @@ fn book(sheet: &str, more: &[(&str, &[u8])]) -> Vec<u8> {
     zipped(&members)
 }
 
+/// A workbook with a sheet of these rows.
+pub(crate) fn workbook(rows: &[&[&str]]) -> Vec<u8> {
+    book(&sheet(rows), &[])
+}
+
 /// A sheet of these rows: a number as such, anything else as a text.
 fn sheet(rows: &[&[&str]]) -> String {
     let mut xml = String::from("<worksheet><sheetData>");

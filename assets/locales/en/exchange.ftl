@@ -210,6 +210,7 @@ exchange-warning-sheets-left = sheet { $sheet } is read; other sheets are not: {
 gauge-frame = the characters that frame the line were skipped
 gauge-channel = from channel { $channel }
 gauge-inches = { $given } inches
+gauge-error-text = { $given } may be the number of an error of the gauge: where it is a size, write it with its unit, { $given } mm
 gauge-opinion = the gauge says { $sign }; the plan's limits decide
 
 mapping-no-value = { $given } assigns no column: write a word, = and a column, such as measured=3

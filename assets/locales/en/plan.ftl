@@ -30,6 +30,7 @@ plan-file = { $reason }
 plan-unknown-key = unknown key { $key }: expected { $known }
 plan-other-value = { $key }: expected { $expected }, found { $found }
 plan-parameter = cycle { $cycle } does not take { $given } from a plan: write NAME=VALUE with one of { $known }
+plan-no-parameter = no measuring cycle takes { $given } from a plan: write NAME=VALUE, such as Q423=3
 plan-travel = { $axis }{ $given } is outside the machine's travel, { $minimum } to { $maximum } mm
 plan-no-travel = { $given } is not a travel: write two numbers, the smaller one first, such as -250 250
 plan-text = { $column }: expected one line of at most { $most } characters
@@ -54,6 +55,7 @@ plan-not-found-unknown = not judged: no feature of the plan has this name, numbe
 plan-not-found-no-clue = not judged: the value has no name, number or location, so it matches no feature of the plan
 plan-not-found-half-place = not judged: no feature of the plan has this name or number, and a location needs X and Y
 plan-not-found-contradiction = not judged: its name matches { $name } of the plan, its number { $number }
+plan-not-found-other-name = no feature of the plan is called { $given }, and a number alone may be a running one: { $name } has it; name the feature as the plan does, or give its nominal size
 plan-not-found-other-nominal = not judged: it matches { $name } of the plan, but its nominal size is { $given }
 plan-not-found-several = not judged: several features of the plan have this location: { $names }
 plan-not-found-which-side = not judged: the value does not say which of { $names } it is

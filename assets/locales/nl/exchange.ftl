@@ -210,6 +210,7 @@ exchange-warning-sheets-left = blad { $sheet } wordt gelezen; andere bladen niet
 gauge-frame = de tekens om de regel zijn weggelaten
 gauge-channel = van kanaal { $channel }
 gauge-inches = { $given } inch
+gauge-error-text = { $given } kan het nummer van een fout van het meetmiddel zijn: is het een maat, schrijf die dan met de eenheid, { $given } mm
 gauge-opinion = de meetklok zegt { $sign }; de grenzen van het plan beslissen
 
 mapping-no-value = { $given } zegt niets over een kolom: schrijf een woord, = en een kolom, zoals measured=3

@@ -30,6 +30,7 @@ plan-file = { $reason }
 plan-unknown-key = onbekende sleutel { $key }: verwacht { $known }
 plan-other-value = { $key }: verwacht { $expected }, gevonden { $found }
 plan-parameter = cyclus { $cycle } neemt { $given } niet uit een plan: schrijf NAAM=WAARDE met een van { $known }
+plan-no-parameter = geen meetcyclus neemt { $given } uit een plan: schrijf NAAM=WAARDE, zoals Q423=3
 plan-travel = { $axis }{ $given } ligt buiten het bereik van de machine, { $minimum } tot { $maximum } mm
 plan-no-travel = { $given } is geen bereik: schrijf twee getallen, het kleinste eerst, zoals -250 250
 plan-text = { $column }: één regel met hoogstens { $most } tekens
@@ -54,6 +55,7 @@ plan-not-found-unknown = niet beoordeeld: geen kenmerk van het plan heeft deze n
 plan-not-found-no-clue = niet beoordeeld: de waarde heeft geen naam, nummer of plaats, dus er is geen kenmerk van het plan bij te vinden
 plan-not-found-half-place = niet beoordeeld: geen kenmerk van het plan heeft deze naam of dit nummer, en voor een plaats zijn X en Y nodig
 plan-not-found-contradiction = niet beoordeeld: naar zijn naam is het { $name } van het plan, naar zijn nummer { $number }
+plan-not-found-other-name = geen kenmerk van het plan heet { $given }, en een nummer alleen kan een volgnummer zijn: { $name } heeft het; noem het kenmerk zoals het plan, of geef zijn nominale maat
 plan-not-found-other-nominal = niet beoordeeld: het zou { $name } van het plan zijn, maar de nominale maat is { $given }
 plan-not-found-several = niet beoordeeld: er liggen meer kenmerken van het plan: { $names }
 plan-not-found-which-side = niet beoordeeld: de waarde zegt niet welke van { $names } het is

@@ -46,7 +46,10 @@ pub fn run(bytes: &[u8]) {
                 told(bytes, remark);
             }
         }
-        Err(error @ (SetError::Feature(_) | SetError::Shape { .. } | SetError::Table { .. })) => told(bytes, &error),
+        Err(
+            error
+            @ (SetError::Feature(_) | SetError::Features { .. } | SetError::Shape { .. } | SetError::Table { .. }),
+        ) => told(bytes, &error),
         Err(error) => panic!("{error}"),
     }
 }

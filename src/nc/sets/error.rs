@@ -56,6 +56,14 @@ pub enum SetError {
     /// The control cannot measure a feature.
     #[say(transparent)]
     Feature(#[from] FeatureError),
+    /// It cannot measure several, or one for several reasons.
+    Features {
+        /// The first of them.
+        first: Box<FeatureError>,
+        /// All others, in the order of the plan.
+        #[say(name = "more", with = Vec::len)]
+        others: Vec<FeatureError>,
+    },
     /// A folder that programs cannot use.
     Folder {
         /// What was given.
@@ -147,6 +155,13 @@ pub enum SetRemark {
         /// What it says.
         what: Message,
     },
+    /// What the plan says of judging a feature, and the set does not know: the limits alone decide on the control.
+    NotInSet {
+        /// The feature's name.
+        name: String,
+        /// What the plan says, by its keys.
+        said: String,
+    },
     /// The cycle's nominal size is the limit next to the nominal size, which lies outside the limits.
     MovedNominal {
         /// The feature's name.
@@ -160,4 +175,11 @@ pub enum SetRemark {
         /// The result that counts from there.
         deviation: Key,
     },
+}
+
+impl SetError {
+    /// Of features that the control cannot measure.
+    pub(super) fn of_features(first: FeatureError, others: Vec<FeatureError>) -> Self {
+        if others.is_empty() { Self::Feature(first) } else { Self::Features { first: Box::new(first), others } }
+    }
 }

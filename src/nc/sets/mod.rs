@@ -127,6 +127,7 @@ impl NcSet {
             remarks.extend(worth_knowing);
             tables.push(SetFile { name: names.table(feature).to_owned(), bytes });
         }
+        remarks.extend(planned.iter().filter_map(|planned| feature::unknown(planned.feature)));
         remarks.extend(figures(&planned, sources));
         remarks.extend(planned.iter().flat_map(|planned| programs::moved_nominals(*planned, target.control)));
         let mut files = vec![SetFile { name: names.main.clone(), bytes: programs::main(&names, &planned) }];

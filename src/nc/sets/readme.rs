@@ -10,6 +10,9 @@ use super::names::Names;
 use crate::shipped;
 use crate::tolerance::Feature;
 
+/// What begins a line that is only there where the plan says more of judging than the set knows.
+const OF_UNKNOWN: &str = "{?unknown}";
+
 /// The page as a file: Windows-1252, CRLF.
 pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRemark]) -> Vec<u8> {
     let template = shipped::text(shipped::NC, &format!("readme_{}.txt", names.target.language));
@@ -24,6 +27,13 @@ pub(super) fn page(names: &Names<'_>, planned: &[Planned<'_>], remarks: &[SetRem
             "{nominal}" => {
                 let moved: Vec<String> = remarks.iter().filter_map(nominal).collect();
                 add(&mut page, &if moved.is_empty() { "  -".to_owned() } else { moved.join("\r\n") });
+            }
+            "{unknown}" => remarks.iter().filter_map(unknown).for_each(|line| add(&mut page, &line)),
+            // What follows is of a plan that says more than a set knows.
+            trimmed if trimmed.starts_with(OF_UNKNOWN) => {
+                if remarks.iter().any(|remark| unknown(remark).is_some()) {
+                    add(&mut page, &filled(line, names).replacen(OF_UNKNOWN, "", 1));
+                }
             }
             _ => add(&mut page, &filled(line, names)),
         }
@@ -103,6 +113,14 @@ fn nominal(remark: &SetRemark) -> Option<String> {
         SetRemark::MovedNominal { name, callout, value, parameter, .. } => {
             Some(format!("  {name:<20} {callout}: {parameter} = {value}"))
         }
-        SetRemark::OwnColumn { .. } | SetRemark::FewerColumns { .. } | SetRemark::Figure { .. } => None,
+        _ => None,
+    }
+}
+
+/// A feature and what the plan says of judging it, as the keys of a plan: the same in every language.
+fn unknown(remark: &SetRemark) -> Option<String> {
+    match remark {
+        SetRemark::NotInSet { name, said } => Some(format!("  {name:<20} {said}")),
+        _ => None,
     }
 }

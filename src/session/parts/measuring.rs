@@ -85,7 +85,8 @@ impl PartsPage {
             return;
         }
         let range = if self.walking.may_be_any() { Range::Any } else { Range::AboveZero };
-        let gauged = gauge::read(self.text(PartsField::Value)).map_err(|error| error.message());
+        let asked = self.walking.asked().map(|size| size.limits.nominal);
+        let gauged = gauge::read(self.text(PartsField::Value), asked).map_err(|error| error.message());
         let read = gauged.and_then(|gauged| {
             // The range of the other fields.
             let value = range.read(&gauged.value.to_string())?;

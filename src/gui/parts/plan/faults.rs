@@ -5,7 +5,7 @@ use eframe::egui::{Button, RichText, ScrollArea, Ui, vec2};
 
 use super::{column_id, grid, head_id};
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, live, problem};
+use crate::gui::view::{View, live, problem, quiet};
 use crate::message::Message;
 use crate::part::{Finding, Spot};
 use crate::session::parts::PlanCommand;
