@@ -417,3 +417,20 @@ fn the_columns_of_a_rule_are_there_when_the_plan_has_one() {
     }
     assert_eq!([&rows[0][at("rule_name")], &rows[1][at("rule_name")]], ["iso14253-2017", ""]);
 }
+
+#[test]
+fn a_class_is_not_taken_for_a_limit_that_the_file_contradicts_or_leaves_out() {
+    let head = "K0100 1\nK2001/1 1\nK2002/1 BORE\nK2009/1 202\nK2101/1 25\nK2103/1 H\nK2104/1 7\nK2142/1 mm\n";
+    let remark = "BORE: 25 H7 has other limits than the file, which count";
+    for limits in ["K2111/1 25.010\n", "K2110/1 25\nK2111/1 25.021\nK2121/1 0\n"] {
+        let place = Place::new();
+        place.write("p.dfq", &format!("{head}{limits}"));
+        let (_, out, err) = place.say(&["plan", "convert", "p.dfq"]);
+        assert!(format!("{out}{err}").contains(remark), "{limits}: {out}{err}");
+        assert!(!out.contains("callout = \"25 H7\""), "{limits}: {out}");
+    }
+    let place = Place::new();
+    place.write("p.dfq", head);
+    let (_, out, err) = place.say(&["plan", "convert", "p.dfq"]);
+    assert!(out.contains("callout = \"25 H7\""), "{out}{err}");
+}
