@@ -60,8 +60,8 @@ pub(super) struct Columns {
     pub(super) decimal_sign: Option<char>,
     /// The whole numbers of their own after measured values with a decimal sign, where most of these have one.
     pub(super) behind: Option<WholeNumbers>,
-    /// The fewest decimals of the first measured values, without that of a last line that has no line end.
-    pub(super) fewest_decimals: Option<usize>,
+    /// The fewest and the most decimals of the first measured values, without that of a last line that has no line end.
+    pub(super) decimals: Option<(usize, usize)>,
     /// What a file of Fitcheck says of its values.
     pub(super) own: OwnColumns,
     /// What is said of a value besides its name.
@@ -223,7 +223,7 @@ impl Sample {
         let at = columns.measured.at;
         columns.decimal_sign = cells::decimal_sign(self.cells(at));
         columns.behind = self.behind(at);
-        columns.fewest_decimals = self.fewest_decimals(at);
+        columns.decimals = self.decimals(at);
     }
 
     /// The cells of a column below the header.
@@ -301,7 +301,7 @@ impl Sample {
             ignored: ignored.take(NAMED + 1).map(|(at, name)| name_of(at, name)).collect(),
             decimal_sign: None,
             behind: None,
-            fewest_decimals: None,
+            decimals: None,
             own,
             labels,
             first: None,
@@ -367,7 +367,7 @@ impl Sample {
                 .collect(),
             decimal_sign: None,
             behind: None,
-            fewest_decimals: None,
+            decimals: None,
             own: OwnColumns::default(),
             labels: LabelColumns::default(),
             first: None,
@@ -397,11 +397,12 @@ impl Sample {
         (all < whole * 2).then_some(numbers)
     }
 
-    /// The fewest decimals of a column's numbers. A last line without a line end is not asked: it may be cut off.
-    fn fewest_decimals(&self, at: usize) -> Option<usize> {
+    /// The fewest and the most decimals of a column's numbers. A last line without a line end is not asked: it may be cut off.
+    fn decimals(&self, at: usize) -> Option<(usize, usize)> {
         let data = self.rows.len() - usize::from(self.is_last_open && self.above < self.rows.len());
         let data = self.rows.get(..data)?.iter().skip(self.above);
-        data.filter_map(|(_, cells)| cells.get(at)).filter(|cell| is_number(cell)).map(decimals).min()
+        let all = data.filter_map(|(_, cells)| cells.get(at)).filter(|cell| is_number(cell)).map(decimals);
+        all.clone().min().zip(all.max())
     }
 }
 

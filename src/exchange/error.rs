@@ -160,6 +160,11 @@ pub enum ImportErrorKind {
         /// The most, KiB.
         most: usize,
     },
+    /// A text with an element in the middle of it.
+    XmlMixed {
+        /// The element that has both.
+        name: String,
+    },
     /// The file ends within an element.
     XmlCutOff,
     /// An encoding that is not known.
@@ -200,6 +205,17 @@ pub enum ImportErrorKind {
     },
     /// A limit or nominal size of a QIF file that cannot be read.
     QifLimit(#[say(name = "reason")] LengthError),
+    /// A measurement of another kind than its characteristic.
+    QifOtherKind {
+        /// The kind of the measurement.
+        measured: String,
+        /// The kind of the characteristic.
+        defined: String,
+    },
+    /// A measurement with several values.
+    QifSeveralValues,
+    /// A tolerance that does not say whether its numbers are limits or deviations.
+    QifDefinedAsLimit,
     /// Deviations without a nominal size.
     QifNoNominal,
     /// A tolerance class of a hole for a shaft, or the other way round.
@@ -239,6 +255,8 @@ pub enum ImportErrorKind {
         /// The most, MiB.
         most: u64,
     },
+    /// A workbook with two members of one name.
+    ZipTwice,
     /// More texts than are kept.
     ZipTexts {
         /// The most.
@@ -268,6 +286,8 @@ pub enum ImportErrorKind {
         /// The formula.
         formula: String,
     },
+    /// A value of a cell that is not one text, or a number of a text that is none.
+    CellSplit,
     /// A formula that has no value.
     CellError {
         /// What the cell shows.

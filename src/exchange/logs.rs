@@ -46,19 +46,18 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
     let context = source.context.clone();
     let mut pieces = source.pieces(text::LINE_END_BYTES)?;
     let mut logs = Logs::default();
-    let (mut line, mut is_unfinished) = (1, false);
+    let mut line = 1;
     while let Some(piece) = pieces.next()? {
-        for (number, text) in text::lines_from(&piece, line) {
+        for (number, text, is_open) in text::lines_open_from(&piece, line) {
             line = number + 1;
-            if let Some(log) = logs.line(number, text)
+            if let Some(log) = logs.line(number, text, is_open)
                 && !take(sink, log, &context)
             {
                 return Ok(());
             }
         }
-        is_unfinished = !piece.ends_with(text::LINE_ENDS);
     }
-    if let Some(log) = logs.end(is_unfinished) {
+    if let Some(log) = logs.end() {
         take(sink, log, &context);
     }
     Ok(())

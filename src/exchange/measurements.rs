@@ -258,12 +258,21 @@ impl<'a> Reader<'a, '_, '_> {
     /// Takes the size of a row, or names the cell that cannot be used.
     fn size<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
         let rules = self.rules();
-        let Some(sizes) = &mut self.sizes else { return Ok(()) };
+        let Some(sizes) = &self.sizes else { return Ok(()) };
         let Found { measured, is_simulated, .. } = rules.size(cells, sizes.feature)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
+        self.tell_cut_off(line, cells);
+        let Some(sizes) = &mut self.sizes else { return Ok(()) };
         self.sink.count();
         (sizes.take)(Size { line, id, measured, is_simulated });
         Ok(())
+    }
+
+    /// Tells that the end of the file may have cut off a row.
+    fn tell_cut_off(&mut self, line: usize, cells: &StringRecord) {
+        if let Some(reason) = self.rules().cut_off(cells).filter(|_| self.is_open) {
+            self.sink.warn(Place::line(line), Some(line), reason);
+        }
     }
 
     fn rules(&self) -> Rules<'a> {
@@ -276,10 +285,7 @@ impl<'a> Reader<'a, '_, '_> {
     fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
         let Found { measured, asked, said, is_simulated } = self.rules().read(cells)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
-        if let Some(given) = self.rules().cut_off(cells).filter(|_| self.is_open) {
-            let reason = ImportWarningKind::CutOff { given: shorten(given) };
-            self.sink.warn(Place::line(line), Some(line), reason);
-        }
+        self.tell_cut_off(line, cells);
         let time = self.time(line, cells);
         let file = Arc::clone(&self.source.file);
         let origin = if is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } };

@@ -101,6 +101,11 @@ fn row(characteristic: &Characteristic, line: usize, sources: &Sources, remark: 
                 own
             }
         }
+        // The other limit is none, or nobody wrote it down: that of the class would be a guess.
+        (Some((callout, _)), None) if characteristic.minimum.is_some() || characteristic.maximum.is_some() => {
+            remark(PlanRemark::ClassLeft { name: characteristic.id(), class: callout.to_string() });
+            callout.nominal().to_string()
+        }
         (Some((callout, _)), None) => callout.to_string(),
         (_, Some(own)) => own,
         (None, None) => characteristic.nominal.map_or_else(String::new, |nominal| nominal.to_string()),

@@ -6,7 +6,7 @@ use csv::StringRecord;
 
 use super::cells;
 use super::columns::{Columns, LengthColumn};
-use super::error::{ImportErrorKind, shorten, shorten_cell};
+use super::error::{ImportErrorKind, ImportWarningKind, shorten, shorten_cell};
 use super::imported::Asked;
 use super::lookup::Lookup;
 use crate::length::Length;
@@ -75,10 +75,24 @@ impl Rules<'_> {
         Ok(Asked { nominal: nominal.map(|(_, nominal)| nominal), minimum, maximum })
     }
 
-    /// The measured value of a last row that has no line end, where it ends the row and has fewer decimals than the others.
-    pub(super) fn cut_off<'c>(&self, cells: &'c StringRecord) -> Option<&'c str> {
-        let given = cells.get(self.columns.measured.at).filter(|_| cells.len() == self.columns.measured.at + 1)?;
-        (cells::decimals(given) < self.columns.fewest_decimals?).then(|| given.trim())
+    /// That the end of the file may have cut off a last row that has no line end: its measured value, if that has fewer decimals than the
+    /// others or there are no others to tell, or its callout. What is cut off behind these changes no verdict.
+    pub(super) fn cut_off(&self, cells: &StringRecord) -> Option<ImportWarningKind> {
+        let columns = self.columns;
+        let last = cells.len().checked_sub(1)?;
+        let given = shorten(cells.get(last).unwrap_or_default().trim());
+        let judged_by = [Some(columns.measured.at), columns.tolerance, columns.nominal.map(|column| column.at)];
+        if judged_by.into_iter().flatten().max() < Some(last) {
+            return None;
+        }
+        if last != columns.measured.at {
+            return Some(ImportWarningKind::OpenEnd { given });
+        }
+        match (cells::decimals(&given), columns.decimals) {
+            (found, Some((fewest, _))) if found < fewest => Some(ImportWarningKind::CutOff { given }),
+            (found, Some((_, most))) if 0 < most && most <= found => None,
+            _ => Some(ImportWarningKind::OpenEnd { given }),
+        }
     }
 
     /// The measured size of a row, or the first cell that cannot be used. Of a callout only the side counts: a row of the

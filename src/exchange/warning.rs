@@ -179,6 +179,11 @@ pub enum ImportWarningKind {
         /// The others.
         left: String,
     },
+    /// A sheet that the user does not see.
+    SheetHidden {
+        /// Its name.
+        sheet: String,
+    },
     /// A version of QIF that nobody has tried here.
     QifVersion {
         /// What the file says.
@@ -203,6 +208,11 @@ pub enum ImportWarningKind {
         /// What is left of it.
         given: String,
     },
+    /// The file ends without a line end, and nothing says whether its last cell is whole.
+    OpenEnd {
+        /// The cell.
+        given: String,
+    },
 }
 
 impl ImportWarningKind {
@@ -215,6 +225,7 @@ impl ImportWarningKind {
             | Self::QifCount { .. }
             | Self::QifTwice { .. } => true,
             Self::Aqdef(warning) => warning.is_loss(),
+            Self::Calypso(warning) => matches!(warning, CalypsoWarning::Zeros),
             _ => false,
         }
     }

@@ -61,6 +61,8 @@ pub(super) struct Element {
     /// Its own text, without blanks around it.
     pub(super) text: String,
     children: Vec<Self>,
+    /// Whether there is an element in it that is not asked for.
+    has_other: bool,
 }
 
 impl Element {
@@ -176,7 +178,10 @@ impl<'b> Xml<'b> {
                     open.push(element);
                     element = Element { start, ..Element::default() };
                 }
-                Node::Start(_) => self.skip()?,
+                Node::Start(_) => {
+                    element.has_other = true;
+                    self.skip()?;
+                }
                 Node::Text(text) => {
                     element.text.push_str(&text);
                     if LONGEST_TEXT < element.text.len() {
@@ -185,6 +190,10 @@ impl<'b> Xml<'b> {
                 }
                 Node::End => {
                     element.text = element.text.split_whitespace().collect::<Vec<_>>().join(" ");
+                    // 25.0<x/>123 is not 25.0123.
+                    if element.has_other && !element.text.is_empty() {
+                        return Err(fault(element.start.at, ImportErrorKind::XmlMixed { name: element.start.name }));
+                    }
                     let Some(mut outer) = open.pop() else { return Ok(element) };
                     outer.children.push(element);
                     element = outer;
@@ -194,20 +203,41 @@ impl<'b> Xml<'b> {
         }
     }
 
-    /// Passes over the whole file; each beginning of an element is shown, with its depth and how many bytes came before its end.
-    pub(super) fn survey(
-        &mut self,
-        see: &mut dyn FnMut(&str, usize, u64) -> Option<ImportErrorKind>,
-    ) -> Result<(), Fault> {
+    /// The next beginning of an element, wherever it is: with its depth, and how many bytes came before its end. `None` at the end of
+    /// the file.
+    pub(super) fn begin(&mut self) -> Result<Option<(Start, usize, u64)>, Fault> {
         loop {
             match self.next(false)? {
-                Node::Start(start) => {
-                    if let Some(kind) = see(&start.name, self.depth, self.reader.buffer_position()) {
-                        return Err(fault(start.at, kind));
-                    }
-                }
+                Node::Start(start) => return Ok(Some((start, self.depth, self.reader.buffer_position()))),
                 Node::Text(_) | Node::End => {}
-                Node::Eof => return Ok(()),
+                Node::Eof => return Ok(None),
+            }
+        }
+    }
+
+    /// Reads the rest of an element that has begun: its text, where that is one piece as a program writes it; `None` where a comment,
+    /// another element or whatever else is in it. `may_refer` is whether entities may be.
+    pub(super) fn plain_text(&mut self, may_refer: bool) -> Result<Option<String>, Fault> {
+        self.is_before_text = false;
+        let (mut text, mut runs) = (String::new(), 0);
+        loop {
+            self.reader.get_mut().left = LONGEST;
+            let at = self.reader.get_ref().at();
+            self.buffer.clear();
+            match self.reader.read_event_into(&mut self.buffer) {
+                Ok(Event::Text(run)) => {
+                    runs += 1;
+                    text.push_str(&run.xml10_content());
+                }
+                Ok(Event::GeneralRef(_)) if may_refer => {}
+                Ok(Event::End(_)) => {
+                    self.depth = self.depth.saturating_sub(1);
+                    self.is_before_text = true;
+                    return Ok((may_refer || runs < 2).then_some(text));
+                }
+                Ok(Event::Eof) => return Err(self.cut_off()),
+                Ok(_) => return Ok(None),
+                Err(error) => return Err(self.broken(at, &error)),
             }
         }
     }

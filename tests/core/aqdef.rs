@@ -433,10 +433,8 @@ fn other_quantities_than_a_diameter_are_named() {
 
 #[test]
 fn units_are_known_or_refused() {
-    check(
-        "K2142/1 °C\nK0001/1 30\n",
-        &["12? K2142 is given twice with different texts: this one is used", "13: unknown unit °C: use mm, µm or inch"],
-    );
+    let celsius = HEAD.replace("K2142/1 mm", "K2142/1 °C");
+    check_whole(&format!("{celsius}K0001/1 30\n"), &["12: unknown unit °C: use mm, µm or inch"]);
     check_whole(
         "K0100 2\nK2002/1 a\nK2002/2 b\nK0001/1 30\nK0001/2 30\n",
         &[
@@ -673,4 +671,96 @@ fn the_other_half_is_found_in_small_and_in_capital_letters() {
     assert_eq!(fitcheck::files::beside(&path("A.DFD"), "dfx"), Some(bytes("two_files.dfx")));
     assert_eq!(fitcheck::files::beside(&path("b.dfx"), "dfd"), Some(bytes("two_files.dfd")));
     assert_eq!(fitcheck::files::beside(&path("b.dfd"), "dfx"), None);
+}
+
+#[test]
+fn a_value_before_bytes_of_zero_is_refused() {
+    let zeros = "\0".repeat(100);
+    let refused = "the line has bytes of value 0, so the file was not written completely: it is not used";
+    for tail in [format!("K0001/1 25.0{zeros}"), format!("25.0{zeros}"), "K0001/1 25.0\0003\n".to_owned()] {
+        check(&tail, &[&format!("12: {refused}")]);
+    }
+    check(
+        &format!("K0001/1 25.01\n{zeros}"),
+        &[
+            "12 D 25.01 GOOD",
+            "13? the file has bytes of value 0 here, so it was not written completely: values may be missing",
+        ],
+    );
+}
+
+#[test]
+fn a_last_value_without_a_line_end_is_refused_unless_its_decimals_say_that_it_is_whole() {
+    let cut_off = |line: usize, given: &str| {
+        format!(
+            "{line}: the file ends here without a line end, so {given} may be cut off: it is not used; if it is complete, add a line end"
+        )
+    };
+    for text in ["K0001/1 25.0", "25.0", "K0001/1 2.501E+1", "25"] {
+        check(text, &[&cut_off(12, text.rsplit(' ').next().unwrap())]);
+    }
+    check("K0001/1 25.012\nK0001/1 25.0", &["12 D 25.012 GOOD", &cut_off(13, "25.0")]);
+    check("K0001/1 25.012\nK0001/1 25.013", &["12 D 25.012 GOOD", "13 D 25.013 GOOD"]);
+    let with_decimals = |text: &str| format!("{HEAD}K2022/1 4\n{text}");
+    check_whole(&with_decimals("K0001/1 25.0123"), &["13 D 25.0123 GOOD"]);
+    check_whole(&with_decimals("K0001/1 25.012"), &[&cut_off(13, "25.012")]);
+    // 255 would take the value out.
+    check("K0001/1 25.01\nK0002/1 2", &[&cut_off(12, "2")]);
+    check("K0001/1 25.01\nK0002/1 ", &[&cut_off(12, "")]);
+    check("25.01\u{14}0", &["12 D 25.01 GOOD"]);
+    check("25.01\u{14}", &[&cut_off(12, "25.01")]);
+}
+
+#[test]
+fn a_value_of_all_characteristics_is_refused() {
+    let refused = "K0001 with number 0 would be the value of every characteristic: it is not used";
+    check("K0001/0 25.05\nK0001/1 25.01\n", &[&format!("12: {refused}"), "13 D 25.01 GOOD"]);
+}
+
+#[test]
+fn an_attribute_behind_a_line_of_values_takes_the_value_out() {
+    let missing = "12? 1 value is empty or marked as missing (K0002 is 255 or 256), from this line on: it is left out";
+    for line in ["25.01", "25.01\u{14}0"] {
+        check(&format!("{line}\nK0002/1 255\n"), &[missing]);
+    }
+    check("K0001/1 25.01\nK0002/1 0\nK0002/1 255\n", &[missing]);
+    // Where the attribute comes first, the next one is that of the next value.
+    let said =
+        said(&items("a.dfq", format!("{HEAD}K0002/1 0\nK0001/1 25.01\nK0002/1 255\nK0001/1 25.02\n").as_bytes(), None));
+    assert_eq!(said[0], "12 D 25.01 GOOD");
+    assert_eq!(said.len(), 2);
+}
+
+#[test]
+fn an_attribute_of_all_values_between_two_rows_leaves_neither_good() {
+    let said = said(&items(
+        "a.dfq",
+        format!("{HEAD}K0001/1 25.01\nK0002/0 255\nK0001/1 25.02\nK0001/1 25.011\n").as_bytes(),
+        None,
+    ));
+    assert_eq!(
+        said,
+        [
+            "14: K0002/0 255 stands between this row and the one before it, and may mark either: the value is not used",
+            "15 D 25.011 GOOD",
+            "12? 1 value is empty or marked as missing (K0002 is 255 or 256), from this line on: it is left out",
+        ]
+    );
+    // Where each row has its own, it is that of the row.
+    check(
+        "K0001/1 25.01\nK0002/0 3\nK0001/1 25.012\nK0002/0 0\n",
+        &["12 D 25.01: not judged: marked with 3 (K0002), and only 0 is known to be a valid value", "14 D 25.012 GOOD"],
+    );
+}
+
+#[test]
+fn a_limit_that_is_given_twice_judges_nothing() {
+    let said = said(&items("a.dfq", format!("{HEAD}K2111/1 25.052\nK0001/1 25.03\n").as_bytes(), None));
+    assert_eq!(
+        said[0],
+        "12: K2111 is given twice with different texts, before with 25.021: values of this characteristic are not judged"
+    );
+    assert!(said.iter().all(|line| !line.contains("GOOD") && !line.contains("SCRAP")), "{said:?}");
+    // The same text twice contradicts nothing, and the words of a name judge nothing.
+    check("K2111/1 25.021\nK0001/1 25.01\n", &["13 D 25.01 GOOD"]);
 }

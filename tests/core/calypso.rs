@@ -176,3 +176,25 @@ fn tables_are_told_by_their_header() {
         assert_ne!(named(text.as_bytes()), Some("calypso"), "{text}");
     }
 }
+
+#[test]
+fn a_last_row_that_may_be_cut_off_is_refused() {
+    let header = "id\tidsymbol\tnominal\tuppertol\tlowertol\tunit\tactual\n";
+    let row = "a\tdiameter\t25\t0.021\t0\tmm\t25.0";
+    let no_end = "2? the last line, END, is missing: the file may be cut off";
+    assert_eq!(
+        said(format!("{header}{row}").as_bytes()),
+        [
+            "2: the file ends here without a line end, so the row may be cut off: it is left out; if it is complete, add a line end",
+            no_end
+        ]
+    );
+    let zeros = "2: the line has bytes of value 0, so the file was not written completely: the row is left out";
+    assert_eq!(said(format!("{header}{row}{}", "\0".repeat(100)).as_bytes()), [zeros, no_end]);
+    assert_eq!(said(format!("{header}{row}\0003\nEND\n").as_bytes()), [zeros]);
+    let behind = said(format!("{header}{row}\n{}", "\0".repeat(100)).as_bytes());
+    assert_eq!(
+        behind[1],
+        "3? the file has bytes of value 0 here, so it was not written completely: rows may be missing"
+    );
+}

@@ -257,14 +257,37 @@ fn a_last_line_that_may_be_cut_off_is_told() {
         format!("{rows}2;25 H7;25.011"),
         format!("{rows}2;25 H7;25.0\n"),
         format!("{rows}2;25 H7;25.0\r\n"),
-        "id;callout;measured\n1;25 H7;25.0\n2;25 H7;25.01\n3;25 H7;25.0".to_owned(),
         "id;callout;measured;pieces\n1;25 H7;25.012;3\n2;25 H7;25.0;4".to_owned(),
-        "id;callout;measured\n1;25 H7;25.0".to_owned(),
     ] {
         for said in [import(&complete), batch(&complete)] {
             assert!(!said.said().contains("cut off"), "{complete}\n{}{}", said.out, said.err);
         }
     }
+}
+
+#[test]
+fn a_last_line_of_which_nothing_says_whether_it_is_whole_is_told() {
+    let told = |last: &str| format!("the file ends here without a line end: its last value, {last}, may be cut off");
+    for (text, last) in [
+        ("callout;measured\n25 H7;25.0", "25.0"),
+        ("callout;measured\n25 H7;25.012", "25.012"),
+        ("callout;measured [inch]\n25 H7;0.984", "0.984"),
+        ("measured;callout\n25.012;25 H11\n25.05;25 H1", "25 H1"),
+        ("id;callout;measured\n1;25 H7;25.0\n2;25 H7;25.01\n3;25 H7;25.0", "25.0"),
+        ("id;callout;measured\n1;25 H7;25\n2;25 H7;25", "25"),
+    ] {
+        for said in [import(text), batch(text)] {
+            assert!(said.said().contains(&told(last)), "{text}\n{}{}", said.out, said.err);
+        }
+        let json = answer("m.csv", text, &["import", "m.csv", "--format", "json"]).out;
+        assert!(json.contains(&told(last)), "{text}: {json}");
+        let whole = format!("{text}\n");
+        for said in [import(&whole), batch(&whole)] {
+            assert!(!said.said().contains("cut off"), "{whole}\n{}{}", said.out, said.err);
+        }
+    }
+    let said = import("callout;measured\n25 H7;25.012");
+    assert!(said.code == 0 && said.out.contains("GOOD"), "{}", said.out);
 }
 
 #[test]

@@ -478,3 +478,33 @@ fn many_values_are_read_one_by_one() {
     assert_eq!((imported.records.len(), imported.rows, imported.errors.len()), (20_000, 20_000, 0));
     assert_eq!(imported.lines[19_999], 61 + 19_999 * 9);
 }
+
+#[test]
+fn a_radius_is_no_value_of_a_diameter() {
+    let radius = LIMITS.replace("DiameterCharacteristicMeasurement", "RadiusCharacteristicMeasurement");
+    refused(
+        &radius,
+        "line 61, column 13: the measurement is of the kind radius, and its characteristic of the kind diameter",
+    );
+}
+
+#[test]
+fn two_values_or_one_in_pieces_are_refused() {
+    let (_, behind) = LIMITS.split_once("<Value").unwrap();
+    let (value, _) = behind.split_once("</Value>").unwrap();
+    let value = format!("<Value{value}</Value>");
+    refused(&with(&value, &format!("{value}{value}")), "line 61, column 13: the measurement has several values");
+    let [error] = errors(&read(&with(&value, "<Value>25.0<x>1</x>123</Value>"))).try_into().unwrap();
+    assert!(error.ends_with("Value has an element in the middle of its text"), "{error}");
+    assert_eq!(only(&read(&with(&value, "<Value>25.0<!-- -->123</Value>"))).measurement.diameter, mm("25.0123"));
+}
+
+#[test]
+fn a_tolerance_must_say_whether_it_has_limits_or_deviations() {
+    for text in ["", "<DefinedAsLimit></DefinedAsLimit>", "<DefinedAsLimit>yes</DefinedAsLimit>"] {
+        refused(
+            &with("<DefinedAsLimit>true</DefinedAsLimit>", text),
+            "line 61, column 13: DefinedAsLimit is missing or neither true nor false, so the numbers may be limits or deviations",
+        );
+    }
+}

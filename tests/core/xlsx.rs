@@ -276,3 +276,102 @@ fn what_is_no_measurement_is_said() {
         "line 1: S: no column of measured values: name it in the first line, such as id;callout;measured",
     );
 }
+
+/// A workbook whose measured value is written so, with these shared texts.
+fn measured_as(cell: &str) -> Vec<u8> {
+    let rows = sheet(&[HEADER, &["A", "25 H7"]]);
+    let rows = rows.replace("</c></row></sheetData>", &format!("</c>{cell}</row></sheetData>"));
+    let texts = "<sst uniqueCount=\"2\"><si><t>25.01</t></si><si><t>25.05</t></si></sst>";
+    book(&rows, &[("xl/sharedStrings.xml", texts.as_bytes())])
+}
+
+#[test]
+fn a_value_in_pieces_is_refused_and_never_read_by_half() {
+    let odd = "line 1: xl/worksheets/sheet1.xml!C2: the value of the cell is not stored as one plain text, so only a part of it could be \
+               read: open the workbook in a spreadsheet program and save it";
+    for value in [
+        "<v>25.0<!-- -->5</v>",
+        "<v>25&#46;05</v>",
+        "<v>25.0<![CDATA[5]]></v>",
+        "<v><![CDATA[25.05]]></v>",
+        "<v>25.0<?x y?>5</v>",
+        "<v>25.0<x/>5</v>",
+        "<v>25.0</v><v>25.05</v>",
+    ] {
+        refused(&measured_as(&format!("<c r=\"C2\">{value}</c>")), odd);
+    }
+    for number in [" 1 ", "+1", "1.0", "x1", "-1", "1<!-- -->", "99999999999999999999"] {
+        refused(&measured_as(&format!("<c r=\"C2\" t=\"s\"><v>{number}</v></c>")), odd);
+    }
+    refused(&measured_as("<c r=\"C2\" t=\"str\"><v>25.0<![CDATA[5]]></v></c>"), odd);
+    let good = measured_as("<c r=\"C2\" t=\"s\"><v>0</v></c>");
+    assert_eq!(records(&read(&good)), ["2 A 25 H7 25.01 GOOD 2030-01-01T00:00:00"]);
+    let scrap = measured_as("<c r=\"C2\"><f>A&amp;B</f><v>25.05</v></c>");
+    assert_eq!(records(&read(&scrap)), ["2 A 25 H7 25.05 SCRAP 2030-01-01T00:00:00"]);
+}
+
+#[test]
+fn a_sheet_under_another_name_is_looked_at_or_refused() {
+    let rows = sheet(&[HEADER, &["A", "25 H7"]])
+        .replace("</c></row></sheetData>", "</c><c><v>25.0<!-- -->5</v></c></row></sheetData>");
+    for (member, is_sheet) in [("worksheets/data.xml", true), ("data.xml", false)] {
+        let rels = BOOK_RELS.replace("worksheets/sheet1.xml", member);
+        let name = format!("xl/{member}");
+        let bytes = zipped(&[
+            ("_rels/.rels", RELS.as_bytes()),
+            ("xl/workbook.xml", BOOK.as_bytes()),
+            ("xl/_rels/workbook.xml.rels", rels.as_bytes()),
+            (&name, rows.as_bytes()),
+        ]);
+        let [error] = errors(&read(&bytes)).try_into().unwrap();
+        assert_eq!(error.contains("not stored as one plain text"), is_sheet, "{error}");
+        assert_eq!(read(&bytes).records, []);
+    }
+}
+
+#[test]
+fn two_members_of_one_name_are_refused() {
+    let rows = sheet(&[HEADER, &["A", "25 H7", "25.05"]]);
+    let mut bytes = book(&rows, &[("xl/worksheets/sheet2.xml", sheet(&[HEADER, &["A", "25 H7", "25.01"]]).as_bytes())]);
+    // The second name becomes the first one: in its own header and in the list.
+    while let Some(at) = bytes.windows(10).position(|at| at == b"sheet2.xml") {
+        bytes[at + 5] = b'1';
+    }
+    refused(
+        &bytes,
+        "line 1: two members of the workbook have the same name, so it has been changed: open it in a spreadsheet program and save it",
+    );
+}
+
+#[test]
+fn shared_texts_are_counted_and_not_their_tags() {
+    // Rich texts have several elements each.
+    let texts = format!("<sst>{}</sst>", "<si><r><rPr><b/></rPr><t>a</t></r><r><t>b</t></r></si>".repeat(500_000));
+    let rows = sheet(&[HEADER, &["A", "25 H7", "25.01"]]);
+    let bytes = book(&rows, &[("xl/sharedStrings.xml", texts.as_bytes())]);
+    assert_eq!(records(&read(&bytes)), ["2 A 25 H7 25.01 GOOD 2030-01-01T00:00:00"]);
+}
+
+#[test]
+fn a_sheet_that_is_seen_comes_before_a_hidden_one_and_a_hidden_one_is_told() {
+    let sheet_of = |value: &str| sheet(&[HEADER, &["A", "25 H7", value]]);
+    let state = |first: &str, second: &str| {
+        let sheets = format!(
+            "<sheet name=\"S\" sheetId=\"1\" r:id=\"rId1\"{first}/><sheet name=\"T\" sheetId=\"2\" r:id=\"rId2\"{second}/>"
+        );
+        let rel = BOOK_RELS.replace("sheet1.xml\"/>", "sheet1.xml\"/><Relationship Id=\"rId2\" Type=\"http://schemas.openxmlformats.org/officeDocument/2006/relationships/worksheet\" Target=\"worksheets/sheet2.xml\"/>");
+        zipped(&[
+            ("_rels/.rels", RELS.as_bytes()),
+            ("xl/workbook.xml", BOOK.replace("<sheet name=\"S\" sheetId=\"1\" r:id=\"rId1\"/>", &sheets).as_bytes()),
+            ("xl/_rels/workbook.xml.rels", rel.as_bytes()),
+            ("xl/worksheets/sheet1.xml", sheet_of("25.01").as_bytes()),
+            ("xl/worksheets/sheet2.xml", sheet_of("25.05").as_bytes()),
+        ])
+    };
+    let imported = read(&state(" state=\"hidden\"", ""));
+    assert_eq!(records(&imported), ["2 A 25 H7 25.05 SCRAP 2030-01-01T00:00:00"]);
+    assert_eq!(warnings(&imported), ["line 1: sheet T is read; other sheets are not: S"]);
+    let imported = read(&state(" state=\"hidden\"", " state=\"veryHidden\""));
+    assert_eq!(records(&imported), ["2 A 25 H7 25.01 GOOD 2030-01-01T00:00:00"]);
+    assert_eq!(warnings(&imported)[1], "line 1: sheet S is read, and it is hidden in the workbook");
+}

@@ -3,6 +3,11 @@ aqdef-line = expected a key and a text such as K0001/1 25.012, or a line of valu
 aqdef-number = { $key }: { $reason }
 aqdef-whole = { $key }: { $given } is not a whole number
 aqdef-undeclared = value of characteristic { $number }, which is not declared above it
+aqdef-of-all = { $key } with number 0 would be the value of every characteristic: it is not used
+aqdef-cut-off = the file ends here without a line end, so { $given } may be cut off: it is not used; if it is complete, add a line end
+aqdef-zeros = the line has bytes of value 0, so the file was not written completely: it is not used
+aqdef-mark-between = K0002/0 { $given } stands between this row and the one before it, and may mark either: the value is not used
+aqdef-twice = { $key } is given twice with different texts, before with { $other }: values of this characteristic are not judged
 aqdef-fields = expected at most { $most } fields in a value, found { $found }
 aqdef-no-values = { $count ->
         [0] neither characteristics nor values
@@ -36,6 +41,7 @@ aqdef-warning-scrap-feature = the scrap limit is that of { $feature ->
        *[shaft] a shaft
     }, but { $callout } is not: the tolerance class applies
 aqdef-warning-cut-off = the file ends here without a line end, and { $given } is shorter than the others: it may be cut off
+aqdef-warning-zeros = the file has bytes of value 0 here, so it was not written completely: values may be missing
 aqdef-warning-values-left = { $file } has { $count ->
         [one] 1 line of values, which is not read
        *[other] { $count } lines of values, which are not read

@@ -81,6 +81,7 @@ exchange-warning-place = { $given } is not a length: the location is skipped
 exchange-warning-no-time = no date and time here: the time of import is used
 exchange-warning-offset = { $given } is kept as local time without its offset from UTC
 exchange-warning-cut-off = the file ends here without a line end, and { $given } has fewer decimals than the other values: it may be cut off
+exchange-warning-open-end = the file ends here without a line end: its last value, { $given }, may be cut off
 
 # Contacts
 contacts-file-empty = the file holds no contacts
@@ -175,6 +176,7 @@ exchange-xml-doctype = a DOCTYPE is not supported: remove it, or export the file
 exchange-xml-entity = entity { $name } is not known: only &lt; &gt; &amp; &quot; and &apos; are supported
 exchange-xml-depth = nesting limit of { $most } elements reached
 exchange-xml-long = a tag or text is longer than { $most } KiB
+exchange-xml-mixed = { $name } has an element in the middle of its text
 exchange-xml-cut-off = the file ends within an element: it may be cut off
 exchange-xml-encoding = unknown encoding { $given }: use UTF-8, UTF-16 or ISO 8859-1
 exchange-xml-bytes = these bytes are not text in the file's encoding
@@ -184,11 +186,15 @@ exchange-qif-reference = { $what } { $id } is not in the file
 exchange-qif-too-many = the file has more than { $most } { $what } elements
 exchange-qif-no-value = no measured value here; status { $status }
 exchange-qif-limit = limits or nominal size: { $reason }
+exchange-qif-other-kind = the measurement is of the kind { $measured }, and its characteristic of the kind { $defined }
+exchange-qif-several-values = the measurement has several values
+exchange-qif-defined-as-limit = DefinedAsLimit is missing or neither true nor false, so the numbers may be limits or deviations
 exchange-qif-no-nominal = the limits are deviations, but there is no nominal size
 exchange-qif-zone = class { $class } and { $zone } contradict each other: uppercase letters are holes, lowercase letters are shafts
 exchange-qif-no-results = a QIF file without measured values: a plan can be read as a part plan
 exchange-qif-no-characteristics = the QIF file declares no characteristics
 exchange-warning-standard-uncertainty-not-used = the file states a combined standard uncertainty of { $standard } and a mean error of { $mean-error }: no rule uses them, so give --u instead
+exchange-warning-sheet-hidden = sheet { $sheet } is read, and it is hidden in the workbook
 exchange-warning-qif-version = QIF version { $version }: this program is made for version 3.0
 exchange-warning-qif-count = { $list } says n={ $said }, but has { $found }: something may be missing or added
 exchange-warning-qif-twice = id { $id } occurs twice: the first element is used
@@ -200,11 +206,13 @@ exchange-workbook-password = the workbook has a password: save it without one
 exchange-zip-cut-off = the end of the workbook is missing: it may be cut off
 exchange-zip-members = the workbook's list of members is damaged or has more than { $most } entries
 exchange-zip-bomb = { $member } unpacks to more than { $most } MiB, or is packed too densely for a workbook: it is not read
+exchange-zip-twice = two members of the workbook have the same name, so it has been changed: open it in a spreadsheet program and save it
 exchange-zip-texts = the workbook has more than { $most } different texts
 exchange-sheet-wide = cell { $cell } is beyond the first { $most } columns
 exchange-too-many-cells = the sheet has more than { $most } cells
 exchange-cell = { $cell }: { $reason }
 exchange-formula-without-value = the value of the formula ={ $formula } is not stored: open the workbook in a spreadsheet program and save it
+exchange-cell-split = the value of the cell is not stored as one plain text, so only a part of it could be read: open the workbook in a spreadsheet program and save it
 exchange-cell-error = the cell shows { $error }
 exchange-warning-sheets-left = sheet { $sheet } is read; other sheets are not: { $left }
 gauge-frame = the characters that frame the line were skipped

@@ -3,6 +3,11 @@ aqdef-line = een sleutel en een tekst zoals K0001/1 25.012 verwacht, of een rege
 aqdef-number = { $key }: { $reason }
 aqdef-whole = { $key }: { $given } is geen geheel getal
 aqdef-undeclared = een waarde van kenmerk { $number }, dat erboven niet is beschreven
+aqdef-of-all = { $key } met nummer 0 zou de waarde van elk kenmerk zijn: ze is overgeslagen
+aqdef-cut-off = het bestand eindigt hier zonder regeleinde, dus { $given } is misschien afgekapt: ze is overgeslagen; zet er een regeleinde achter als ze volledig is
+aqdef-zeros = de regel heeft bytes met waarde 0, dus het bestand is niet volledig geschreven: ze is overgeslagen
+aqdef-mark-between = K0002/0 { $given } staat tussen deze rij en de vorige, en kan bij beide horen: de waarde is overgeslagen
+aqdef-twice = { $key } is twee keer gegeven met verschillende teksten, eerder met { $other }: waarden van dit kenmerk zijn niet beoordeeld
 aqdef-fields = hoogstens { $most } velden van een waarde verwacht, { $found } gevonden
 aqdef-no-values = { $count ->
         [0] geen kenmerken en geen waarden
@@ -36,6 +41,7 @@ aqdef-warning-scrap-feature = de afkeurgrens is die van { $feature ->
        *[shaft] een as
     }, en { $callout } niet: de tolerantieklasse telt
 aqdef-warning-cut-off = het bestand eindigt hier zonder regeleinde, en { $given } is korter dan de andere: misschien afgekapt
+aqdef-warning-zeros = het bestand heeft hier bytes met waarde 0, dus het is niet volledig geschreven: misschien ontbreken er waarden
 aqdef-warning-values-left = { $file } heeft { $count ->
         [one] 1 regel met waarden, die niet is gelezen
        *[other] { $count } regels met waarden, die niet zijn gelezen

@@ -81,6 +81,7 @@ exchange-warning-place = { $given } is geen lengte: de plaats wordt weggelaten
 exchange-warning-no-time = hier staat geen datum en tijd: de tijd van de import geldt
 exchange-warning-offset = { $given } wordt bewaard als lokale tijd zonder het verschil met UTC
 exchange-warning-cut-off = het bestand eindigt hier zonder regeleinde, en { $given } heeft minder decimalen dan de andere waarden: het is misschien afgekapt
+exchange-warning-open-end = het bestand eindigt hier zonder regeleinde: zijn laatste waarde, { $given }, is misschien afgekapt
 
 # Meetpunten
 contacts-file-empty = het bestand bevat geen meetpunten
@@ -175,6 +176,7 @@ exchange-xml-doctype = een DOCTYPE wordt niet gelezen: haal die weg, of exportee
 exchange-xml-entity = entiteit { $name } is onbekend: alleen &lt; &gt; &amp; &quot; en &apos; worden gelezen
 exchange-xml-depth = meer dan { $most } elementen in elkaar
 exchange-xml-long = een tag of tekst is langer dan { $most } KiB
+exchange-xml-mixed = { $name } heeft een element midden in zijn tekst
 exchange-xml-cut-off = het bestand eindigt binnen een element: het kan afgebroken zijn
 exchange-xml-encoding = onbekende codering { $given }: gebruik UTF-8, UTF-16 of ISO 8859-1
 exchange-xml-bytes = bytes hier zijn geen tekst in de codering van het bestand
@@ -184,11 +186,15 @@ exchange-qif-reference = { $what } { $id } staat niet in het bestand
 exchange-qif-too-many = het bestand heeft meer dan { $most } elementen { $what }
 exchange-qif-no-value = hier geen gemeten waarde; status { $status }
 exchange-qif-limit = grensmaten of nominale maat: { $reason }
+exchange-qif-other-kind = de meting is van de soort { $measured }, en haar kenmerk van de soort { $defined }
+exchange-qif-several-values = de meting heeft meerdere waarden
+exchange-qif-defined-as-limit = DefinedAsLimit ontbreekt of is niet true of false, dus de getallen kunnen grensmaten of afwijkingen zijn
 exchange-qif-no-nominal = de grenzen zijn afwijkingen, en er is geen nominale maat
 exchange-qif-zone = klasse { $class } en { $zone } spreken elkaar tegen: hoofdletters zijn boringen, kleine letters zijn assen
 exchange-qif-no-results = een QIF-bestand zonder gemeten waarden: een meetplan kan als onderdeelplan worden gelezen
 exchange-qif-no-characteristics = het QIF-bestand noemt geen kenmerken
 exchange-warning-standard-uncertainty-not-used = het bestand noemt een gecombineerde standaardonzekerheid van { $standard } en een gemiddelde afwijking van { $mean-error }: geen regel gebruikt die, geef daarvoor --u
+exchange-warning-sheet-hidden = blad { $sheet } wordt gelezen, en is verborgen in de werkmap
 exchange-warning-qif-version = QIF-versie { $version }: de lezer is gemaakt voor 3.0
 exchange-warning-qif-count = { $list } zegt n={ $said } en heeft er { $found }: er kan iets ontbreken of bijgekomen zijn
 exchange-warning-qif-twice = id { $id } staat er twee keer: het eerste element telt
@@ -200,11 +206,13 @@ exchange-workbook-password = de werkmap heeft een wachtwoord: sla die zonder wac
 exchange-zip-cut-off = het einde van de werkmap ontbreekt: die kan afgebroken zijn
 exchange-zip-members = de werkmap heeft een lijst van meer dan { $most } onderdelen, of een beschadigde
 exchange-zip-bomb = { $member } wordt uitgepakt meer dan { $most } MiB, of is te dicht gepakt voor een werkmap: er wordt niets van gelezen
+exchange-zip-twice = twee onderdelen van de werkmap hebben dezelfde naam, dus zij is gewijzigd: open haar in een rekenprogramma en sla haar op
 exchange-zip-texts = de werkmap heeft meer dan { $most } verschillende teksten
 exchange-sheet-wide = cel { $cell } ligt voorbij de eerste { $most } kolommen
 exchange-too-many-cells = het blad heeft meer dan { $most } cellen
 exchange-cell = { $cell }: { $reason }
 exchange-formula-without-value = de waarde van de formule ={ $formula } is niet opgeslagen: open de werkmap in een rekenprogramma en sla die op
+exchange-cell-split = de waarde van de cel is niet als één gewone tekst opgeslagen, dus alleen een deel ervan is leesbaar: open de werkmap in een rekenprogramma en sla die op
 exchange-cell-error = de cel toont { $error }
 exchange-warning-sheets-left = blad { $sheet } wordt gelezen; andere bladen niet: { $left }
 gauge-frame = de tekens om de regel zijn weggelaten

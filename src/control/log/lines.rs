@@ -2,6 +2,7 @@
 //!
 //! Labels are never interpreted, only distinguished from numbers: they follow the control's dialogue language.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use jiff::civil::{Date, Time};
@@ -37,8 +38,8 @@ pub(super) struct Chunk {
     pub(super) is_too_long: bool,
     /// How many of them hold a figure after a label.
     figures: usize,
-    /// The line in which the file ends, if it ends without a line end.
-    unfinished: Option<usize>,
+    /// Which of them may go on: the last one of a file that ends without a line end, and those that byte 0 ends.
+    open: BTreeSet<usize>,
 }
 
 /// A figure, or another text, and its label.
@@ -92,16 +93,13 @@ enum Line<'a> {
 pub(super) struct Chunks {
     /// What was read so far of the next log.
     chunk: Chunk,
-    /// The number of the line that was read last.
-    last: usize,
     /// Whether the line before is a label that waits for its value.
     waits: bool,
 }
 
 impl Chunks {
-    /// Takes a line, and gives the log that ends before it.
-    pub(super) fn line(&mut self, number: usize, line: &str) -> Option<Chunk> {
-        self.last = number;
+    /// Takes a line, and gives the log that ends before it. `is_open` is whether it may go on.
+    pub(super) fn line(&mut self, number: usize, line: &str, is_open: bool) -> Option<Chunk> {
         let line = line.trim_end();
         let bare = line.trim_start();
         if bare.is_empty() {
@@ -125,15 +123,13 @@ impl Chunks {
         // A date after the nominal values: the title between two logs is damaged.
         let is_lost = date(value).is_some() && 3 <= self.chunk.figures;
         let before = is_lost.then(|| std::mem::take(&mut self.chunk));
-        self.chunk.add(number, line, value);
+        self.chunk.add(number, line, value, is_open);
         before.and_then(Chunk::if_any)
     }
 
-    /// The log that ends with the text. Whether the last line has no line end.
-    pub(super) fn end(&mut self, is_unfinished: bool) -> Option<Chunk> {
-        let mut last = std::mem::take(&mut self.chunk);
-        last.unfinished = is_unfinished.then_some(self.last);
-        last.if_any()
+    /// The log that ends with the text.
+    pub(super) fn end(&mut self) -> Option<Chunk> {
+        std::mem::take(&mut self.chunk).if_any()
     }
 }
 
@@ -144,10 +140,11 @@ impl Chunk {
     }
 
     /// Adds a line that is not blank, with the value that it has after a label.
-    fn add(&mut self, number: usize, line: &str, value: &str) {
+    fn add(&mut self, number: usize, line: &str, value: &str, is_open: bool) {
         self.figures += usize::from(is_number(value));
         if self.lines.len() < MOST_LINES {
             self.lines.push((number, line.to_owned()));
+            self.open.extend(is_open.then_some(number));
         } else {
             self.is_too_long = true;
         }
@@ -168,9 +165,9 @@ impl Chunk {
         self.lines.last().map_or(title, |(line, _)| *line)
     }
 
-    /// Whether the file ends within this line.
+    /// Whether the file may end within this line.
     pub(super) fn ends_within(&self, line: usize) -> bool {
-        self.unfinished == Some(line)
+        self.open.contains(&line)
     }
 
     /// Labels with their values, on the same line or the next. A label without a value is a heading.

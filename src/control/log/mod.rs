@@ -98,12 +98,12 @@ pub fn read(bytes: &[u8]) -> Vec<Result<Log, LogError>> {
 
 /// The same for a text, one log after the other.
 pub fn each(text: &str) -> impl Iterator<Item = Result<Log, LogError>> {
-    let mut lines = text::lines(text);
+    let mut lines = text::lines_open_from(text, 1);
     let mut logs = Some(Logs::default());
     std::iter::from_fn(move || {
         let reads = logs.as_mut()?;
-        let next = lines.by_ref().find_map(|(number, line)| reads.line(number, line));
-        next.or_else(|| logs.take()?.end(!text.ends_with(text::LINE_ENDS)))
+        let next = lines.by_ref().find_map(|(number, line, is_open)| reads.line(number, line, is_open));
+        next.or_else(|| logs.take()?.end())
     })
 }
 
@@ -120,16 +120,16 @@ pub struct Logs {
 }
 
 impl Logs {
-    /// Takes a line without its end, and gives the log that ends before it.
-    pub fn line(&mut self, number: usize, line: &str) -> Option<Result<Log, LogError>> {
-        let chunk = self.chunks.line(number, line);
+    /// Takes a line without its end, and gives the log that ends before it. `is_open` is whether text may be missing behind it.
+    pub fn line(&mut self, number: usize, line: &str, is_open: bool) -> Option<Result<Log, LogError>> {
+        let chunk = self.chunks.line(number, line, is_open);
         self.has_text = self.has_text || !line.trim_ascii().is_empty();
         self.read(&chunk?)
     }
 
-    /// The log that ends with the text; a text without any gives one error. `is_unfinished` is whether the last line has no end.
-    pub fn end(mut self, is_unfinished: bool) -> Option<Result<Log, LogError>> {
-        let last = self.chunks.end(is_unfinished).and_then(|chunk| self.read(&chunk));
+    /// The log that ends with the text; a text without any gives one error.
+    pub fn end(mut self) -> Option<Result<Log, LogError>> {
+        let last = self.chunks.end().and_then(|chunk| self.read(&chunk));
         let fault = if self.has_text { LogFault::NoLog } else { LogFault::Empty };
         last.or_else(|| (!self.is_found).then(|| Err(fault.at(1))))
     }
@@ -153,8 +153,8 @@ impl Logs {
 pub fn is_log(text: &str) -> bool {
     let is_log = |chunk: Chunk| chunk.title.is_some() && chunk.has_figures();
     let mut chunks = Chunks::default();
-    text::lines(text).any(|(number, line)| chunks.line(number, line).is_some_and(is_log))
-        || chunks.end(false).is_some_and(is_log)
+    text::lines(text).any(|(number, line)| chunks.line(number, line, false).is_some_and(is_log))
+        || chunks.end().is_some_and(is_log)
 }
 
 fn read_one(chunk: &Chunk) -> Result<Log, LogError> {

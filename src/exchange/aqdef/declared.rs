@@ -53,6 +53,10 @@ impl Declared {
             errors: Vec::new(),
             warnings: Vec::new(),
         };
+        for (key, line, other) in asked.twice() {
+            let (text, other) = (asked.text(key.0), shorten(other));
+            reading.fail(line, AqdefFault::Twice { key: key.to_string(), other }, text);
+        }
         let kind = reading.whole(2004);
         let quantity = reading.whole(2009);
         let decimals = reading.whole(2022).and_then(|decimals| decimals.try_into().ok());
@@ -227,6 +231,11 @@ fn class(asked: &Asked<'_>) -> String {
 
 fn first<'a>(asked: &Asked<'a>, keys: &[u16]) -> Option<&'a str> {
     keys.iter().find_map(|&key| asked.get(key)).map(|(_, text)| text)
+}
+
+/// Whether values are judged by an entry of a characteristic.
+pub(super) const fn is_judged_by(key: Key) -> bool {
+    matches!(key.0, 2004 | 2009 | 2101 | 2103 | 2104 | 2110..=2115 | 2120 | 2121 | 2142 | 2151)
 }
 
 /// Whether an entry of parts or characteristics is used; the others are told.

@@ -2,6 +2,7 @@
 
 use std::collections::BTreeMap;
 
+use super::declared::is_judged_by;
 use super::error::AqdefFault;
 use super::keys::{Entry, Key, Level};
 use crate::exchange::error::ImportErrorKind;
@@ -30,6 +31,9 @@ pub(super) struct Description {
     all_characteristics: Entries,
     /// The part that was named last: characteristics are those of it.
     part: Option<u32>,
+    /// Entries of characteristics by which values are judged, and that stand twice with different texts: the line of the second one,
+    /// and the first text.
+    twice: BTreeMap<(u32, Key), Given>,
     bytes: usize,
 }
 
@@ -67,6 +71,11 @@ impl Description {
             }
         };
         let before = entries.insert(entry.key, (line, entry.text.to_owned()));
+        if let Some((_, text)) = before.as_ref().filter(|(_, text)| text != entry.text)
+            && is_judged_by(entry.key)
+        {
+            self.twice.entry((entry.index, entry.key)).or_insert_with(|| (line, text.clone()));
+        }
         Ok(before.filter(|(_, text)| text != entry.text).map(|(line, _)| line))
     }
 
@@ -117,6 +126,14 @@ impl<'a> Asked<'a> {
         };
         let found = own.and_then(|own| own.get(&Key(key))).or_else(|| all.get(&Key(key)));
         found.map(|(line, text)| (*line, text.as_str())).filter(|(_, text)| !text.is_empty())
+    }
+
+    /// The entries that stand twice with different texts: key, line and the other text.
+    pub(super) fn twice(&self) -> impl Iterator<Item = (Key, usize, &'a str)> {
+        let of = |number: u32| self.all.twice.range((number, Key(0))..=(number, Key(u16::MAX)));
+        let all = of(0).filter(|((_, key), _)| !self.entries.contains_key(key));
+        let own = if self.number == 0 { None } else { Some(of(self.number)) };
+        own.into_iter().flatten().chain(all).map(|((_, key), (line, text))| (*key, *line, text.as_str()))
     }
 
     /// The text of an entry; empty where it is missing.

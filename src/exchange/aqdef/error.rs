@@ -29,6 +29,30 @@ pub enum AqdefFault {
         /// The number of the characteristic.
         number: u32,
     },
+    /// A value for all characteristics.
+    OfAll {
+        /// Its key.
+        key: String,
+    },
+    /// A value that ends the file without a line end.
+    CutOff {
+        /// What is left of it.
+        given: String,
+    },
+    /// A line with bytes 0 in it.
+    Zeros,
+    /// An attribute for all values, between two rows.
+    MarkBetween {
+        /// The attribute.
+        given: String,
+    },
+    /// An entry of a characteristic that stands twice with different texts.
+    Twice {
+        /// The key.
+        key: String,
+        /// The other text.
+        other: String,
+    },
     /// A value with more fields than there are.
     Fields {
         /// How many it has.
@@ -158,6 +182,8 @@ pub enum AqdefWarning {
         /// What is left of it.
         given: String,
     },
+    /// A line of bytes 0 alone.
+    Zeros,
     /// Values in the file of characteristics beside this one, which are not read.
     ValuesLeft {
         /// That file.
@@ -179,6 +205,9 @@ pub enum AqdefWarning {
 impl AqdefWarning {
     /// Whether values of the file are not read.
     pub const fn is_loss(&self) -> bool {
-        matches!(self, Self::Fewer { .. } | Self::Late { .. } | Self::CutOff { .. } | Self::ValuesLeft { .. })
+        matches!(
+            self,
+            Self::Fewer { .. } | Self::Late { .. } | Self::CutOff { .. } | Self::ValuesLeft { .. } | Self::Zeros
+        )
     }
 }

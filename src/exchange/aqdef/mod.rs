@@ -36,7 +36,7 @@ use super::error::{ImportErrorKind, ImportWarningKind};
 use super::imported::Sink;
 use super::pieces::Pieces;
 use super::source::{Beginning, Source, WHOLE};
-use crate::control::text::LINE_END_BYTES;
+use crate::control::text::PLAIN_LINE_END_BYTES;
 
 pub(super) const FORMAT: Format = Format {
     name: "aqdef",
@@ -45,7 +45,7 @@ pub(super) const FORMAT: Format = Format {
     recognises,
     read,
     plan: Some(plan),
-    line_ends: LINE_END_BYTES,
+    line_ends: PLAIN_LINE_END_BYTES,
     has_marks: true,
     shows_end: false,
 };
@@ -140,7 +140,7 @@ fn read_both(source: &mut Source<'_>, reader: &mut Reader<'_, '_>) -> Result<Opt
     if has_values_alone(&source.beginning()) {
         read_description_beside(source, reader)?;
     }
-    reader.read(source.pieces(LINE_END_BYTES)?)?;
+    reader.read(source.pieces(PLAIN_LINE_END_BYTES)?)?;
     if reader.has_values || has_ending(&source.context.file, "dfq") {
         return Ok(None);
     }
@@ -148,7 +148,7 @@ fn read_both(source: &mut Source<'_>, reader: &mut Reader<'_, '_>) -> Result<Opt
     let Some(bytes) = (source.given.beside)("dfx") else { return Ok(Some(file)) };
     reader.half = Half::Values;
     reader.told.warn(1, AqdefWarning::ValuesBeside { file }.into());
-    reader.read(Pieces::new(Cursor::new(&bytes), &bytes, LINE_END_BYTES))?;
+    reader.read(Pieces::new(Cursor::new(&bytes), &bytes, PLAIN_LINE_END_BYTES))?;
     Ok(None)
 }
 
@@ -158,7 +158,7 @@ fn read_description_beside(source: &Source<'_>, reader: &mut Reader<'_, '_>) -> 
     let bytes = (source.given.beside)("dfd").ok_or_else(missing)?;
     reader.told.declared_beside(file.clone());
     reader.half = Half::Characteristics;
-    reader.read(Pieces::new(Cursor::new(&bytes), &bytes, LINE_END_BYTES))?;
+    reader.read(Pieces::new(Cursor::new(&bytes), &bytes, PLAIN_LINE_END_BYTES))?;
     reader.half = Half::Values;
     if reader.description.count() == 0 {
         return Err(missing().into());
@@ -179,7 +179,7 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
         read_description_beside(source, &mut reader)?;
     } else {
         reader.half = Half::Characteristics;
-        reader.read(source.pieces(LINE_END_BYTES)?)?;
+        reader.read(source.pieces(PLAIN_LINE_END_BYTES)?)?;
     }
     let description = &reader.description;
     if let Some((_, expected, found)) = description.miscount() {

@@ -6,21 +6,21 @@ use std::rc::Rc;
 use super::declared::{self, Declared};
 use super::description::Description;
 use super::error::{AqdefFault, AqdefWarning};
-use super::keys::{Entry, Key, Level, Line, line};
+use super::keys::{BETWEEN_FIELDS, Entry, Key, Level, Line, line};
 use super::row::{self, Fields, Row};
 use super::told::Told;
-use crate::control::text::{LINE_ENDS, lines_from};
+use crate::control::text::{PLAIN_LINE_ENDS, plain_lines_from};
 use crate::exchange::delimited::LONGEST_ROW;
 use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::imported::Sink;
 use crate::exchange::pieces::Pieces;
 use crate::exchange::source::Context;
 
-/// How many values of a characteristic were read, and how short the shortest one was.
+/// How many values of a characteristic were read, and the most decimals that one had.
 #[derive(Debug, Clone, Copy, Default)]
 struct Seen {
     values: u32,
-    shortest: Option<usize>,
+    decimals: usize,
 }
 
 /// What is read from a file.
@@ -81,8 +81,8 @@ impl<'a, 's> Reader<'a, 's> {
     pub(super) fn read(&mut self, mut pieces: Pieces<'_>) -> Result<(), ImportErrorKind> {
         let (mut next, mut is_open) = (1, false);
         while let Some(piece) = pieces.next()? {
-            is_open = !piece.ends_with(LINE_ENDS);
-            let mut lines = lines_from(&piece, next).peekable();
+            is_open = !piece.ends_with(PLAIN_LINE_ENDS);
+            let mut lines = plain_lines_from(&piece, next).peekable();
             while let Some((number, text)) = lines.next() {
                 next = number + 1;
                 self.line(number, text, is_open && lines.peek().is_none())?;
@@ -100,6 +100,10 @@ impl<'a, 's> Reader<'a, 's> {
     }
 
     fn line(&mut self, number: usize, text: &str, is_open: bool) -> Result<(), ImportErrorKind> {
+        if text.contains('\0') {
+            self.zeros(number, text);
+            return Ok(());
+        }
         if LONGEST_ROW < text.len() {
             self.told.refuse(number, ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 }, "");
             return Ok(());
@@ -121,6 +125,18 @@ impl<'a, 's> Reader<'a, 's> {
             Line::Unknown => self.told.refuse(number, AqdefFault::Line.into(), text),
         }
         Ok(())
+    }
+
+    /// A line with bytes 0: a file that was not written to its end has them, so a value before them may be half a number.
+    fn zeros(&mut self, line: usize, text: &str) {
+        let rest = text.trim_matches('\0').trim();
+        if rest.is_empty() {
+            self.told.warn(line, AqdefWarning::Zeros.into());
+        } else if self.half == Half::Characteristics {
+            self.told.fault(line, AqdefFault::Zeros.into(), rest);
+        } else {
+            self.told.refuse(line, AqdefFault::Zeros.into(), rest);
+        }
     }
 
     fn skip(&mut self, key: Key) {
@@ -162,7 +178,7 @@ impl<'a, 's> Reader<'a, 's> {
         self.flush();
         let is_used = declared::is_used(entry.key);
         let kept = if is_used { *entry } else { Entry { text: "", ..*entry } };
-        if self.description.keep(line, &kept)?.is_some() {
+        if self.description.keep(line, &kept)?.is_some() && !declared::is_judged_by(entry.key) {
             self.told.declared(line, AqdefWarning::Repeated { key: entry.key.to_string() }.into());
         }
         if !is_used {
@@ -200,7 +216,9 @@ impl<'a, 's> Reader<'a, 's> {
         }
         self.has_values = true;
         let Some(declared) = (if index == 0 { None } else { self.declared(index) }) else {
-            if index == 0 {
+            if index == 0 && matches!(key.0, 1 | 20 | 21) {
+                self.told.refuse(line, AqdefFault::OfAll { key: key.to_string() }.into(), entry.text);
+            } else if index == 0 {
                 self.value_of_all(line, entry);
             } else if matches!(key.0, 1 | 20) {
                 self.told.refuse(line, AqdefFault::Undeclared { number: index }.into(), entry.text);
@@ -218,18 +236,17 @@ impl<'a, 's> Reader<'a, 's> {
                 self.seen.entry(index).or_default().values = number - 1;
             }
         }
+        if key == Key(2) && self.row.takes_mark(index, entry.text) {
+            return;
+        }
         self.flush_if(self.row.is_closed_by(key, index));
         if !self.row.values.contains_key(&index) {
             self.seen.entry(index).or_default().values += 1;
         }
-        let cut_off = match key.0 {
-            1 => self.shorter(index, entry.text, declared.decimals),
-            4 => self.shorter_date(entry.text),
-            _ => false,
-        };
+        let cut_off = self.is_cut_off(key, index, (entry.text, declared.decimals), is_open);
         let fields = self.row.set(line, key, index, entry.text);
-        if is_open && cut_off {
-            fields.cut_off = Some(shorten(entry.text));
+        if cut_off {
+            fields.cut_off = Some((key, shorten(entry.text)));
         }
     }
 
@@ -267,17 +284,14 @@ impl<'a, 's> Reader<'a, 's> {
                         last = (key, text);
                         self.field(line, index, key, text);
                     }
-                    let cut_off = match last {
-                        (Key(1), text) => self.shorter(index, text, declared.decimals),
-                        (Key(4), text) => self.shorter_date(text),
-                        _ => false,
-                    };
-                    if is_open
-                        && number == count
-                        && cut_off
+                    let (key, text) = last;
+                    let is_last = is_open && number == count;
+                    // Behind the sign between fields there was an attribute, or it is missing.
+                    let key = if is_last && key == Key(1) && value.contains(BETWEEN_FIELDS) { Key(2) } else { key };
+                    if self.is_cut_off(key, index, (text, declared.decimals), is_last)
                         && let Some(fields) = self.row.values.get_mut(&index)
                     {
-                        fields.cut_off = Some(shorten(last.1));
+                        fields.cut_off = Some((key, shorten(text)));
                     }
                 }
                 Err((found, most)) => self.told.refuse(line, AqdefFault::Fields { found, most }.into(), value),
@@ -298,15 +312,23 @@ impl<'a, 's> Reader<'a, 's> {
         }
     }
 
-    /// Whether a value is shorter than those before it, or has fewer decimals than it should have.
-    fn shorter(&mut self, index: u32, text: &str, decimals: Option<usize>) -> bool {
-        let seen = self.seen.entry(index).or_default();
-        let is_shorter = seen.shortest.is_some_and(|shortest| text.len() < shortest);
-        if !text.is_empty() {
-            seen.shortest = Some(seen.shortest.unwrap_or(usize::MAX).min(text.len()));
+    /// Whether the text may be a part of one: where the file ends behind it without a line end. Of a value that is told by its decimals,
+    /// and where nothing says how many it should have, it is not known. An attribute may be missing or half.
+    fn is_cut_off(&mut self, key: Key, index: u32, (text, decimals): (&str, Option<usize>), is_open: bool) -> bool {
+        match key.0 {
+            1 => {
+                let seen = self.seen.entry(index).or_default();
+                let expected = seen.decimals.max(decimals.unwrap_or_default());
+                let found = decimals_of(text);
+                seen.decimals = seen.decimals.max(found);
+                let is_whole = 0 < expected && expected <= found && !text.contains(['e', 'E']);
+                is_open && !is_whole
+            }
+            // No number goes on after 0.
+            2 => is_open && text != "0",
+            4 => self.shorter_date(text) && is_open,
+            _ => false,
         }
-        let found = text.split_once('.').map_or(0, |(_, decimals)| decimals.len());
-        is_shorter || decimals.is_some_and(|decimals| found < decimals)
     }
 
     fn shorter_date(&mut self, text: &str) -> bool {
@@ -347,6 +369,11 @@ impl<'a, 's> Reader<'a, 's> {
         }
         self.told.end();
     }
+}
+
+/// How many decimals a number has; its sign may be a comma.
+fn decimals_of(text: &str) -> usize {
+    text.split_once(['.', ',']).map_or(0, |(_, decimals)| decimals.len())
 }
 
 /// How many keys a message names.

@@ -29,7 +29,11 @@ pub(super) struct Fields {
     pub(super) serial: String,
     pub(super) gauge: String,
     /// A text that the end of the file may have cut off.
-    pub(super) cut_off: Option<String>,
+    pub(super) cut_off: Option<(Key, String)>,
+    /// Whether the mark of the value came before it.
+    is_mark_first: bool,
+    /// A mark for all values that stands between two rows: it may be that of this one.
+    pub(super) doubt: Option<String>,
 }
 
 impl Fields {
@@ -58,6 +62,7 @@ impl Fields {
     }
 
     pub(super) fn set(&mut self, key: Key, text: &str) {
+        self.is_mark_first |= key == Key(2) && !self.has(Key(1));
         self.seen |= 1 << (key.0 % 128);
         if let Some(field) = self.field(key) {
             text.clone_into(field);
@@ -99,6 +104,10 @@ pub(super) struct Row {
     /// What is said of all of them.
     pub(super) all: Fields,
     pub(super) values: BTreeMap<u32, Fields>,
+    /// What marks all values of this row, if it came after them.
+    mark: Option<String>,
+    /// The same of the row before.
+    mark_before: Option<String>,
 }
 
 impl Row {
@@ -108,8 +117,23 @@ impl Row {
         fields.is_some_and(|fields| fields.has(key)) || MOST < self.values.len()
     }
 
+    /// Whether an entry is a further mark of a value that waits: the one that takes the value out counts.
+    pub(super) fn takes_mark(&mut self, index: u32, text: &str) -> bool {
+        let Some(fields) = self.values.get_mut(&index) else { return false };
+        if !fields.has(Key(2)) || fields.is_mark_first {
+            return false;
+        }
+        if is_mark(text) {
+            text.clone_into(&mut fields.attribute);
+        }
+        true
+    }
+
     /// Keeps an entry.
     pub(super) fn set(&mut self, line: usize, key: Key, index: u32, text: &str) -> &mut Fields {
+        if index == 0 && key == Key(2) && !self.values.is_empty() && is_mark(text) {
+            self.mark = Some(text.to_owned());
+        }
         let fields = if index == 0 {
             &mut self.all
         } else {
@@ -123,8 +147,10 @@ impl Row {
     pub(super) fn take(&mut self) -> Vec<(u32, Fields)> {
         let all = std::mem::take(&mut self.all);
         let mut values: Vec<_> = std::mem::take(&mut self.values).into_iter().collect();
+        let doubt = std::mem::replace(&mut self.mark_before, self.mark.take()).filter(|_| !all.has(Key(2)));
         for (_, fields) in &mut values {
             fields.complete(&all);
+            fields.doubt.clone_from(&doubt);
         }
         values.sort_by_key(|(_, fields)| fields.line);
         values
@@ -146,6 +172,11 @@ pub(super) fn fields(value: &str, kind: Option<u32>) -> Result<impl Iterator<Ite
         return Err((count, keys.len()));
     }
     Ok(keys.iter().map(|&key| Key(key)).zip(value.split(BETWEEN_FIELDS)).map(|(key, text)| (key, text.trim())))
+}
+
+/// Whether an attribute is one: 0 says that the value is as good as any.
+fn is_mark(attribute: &str) -> bool {
+    !matches!(attribute, "" | "0")
 }
 
 /// Whether K2004 says that parts or errors are counted.

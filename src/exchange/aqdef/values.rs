@@ -6,7 +6,8 @@ use jiff::civil::DateTime;
 
 use super::dates;
 use super::declared::Declared;
-use super::error::AqdefWarning;
+use super::error::{AqdefFault, AqdefWarning};
+use super::keys::Key;
 use super::reader::Reader;
 use super::row::Fields;
 use crate::exchange::Labels;
@@ -28,8 +29,17 @@ impl Reader<'_, '_> {
         if !fields.is_value() {
             return self.told.warn(line, AqdefWarning::Late { key: fields.first().to_string() }.into());
         }
-        if let Some(given) = &fields.cut_off {
-            self.told.warn_of(line, AqdefWarning::CutOff { given: given.clone() }.into());
+        match &fields.cut_off {
+            Some((Key(4), given)) => self.told.warn_of(line, AqdefWarning::CutOff { given: given.clone() }.into()),
+            Some((_, given)) => {
+                let given = given.clone();
+                return self.told.refuse(line, AqdefFault::CutOff { given: given.clone() }.into(), &given);
+            }
+            None => {}
+        }
+        if let Some(given) = &fields.doubt {
+            let given = given.clone();
+            return self.told.refuse(line, AqdefFault::MarkBetween { given: given.clone() }.into(), &given);
         }
         let counted = if fields.is_counted() { Some(1) } else { None };
         if let Some(kind) = declared.kind.filter(|&kind| kind != 0).or(counted) {

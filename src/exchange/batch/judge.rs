@@ -11,7 +11,7 @@ use super::row::{Part, Row};
 use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
-use crate::exchange::error::{ImportErrorKind, shorten};
+use crate::exchange::error::ImportErrorKind;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::rules::{Found, Rules};
 use crate::length::{Length, Unit, Window};
@@ -349,9 +349,8 @@ impl Judge<'_> {
             Ok(Found { measured, asked: Some((callout, limits)), is_simulated, .. }) => {
                 if self.court.fast.has_comments
                     && row.line_end().is_empty()
-                    && let Some(given) = rules.cut_off(&cells)
+                    && let Some(warning) = rules.cut_off(&cells)
                 {
-                    let warning = ImportWarningKind::CutOff { given: shorten(given) };
                     tally.note(Kind::CutOff, Some(columns.measured.at), || warning.message());
                 }
                 let bounds = limits.bounds();

@@ -19,6 +19,19 @@ pub enum CalypsoFault {
     NoActual,
     /// The last line is missing, so characteristics may be, too.
     CutOff,
+    /// A row that ends the file without a line end.
+    RowCutOff,
+    /// A row with bytes 0 in it.
+    Zeros,
+    /// Two rows of one name with different nominal values or limits.
+    Differs {
+        /// The name.
+        name: String,
+        /// The line of the first row.
+        first: usize,
+        /// The line of the second one.
+        second: usize,
+    },
 }
 
 /// What is said of a table or a row that was read.
@@ -32,8 +45,8 @@ pub enum CalypsoWarning {
         /// What it says.
         given: String,
     },
-    /// A row that ends the file without a line end.
-    CutOff,
+    /// A line of bytes 0 alone.
+    Zeros,
     /// The deviation of the table is not that of its values.
     Deviation {
         /// What was given.

@@ -7,6 +7,8 @@ mod columns;
 mod error;
 mod row;
 
+use std::collections::BTreeMap;
+
 use columns::Columns;
 pub use error::{CalypsoFault, CalypsoWarning};
 use row::Row;
@@ -17,7 +19,7 @@ use super::delimited::LONGEST_ROW;
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
 use super::imported::Sink;
 use super::source::{Beginning, Context, Source};
-use crate::control::text::{LINE_ENDS, lines, lines_from};
+use crate::control::text::{PLAIN_LINE_END_BYTES, PLAIN_LINE_ENDS, lines, plain_lines_from};
 use crate::message::Place;
 
 pub(super) const FORMAT: Format = Format {
@@ -70,6 +72,8 @@ struct End {
     /// The last line that was read.
     line: usize,
     is_whole: bool,
+    /// A line of bytes 0 alone.
+    zeros: Option<usize>,
     /// Whether all was read that was wanted.
     is_stopped: bool,
     /// A line behind the end.
@@ -81,17 +85,29 @@ fn each(
     source: &mut Source<'_>,
     take: &mut dyn FnMut(usize, &str, &Columns, bool) -> bool,
 ) -> Result<End, ImportErrorKind> {
-    let mut pieces = source.pieces(b"\n\r\0")?;
+    let mut pieces = source.pieces(PLAIN_LINE_END_BYTES)?;
     let mut columns = None;
-    let mut end = End { header: 1, skipped: String::new(), line: 1, is_whole: false, is_stopped: false, behind: None };
+    let mut end = End {
+        header: 1,
+        skipped: String::new(),
+        line: 1,
+        is_whole: false,
+        zeros: None,
+        is_stopped: false,
+        behind: None,
+    };
     while let Some(piece) = pieces.next()? {
-        let is_open = !piece.ends_with(LINE_ENDS);
+        let is_open = !piece.ends_with(PLAIN_LINE_ENDS);
         let first = end.line + usize::from(columns.is_some());
-        let mut lines = lines_from(&piece, first).peekable();
+        let mut lines = plain_lines_from(&piece, first).peekable();
         while let Some((line, text)) = lines.next() {
             end.line = line;
             let is_last = is_open && lines.peek().is_none();
             if text.trim().is_empty() || text.trim() == "\u{1a}" {
+                continue;
+            }
+            if text.trim_matches('\0').trim().is_empty() {
+                end.zeros = Some(line);
                 continue;
             }
             if end.is_whole {
@@ -131,6 +147,15 @@ impl Reader<'_, '_> {
             let kind = ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 };
             return self.sink.refuse(Place::line(line), kind, String::new());
         }
+        // Half a number in the last cell would be judged as a whole one.
+        let half = match (text.contains('\0'), is_open) {
+            (true, _) => Some(CalypsoFault::Zeros),
+            (false, true) => Some(CalypsoFault::RowCutOff),
+            (false, false) => None,
+        };
+        if let Some(half) = half {
+            return self.sink.refuse(Place::line(line), half.into(), shorten(text.trim_matches('\0').trim()));
+        }
         let row = match Row::read(line, text, columns) {
             Ok(row) => row,
             Err(refused) => {
@@ -149,9 +174,6 @@ impl Reader<'_, '_> {
         for warning in row.doubts() {
             self.sink.warn(Place::line(line), Some(line), warning.into());
         }
-        if is_open {
-            self.sink.warn(Place::line(line), Some(line), CalypsoWarning::CutOff.into());
-        }
         let Row { characteristic, value, .. } = row;
         characteristic.judge(value, &self.context, self.sink);
     }
@@ -163,6 +185,9 @@ impl Reader<'_, '_> {
         }
         if let Some((line, count)) = self.rounded {
             warn(line, ImportWarningKind::RoundedValues { count });
+        }
+        if let Some(line) = end.zeros {
+            warn(line, CalypsoWarning::Zeros.into());
         }
         if !end.is_whole && !end.is_stopped {
             warn(end.line, CalypsoWarning::NoEnd.into());
@@ -176,14 +201,23 @@ impl Reader<'_, '_> {
 /// The characteristics, each once however many parts the table has.
 fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportErrorKind> {
     let mut plan: Vec<(usize, Characteristic)> = Vec::new();
-    let mut names = std::collections::BTreeSet::new();
+    let mut places = BTreeMap::new();
     let mut error = None;
     let end = each(source, &mut |line, text, columns, _| match Row::read(line, text, columns) {
         Ok(Row { characteristic, .. }) => {
-            if names.insert(characteristic.name.clone()) {
-                plan.push((line, characteristic));
+            let place = *places.entry(characteristic.name.clone()).or_insert(plan.len());
+            match plan.get(place) {
+                Some((_, known)) if is_same(known, &characteristic) => true,
+                Some((first, known)) => {
+                    let name = known.id();
+                    error = Some(CalypsoFault::Differs { name, first: *first, second: line }.into());
+                    false
+                }
+                None => {
+                    plan.push((line, characteristic));
+                    true
+                }
             }
-            true
         }
         Err(refused) => {
             error = Some(refused.kind);
@@ -195,6 +229,12 @@ fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportE
         None if !end.is_whole => Err(CalypsoFault::CutOff.into()),
         None => Ok(plan),
     }
+}
+
+/// Whether two rows of one name ask for the same: where it lies, and of which part it is, may be another for each part.
+fn is_same(known: &Characteristic, other: &Characteristic) -> bool {
+    let asked = |of: &Characteristic| (of.nominal, of.minimum, of.maximum);
+    known.what == other.what && asked(known) == asked(other)
 }
 
 #[cfg(test)]
@@ -223,6 +263,17 @@ mod tests {
         let (header, rows) = text.split_once('\n').unwrap();
         let rows = rows.strip_suffix("END\r\n").unwrap();
         assert_eq!(planned(format!("{header}\n{rows}{rows}END\n").as_bytes()), Ok(expected));
+    }
+
+    #[test]
+    fn two_rows_of_one_name_that_ask_for_different_things_are_no_plan() {
+        let text = std::str::from_utf8(PLATE).unwrap();
+        let row = text.lines().find(|line| line.contains("BORE1_D")).unwrap();
+        let other = row.replacen("25.0000000", "30.0000000", 1);
+        assert_ne!(row, other);
+        let both = text.replace(row, &format!("{row}\r\n{other}"));
+        let said = "the rows of BORE1_D in lines 4 and 5 have different nominal values or limits";
+        assert_eq!(planned(both.as_bytes()), Err(said.to_owned()));
     }
 
     #[test]

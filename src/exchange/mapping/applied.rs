@@ -169,7 +169,7 @@ impl Said<'_> {
             ignored: Vec::new(),
             decimal_sign: None,
             behind: None,
-            fewest_decimals: None,
+            decimals: None,
             own: if self.names.is_empty() { OwnColumns::default() } else { OwnColumns::of(&self.names) },
             labels,
             first: self.mapping.first_row,

@@ -77,6 +77,8 @@ pub(super) struct Resolved {
     pub(super) characteristic: Characteristic,
     /// Limits and nominal sizes with figures beyond the nanometre, as they stand in the file.
     pub(super) rounded: Vec<String>,
+    /// Its kind, such as `Diameter`.
+    pub(super) kind: String,
 }
 
 /// Numbers as lengths.
@@ -160,7 +162,7 @@ impl Definitions {
             };
             self.limits(definition, &mut characteristic, &mut lengths)?;
         }
-        Ok(Resolved { characteristic, rounded: lengths.rounded })
+        Ok(Resolved { characteristic, rounded: lengths.rounded, kind: definition.kind.clone() })
     }
 
     /// The limits or the class of a definition.
@@ -177,6 +179,7 @@ impl Definitions {
                 (&shared.0, &shared.1, *are_limits)
             }
             Tolerance::Class { class, zone } => return class_of(class, zone, characteristic),
+            Tolerance::Unclear => return Err(ImportErrorKind::QifDefinedAsLimit),
             Tolerance::Nothing => return Ok(()),
         };
         let maximum = lengths.read(maximum.as_ref(), Of::Characteristic)?;

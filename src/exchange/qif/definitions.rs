@@ -64,6 +64,8 @@ pub(super) enum Tolerance {
     Limits { maximum: Option<Number>, minimum: Option<Number>, are_limits: bool },
     /// The numbers are those of a tolerance with this number.
     Shared { id: String, are_limits: bool },
+    /// Limits or deviations: the file does not say which.
+    Unclear,
     /// A class, and `HOLE` or `SHAFT`.
     Class { class: String, zone: String },
     /// None.
@@ -427,10 +429,17 @@ impl Definition {
         let name = self::name(element.text_at(&["Name"]));
         let tolerance = if let Some(tolerance) = element.child("Tolerance") {
             let limit = |name| tolerance.child(name).and_then(Number::of);
-            let are_limits = matches!(tolerance.text_at(&["DefinedAsLimit"]), "true" | "1");
-            match tolerance.child("DefinitionId") {
-                Some(id) => Tolerance::Shared { id: key(&id.text), are_limits },
-                None => Tolerance::Limits { maximum: limit("MaxValue"), minimum: limit("MinValue"), are_limits },
+            let are_limits = match tolerance.text_at(&["DefinedAsLimit"]) {
+                "true" | "1" => Some(true),
+                "false" | "0" => Some(false),
+                _ => None,
+            };
+            match (tolerance.child("DefinitionId"), are_limits) {
+                (_, None) => Tolerance::Unclear,
+                (Some(id), Some(are_limits)) => Tolerance::Shared { id: key(&id.text), are_limits },
+                (None, Some(are_limits)) => {
+                    Tolerance::Limits { maximum: limit("MaxValue"), minimum: limit("MinValue"), are_limits }
+                }
             }
         } else if let Some(fit) = element.child("LimitsAndFitsSpecification") {
             let class = format!("{}{}", fit.text_at(&["FormVariance"]), fit.text_at(&["Grade"]));

@@ -174,6 +174,14 @@ impl Reader<'_, '_> {
         let resolved = self.definitions.resolve(item, measured.feature_item).map_err(nothing_given)?;
         let own = element.text_at(&["Status", "CharacteristicStatusEnum"]);
         let status = if own.is_empty() { element.text_at(&["Status", "OtherCharacteristicStatus"]) } else { own };
+        // A radius is half a diameter.
+        if characteristics::is_size(&resolved.kind) && resolved.kind != measured.kind {
+            let (measured, defined) = (in_words(measured.kind), in_words(&resolved.kind));
+            return Err(nothing_given(ImportErrorKind::QifOtherKind { measured, defined }));
+        }
+        if 1 < element.children().filter(|child| child.start.name == "Value").count() {
+            return Err(nothing_given(ImportErrorKind::QifSeveralValues));
+        }
         let no_value = || nothing_given(ImportErrorKind::QifNoValue { status: shorten(status) });
         let value = element.child("Value").filter(|value| !value.text.is_empty()).ok_or_else(no_value)?;
         let mut labels = resolved.characteristic.labels.clone();

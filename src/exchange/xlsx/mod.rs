@@ -9,7 +9,7 @@ mod sheet;
 
 use std::io::BufReader;
 
-use calamine::{Reader as _, Xlsx};
+use calamine::{Reader as _, SheetVisible, Xlsx};
 use csv::StringRecord;
 
 use super::Format;
@@ -107,15 +107,30 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
     let (mapping, detects) = (source.given.mapping, Mapping::default());
     let has_plan = source.given.has_plan;
     let mut workbook = open(source)?;
-    let names = workbook.sheet_names();
+    let names = names(&workbook);
     let (chosen, columns) = choose(&mut workbook, &names, mapping.unwrap_or(&detects))?;
     let left = names.iter().filter(|name| **name != chosen).map(|name| shorten(name)).collect::<Vec<_>>().join(", ");
     if !left.is_empty() {
         let kind = ImportWarningKind::SheetsLeft { sheet: shorten(&chosen), left: shorten(&left) };
         sink.warn(Place::line(1), None, kind);
     }
+    if is_hidden(&workbook, &chosen) {
+        sink.warn(Place::line(1), None, ImportWarningKind::SheetHidden { sheet: shorten(&chosen) });
+    }
     let mut rows = rows(&mut workbook, &chosen)?;
     read_rows(&mut rows, (&context, &columns, &chosen, has_plan), sink, sizes)
+}
+
+fn is_hidden(workbook: &Workbook<'_>, name: &str) -> bool {
+    let sheet = workbook.sheets_metadata().iter().find(|sheet| sheet.name == name);
+    sheet.is_some_and(|sheet| sheet.visible != SheetVisible::Visible)
+}
+
+/// The names of the sheets: those that a user sees come first.
+fn names(workbook: &Workbook<'_>) -> Vec<String> {
+    let mut names = workbook.sheet_names();
+    names.sort_by_cached_key(|name| is_hidden(workbook, name));
+    names
 }
 
 /// The first sheet with callouts and measured values; else the first one with measured values.
@@ -170,7 +185,7 @@ fn sample(workbook: &mut Workbook<'_>, sheet: &str) -> (Vec<(usize, StringRecord
 /// Why it cannot be opened, or that it has no rows.
 pub(super) fn samples(source: &mut Source<'_>) -> Result<(Sheets, usize), ImportErrorKind> {
     let mut workbook = open(source)?;
-    let names = workbook.sheet_names();
+    let names = names(&workbook);
     let chosen = choose(&mut workbook, &names, &Mapping::default()).map(|(name, _)| name).ok();
     let mut sheets = Sheets::new();
     for name in names.into_iter().take(MOST_SHEETS) {
@@ -242,7 +257,7 @@ fn in_cell(item: Item, sheet: &str) -> Item {
 /// Why it is not a workbook, or cannot be read.
 pub(super) fn sheet_rows(source: &mut Source<'_>) -> Result<Vec<(usize, Vec<String>)>, ImportErrorKind> {
     let mut workbook = open(source)?;
-    for name in workbook.sheet_names() {
+    for name in names(&workbook) {
         let mut rows = rows(&mut workbook, &name)?;
         let (mut all, mut count) = (Vec::new(), 0);
         while let Some((line, cells)) = calm(|| rows.next())? {

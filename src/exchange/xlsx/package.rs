@@ -3,6 +3,7 @@
 //! A few kilobytes can unpack to gigabytes, and what a ZIP file says of its sizes need not be true. So each member is unpacked
 //! once and thrown away again, and those with texts and cells are looked at as XML: how deep, how long.
 
+use std::collections::BTreeSet;
 use std::io::{Read, SeekFrom};
 
 use zip::ZipArchive;
@@ -10,7 +11,7 @@ use zip::result::ZipError;
 
 use super::{Body, broken};
 use crate::exchange::error::{ImportErrorKind, shorten};
-use crate::exchange::xml::Xml;
+use crate::exchange::xml::{Start, Xml, fault};
 
 /// The most members of a workbook.
 const MOST_MEMBERS: usize = 10_000;
@@ -63,6 +64,12 @@ pub(super) fn check(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
         () if !has("workbook.xml") => return Err(ImportErrorKind::NotAWorkbook),
         () => {}
     }
+    // Whoever reads it takes one of two: nobody would know which.
+    let mut known = BTreeSet::new();
+    let twice = names.iter().find(|name| !known.insert(name.replace('\\', "/")));
+    if twice.is_some() || archive.has_duplicate_names() {
+        return Err(ImportErrorKind::ZipTwice);
+    }
     let mut all = 0;
     for index in 0..archive.len() {
         let member = archive.by_index(index).map_err(|error| unreadable(&error))?;
@@ -75,7 +82,7 @@ pub(super) fn check(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
         }
         let most = kind.most().min(ALL.saturating_sub(all));
         let mut counted = Counted { inner: member, packed, read: 0, most, is_over: false };
-        let looked = kind.look(&mut counted);
+        let looked = kind.look(&name, &mut counted);
         let (read, is_over) = (counted.read, counted.is_over);
         if is_over {
             return Err(too_large());
@@ -144,7 +151,7 @@ impl Kind {
         match (own, ending) {
             ("", "rels") => Self::Root,
             ("sharedstrings", "xml") => Self::Texts,
-            (_, "xml") if own.starts_with("sheet") => Self::Sheet,
+            (_, "xml") if own.starts_with("sheet") || name.contains("worksheets/") => Self::Sheet,
             (_, "rels") => Self::Frame,
             _ if ["[", "styles", "workbook", "theme"].iter().any(|start| own.starts_with(start)) => Self::Frame,
             _ => Self::Other,
@@ -160,9 +167,10 @@ impl Kind {
         }
     }
 
-    fn look(self, member: &mut dyn Read) -> Result<(), ImportErrorKind> {
+    fn look(self, name: &str, member: &mut dyn Read) -> Result<(), ImportErrorKind> {
         match self {
-            Self::Sheet | Self::Frame => survey(member),
+            Self::Sheet => sheet(name, member),
+            Self::Frame => survey(member),
             Self::Texts => texts(member),
             Self::Root => root(member),
             Self::Other => std::io::copy(member, &mut std::io::sink()).map(|_count| ()).map_err(|error| broken(&error)),
@@ -170,29 +178,79 @@ impl Kind {
     }
 }
 
-/// Looks at a member as XML: how deep it is, and how long what is kept of it at once.
-fn survey(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
-    let mut before = 0;
-    // The encoding of these is UTF-8.
-    Xml::new(member, b"", &[])?
-        .survey(&mut |name, depth, position| {
-            if depth <= 3 || matches!(name, "c" | "si") {
-                let cell = position.saturating_sub(before);
-                before = position;
-                return (LONGEST_CELL < cell).then_some(ImportErrorKind::XmlLong { most: 1 << 10 });
+/// How long what is kept of a member at once may be.
+#[derive(Debug, Default)]
+struct Measure {
+    /// Where the last thing that is kept began.
+    before: u64,
+}
+
+impl Measure {
+    fn see(&mut self, start: &Start, depth: usize, position: u64) -> Result<(), ImportErrorKind> {
+        if depth <= 3 || matches!(start.name.as_str(), "c" | "si") {
+            let length = position.saturating_sub(self.before);
+            self.before = position;
+            if LONGEST_CELL < length {
+                return Err(fault(start.at, ImportErrorKind::XmlLong { most: 1 << 10 }).into());
             }
-            None
-        })
-        .map_err(ImportErrorKind::from)
+        }
+        Ok(())
+    }
+}
+
+/// Looks at a member as XML: how deep it is, and how long what is kept of it at once. A sheet that is not called one is refused:
+/// nobody would have looked at its cells.
+fn survey(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
+    let mut measure = Measure::default();
+    // The encoding of these is UTF-8.
+    let mut xml = Xml::new(member, b"", &["Type", "Target"])?;
+    while let Some((start, depth, position)) = xml.begin()? {
+        measure.see(&start, depth, position)?;
+        let is_sheet = start.name == "Relationship" && start.attribute("Type").ends_with("/worksheet");
+        if is_sheet && Kind::of(start.attribute("Target")) != Kind::Sheet {
+            return Err(ImportErrorKind::NotAWorkbook);
+        }
+    }
+    Ok(())
+}
+
+/// Looks at a sheet in the same way, and at each cell: whoever reads the cells takes the first piece of a value for all of it, and the
+/// number of a text that is none for 0.
+fn sheet(member: &str, body: &mut dyn Read) -> Result<(), ImportErrorKind> {
+    let mut measure = Measure::default();
+    let mut xml = Xml::new(body, b"", &["r", "t"])?;
+    let (mut cell, mut has_value) = (Start::default(), false);
+    while let Some((start, depth, position)) = xml.begin()? {
+        measure.see(&start, depth, position)?;
+        match start.name.as_str() {
+            "c" => (cell, has_value) = (start, false),
+            "v" => {
+                let kind = cell.attribute("t");
+                let is_text = kind == "str";
+                let text = xml.plain_text(is_text)?.filter(|_| !std::mem::replace(&mut has_value, true));
+                let is_sound = text.is_some_and(|text| kind != "s" || is_number_of_text(&text));
+                if !is_sound {
+                    let cell = format!("{}!{}", shorten(member), cell.attribute("r"));
+                    return Err(ImportErrorKind::Cell { cell, reason: Box::new(ImportErrorKind::CellSplit) });
+                }
+            }
+            _ => {}
+        }
+    }
+    Ok(())
+}
+
+/// Whether it is the number of a shared text, or nothing.
+fn is_number_of_text(text: &str) -> bool {
+    text.len() < 10 && text.bytes().all(|byte| byte.is_ascii_digit())
 }
 
 /// The texts that cells share: how many there may be is reserved beforehand by who reads them.
 fn texts(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
     let mut all = Vec::new();
     member.read_to_end(&mut all).map_err(|error| broken(&error))?;
-    let tags = memchr::memchr_iter(b'<', &all).count();
     let too_many = ImportErrorKind::ZipTexts { most: MOST_TEXTS };
-    if 2 * MOST_TEXTS < tags {
+    if MOST_TEXTS < count_texts(&all) {
         return Err(too_many);
     }
     for at in memchr::memmem::find_iter(&all, b"uniqueCount") {
@@ -205,6 +263,17 @@ fn texts(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
         }
     }
     survey(&mut all.as_slice())
+}
+
+/// How many texts begin: whatever prefix their elements have.
+fn count_texts(all: &[u8]) -> usize {
+    let begins = |at: &usize| {
+        let tag = all.get(at + 1..).unwrap_or_default();
+        let end = tag.iter().take(64).position(|byte| matches!(byte, b'>' | b'/' | b' ' | b'\t' | b'\n' | b'\r'));
+        let name = tag.get(..end.unwrap_or_default()).unwrap_or_default();
+        name == b"si" || name.ends_with(b":si")
+    };
+    memchr::memchr_iter(b'<', all).filter(begins).count()
 }
 
 /// A workbook with another name could be as large as a sheet.
