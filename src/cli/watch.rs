@@ -1,7 +1,7 @@
 //! `fitcheck watch`: files are judged and recorded as they are dropped into a folder.
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
 use std::time::{Duration, Instant};
 
 use super::import::{Printer, Row, Rows};
@@ -11,11 +11,11 @@ use super::said::CliWarning;
 use super::{CliError, CliRemark, Format, Io, Outcome, TableArgs};
 use crate::control::mask::Mask;
 use crate::journal::entry::{FileRole, UsedFile};
-use crate::message::Message;
+use crate::message::{Located, Message, Say as _};
 use crate::part::Plan;
 use crate::tolerance::Sources;
 use crate::verdict::Status;
-use crate::watch::{Alone, Batch, EVERY, Judging, Known, Watcher};
+use crate::watch::{Alone, Batch, EVERY, Judging, Known, Look, Waiting, Watcher};
 
 /// How long after a journal that refused it is tried again.
 const LATER: Duration = Duration::from_secs(1);
@@ -29,7 +29,7 @@ are not read; a .dfd is read with its .dfx.
 
 Examples:
   fitcheck watch /srv/measured --plan flange.toml --who Anna
-  fitcheck watch . --until-idle 2 --format csv > verdicts.csv
+  fitcheck watch /srv/measured --until-idle 2 --format csv > /srv/verdicts.csv
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; it is 1 if a row or file \
 could not be used or judged.";
@@ -114,7 +114,9 @@ impl Args {
         let (plan, is_bad) = (plan.as_ref(), false);
         let mut run =
             Run { plan, sources: &sources, masks: &masks, judge: &judge, journal, printer, worst: None, is_bad };
-        run.watch(&mut Watcher::new(&self.folder, known), idle, io)?;
+        let mut watcher = Watcher::new(&self.folder, known);
+        leave_own(&mut watcher, run.journal.file(), alone.as_ref().ok().and_then(Option::as_ref));
+        run.watch(&mut watcher, idle, io)?;
         run.printer.end(io)?;
         run.journal.rest(io);
         Ok(match run.worst {
@@ -125,10 +127,26 @@ impl Args {
     }
 }
 
+/// Leaves alone what this program itself writes: the journal, and what its output goes to.
+fn leave_own(watcher: &mut Watcher, journal: &Path, alone: Option<&Alone>) {
+    for ending in ["", "-wal", "-shm", "-journal"] {
+        let mut name = journal.file_name().unwrap_or_default().to_owned();
+        name.push(ending);
+        watcher.leave(&journal.with_file_name(name));
+    }
+    if let Some(alone) = alone {
+        watcher.leave(alone.file());
+    }
+    // Where the system has such files, they are the open ones.
+    for output in ["/dev/stdout", "/dev/stderr"] {
+        watcher.leave(Path::new(output));
+    }
+}
+
 impl Run<'_> {
     fn watch(&mut self, watcher: &mut Watcher, idle: Option<Duration>, io: &mut Io<'_>) -> Result<(), CliError> {
         let begun = Instant::now();
-        let (mut last, mut told) = (begun, None);
+        let (mut last, mut told, mut refused) = (begun, None, BTreeSet::new());
         loop {
             let judging =
                 Judging { plan: self.plan, sources: self.sources, masks: self.masks, columns: None, now: super::now() };
@@ -144,7 +162,11 @@ impl Run<'_> {
                             io.warn_about(name, &CliWarning::SameContent { known: known.clone() });
                         }
                     }
-                    match self.take(watcher, &look.ready, io) {
+                    self.refused(&look, &mut refused, io);
+                    if let Err(error) = watcher.tell(&|message: &Message| message.to_string()) {
+                        io.warn(&error);
+                    }
+                    match self.take(watcher, look.ready, io) {
                         // The journal may be held, or the disk full: nothing is taken, and the next look tries again.
                         Err(error @ CliError::NotRecorded { .. }) if idle.is_none() => {
                             self.tell_once(&error.to_string(), &mut told, io);
@@ -171,6 +193,17 @@ impl Run<'_> {
         }
     }
 
+    /// Tells which files cannot be read, each once.
+    fn refused(&mut self, look: &Look, told: &mut BTreeSet<String>, io: &mut Io<'_>) {
+        let refused = look.waiting.iter().filter(|(_, why)| matches!(why, Waiting::Refused { .. }));
+        let now: BTreeSet<String> = refused.clone().map(|(name, _)| name.clone()).collect();
+        for (name, why) in refused.filter(|(name, _)| !told.contains(name)) {
+            io.warn_about(name, why);
+            self.is_bad = true;
+        }
+        *told = now;
+    }
+
     /// Tells what stops the watch for a while, once.
     fn tell_once(&mut self, said: &str, told: &mut Option<String>, io: &mut Io<'_>) {
         if told.as_deref() != Some(said) {
@@ -181,24 +214,29 @@ impl Run<'_> {
     }
 
     /// Records what is ready, all of it or none, and then shows it.
-    fn take(&mut self, watcher: &mut Watcher, ready: &[Batch], io: &mut Io<'_>) -> Result<(), CliError> {
+    fn take(&mut self, watcher: &mut Watcher, mut ready: Vec<Batch>, io: &mut Io<'_>) -> Result<(), CliError> {
         let mut all: Vec<Vec<Row>> = Vec::new();
-        for batch in ready {
+        for batch in &mut ready {
             let mut rows = Rows::of(Path::new(&batch.name), self.judge, true).by(self.plan);
-            let rows: Vec<Row> = batch.items.iter().cloned().filter_map(|item| rows.row(item)).collect();
+            let mut rows: Vec<Row> = batch.items.iter().cloned().filter_map(|item| rows.row(item)).collect();
             let file =
                 UsedFile { role: FileRole::Measurements, name: batch.name.as_str().into(), sha256: batch.sha256 };
-            for row in &rows {
-                if let Some(record) = &row.judged {
-                    self.journal.size_of(Arc::clone(record), &row.labels, file.clone())?;
+            for row in &mut rows {
+                let Some(record) = row.judged.clone() else { continue };
+                // What a journal cannot hold is told of its row, and keeps nothing else out.
+                if let Err(error) = self.journal.size_of(record, &row.labels, file.clone()) {
+                    let line = row.line.unwrap_or(1);
+                    batch.problems.push(Located::in_line(line, error.message()).message());
+                    *row = Row { error: Some(error.to_string()), status: None, judged: None, ..std::mem::take(row) };
                 }
             }
             all.push(rows);
         }
         self.journal.keep(io)?;
         for (batch, rows) in ready.iter().zip(&all) {
-            if let Err(error) = watcher.taken(batch, &|message: &Message| message.to_string()) {
-                io.warn_about(&batch.name, &error);
+            let noted = watcher.taken(batch, &|message: &Message| message.to_string());
+            if let Err(error) = &noted {
+                io.warn_about(&batch.name, error);
             }
             for remark in &batch.remarks {
                 io.warn_about(&batch.name, remark);
@@ -211,7 +249,7 @@ impl Run<'_> {
                 self.worst = self.worst.max(row.part_status());
                 self.printer.row(row, io)?;
             }
-            if rows.iter().any(|row| row.error.is_some()) {
+            if noted.is_ok() && rows.iter().any(|row| row.error.is_some()) {
                 io.warn_about(&batch.name, &CliWarning::SeeNote { note: crate::watch::NOTE_ENDING });
             }
         }

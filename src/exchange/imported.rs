@@ -316,18 +316,30 @@ pub(super) struct Sink<'a> {
     rows: usize,
     /// The most of them.
     most: usize,
+    /// Hears the first and the last line of what has several lines.
+    units: &'a dyn Fn(usize, usize),
     take: &'a mut dyn FnMut(Item),
 }
 
 impl<'a> Sink<'a> {
     /// As many rows as there are.
-    pub(super) const fn new(take: &'a mut dyn FnMut(Item)) -> Self {
+    pub(super) fn new(take: &'a mut dyn FnMut(Item)) -> Self {
         Self::up_to(usize::MAX, take)
     }
 
     /// At most so many rows; an error says that there are more.
-    pub(super) const fn up_to(most: usize, take: &'a mut dyn FnMut(Item)) -> Self {
-        Self { rows: 0, most, take }
+    pub(super) fn up_to(most: usize, take: &'a mut dyn FnMut(Item)) -> Self {
+        Self { rows: 0, most, units: &|_first, _last| {}, take }
+    }
+
+    /// The same, and somebody hears of units of several lines.
+    pub(super) fn telling(self, units: &'a dyn Fn(usize, usize)) -> Self {
+        Self { units, ..self }
+    }
+
+    /// The first and the last line of a log, a print or a value of several lines, also of one that could not be read.
+    pub(super) fn unit(&self, first: usize, last: usize) {
+        (self.units)(first, last);
     }
 
     pub(super) const fn rows(&self) -> usize {

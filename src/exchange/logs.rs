@@ -47,17 +47,23 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
     let mut pieces = source.pieces(text::LINE_END_BYTES)?;
     let mut logs = Logs::default();
     let mut line = 1;
+    // Where the next log begins at the earliest, and the last line that is not blank.
+    let (mut first, mut last) = (1, 1);
     while let Some(piece) = pieces.next()? {
         for (number, text, is_open) in text::lines_open_from(&piece, line) {
             line = number + 1;
-            if let Some(log) = logs.line(number, text, is_open)
-                && !take(sink, log, &context)
-            {
-                return Ok(());
+            if let Some(log) = logs.line(number, text, is_open) {
+                sink.unit(log.as_ref().map_or(first, |log| log.line), last);
+                first = number;
+                if !take(sink, log, &context) {
+                    return Ok(());
+                }
             }
+            last = if text.trim().is_empty() { last } else { number };
         }
     }
     if let Some(log) = logs.end() {
+        sink.unit(log.as_ref().map_or(first, |log| log.line), last);
         take(sink, log, &context);
     }
     Ok(())

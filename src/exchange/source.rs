@@ -42,6 +42,8 @@ pub struct Given<'a> {
     pub has_plan: bool,
     /// The most rows that are read, where all of them are kept in memory; an error says that there are more.
     pub most_rows: usize,
+    /// Hears the first and the last line of each log, print or value that has several lines, also of one that could not be read.
+    pub units: &'a dyn Fn(usize, usize),
 }
 
 impl<'a> Given<'a> {
@@ -55,6 +57,7 @@ impl<'a> Given<'a> {
             mapping: None,
             has_plan: false,
             most_rows: usize::MAX,
+            units: &|_first, _last| {},
         }
     }
 }

@@ -1,30 +1,70 @@
 //! What lies in a folder, since when each file is unchanged, and whether its writer is done with it.
 
 use std::collections::{BTreeMap, BTreeSet};
+use std::ffi::{OsStr, OsString};
 use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-use super::closed::Closed;
+use super::closed::{Closed, Writer};
+use super::PATIENCE;
+use super::alone::parent;
 use super::note::is_note;
 use crate::files::{FileError, beside_path, system};
 use crate::journal::natural::Natural;
 
-/// How long a file and when it was changed last, and the same of the file that is read with it.
-type Stamp = [(u64, Option<SystemTime>); 2];
+/// How long a file has to be unchanged before the last value of a format that shows nothing of its end counts as complete, where its writer
+/// has closed it: some close a file after each line.
+const SETTLED: Duration = Duration::from_secs(1);
+
+/// The same for all that may be unfinished, where the system does not say whether anybody writes a file.
+const LONG: Duration = Duration::from_secs(10);
+
+/// What tells one state of a file from another, and of the file that is read with it.
+type Stamp = [Sight; 2];
+
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+struct Sight {
+    length: u64,
+    changed: Option<SystemTime>,
+    /// Its number in the file system; 0 where it has none.
+    number: u64,
+    /// When anything about it was changed, in seconds and nanoseconds: a time of change can be set, this one not.
+    touched: (i64, i64),
+}
+
+impl Sight {
+    #[cfg(unix)]
+    fn of(about: &Metadata) -> Self {
+        use std::os::unix::fs::MetadataExt as _;
+        let (number, touched) = (about.ino(), (about.ctime(), about.ctime_nsec()));
+        Self { length: about.len(), changed: about.modified().ok(), number, touched }
+    }
+
+    #[cfg(not(unix))]
+    fn of(about: &Metadata) -> Self {
+        Self { length: about.len(), changed: about.modified().ok(), ..Self::default() }
+    }
+
+    /// Whether it is another one but for rights and names.
+    fn is_written(&self, before: &Self) -> bool {
+        Self { touched: before.touched, ..*self } != *before
+    }
+}
 
 /// A file as it was found.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Found {
     pub(super) path: PathBuf,
-    /// Without the folder; a name that is not text has signs of replacement.
+    /// Without the folder; bytes of it that are no text are written as such.
     pub(super) name: String,
     /// Since when it is unchanged.
     pub(super) quiet: Duration,
-    /// Whether nobody writes it any more. `false` where that is not known.
-    pub(super) is_closed: bool,
+    writer: Writer,
     /// Whether all of it was taken already, before it was changed.
     pub(super) was_done: bool,
+    /// Whether nothing of it could be taken when it was looked into last, and nothing has changed.
+    pub(super) waits: bool,
     stamp: Stamp,
 }
 
@@ -33,6 +73,9 @@ pub(super) struct Folder {
     path: PathBuf,
     seen: BTreeMap<PathBuf, Seen>,
     closed: Closed,
+    /// Names of files that are left alone, and the files that are, by device and number.
+    left_names: BTreeSet<OsString>,
+    left_files: BTreeSet<(u64, u64)>,
 }
 
 #[derive(Debug, Clone)]
@@ -43,11 +86,42 @@ struct Seen {
     /// Whether nothing is left to take of it as it is, and whether that was so before.
     is_done: bool,
     was_done: bool,
+    writer: Writer,
+    /// How far it has come on the way to being final when nothing of it could be taken.
+    waits: Option<[bool; 4]>,
 }
 
 impl Folder {
     pub(super) fn new(path: &Path) -> Self {
-        Self { path: path.to_owned(), seen: BTreeMap::new(), closed: Closed::new(path) }
+        let (left_names, left_files) = (BTreeSet::new(), BTreeSet::new());
+        Self { path: path.to_owned(), seen: BTreeMap::new(), closed: Closed::new(path), left_names, left_files }
+    }
+
+    /// Leaves a file alone, by its name where it is in the folder, and whatever it is called where the system numbers files.
+    pub(super) fn leave(&mut self, path: &Path) {
+        let whole = |folder: &Path| folder.canonicalize().ok();
+        let is_inside = whole(parent(path)).is_some_and(|folder| whole(&self.path) == Some(folder));
+        self.left_names.extend(path.file_name().filter(|_| is_inside).map(OsStr::to_owned));
+        let about = std::fs::metadata(path).ok().filter(Metadata::is_file);
+        self.left_files.extend(about.as_ref().and_then(number_of));
+    }
+
+    fn is_left(&self, name: &OsStr, about: &Metadata) -> bool {
+        self.left_names.contains(name)
+            || !self.left_files.is_empty() && number_of(about).is_some_and(|number| self.left_files.contains(&number))
+    }
+
+    /// The files that got another name since this was asked: the one before, and the new one.
+    pub(super) fn moves(&mut self) -> Vec<(String, String)> {
+        let name = |path: &Path| path.file_name().map(text_of).unwrap_or_default();
+        self.closed.moves().into_iter().map(|(before, now)| (name(&before), name(&now))).collect()
+    }
+
+    /// Nothing can be taken of a file until it is changed, or unchanged for longer.
+    pub(super) fn wait(&mut self, found: &Found) {
+        if let Some(seen) = self.seen.get_mut(&found.path).filter(|seen| seen.stamp == found.stamp) {
+            seen.waits = Some(found.reached());
+        }
     }
 
     /// The files that may have something to take, in the order in which they were written, and by name where that is the same.
@@ -59,22 +133,39 @@ impl Folder {
         for entry in std::fs::read_dir(&self.path).map_err(failed)? {
             let entry = entry.map_err(failed)?;
             let path = entry.path();
-            let name = entry.file_name().to_string_lossy().into_owned();
+            let name = text_of(&entry.file_name());
             // A file that goes while the folder is read is gone.
             let Ok(about) = std::fs::metadata(&path) else { continue };
-            if !about.is_file() || is_passing(&name) {
+            there.insert(path.clone());
+            if !about.is_file() || is_passing(&name) || self.is_left(&entry.file_name(), &about) {
                 continue;
             }
             let stamp = stamp(&path, &about);
-            there.insert(path.clone());
-            let new = Seen { stamp, since: clock, is_done: false, was_done: false };
+            let new = Seen { stamp, since: clock, is_done: false, was_done: false, writer: Writer::Unknown, waits: None };
             let seen = self.seen.entry(path.clone()).or_insert_with(|| new.clone());
+            let is_heard = self.closed.is_heard(&path);
             if seen.stamp != stamp {
-                *seen = Seen { was_done: seen.is_done || seen.was_done, ..new };
+                let is_written = is_heard || stamp.iter().zip(&seen.stamp).any(|(now, before)| now.is_written(before));
+                let was_done = is_written && (seen.is_done || seen.was_done);
+                // Another machine has written it: nobody says whether it is done.
+                if is_written && !is_heard {
+                    self.closed.forget(&path);
+                }
+                *seen = Seen { was_done, ..new };
+            } else if is_heard && seen.is_done {
+                // It was written within the same moment.
+                *seen = Seen { was_done: true, ..new };
             }
+            let writer = self.closed.writer(&path);
+            // What was left of it while somebody wrote it is taken when it is closed.
+            seen.is_done &= writer == seen.writer || seen.writer != Writer::Writes;
+            seen.writer = writer;
             if !seen.is_done {
-                let (is_closed, was_done) = (self.closed.is_closed(&path), seen.was_done);
-                found.push(Found { path, name, quiet: clock.saturating_sub(seen.since), is_closed, was_done, stamp });
+                let was_done = seen.was_done;
+                let quiet = clock.saturating_sub(seen.since);
+                let mut file = Found { path, name, quiet, writer, was_done, stamp, waits: false };
+                file.waits = seen.waits == Some(file.reached());
+                found.push(file);
             }
         }
         self.seen.retain(|path, _| there.contains(path));
@@ -92,6 +183,42 @@ impl Folder {
 }
 
 impl Found {
+    /// Whether all of it counts as it is, a last line without its end, too: it came under its name as a whole, or was closed and is unchanged
+    /// for a while.
+    pub(super) fn is_final(&self) -> bool {
+        match self.writer {
+            Writer::Writes => false,
+            Writer::Moved => true,
+            Writer::Closed => PATIENCE <= self.quiet,
+            Writer::Unknown => LONG <= self.quiet,
+        }
+    }
+
+    /// Whether its whole lines count as they are, also where they show nothing of their end.
+    pub(super) fn is_settled(&self) -> bool {
+        self.is_final() || self.writer == Writer::Closed && SETTLED <= self.quiet
+    }
+
+    /// Whether it is said what of it cannot be read.
+    pub(super) fn is_told(&self) -> bool {
+        self.is_final() || LONG <= self.quiet
+    }
+
+    /// What it has reached of all that may change what is taken of it.
+    fn reached(&self) -> [bool; 4] {
+        [self.is_settled(), self.is_final(), self.is_told(), PATIENCE <= self.quiet]
+    }
+
+    /// Whether it got its name when it was complete.
+    pub(super) fn is_moved(&self) -> bool {
+        self.writer == Writer::Moved
+    }
+
+    /// Whether it was changed after a time.
+    pub(super) fn is_changed_since(&self, time: SystemTime) -> bool {
+        changed(self).is_some_and(|changed| time < changed)
+    }
+
     /// Whether it is still as it was found.
     pub(super) fn is_unchanged(&self) -> bool {
         std::fs::metadata(&self.path).is_ok_and(|about| stamp(&self.path, &about) == self.stamp)
@@ -99,11 +226,20 @@ impl Found {
 }
 
 fn stamp(path: &Path, about: &Metadata) -> Stamp {
-    let of = |about: &Metadata| (about.len(), about.modified().ok());
     // The values of an AQDEF file are read with their description, which may come later than they do.
     let is_dfx = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("dfx"));
     let beside = is_dfx.then(|| beside_path(path, "dfd").metadata()).and_then(Result::ok);
-    [of(about), beside.as_ref().map(of).unwrap_or_default()]
+    [Sight::of(about), beside.as_ref().map(Sight::of).unwrap_or_default()]
+}
+
+/// A name as text; bytes that are none are written as such, so that no two names are the same.
+fn text_of(name: &OsStr) -> String {
+    let mut text = String::new();
+    for chunk in name.as_encoded_bytes().utf8_chunks() {
+        text.push_str(chunk.valid());
+        text.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02X}")));
+    }
+    text
 }
 
 /// Whether a name is that of our own note, of a hidden file, of half a file, or of what programs write before they give a file its name.
@@ -117,8 +253,21 @@ fn is_passing(name: &str) -> bool {
         || unfinished.iter().any(|ending| lower.ends_with(ending))
 }
 
+/// The device of a file and its number there.
+#[cfg(unix)]
+fn number_of(about: &Metadata) -> Option<(u64, u64)> {
+    use std::os::unix::fs::MetadataExt as _;
+    Some((about.dev(), about.ino()))
+}
+
+/// Not known here.
+#[cfg(not(unix))]
+fn number_of(_about: &Metadata) -> Option<(u64, u64)> {
+    None
+}
+
 /// When it was changed last.
 fn changed(found: &Found) -> Option<SystemTime> {
-    let [(_, changed), _] = found.stamp;
+    let [Sight { changed, .. }, _] = found.stamp;
     changed
 }

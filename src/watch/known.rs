@@ -1,25 +1,35 @@
 //! What was taken already, by content: SHA-256 of whole files, and of the lines that a growing file had.
 
-use std::collections::{HashMap, HashSet};
+use std::collections::HashMap;
 use std::io;
 
 use super::lines::{End, Lines, each_piece};
 use crate::exchange::Body;
 use crate::journal::chain::{FileHash, Hash};
 
-/// The hashes of what was taken, and the name that each file had then.
+/// The hashes of what was taken, and the names that the files had then.
 #[derive(Debug, Clone, Default)]
 pub struct Known {
-    hashes: HashMap<Hash, String>,
-    names: HashSet<String>,
-    /// By name, the content that was taken last while this is running: a mark of everything up to the end of each line.
-    marks: HashMap<String, Vec<u64>>,
+    hashes: HashMap<Hash, Vec<String>>,
+    /// By name, what was taken last.
+    names: HashMap<String, Hash>,
+    /// By name, the lines that were taken last while this is running.
+    lines: HashMap<String, Taken>,
 }
 
-/// A place in a file, and the hash of everything before it.
+/// The lines that a file had when something was taken from it: a mark of everything up to the end of each.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+struct Taken {
+    marks: Vec<u64>,
+    /// Whether the last one had no end: more may have come to it.
+    is_open: bool,
+}
+
+/// A place in a file, how many lines come before it, and the hash of all of that.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct Mark {
     pub(super) end: u64,
+    pub(super) lines: usize,
     pub(super) hash: Hash,
 }
 
@@ -32,15 +42,19 @@ pub(super) struct Extent {
     pub(super) lines: Mark,
     /// As many whole lines behind the known ones as are taken at once, where it has more.
     pub(super) part: Option<Mark>,
-    /// How many lines and bytes at its beginning were taken before from a file of its name.
-    pub(super) known_lines: usize,
-    pub(super) known_end: u64,
+    /// Its beginning that was taken before from a file of its name.
+    pub(super) known: Mark,
+    /// Whether something else was taken from a file of its name since, as far as that is known from before this is running.
+    pub(super) is_older: bool,
     /// The other name under which its beginning was taken, and how many lines that are.
     pub(super) begins_as: Option<(String, usize)>,
     /// How many lines at its beginning are those that were taken last from a file of its name.
     pub(super) same_lines: usize,
-    /// Whether all its lines are, and there were more.
+    /// Whether all its whole lines are, and there were more; and whether its last line without an end is, too.
     pub(super) is_cut: bool,
+    pub(super) is_cut_whole: bool,
+    /// Whether it took the place of a file of its name that had other lines.
+    pub(super) is_replaced: bool,
     /// Whether all of it was taken before, under any name.
     pub(super) is_known: bool,
     marks: Vec<u64>,
@@ -55,39 +69,75 @@ struct Search<'a> {
     extent: Extent,
 }
 
+impl Extent {
+    /// A mark of everything up to the end of each line, for so many of them.
+    pub(super) fn marks(&self, lines: usize) -> Vec<u64> {
+        self.marks.get(..lines).unwrap_or(&self.marks).to_vec()
+    }
+
+    /// Whether a place is the end of the file within a line.
+    pub(super) fn is_within_line(&self, mark: &Mark) -> bool {
+        self.lines.end < self.whole.end && mark.end == self.whole.end
+    }
+}
+
 impl Known {
     /// Remembers what was taken.
     pub fn add(&mut self, hash: Hash, name: &str) {
-        self.names.insert(name.to_owned());
-        self.hashes.insert(hash, name.to_owned());
+        self.names.insert(name.to_owned(), hash);
+        let names = self.hashes.entry(hash).or_default();
+        if names.iter().all(|known| known != name) {
+            names.push(name.to_owned());
+        }
     }
 
     /// Remembers the lines of a file, from which something was taken.
-    pub(super) fn add_lines(&mut self, name: &str, extent: &Extent) {
-        self.marks.insert(name.to_owned(), extent.marks.clone());
+    pub(super) fn add_lines(&mut self, name: &str, marks: Vec<u64>, is_open: bool) {
+        self.lines.insert(name.to_owned(), Taken { marks, is_open });
     }
 
-    /// The name under which something was taken; empty where nobody said it.
-    pub(super) fn name_of(&self, hash: &Hash) -> Option<&str> {
-        self.hashes.get(hash).map(String::as_str)
+    /// A file got another name: what was taken from it was taken from a file of that name, too.
+    pub(super) fn rename(&mut self, before: &str, now: &str) {
+        let Some(taken) = self.lines.remove(before) else { return };
+        self.lines.insert(now.to_owned(), taken);
+        if let Some(hash) = self.names.get(before) {
+            self.names.insert(now.to_owned(), *hash);
+        }
+        for names in self.hashes.values_mut().filter(|names| names.iter().any(|name| name == before)) {
+            if names.iter().all(|name| name != now) {
+                names.push(now.to_owned());
+            }
+        }
+    }
+
+    /// Whether it is known which lines were taken last from a file of this name.
+    pub(super) fn has_lines(&self, name: &str) -> bool {
+        self.lines.contains_key(name)
+    }
+
+    /// The name under which something was taken, this one where it was that among others; empty where nobody said it.
+    pub(super) fn name_of(&self, hash: &Hash, name: &str) -> Option<&str> {
+        let names = self.hashes.get(hash)?;
+        names.iter().find(|known| *known == name).or(names.last()).map(String::as_str)
     }
 
     /// Whether something was taken from a file of this name, and nothing since this is running.
     pub(super) fn is_from_before(&self, name: &str) -> bool {
-        self.names.contains(name) && !self.marks.contains_key(name)
+        self.names.contains_key(name) && !self.has_lines(name)
     }
 
     /// Remembers the files that an entry of a journal was made from, by its body: every SHA-256 in it that is named so. A budget or a
     /// program is no file of measurements, so it does no harm among them.
     pub fn see(&mut self, body: &[u8]) {
         const KEY: &[u8] = b"\",\"sha256\":\"";
-        const NAME: &[u8] = b"\"name\":\"";
+        const NAME: &[u8] = b"\"name\":";
         for at in memchr::memmem::find_iter(body, KEY) {
             let hex = body.get(at + KEY.len()..).and_then(|rest| rest.get(..64));
             let hash = hex.and_then(|hex| std::str::from_utf8(hex).ok()).and_then(|hex| hex.parse().ok());
-            let before = body.get(..at).unwrap_or_default();
+            // The quotation mark at the end of the name is the first sign of the key.
+            let before = body.get(..=at).unwrap_or_default();
             let name = memchr::memmem::rfind(before, NAME).and_then(|from| before.get(from + NAME.len()..));
-            let name = name.map_or_else(String::new, |name| String::from_utf8_lossy(name).into_owned());
+            let name = name.and_then(|name| serde_json::from_slice::<String>(name).ok()).unwrap_or_default();
             if let Some(hash) = hash {
                 self.add(hash, &name);
             }
@@ -123,11 +173,11 @@ impl Known {
                 if !is_rest {
                     hash.see(piece.get(from..before).unwrap_or_default());
                     from = before;
-                    search.line(Mark { end: begin + wide(before), hash: hash.clone().hash() });
+                    search.line(begin + wide(before), hash.clone().hash());
                 }
                 hash.see(piece.get(from..after).unwrap_or_default());
                 from = after;
-                search.line_end(Mark { end: begin + wide(after), hash: hash.clone().hash() });
+                search.line_end(begin + wide(after), hash.clone().hash());
             }
             hash.see(piece.get(from..).unwrap_or_default());
             search.extent.whole.end += wide(piece.len());
@@ -138,11 +188,14 @@ impl Known {
 
 impl Search<'_> {
     /// A line is complete, but for its end.
-    fn line(&mut self, mark: Mark) {
+    fn line(&mut self, end: u64, hash: Hash) {
         self.lines += 1;
-        self.see(mark);
-        let short = short(&mark.hash);
-        let before = self.known.marks.get(self.name).and_then(|marks| marks.get(self.extent.marks.len()));
+        self.see(Mark { end, lines: self.lines, hash });
+        self.push(short(&hash));
+    }
+
+    fn push(&mut self, short: u64) {
+        let before = self.known.lines.get(self.name).and_then(|taken| taken.marks.get(self.extent.marks.len()));
         if self.extent.same_lines == self.extent.marks.len() && before == Some(&short) {
             self.extent.same_lines += 1;
         }
@@ -150,31 +203,43 @@ impl Search<'_> {
     }
 
     /// Its end, too. A last line may have been taken without it.
-    fn line_end(&mut self, mark: Mark) {
+    fn line_end(&mut self, end: u64, hash: Hash) {
+        let mark = Mark { end, lines: self.lines, hash };
         self.see(mark);
         self.extent.lines = mark;
-        if self.lines == self.extent.known_lines + self.most {
+        if self.lines == self.extent.known.lines + self.most {
             self.extent.part = Some(mark);
         }
     }
 
     fn see(&mut self, mark: Mark) {
-        match self.known.name_of(&mark.hash) {
+        match self.known.name_of(&mark.hash, self.name) {
             Some(name) if name == self.name => {
-                (self.extent.known_lines, self.extent.known_end) = (self.lines, mark.end);
+                self.extent.known = mark;
                 self.extent.part = None;
             }
-            Some(other) => self.extent.begins_as = Some((other.to_owned(), self.lines)),
+            Some(other) => self.extent.begins_as = Some((other.to_owned(), mark.lines)),
             None => {}
         }
     }
 
-    fn end(self, hash: Hash) -> Extent {
-        let Self { known, name, mut extent, .. } = self;
-        extent.whole.hash = hash;
+    fn end(mut self, hash: Hash) -> Extent {
+        let taken = self.known.lines.get(self.name);
+        let before = taken.map_or(0, |taken| taken.marks.len());
+        self.extent.is_cut = self.extent.same_lines == self.extent.marks.len() && self.extent.marks.len() < before;
+        let has_tail = self.extent.lines.end < self.extent.whole.end;
+        if has_tail {
+            self.push(short(&hash));
+        }
+        let Self { known, name, lines, mut extent, .. } = self;
+        extent.whole = Mark { lines: lines + usize::from(has_tail), hash, ..extent.whole };
+        extent.is_cut_whole = extent.is_cut && extent.same_lines == extent.marks.len();
+        // More may have come to a last line without an end: it is another one then, and the file still the same.
+        let sure = before - usize::from(taken.is_some_and(|taken| taken.is_open));
+        extent.is_replaced = extent.same_lines < sure && !extent.is_cut;
         extent.is_known = known.hashes.contains_key(&hash);
-        let before = known.marks.get(name).map_or(0, Vec::len);
-        extent.is_cut = extent.same_lines == extent.marks.len() && extent.marks.len() < before;
+        let last = known.names.get(name);
+        extent.is_older = !known.has_lines(name) && 0 < extent.known.lines && last != Some(&extent.known.hash);
         extent.part = extent.part.filter(|part| part.end < extent.lines.end);
         extent
     }
@@ -198,7 +263,7 @@ pub(super) fn until(body: &mut dyn Body, line_ends: &'static [u8], line: usize) 
             hash.see(piece.get(from..after).unwrap_or_default());
             from = after;
             if count == line {
-                found = Some(Mark { end: begin + wide(after), hash: hash.clone().hash() });
+                found = Some(Mark { end: begin + wide(after), lines: line, hash: hash.clone().hash() });
             }
         }
         if count < line {
@@ -235,13 +300,13 @@ mod tests {
         known.add(Hash::of_file(b"a\nb\n"), "a.csv");
         assert!(extent(&known, "a.csv", "a\nb\n").is_known);
         let grown = extent(&known, "a.csv", "a\nb\nc\nd");
-        assert_eq!((grown.known_lines, grown.known_end), (2, 4));
-        assert_eq!(grown.lines, Mark { end: 6, hash: Hash::of_file(b"a\nb\nc\n") });
-        assert_eq!(grown.whole, Mark { end: 7, hash: Hash::of_file(b"a\nb\nc\nd") });
-        assert_eq!(extent(&known, "a.csv", "a\nB\nc\n").known_lines, 0);
-        assert_eq!(known.extent("a.csv", &mut Cursor::new("a\nb\nc\n"), b"", 2).unwrap().known_lines, 0);
+        assert_eq!((grown.known.lines, grown.known.end), (2, 4));
+        assert_eq!(grown.lines, Mark { end: 6, lines: 3, hash: Hash::of_file(b"a\nb\nc\n") });
+        assert_eq!(grown.whole, Mark { end: 7, lines: 4, hash: Hash::of_file(b"a\nb\nc\nd") });
+        assert_eq!(extent(&known, "a.csv", "a\nB\nc\n").known.lines, 0);
+        assert_eq!(known.extent("a.csv", &mut Cursor::new("a\nb\nc\n"), b"", 2).unwrap().known.lines, 0);
         let other = extent(&known, "b.csv", "a\nb\nc\n");
-        assert_eq!((other.known_lines, other.begins_as), (0, Some(("a.csv".to_owned(), 2))), "it begins so");
+        assert_eq!((other.known.lines, other.begins_as), (0, Some(("a.csv".to_owned(), 2))), "it begins so");
     }
 
     #[test]
@@ -249,11 +314,11 @@ mod tests {
         let mut known = Known::default();
         known.add(Hash::of_file(b"a\nb"), "a.csv");
         for grown in ["a\nb\nc\n", "a\nb\r\nc\n", "a\nb\rc\n"] {
-            assert_eq!(extent(&known, "a.csv", grown).known_lines, 2, "{grown:?}");
+            assert_eq!(extent(&known, "a.csv", grown).known.lines, 2, "{grown:?}");
         }
-        assert_eq!(extent(&known, "a.csv", "a\nb1\n").known_lines, 0);
+        assert_eq!(extent(&known, "a.csv", "a\nb1\n").known.lines, 0);
         known.add(Hash::of_file(b"a\r"), "r.csv");
-        assert_eq!(extent(&known, "r.csv", "a\r\nb\n").known_lines, 1, "the LF came later");
+        assert_eq!(extent(&known, "r.csv", "a\r\nb\n").known.lines, 1, "the LF came later");
     }
 
     #[test]
@@ -261,7 +326,7 @@ mod tests {
         let mut known = Known::default();
         let all = extent(&known, "a.csv", "a\nb\nc\n");
         known.add(all.whole.hash, "a.csv");
-        known.add_lines("a.csv", &all);
+        known.add_lines("a.csv", all.marks(3), false);
         assert!(extent(&known, "a.csv", "a\nb\n").is_cut && extent(&known, "a.csv", "a\nb").is_cut);
         let other = extent(&known, "a.csv", "a\nB\n");
         assert_eq!((other.is_cut, other.same_lines), (false, 1));
@@ -272,7 +337,7 @@ mod tests {
     fn a_part_ends_with_a_line() {
         let mut known = Known::default();
         assert_eq!(extent(&known, "a.csv", "a\nb\n").part, None);
-        let part = Some(Mark { end: 4, hash: Hash::of_file(b"a\nb\n") });
+        let part = Some(Mark { end: 4, lines: 2, hash: Hash::of_file(b"a\nb\n") });
         assert_eq!(extent(&known, "a.csv", "a\nb\nc\n").part, part);
         known.add(Hash::of_file(b"a\n"), "a.csv");
         assert_eq!(extent(&known, "a.csv", "a\nb\nc\nd\n").part.unwrap().end, 6);

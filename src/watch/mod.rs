@@ -4,7 +4,7 @@
 //! |---|---|
 //! | here | one look at the folder: which files are ready, and what they hold |
 //! | `folder`, `closed` | what lies in the folder, since when it is unchanged, and whether anybody still writes it |
-//! | `reading` | what of a file is taken now: what is complete and new |
+//! | `reading`, `units` | what of a file is taken now: what is complete and new; the lines of each thing in it |
 //! | `known`, `lines` | what was taken already, by content; how much of a file that has grown |
 //! | `part` | the first bytes of a file as a file of their own |
 //! | `note` | what is written beside a file that could not be taken whole |
@@ -27,7 +27,9 @@ mod lines;
 mod note;
 mod part;
 mod reading;
+mod units;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::time::Duration;
 
@@ -94,6 +96,9 @@ pub struct Batch {
     found: Found,
     /// Whether there is, or may be, more of it.
     is_open: bool,
+    /// A mark of each line that is known once it is taken, and whether the last one has no end.
+    marks: Vec<u64>,
+    is_within_line: bool,
 }
 
 /// Why a file is waited for.
@@ -104,6 +109,11 @@ pub enum Waiting {
     Written,
     /// Another program holds it.
     Locked {
+        /// What the system says.
+        reason: String,
+    },
+    /// It could not be read for a while: it is tried again, and nobody waits for it.
+    Refused {
         /// What the system says.
         reason: String,
     },
@@ -123,9 +133,18 @@ pub struct Look {
 
 impl Look {
     /// Whether nothing is left to do.
-    pub const fn is_idle(&self) -> bool {
-        self.ready.is_empty() && self.waiting.is_empty()
+    pub fn is_idle(&self) -> bool {
+        self.ready.is_empty() && self.waiting.iter().all(|(_, why)| matches!(why, Waiting::Refused { .. }))
     }
+}
+
+/// What is to be said of files of which nothing is taken.
+#[derive(Debug, Default)]
+struct Told {
+    /// As in [`Look`].
+    same: Vec<(String, String)>,
+    /// What a note says now; nothing where it goes.
+    notes: Vec<(PathBuf, Vec<Message>)>,
 }
 
 /// Looks at a folder again and again.
@@ -133,6 +152,9 @@ impl Look {
 pub struct Watcher {
     folder: Folder,
     known: Known,
+    told: Told,
+    /// The files whose note says that they cannot be read.
+    refused: BTreeSet<PathBuf>,
     /// The clock at the first look.
     begun: Option<Duration>,
 }
@@ -140,7 +162,13 @@ pub struct Watcher {
 impl Watcher {
     /// A folder, and what was taken from it or elsewhere before.
     pub fn new(folder: &Path, known: Known) -> Self {
-        Self { folder: Folder::new(folder), known, begun: None }
+        let (told, refused) = (Told::default(), BTreeSet::new());
+        Self { folder: Folder::new(folder), known, told, refused, begun: None }
+    }
+
+    /// Leaves a file alone, such as the one that the verdicts go to, or the journal.
+    pub fn leave(&mut self, file: &Path) {
+        self.folder.leave(file);
     }
 
     /// One look; `clock` is any clock that only goes forward.
@@ -150,18 +178,53 @@ impl Watcher {
     pub fn look(&mut self, judging: Judging<'_>, clock: Duration) -> Result<Look, FileError> {
         let mut look = Look::default();
         let is_young = clock.saturating_sub(*self.begun.get_or_insert(clock)) < PATIENCE;
-        for found in self.folder.look(clock)? {
-            if found.quiet < QUIET || MOST_FILES <= look.ready.len() {
+        let found = self.folder.look(clock)?;
+        for (before, now) in self.folder.moves() {
+            self.known.rename(&before, &now);
+        }
+        for found in found {
+            if found.waits || found.quiet < QUIET || MOST_FILES <= look.ready.len() {
                 look.waiting.push((found.name, Waiting::Written));
                 continue;
             }
-            match reading::read(&found, judging, &mut self.known, is_young, &mut look) {
+            let read = reading::read(&found, judging, &mut self.known, is_young, &mut self.told);
+            if !matches!(read, Err(Waiting::Locked { .. })) {
+                self.refused.remove(&found.path);
+            }
+            match read {
+                // A copy of what is ready now is told when that is taken.
+                Ok(Some(batch)) if look.ready.iter().any(|ready| ready.sha256 == batch.sha256 && ready.has_values) => {
+                    look.waiting.push((found.name, Waiting::Written));
+                }
                 Ok(Some(batch)) => look.ready.push(batch),
                 Ok(None) => self.folder.done(&found),
-                Err(waiting) => look.waiting.push((found.name, waiting)),
+                Err(Waiting::Locked { reason }) if PATIENCE <= found.quiet => {
+                    let waiting = Waiting::Refused { reason };
+                    if self.refused.insert(found.path.clone()) {
+                        self.told.notes.push((found.path, vec![waiting.message()]));
+                    }
+                    look.waiting.push((found.name, waiting));
+                }
+                Err(waiting) => {
+                    if waiting == Waiting::Written {
+                        self.folder.wait(&found);
+                    }
+                    look.waiting.push((found.name, waiting));
+                }
             }
         }
+        look.same = std::mem::take(&mut self.told.same);
         Ok(look)
+    }
+
+    /// Writes beside files of which a look has taken nothing why that is so, and takes away what is no longer true. `words` puts it into
+    /// people's language.
+    ///
+    /// # Errors
+    /// The first [`FileError`] where a note cannot be written: it is not tried again.
+    pub fn tell(&mut self, words: &dyn Fn(&Message) -> String) -> Result<(), FileError> {
+        let notes = std::mem::take(&mut self.told.notes);
+        notes.iter().map(|(path, problems)| note::write(path, problems, words)).fold(Ok(()), Result::and)
     }
 
     /// What was ready is recorded: it is not taken again. What could not be used is written beside the file, for people; a note of an
@@ -173,6 +236,7 @@ impl Watcher {
         // What could not be read may be read another time: with the file beside it, with another mask, when there is more of it.
         if batch.has_values {
             self.known.add(batch.sha256, &batch.name);
+            self.known.add_lines(&batch.name, batch.marks.clone(), batch.is_within_line);
         }
         if !batch.is_open {
             self.folder.done(&batch.found);

@@ -1,6 +1,7 @@
 //! What is written beside a file that could not be taken, or not as a whole.
 
 use std::path::{Path, PathBuf};
+use std::time::SystemTime;
 
 use crate::files::{self, FileError};
 use crate::message::Message;
@@ -26,16 +27,34 @@ pub(super) fn is_note(name: &str) -> bool {
     name.ends_with(NOTE_ENDING)
 }
 
-/// Writes the note of a file, one problem a line below its head; where there is none, an old note goes. Another's file of that name stays.
+/// Whether a file has a note of ours: somebody else's file, a link or a folder of that name is none. Nothing but a file is opened: a pipe
+/// would be waited for.
+///
+/// # Errors
+/// [`FileError`] where it cannot be read, [`FileError::Exists`] where it is something else.
+fn is_ours(note: &Path) -> Result<bool, FileError> {
+    match note.symlink_metadata() {
+        Ok(about) if about.is_file() && files::read_head(note, HEAD.len())? == HEAD.as_bytes() => Ok(true),
+        Ok(_) => Err(FileError::Exists { path: note.to_owned() }),
+        Err(error) if error.kind() == std::io::ErrorKind::NotFound => Ok(false),
+        Err(error) => Err(files::system(note, &error)),
+    }
+}
+
+/// When the note of a file was written; `None` where it has none of ours.
+pub(super) fn written(path: &Path) -> Option<SystemTime> {
+    let note = note_of(path);
+    let changed = note.symlink_metadata().ok()?.modified().ok()?;
+    is_ours(&note).is_ok_and(|is_ours| is_ours).then_some(changed)
+}
+
+/// Writes the note of a file, one problem a line below its head; where there is none, an old note goes. Another's file of that name stays,
+/// and what a link of that name leads to, too.
 pub(super) fn write(path: &Path, problems: &[Message], words: &dyn Fn(&Message) -> String) -> Result<(), FileError> {
     let note = note_of(path);
-    let is_there = match files::read_head(&note, HEAD.len()) {
-        Ok(head) if head != HEAD.as_bytes() => {
-            return if problems.is_empty() { Ok(()) } else { Err(FileError::Exists { path: note }) };
-        }
-        Ok(_) => true,
-        Err(FileError::Missing { .. }) => false,
-        Err(error) => return Err(error),
+    let is_there = match is_ours(&note) {
+        Err(FileError::Exists { .. }) if problems.is_empty() => return Ok(()),
+        is_ours => is_ours?,
     };
     if problems.is_empty() {
         return match std::fs::remove_file(&note) {

@@ -348,8 +348,12 @@ impl<'a, 's> Reader<'a, 's> {
         if self.row.values.is_empty() {
             return;
         }
+        let last = self.row.last();
         let values = self.row.take();
         self.before = values.len();
+        for (_, fields) in &values {
+            self.told.sink.unit(fields.line, last);
+        }
         for (index, fields) in values {
             if self.told.is_full(fields.line) {
                 self.is_full = true;

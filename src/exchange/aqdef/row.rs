@@ -18,6 +18,8 @@ const MOST: usize = 20_000;
 pub(super) struct Fields {
     /// The line where it begins.
     pub(super) line: usize,
+    /// The last line that says something of it.
+    pub(super) last: usize,
     /// Which keys it has, a bit for each.
     seen: u128,
     pub(super) value: String,
@@ -140,7 +142,13 @@ impl Row {
             self.values.entry(index).or_insert_with(|| Fields { line, ..Fields::default() })
         };
         fields.set(key, text);
+        fields.last = line;
         fields
+    }
+
+    /// The last line that says something of a value.
+    pub(super) fn last(&self) -> usize {
+        self.values.values().chain([&self.all]).map(|fields| fields.last).max().unwrap_or_default()
     }
 
     /// The values in the order of their lines, and the row is empty.

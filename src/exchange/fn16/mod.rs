@@ -148,15 +148,18 @@ impl Window<'_> {
         let count = match found {
             Found::Printed(printed) => {
                 let printed = self.inverse.by_parameter(printed);
+                sink.unit(number, number + printed.lines.saturating_sub(1));
                 judging.judge(number, &printed, sink);
                 printed.lines
             }
             Found::Ambiguous(count) => {
+                sink.unit(number, number + count.saturating_sub(1));
                 sink.refuse(Place::line(number), ImportErrorKind::PrintAmbiguous, shorten(text));
                 count
             }
             Found::Broken(count, line) => {
                 let at = number + count;
+                sink.unit(number, at);
                 sink.refuse(Place::line(at), ImportErrorKind::PrintBroken { line }, String::new());
                 count
             }
