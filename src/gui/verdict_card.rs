@@ -228,9 +228,16 @@ pub(super) fn strip_ui(ui: &mut Ui, status: Option<Status>, is_simulated: bool, 
     let side = space(5.0);
     let mark = Align2::LEFT_CENTER.align_size_within_rect(vec2(side, side), inner);
     shapes::status(ui.painter(), mark, status, colour);
-    let mut job = LayoutJob::simple_singleline(text.to_owned(), theme::bold(sizes().limits), colour);
-    job.wrap = TextWrapping::truncate_at_width(inner.width() - side - space(2.0));
-    let galley = ui.painter().layout_job(job);
+    let of_size = |size: f32| {
+        let mut job = LayoutJob::simple_singleline(text.to_owned(), theme::bold(size), colour);
+        job.wrap = TextWrapping::truncate_at_width(inner.width() - side - space(2.0));
+        ui.painter().layout_job(job)
+    };
+    // A text that would be cut is smaller.
+    let mut galley = of_size(sizes().limits);
+    if galley.elided {
+        galley = of_size(sizes().body);
+    }
     let is_cut = galley.elided;
     ui.painter().galley(pos2(mark.right() + space(2.0), inner.center().y - galley.size().y / 2.0), galley, colour);
     if is_simulated {

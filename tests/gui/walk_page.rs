@@ -441,13 +441,6 @@ fn the_focus_comes_back_to_the_value_and_the_ring_stays_where_it_is() {
 }
 
 #[test]
-fn a_low_window_shows_the_shape_of_every_verdict_and_what_is_asked() {
-    let folder = tempfile::tempdir().unwrap();
-    let page = begun_with_three(folder.path(), vec2(1024.0, 600.0));
-    page.get_by_label_contains("2  B, 20 H7");
-}
-
-#[test]
 fn the_plan_is_named_where_another_one_is_open() {
     let folder = tempfile::tempdir().unwrap();
     let mut page = begun_with_three(folder.path(), DESK);
