@@ -535,16 +535,18 @@ fn a_plan_is_read_from_a_workbook() {
 #[test]
 fn a_class_is_not_taken_for_a_limit_that_the_file_contradicts_or_leaves_out() {
     let head = "K0100 1\nK2001/1 1\nK2002/1 BORE\nK2009/1 202\nK2101/1 25\nK2103/1 H\nK2104/1 7\nK2142/1 mm\n";
-    let remark = "BORE: 25 H7 has other limits than the file, which count";
-    for limits in ["K2111/1 25.010\n", "K2110/1 25\nK2111/1 25.021\nK2121/1 0\n"] {
+    let remark = "BORE: 25 H7 has other limits than the file";
+    let converted = |file: &str| {
         let place = Place::new();
-        place.write("p.dfq", &format!("{head}{limits}"));
-        let (_, out, err) = place.say(&["plan", "convert", "p.dfq"]);
-        assert!(format!("{out}{err}").contains(remark), "{limits}: {out}{err}");
-        assert!(!out.contains("callout = \"25 H7\""), "{limits}: {out}");
+        place.write("p.dfq", file);
+        let (_, _, err) = place.say(&["plan", "convert", "p.dfq", "-o", "p.toml"]);
+        (std::fs::read_to_string(place.0.path().join("p.toml")).unwrap(), err)
+    };
+    for limits in ["K2111/1 25.010\n", "K2110/1 25\nK2111/1 25.021\nK2121/1 0\n"] {
+        let (plan, err) = converted(&format!("{head}{limits}"));
+        assert!(err.contains(remark), "{limits}: {err}");
+        assert!(!plan.contains("callout = \"25 H7\""), "{limits}: {plan}");
     }
-    let place = Place::new();
-    place.write("p.dfq", head);
-    let (_, out, err) = place.say(&["plan", "convert", "p.dfq"]);
-    assert!(out.contains("callout = \"25 H7\""), "{out}{err}");
+    let (plan, err) = converted(head);
+    assert!(plan.contains("callout = \"25 H7\""), "{plan}{err}");
 }
