@@ -19,8 +19,8 @@ Examples:
   fitcheck nc plan.csv --control itnc530 --language de -o set.zip
   fitcheck nc plan.csv --control tnc620 --folder 'TNC:\\nc_prog\\order_12' -o order_12
 
-A plan is a TOML file, or a CSV or workbook with one feature per line; docs/PLANS.md says what each column
-has. The columns of a feature, in any order:
+A plan is a TOML file, or a CSV or workbook with one feature per line; docs/PLANS.md says what
+each column has. The columns of a feature, in any order:
   {columns}
 A set needs these of them:
   callout, x, y, z          nominal size and class such as 25 H7; centre and measuring height in mm
@@ -43,8 +43,8 @@ The set holds a main program, the program that it calls, the tables 82553 (FIT_H
 FIT_SHAFT.TAB for later controls), the mask and a page that says what goes where. The tables have
 the 47 classes of NC-Solution 8255 and a column more for each other class of the plan. A callout
 without a class, such as 12 ±0.02 or 10m, is refused: the program looks limits up by class. The set
-judges by the limits alone: a rule, an uncertainty or a material of the plan is named in a remark and
-in README.TXT. A cycle or parameters of the plan's own are refused.
+judges by the limits alone: a rule, an uncertainty or a material of the plan is named in a remark
+and in README.TXT. A cycle or parameters of the plan's own are refused.
 
 A name that ends in .zip becomes one file, any other a folder. Files that are there already stay
 as they are: --force overwrites them.

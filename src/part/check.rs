@@ -258,7 +258,7 @@ impl Reader<'_> {
             && place.iter().all(Option::is_some)
             && !(minimum <= height && height <= maximum)
         {
-            let what = PlanFault::Travel { axis: "Z", given: height, minimum, maximum };
+            let what = PlanFault::ClearanceTravel { height, minimum, maximum };
             self.fault(Column::ClearanceHeight, what);
         }
     }

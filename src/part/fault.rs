@@ -253,6 +253,15 @@ pub enum PlanFault {
         /// Where it ends.
         maximum: Length,
     },
+    /// A clearance height that the machine does not reach, given or usual.
+    ClearanceTravel {
+        /// The clearance height.
+        height: Length,
+        /// Where the travel in Z begins.
+        minimum: Length,
+        /// Where it ends.
+        maximum: Length,
+    },
     /// A machine's travel that is not two numbers, the smaller one first.
     NoTravel {
         /// What was given.

@@ -207,6 +207,13 @@ clearance_height = -8
 
 [[feature]]
 callout = "4000 H7"
+
+[[feature]]
+callout = "25 H7"
+x = 1
+y = 2
+z = -8
+clearance_height = 61
 "#;
 
 /// The name of a fault that a cell can have; `None` of those of a file as a whole, which leave no plan to look at or come one at a time.
@@ -244,6 +251,7 @@ fn of_cell(fault: &PlanFault) -> Option<&'static str> {
         PlanFault::NoParameter { .. } => Some("NoParameter"),
         PlanFault::ClearanceHeight { .. } => Some("ClearanceHeight"),
         PlanFault::Travel { .. } => Some("Travel"),
+        PlanFault::ClearanceTravel { .. } => Some("ClearanceTravel"),
         PlanFault::NoTravel { .. } => Some("NoTravel"),
         PlanFault::Text { .. } => Some("Text"),
         PlanFault::SameName { .. } => Some("SameName"),
@@ -287,11 +295,16 @@ fn the_probe_moves_freely_within_the_machines_travel() {
     };
     let z = "z = -8\n";
     let errors = read(&plan("clearance_height = 41\n", z), &Sources::default()).unwrap_err();
-    assert_eq!(errors, ["line 8, column 20: Z41 is outside the machine's travel, -100 to 40 mm"]);
+    assert_eq!(
+        errors,
+        [
+            "line 8, column 20: the probe moves at Z41, which is outside the machine's travel, -100 to 40 mm: give another clearance_height"
+        ]
+    );
     // So it does where the plan leaves the height to 50 mm.
     let errors = read(&plan("", z), &Sources::default()).unwrap_err();
     assert_eq!(errors.len(), 1, "{errors:?}");
-    assert!(errors[0].contains("Z50 is outside"), "{errors:?}");
+    assert!(errors[0].contains("the probe moves at Z50"), "{errors:?}");
     assert!(read(&plan("clearance_height = 40\n", z), &Sources::default()).is_ok());
     // What is not measured by a program needs no height.
     assert!(read(&plan("", ""), &Sources::default()).is_ok());

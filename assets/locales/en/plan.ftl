@@ -32,6 +32,7 @@ plan-other-value = { $key }: expected { $expected }, found { $found }
 plan-parameter = cycle { $cycle } does not take { $given } from a plan: write NAME=VALUE with one of { $known }
 plan-no-parameter = no measuring cycle takes { $given } from a plan: write NAME=VALUE, such as Q423=3
 plan-travel = { $axis }{ $given } is outside the machine's travel, { $minimum } to { $maximum } mm
+plan-clearance-travel = the probe moves at Z{ $height }, which is outside the machine's travel, { $minimum } to { $maximum } mm: give another clearance_height
 plan-no-travel = { $given } is not a travel: write two numbers, the smaller one first, such as -250 250
 plan-text = { $column }: expected one line of at most { $most } characters
 plan-same-number = { $line ->
