@@ -71,7 +71,7 @@ pub(super) fn read(
         of_same(look, &found.name);
         return Ok(None);
     }
-    let masks = if format.is_some_and(|format| format.is_print()) { judging.masks } else { &[] };
+    let masks = if format.is_some_and(crate::exchange::Format::is_print) { judging.masks } else { &[] };
     let judging = Judging { masks, ..judging };
     let reading = Reading { file: &file, found, judging, line_ends, extent: &extent, is_patient };
     let batch = reading.batch()?;
