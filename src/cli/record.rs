@@ -203,7 +203,7 @@ impl Recorder {
                 text.clone_from(given);
             }
         }
-        about.part = self.part(&labels.part, !about.serial.is_empty()).to_owned();
+        self.part(&labels.part, !about.serial.is_empty()).clone_into(&mut about.part);
         if self.plan.is_some() {
             id.clone_into(&mut about.feature);
         } else if about.part.is_empty() {

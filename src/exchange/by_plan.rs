@@ -48,7 +48,7 @@ impl<'a> ByPlan<'a> {
         }
     }
 
-    fn value(&mut self, value: Value, take: &mut dyn FnMut(Item)) {
+    fn value(&self, value: Value, take: &mut dyn FnMut(Item)) {
         let (at, by) = match self.find(&value) {
             Ok(found) => found,
             Err(why) => return take(Item::Unjudged(Box::new(value.without(why)))),

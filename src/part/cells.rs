@@ -50,15 +50,12 @@ impl KindCells<'_> {
     pub(super) fn read_all(&self) -> (Option<Kind>, Vec<CellFault>) {
         let word = self.kind.unwrap_or("diameter");
         let mut faults = Vec::new();
-        let kind = match Kind::WORDS.into_iter().find(|known| known.eq_ignore_ascii_case(word)) {
-            Some(word) => self.of_kind(word, &mut faults),
-            None => {
-                faults.push((Column::Kind, unknown("kind", word, &Kind::WORDS)));
-                self.of_no_kind(&mut faults);
-                None
-            }
-        };
-        (kind, faults)
+        if let Some(word) = Kind::WORDS.into_iter().find(|known| known.eq_ignore_ascii_case(word)) {
+            return (self.of_kind(word, &mut faults), faults);
+        }
+        faults.push((Column::Kind, unknown("kind", word, &Kind::WORDS)));
+        self.of_no_kind(&mut faults);
+        (None, faults)
     }
 
     fn of_kind(&self, word: &'static str, faults: &mut Vec<CellFault>) -> Option<Kind> {

@@ -330,7 +330,9 @@ impl Reader<'_> {
     fn parameters(&mut self, cycle: Option<&'static Cycle>) -> Inputs {
         let text = self.row.text(Column::Parameters).unwrap_or_default();
         measured_by::parameters(text, cycle).unwrap_or_else(|faults| {
-            faults.into_iter().for_each(|what| self.fault(Column::Parameters, what));
+            for what in faults {
+                self.fault(Column::Parameters, what);
+            }
             Inputs::new()
         })
     }
@@ -348,7 +350,9 @@ impl Reader<'_> {
         match rule(name, uncertainty) {
             Ok(rule) => rule,
             Err(faults) => {
-                faults.into_iter().for_each(|(column, what)| self.fault(column, what));
+                for (column, what) in faults {
+                    self.fault(column, what);
+                }
                 None
             }
         }

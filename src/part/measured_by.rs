@@ -37,16 +37,15 @@ pub(super) fn parameters(text: &str, cycle: Option<&'static Cycle>) -> Result<In
             }
             continue;
         };
-        match parts.and_then(|(name, value)| Some((free(cycle, name)?, value))) {
-            Some((parameter, value)) => match parameter.accept(value) {
-                Ok(value) => inputs = inputs.with(parameter.key, value),
-                Err(error) => faults.push(PlanFault::Range(Box::new(error))),
-            },
-            None => {
-                let known = cycle.parameters.iter().filter(|parameter| !is_decided(parameter.meaning));
-                let known = known.map(|known| known.key.to_string()).collect::<Vec<_>>().join(", ");
-                faults.push(PlanFault::Parameter { given: beginning(word), cycle: cycle.code, known });
-            }
+        let Some((parameter, value)) = parts.and_then(|(name, value)| Some((free(cycle, name)?, value))) else {
+            let known = cycle.parameters.iter().filter(|parameter| !is_decided(parameter.meaning));
+            let known = known.map(|known| known.key.to_string()).collect::<Vec<_>>().join(", ");
+            faults.push(PlanFault::Parameter { given: beginning(word), cycle: cycle.code, known });
+            continue;
+        };
+        match parameter.accept(value) {
+            Ok(value) => inputs = inputs.with(parameter.key, value),
+            Err(error) => faults.push(PlanFault::Range(Box::new(error))),
         }
     }
     if faults.is_empty() { Ok(inputs) } else { Err(faults) }

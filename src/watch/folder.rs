@@ -6,9 +6,9 @@ use std::fs::Metadata;
 use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
-use super::closed::{Closed, Writer};
 use super::PATIENCE;
 use super::alone::parent;
+use super::closed::{Closed, Writer};
 use super::note::is_note;
 use crate::files::{FileError, beside_path, system};
 use crate::journal::natural::Natural;
@@ -141,7 +141,8 @@ impl Folder {
                 continue;
             }
             let stamp = stamp(&path, &about);
-            let new = Seen { stamp, since: clock, is_done: false, was_done: false, writer: Writer::Unknown, waits: None };
+            let new =
+                Seen { stamp, since: clock, is_done: false, was_done: false, writer: Writer::Unknown, waits: None };
             let seen = self.seen.entry(path.clone()).or_insert_with(|| new.clone());
             let is_heard = self.closed.is_heard(&path);
             if seen.stamp != stamp {

@@ -213,7 +213,8 @@ impl Reading<'_> {
         let counted = |id: &'static str, count: usize| (0 < count).then(|| Message::new(id).count("count", count));
         let again = if known_lines == 0 { counted("watch-again", new.count(*same_lines)) } else { None };
         let older = if *is_older { counted("watch-older", before) } else { None };
-        let as_other = begins_as.as_ref().map(|(known, lines)| (known, new.count(*lines))).filter(|(_, count)| 0 < *count);
+        let as_other =
+            begins_as.as_ref().map(|(known, lines)| (known, new.count(*lines))).filter(|(_, count)| 0 < *count);
         let as_other =
             as_other.map(|(known, count)| Message::new("watch-begins-as").text("known", known).count("count", count));
         let is_within_line = !self.line_ends.is_empty() && self.extent.is_within_line(&mark);
@@ -244,8 +245,15 @@ impl Reading<'_> {
         let units = |first: usize, last: usize| {
             lasts.borrow_mut().insert(first, last);
         };
-        let given =
-            Given { beside: &beside, masks, mapping, most_rows: MOST_ROWS, has_plan, units: &units, ..Given::new(sources, now) };
+        let given = Given {
+            beside: &beside,
+            masks,
+            mapping,
+            most_rows: MOST_ROWS,
+            has_plan,
+            units: &units,
+            ..Given::new(sources, now)
+        };
         let (mut items, mut by_plan) = (Vec::new(), plan.map(ByPlan::new));
         import_from(&self.found.name, &mut Beginning::new(self.file, end.end), given, &mut |item| match &mut by_plan {
             Some(by_plan) => by_plan.item(item, &mut |item| items.push(item)),

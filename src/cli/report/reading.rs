@@ -128,7 +128,9 @@ impl Collected {
         given.read((path, file, work), &mut |item| match item {
             Item::Record { record, line: at, labels } => match given.judge.judged_of(&sizes, *record) {
                 Ok((record, said)) => {
-                    said.iter().for_each(|remark| self.note(line(at), remark.message(), io));
+                    for remark in &said {
+                        self.note(line(at), remark.message(), io);
+                    }
                     self.see(&record, io);
                     self.parts.iter_mut().for_each(|parts| parts.see(&record, &labels));
                 }
