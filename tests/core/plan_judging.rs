@@ -96,7 +96,8 @@ fn by_session(ask: impl Fn(&mut Session)) -> Vec<(Verdict, String)> {
     session.apply(command, now());
     let mut items = Vec::new();
     import_each("v.csv", VALUES.as_bytes(), &Sources::default(), now(), &mut |item| items.push(item));
-    let imported = WalkCommand::Imported { name: "v.csv".to_owned(), result: Ok(items) };
+    let run = session.parts().walking().run();
+    let imported = WalkCommand::Imported { name: "v.csv".to_owned(), run, result: Ok(items) };
     let effects = session.apply(imported.into(), now());
     let entries = effects.iter().find_map(|effect| match effect {
         Effect::Keep { entries, .. } => Some(entries.clone()),

@@ -630,9 +630,9 @@ fn watching_by_mask() -> Session {
 fn a_folder_is_watched_again_once_the_own_mask_is_read() {
     let mut back = watching_by_mask();
     // What prints are read back through is waited for by files, too.
-    assert_eq!(send(&mut back, FilesCommand::Open(Purpose::ImportValues, "/in/a.txt".into())), []);
+    assert_eq!(send(&mut back, FilesCommand::Open(Purpose::ImportValues(0), "/in/a.txt".into())), []);
     let effects = send(&mut back, own_mask());
-    let [Effect::Watch { .. }, Effect::Read(Purpose::ImportValues, _)] = &effects[..] else { panic!("{effects:?}") };
+    let [Effect::Watch { .. }, Effect::Read(Purpose::ImportValues(_), _)] = &effects[..] else { panic!("{effects:?}") };
     assert_eq!(back.own_masks()[0].0, "own.a");
     assert_eq!(back.saved().mask, Some("/masks/own.a".into()));
 }
