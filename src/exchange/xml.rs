@@ -54,6 +54,9 @@ impl Start {
     }
 }
 
+/// The longest value of an attribute that is kept whole, bytes.
+const LONGEST_KEPT: usize = 200;
+
 /// An element with what was asked for of its contents.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Element {
@@ -367,7 +370,9 @@ fn start(
         if is_decoded && is_odd(&value) {
             return Err(ImportErrorKind::XmlBytes);
         }
-        attributes.push((own, shorten(value.trim())));
+        let value = value.trim();
+        // The types of relationships in a workbook are addresses, and their ends tell them apart.
+        attributes.push((own, if value.len() <= LONGEST_KEPT { value.to_owned() } else { shorten(value) }));
     }
     Ok(Start { name, attributes, at })
 }

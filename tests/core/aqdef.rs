@@ -719,11 +719,11 @@ fn a_value_of_all_characteristics_is_refused() {
 
 #[test]
 fn an_attribute_behind_a_line_of_values_takes_the_value_out() {
-    let missing = "12? 1 value is empty or marked as missing (K0002 is 255 or 256), from this line on: it is left out";
-    for line in ["25.01", "25.01\u{14}0"] {
-        check(&format!("{line}\nK0002/1 255\n"), &[missing]);
+    let missing = "12? 1 value is empty or marked as missing (K0002 is 255 or 256), from this line on: it is skipped";
+    let none = "1: 1 characteristic but no values: this is a plan, not measurements";
+    for line in ["25.01", "25.01\u{14}0", "K0001/1 25.01\nK0002/1 0"] {
+        check(&format!("{line}\nK0002/1 255\n"), &[missing, none]);
     }
-    check("K0001/1 25.01\nK0002/1 0\nK0002/1 255\n", &[missing]);
     // Where the attribute comes first, the next one is that of the next value.
     let said =
         said(&items("a.dfq", format!("{HEAD}K0002/1 0\nK0001/1 25.01\nK0002/1 255\nK0001/1 25.02\n").as_bytes(), None));
@@ -743,7 +743,7 @@ fn an_attribute_of_all_values_between_two_rows_leaves_neither_good() {
         [
             "14: K0002/0 255 stands between this row and the one before it, and may mark either: the value is not used",
             "15 D 25.011 GOOD",
-            "12? 1 value is empty or marked as missing (K0002 is 255 or 256), from this line on: it is left out",
+            "12? 1 value is empty or marked as missing (K0002 is 255 or 256), from this line on: it is skipped",
         ]
     );
     // Where each row has its own, it is that of the row.

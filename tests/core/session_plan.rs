@@ -619,7 +619,7 @@ fn a_part_keeps_the_picture_that_its_plan_had_when_it_was_begun() {
     // Another plan with a feature of the same name is opened before the picture was read.
     let other = Document::read(text.replace("a.png", "b.png").replace("25 H7", "10 H7").as_bytes()).unwrap();
     let read = PlanCommand::Read { path: "/other/plate.toml".into(), result: Ok(Box::new(other)) };
-    assert_eq!(plan(&mut session, read), [Effect::ReadPicture("/other/b.png".into())]);
+    assert!(plan(&mut session, read).contains(&Effect::ReadPicture("/other/b.png".into())));
     plan(&mut session, PlanCommand::PictureRead { path: "/other/b.png".into(), result: Ok(dots()) });
     assert_eq!(session.parts().walk_sight(), Some(Sight::Awaited));
     let mut own = PartPicture::clone(&dots());

@@ -98,13 +98,13 @@ fn a_part_that_comes_back_counts_no_value_by_limits_that_its_plan_has_no_more() 
     // 25 H6 goes to 25.013 mm.
     let back = restarted(&session, &entries, &PLAN.replace("25 H7", "25 H6"));
     assert_eq!(back.parts().walking().status(), None);
-    assert_eq!(standing(&back), "1 measured, 2 missing, 0 left out");
+    assert_eq!(standing(&back), "1 measured, 2 missing, 0 skipped");
     assert_eq!(asked(&back).as_deref(), Some("A"));
     assert!(all_noticed(&back).contains("A: 25.02 mm was measured by 25 H7"), "{}", all_noticed(&back));
     // The same limits by another rule are another judgement.
     let ruled = PLAN.replace("name = \"C\"", "name = \"C\"\nrule = \"iso14253-2017\"\nu_um = 0.5");
     let back = restarted(&session, &entries, &ruled);
-    assert_eq!(standing(&back), "2 measured, 1 missing, 0 left out");
+    assert_eq!(standing(&back), "2 measured, 1 missing, 0 skipped");
     assert!(all_noticed(&back).contains("C: 19.985 mm was measured by 20 g6"), "{}", all_noticed(&back));
 }
 
@@ -116,14 +116,14 @@ fn a_feature_without_a_name_gives_its_value_to_no_other_row() {
     act(&mut session, Action::SkipSize);
     send(&mut session, WalkCommand::Skip("no gauge".to_owned()));
     let same = restarted(&session, &entries, plan);
-    assert_eq!(standing(&same), "1 measured, 0 missing, 1 left out");
+    assert_eq!(standing(&same), "1 measured, 0 missing, 1 skipped");
     let more = plan.replacen("[[feature]]", "[[feature]]\ncallout = \"25 H7\"\nx = 1\ny = 1\n[[feature]]", 1);
     let back = restarted(&session, &entries, &more);
-    assert_eq!(standing(&back), "0 measured, 3 missing, 0 left out");
+    assert_eq!(standing(&back), "0 measured, 3 missing, 0 skipped");
     assert!(all_noticed(&back).contains("F1: 25.06 mm was measured by 25 H7"), "{}", all_noticed(&back));
     // Once more by the same plan: what was measured by the one before is still not of its rows.
     let again = restarted(&back, &entries, &more);
-    assert_eq!(standing(&again), "0 measured, 3 missing, 0 left out");
+    assert_eq!(standing(&again), "0 measured, 3 missing, 0 skipped");
 }
 
 #[test]
@@ -199,7 +199,7 @@ fn a_file_that_was_read_for_one_part_is_not_taken_for_the_next_one() {
     act(&mut session, Action::BeginPart);
     assert_eq!(session.parts().walking().serial(), "A-0100");
     assert_eq!(send(&mut session, command), []);
-    assert_eq!(standing(&session), "0 measured, 3 missing, 0 left out");
+    assert_eq!(standing(&session), "0 measured, 3 missing, 0 skipped");
     assert_eq!(noticed(&session), "m.csv was read when its part was ended already: its values are not taken");
 }
 
@@ -217,7 +217,7 @@ fn columns_that_are_chosen_when_the_next_part_is_begun_read_nothing_into_it() {
     act(&mut session, Action::BeginPart);
     send(&mut session, ColumnsCommand::Ask(Box::new(asked)));
     assert!(session.open_columns().is_none());
-    assert!(noticed(&session).contains("a.csv was read when its part was ended already"), "{}", noticed(&session));
+    assert!(noticed(&session).contains("a.csv was read after the part had ended"), "{}", noticed(&session));
 }
 
 #[test]
@@ -226,7 +226,7 @@ fn a_file_of_several_parts_without_serial_numbers_is_not_one_part() {
         let mut session = walking_by(&plan);
         let effects = import(&mut session, "part;name;measured\nP1;A;25.080\nP2;A;25.060\nP3;A;25.012\n");
         assert_eq!(effects, []);
-        assert_eq!(standing(&session), "0 measured, 3 missing, 0 left out");
+        assert_eq!(standing(&session), "0 measured, 3 missing, 0 skipped");
         assert!(noticed(&session).starts_with("m.csv: 0 taken, 3 not"), "{}", noticed(&session));
         let why = "line 2: of the part P1, and without a serial number it is not known to be this part";
         assert!(noticed(&session).contains(why), "{}", noticed(&session));
@@ -392,5 +392,5 @@ fn a_file_of_many_values_is_taken_by_a_large_plan() {
     let values = (0..3_000).map(|at| format!("H{};25.01\n", at % 1_000)).collect::<String>();
     send(&mut session, RecordsCommand::Measured { name: "m.csv".to_owned(), sha256: Hash([3; 32]) });
     let (_, entries) = kept(&import(&mut session, &format!("name;measured\n{values}")));
-    assert_eq!((entries.len(), standing(&session).as_str()), (3_000, "1000 measured, 0 missing, 0 left out"));
+    assert_eq!((entries.len(), standing(&session).as_str()), (3_000, "1000 measured, 0 missing, 0 skipped"));
 }

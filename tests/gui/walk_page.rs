@@ -526,7 +526,7 @@ fn a_key_that_is_held_ends_no_part_with_missing_sizes() {
         page.run();
     }
     assert!(page.state().session().parts().walking().is_warned());
-    page.get_by_label_contains("Next part once more ends the part");
+    page.get_by_label_contains("Choose Next part again to end this part");
     page.key_up(Key::F8);
     page.run();
     press(&mut page, Key::F8);
