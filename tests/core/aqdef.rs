@@ -749,7 +749,7 @@ fn an_attribute_of_all_values_between_two_rows_leaves_neither_good() {
     // Where each row has its own, it is that of the row.
     check(
         "K0001/1 25.01\nK0002/0 3\nK0001/1 25.012\nK0002/0 0\n",
-        &["12 D 25.01: not judged: marked with 3 (K0002), and only 0 is known to be a valid value", "14 D 25.012 GOOD"],
+        &["12 D 25.01: not judged: marked with 3 (K0002), but only 0 is known to be a valid value", "14 D 25.012 GOOD"],
     );
 }
 

@@ -540,7 +540,8 @@ fn a_class_is_not_taken_for_a_limit_that_the_file_contradicts_or_leaves_out() {
         let place = Place::new();
         place.write("p.dfq", file);
         let (_, _, err) = place.say(&["plan", "convert", "p.dfq", "-o", "p.toml"]);
-        (std::fs::read_to_string(place.0.path().join("p.toml")).unwrap(), err)
+        // A plan with a fault is not written.
+        (std::fs::read_to_string(place.0.path().join("p.toml")).unwrap_or_default(), err)
     };
     for limits in ["K2111/1 25.010\n", "K2110/1 25\nK2111/1 25.021\nK2121/1 0\n"] {
         let (plan, err) = converted(&format!("{head}{limits}"));

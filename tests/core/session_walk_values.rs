@@ -200,7 +200,7 @@ fn a_file_that_was_read_for_one_part_is_not_taken_for_the_next_one() {
     assert_eq!(session.parts().walking().serial(), "A-0100");
     assert_eq!(send(&mut session, command), []);
     assert_eq!(standing(&session), "0 measured, 3 missing, 0 skipped");
-    assert_eq!(noticed(&session), "m.csv was read when its part was ended already: its values are not taken");
+    assert_eq!(noticed(&session), "m.csv was read after the part had ended: its values are not used");
 }
 
 #[test]
@@ -227,7 +227,7 @@ fn a_file_of_several_parts_without_serial_numbers_is_not_one_part() {
         let effects = import(&mut session, "part;name;measured\nP1;A;25.080\nP2;A;25.060\nP3;A;25.012\n");
         assert_eq!(effects, []);
         assert_eq!(standing(&session), "0 measured, 3 missing, 0 skipped");
-        assert!(noticed(&session).starts_with("m.csv: 0 taken, 3 not"), "{}", noticed(&session));
+        assert!(noticed(&session).starts_with("m.csv: 0 imported, 3 not"), "{}", noticed(&session));
         let why = "line 2: of the part P1, and without a serial number it is not known to be this part";
         assert!(noticed(&session).contains(why), "{}", noticed(&session));
     }
