@@ -4,6 +4,8 @@
 //! A frame may take 16 ms (60 a second) and a step 50 ms. An idle frame is measured in the same way, so that the figures can be read as
 //! ratios within one run.
 
+#![expect(clippy::expect_used, reason = "a bench may stop")]
+
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;

@@ -202,7 +202,7 @@ impl Import<'_> {
         let work = Work::on(&name, file.size());
         io.watch(&work);
         // The plan is asked while its answers are taken.
-        let mut by_plan = self.by_plan.take();
+        let by_plan = self.by_plan.take();
         let mut take_one = |item: Item| {
             // What comes after the wish to stop is what it broke.
             if work.is_stopped() {
@@ -221,7 +221,7 @@ impl Import<'_> {
                 self.row(&row, io);
             }
         };
-        let mut take = |item: Item| match &mut by_plan {
+        let mut take = |item: Item| match &by_plan {
             Some(by_plan) => by_plan.item(item, &mut take_one),
             None => take_one(item),
         };

@@ -35,7 +35,7 @@ impl<'a> ByPlan<'a> {
     }
 
     /// Judges one thing of a file by the plan; warnings about it come before it.
-    pub fn item(&mut self, item: Item, take: &mut dyn FnMut(Item)) {
+    pub fn item(&self, item: Item, take: &mut dyn FnMut(Item)) {
         match item {
             Item::Record { line, record, labels } => self.value(Value::of_record(line, *record, labels), take),
             Item::Unjudged(unjudged) => match unjudged.measured.filter(|_| is_plain(&unjudged.why)) {
@@ -59,8 +59,8 @@ impl<'a> ByPlan<'a> {
             let what = ImportError { kind: ImportErrorKind::NotPositive { given: given.clone() }, given };
             return take(Item::Error(Box::new(Located { what, place: Place::in_line(line, column) })));
         }
-        let status = judge_size(&size.limits, measurement.diameter).status;
-        if let Some(why) = labels.too_coarse(&size.limits, measurement.diameter, status) {
+        let status = judge_size(size.limits, measurement.diameter).status;
+        if let Some(why) = labels.too_coarse(size.limits, measurement.diameter, status) {
             let (measured, origin, id) = (Some(measurement.diameter), measurement.origin, size.name());
             let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
             return take(Item::Unjudged(Box::new(unjudged)));

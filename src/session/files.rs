@@ -344,7 +344,7 @@ impl Session {
             None => Message::new("file-written-here").text("name", name),
         };
         let file = Some(path.to_owned());
-        self.shared.notices.push(Notice { file, details, ..Notice::of(message, false) });
+        self.shared.notices.push(Notice { details, file, ..Notice::of(message, false) });
     }
 }
 

@@ -256,6 +256,7 @@ fn is_passing(name: &str) -> bool {
 
 /// The device of a file and its number there.
 #[cfg(unix)]
+#[expect(clippy::unnecessary_wraps, reason = "not known on other systems")]
 fn number_of(about: &Metadata) -> Option<(u64, u64)> {
     use std::os::unix::fs::MetadataExt as _;
     Some((about.dev(), about.ino()))

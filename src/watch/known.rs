@@ -34,6 +34,7 @@ pub(super) struct Mark {
 }
 
 /// How far a file goes, and how much of it is known.
+#[expect(clippy::struct_excessive_bools, reason = "each answers another question about the file")]
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Extent {
     /// All of it.

@@ -166,6 +166,7 @@ impl Reading<'_> {
 
     /// The beginning of a file that may grow; `None` where nothing of it is both complete and new. `is_last` is whether no longer one is
     /// looked at, and `holds` whether its last values wait for what may still be said of them.
+    #[expect(clippy::fn_params_excessive_bools, reason = "two questions about the same place")]
     fn up_to(&self, end: Mark, is_last: bool, holds: bool) -> Option<Batch> {
         let mut all = self.read_all(end);
         let is_held = holds && all.hold_last();
@@ -254,8 +255,8 @@ impl Reading<'_> {
             units: &units,
             ..Given::new(sources, now)
         };
-        let (mut items, mut by_plan) = (Vec::new(), plan.map(ByPlan::new));
-        import_from(&self.found.name, &mut Beginning::new(self.file, end.end), given, &mut |item| match &mut by_plan {
+        let (mut items, by_plan) = (Vec::new(), plan.map(ByPlan::new));
+        import_from(&self.found.name, &mut Beginning::new(self.file, end.end), given, &mut |item| match &by_plan {
             Some(by_plan) => by_plan.item(item, &mut |item| items.push(item)),
             None => items.push(item),
         });

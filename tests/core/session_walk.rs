@@ -444,7 +444,7 @@ pub fn watched(session: &mut Session) -> u64 {
 
 pub fn look(session: &Session, number: u64, text: &str) -> WatchNews {
     let plan = session.parts().document().plan().unwrap();
-    let mut by_plan = fitcheck::exchange::ByPlan::new(plan);
+    let by_plan = fitcheck::exchange::ByPlan::new(plan);
     let mut judged = Vec::new();
     for item in items(text) {
         by_plan.item(item, &mut |item| judged.push(item));

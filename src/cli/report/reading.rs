@@ -41,7 +41,7 @@ impl Given {
     fn read(&self, (path, file, work): (&Path, &Measured, &Work), take: &mut dyn FnMut(Item)) {
         let beside = |ending: &str| files::beside(path, ending);
         let given = exchange::Given { beside: &beside, ..exchange::Given::new(&self.sources, self.now) };
-        let mut by_plan = self.plan.as_deref().map(ByPlan::new);
+        let by_plan = self.plan.as_deref().map(ByPlan::new);
         let mut take = |item: Item| {
             // What comes after the wish to stop is what it broke.
             if work.is_stopped() {
@@ -50,7 +50,7 @@ impl Given {
             if item.is_row() {
                 work.row();
             }
-            match &mut by_plan {
+            match &by_plan {
                 Some(by_plan) => by_plan.item(item, take),
                 None => take(item),
             }

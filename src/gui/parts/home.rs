@@ -25,7 +25,7 @@ pub(super) fn home_ui(ui: &Ui, view: &View<'_>) {
     let now = Over { has_dialog, notices: session.notices().len() };
     let key = Id::unique("parts-home");
     let before: Over = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(key), now));
-    let focused = ui.memory(|memory| memory.focused());
+    let focused = ui.memory(eframe::egui::Memory::focused);
     let last_key = key.with("last");
     let last: Option<Id> = ui.data_mut(|data| {
         let last = data.get_temp_mut_or_default::<Option<Id>>(last_key);

@@ -112,9 +112,9 @@ impl OpenColumns {
         }
         let given = Given { has_plan: plan.is_some(), ..Given::new(sources, now) };
         let Ok(items) = self.asked.first.items(&mapping, given) else { return };
-        let mut by_plan = plan.map(ByPlan::new);
+        let by_plan = plan.map(ByPlan::new);
         for item in items {
-            match &mut by_plan {
+            match &by_plan {
                 Some(by_plan) => by_plan.item(item, &mut |item| see(&item, &mut self.read, &mut self.problem)),
                 None => see(&item, &mut self.read, &mut self.problem),
             }

@@ -38,7 +38,7 @@ impl PartsPage {
         let Some(plan) = self.walking.plan().filter(|_| run == self.walking.run()).map(Arc::clone) else {
             return shared.tell(Message::new("walk-page-import-late").text("name", name));
         };
-        let mut by_plan = ByPlan::new(&plan);
+        let by_plan = ByPlan::new(&plan);
         let mut judged = Vec::new();
         for item in items {
             by_plan.item(item, &mut |item| judged.push(item));

@@ -126,7 +126,9 @@ pub(super) fn fresh(draft: &Draft, at: usize) -> Row {
     };
     let mut row = Row::default();
     if is_taken(&name_of_place(at)) {
-        let free = (draft.rows.len()..).map(name_of_place).find(|name| !is_taken(name));
+        // Of one more names than there are rows, one is free.
+        let count = draft.rows.len();
+        let free = (count..=2 * count).map(name_of_place).find(|name| !is_taken(name));
         row.set(Column::Name, free.unwrap_or_default());
     }
     row

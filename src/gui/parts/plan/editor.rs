@@ -81,9 +81,7 @@ fn choices_ui(ui: &Ui, view: &View<'_>, rect: Rect, has_focus: bool) -> Choice {
     }
     let mut at: Option<usize> = ui.data(|data| data.get_temp(key)).flatten();
     let cell = view.session.parts().sheet().at();
-    let of = ui.data_mut(|data| {
-        std::mem::replace(data.get_temp_mut_or_insert_with(key.with("of"), || None), Some((cell, words.len())))
-    });
+    let of = ui.data_mut(|data| data.get_temp_mut_or_insert_with(key.with("of"), || None).replace((cell, words.len())));
     if of != Some((cell, words.len())) {
         at = None;
     }

@@ -6,6 +6,7 @@ use crate::gui::check::{PAD, text_ui};
 use crate::gui::theme::{self, Palette, sizes, space};
 
 /// What is shown of a cell.
+#[expect(clippy::struct_excessive_bools, reason = "each may stand with each")]
 pub(super) struct Look<'a> {
     pub palette: &'a Palette,
     pub text: &'a str,

@@ -31,13 +31,12 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
         return skip_ui(ui, view);
     }
     let mut actions = vec![Action::SizeAgain, Action::SkipSize, Action::NextPart];
-    match walking.asked() {
-        Some(size) => size_ui(ui, view, &size),
-        None => {
-            heading(ui, view.text("walk-page-done"));
-            next_ui(ui, view);
-            actions.pop();
-        }
+    if let Some(size) = walking.asked() {
+        size_ui(ui, view, &size);
+    } else {
+        heading(ui, view.text("walk-page-done"));
+        next_ui(ui, view);
+        actions.pop();
     }
     ui.separator();
     actions.extend([Action::ImportValues, Action::ImportValuesColumns]);

@@ -12,7 +12,7 @@ use crate::session::parts::TakenFile;
 /// How many files are shown.
 const MOST: usize = 50;
 
-pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
+pub(super) fn watch_ui(ui: &mut Ui, view: &View<'_>) {
     let session = view.session;
     let watched = session.parts().watched();
     heading(ui, view.text("walk-page-watched"));
