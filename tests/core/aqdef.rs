@@ -677,7 +677,7 @@ fn the_other_half_is_found_in_small_and_in_capital_letters() {
 fn a_value_before_bytes_of_zero_is_refused() {
     let zeros = "\0".repeat(100);
     let refused = "the line has bytes of value 0, so the file was not written completely: it is not used";
-    for tail in [format!("K0001/1 25.0{zeros}"), format!("25.0{zeros}"), "K0001/1 25.0\0003\n".to_owned()] {
+    for tail in [format!("K0001/1 25.0{zeros}"), format!("25.0{zeros}"), "K0001/1 25.0\x00003\n".to_owned()] {
         check(&tail, &[&format!("12: {refused}")]);
     }
     check(

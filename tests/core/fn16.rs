@@ -292,7 +292,8 @@ fn a_measured_value_that_lies_on_a_limit_is_not_taken_for_the_limit() {
     let said = read(&[("own.a", mask)], both.as_bytes());
     assert!(said[0].contains("any of these could be the measured value: Q103, Q104"), "{said:?}");
     let three = mask.replace(" LAST %9.4LF", "").replace(", Q104", "");
-    let text: String = both.lines().map(|line| format!("{}\n", line.split(" LAST").next().unwrap())).collect();
+    let text: Vec<&str> = both.lines().map(|line| line.split(" LAST").next().unwrap()).collect();
+    let text = text.join("\n") + "\n";
     let expected = ["1: 25 H7 25..25.021 25 GOOD", "2: 10 g6 9.986..9.995 9.991 GOOD"];
     check(&three, &text, &expected);
 }

@@ -389,7 +389,7 @@ fn what_was_left_out_is_said_when_the_part_is_ended() {
 fn a_file_of_many_values_is_taken_by_a_large_plan() {
     let features = (0..1_000).map(|at| format!("[[feature]]\nname = \"H{at}\"\ncallout = \"25 H7\"\n"));
     let mut session = walking_by(&format!("fitcheck_plan = 1\n{}", features.collect::<String>()));
-    let values = (0..3_000).map(|at| format!("H{};25.01\n", at % 1_000)).collect::<String>();
+    let values = (0..3_000).map(|at| format!("H{};25.01\n", at % 1_000)).collect::<Vec<_>>().concat();
     send(&mut session, RecordsCommand::Measured { name: "m.csv".to_owned(), sha256: Hash([3; 32]) });
     let (_, entries) = kept(&import(&mut session, &format!("name;measured\n{values}")));
     assert_eq!((entries.len(), standing(&session).as_str()), (3_000, "1000 measured, 0 missing, 0 skipped"));
