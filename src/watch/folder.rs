@@ -148,8 +148,9 @@ impl Folder {
             if seen.stamp != stamp {
                 let is_written = is_heard || stamp.iter().zip(&seen.stamp).any(|(now, before)| now.is_written(before));
                 let was_done = is_written && (seen.is_done || seen.was_done);
-                // Another machine has written it: nobody says whether it is done.
-                if is_written && !is_heard {
+                // Another machine has written it: nobody says whether it is done. That of the file beside it is known or not as before.
+                let ([own, _], [before, _]) = (&stamp, &seen.stamp);
+                if own.is_written(before) && !is_heard {
                     self.closed.forget(&path);
                 }
                 *seen = Seen { was_done, ..new };
