@@ -129,11 +129,7 @@ impl Args {
 
 /// Leaves alone what this program itself writes: the journal, and what its output goes to.
 fn leave_own(watcher: &mut Watcher, journal: &Path, alone: Option<&Alone>) {
-    for ending in ["", "-wal", "-shm", "-journal"] {
-        let mut name = journal.file_name().unwrap_or_default().to_owned();
-        name.push(ending);
-        watcher.leave(&journal.with_file_name(name));
-    }
+    watcher.leave_journal(journal);
     if let Some(alone) = alone {
         watcher.leave(alone.file());
     }

@@ -84,7 +84,7 @@ struct Told {
 
 impl Watch {
     fn run(mut self, taken: &Receiver<u64>) {
-        let Ok(_alone) = self.alone(taken) else { return };
+        let Ok(alone) = self.alone(taken) else { return };
         let nothing: KnownOf = Box::new(|| Ok(Known::default()));
         let known = match std::mem::replace(&mut self.known, nothing)() {
             Ok(known) => known,
@@ -93,12 +93,23 @@ impl Watch {
         self.say(WatchNews::Begun(known.len()));
         let words = Words::new(self.language);
         let (mut watcher, begun) = (Watcher::new(&self.folder, known), Instant::now());
+        // What this program itself writes is no measurement.
+        if let Some(journal) = &self.journal {
+            watcher.leave_journal(journal);
+        }
+        if let Some(alone) = &alone {
+            watcher.leave(alone.file());
+        }
         let (mut told, mut number) = (Told::default(), 0);
         loop {
             let (plan, sources, columns) = (Some(&*self.plan), &*self.sources, Some(&*self.columns));
             let judging = Judging { plan, sources, masks: &self.masks, columns, now: (self.clock)() };
             let look = watcher.look(judging, begun.elapsed()).map_err(|error| error.message());
             let ready = self.tell(look, &mut told);
+            if let Err(error) = watcher.tell(&|message| words.say(message)) {
+                told.trouble = Some(error.message());
+                self.say(WatchNews::Trouble(told.trouble.clone()));
+            }
             if !ready.is_empty() {
                 number += 1;
                 self.say(WatchNews::Look { number, files: ready.iter().map(file).collect() });

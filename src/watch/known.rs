@@ -6,6 +6,7 @@ use std::io;
 use super::lines::{End, Lines, each_piece};
 use crate::exchange::Body;
 use crate::journal::chain::{FileHash, Hash};
+use crate::message::Message;
 
 /// The hashes of what was taken, and the names that the files had then.
 #[derive(Debug, Clone, Default)]
@@ -15,6 +16,8 @@ pub struct Known {
     names: HashMap<String, Hash>,
     /// By name, the lines that were taken last while this is running.
     lines: HashMap<String, Taken>,
+    /// By name, what is to be said of values that were taken too early.
+    late: HashMap<String, Vec<Message>>,
 }
 
 /// The lines that a file had when something was taken from it: a mark of everything up to the end of each.
@@ -108,6 +111,20 @@ impl Known {
             if names.iter().all(|name| name != now) {
                 names.push(now.to_owned());
             }
+        }
+    }
+
+    /// What is to be said of values of a file that were taken too early.
+    pub(super) fn late(&self, name: &str) -> &[Message] {
+        self.late.get(name).map(Vec::as_slice).unwrap_or_default()
+    }
+
+    /// Remembers that, or that there is nothing more to be said.
+    pub(super) fn set_late(&mut self, name: &str, late: Vec<Message>) {
+        if late.is_empty() {
+            self.late.remove(name);
+        } else {
+            self.late.insert(name.to_owned(), late);
         }
     }
 
@@ -344,5 +361,17 @@ mod tests {
         assert_eq!(extent(&known, "a.csv", "a\nb\nc\nd\n").part.unwrap().end, 6);
         assert_eq!(until(&mut Cursor::new("a\nb\nc\n"), b"\n", 2).unwrap(), part);
         assert_eq!(until(&mut Cursor::new("a\nb"), b"\n", 2).unwrap(), None);
+    }
+
+    #[test]
+    fn names_are_read_from_a_journal_as_they_were() {
+        let mut known = Known::default();
+        let (hash, name) = (Hash::of_file(b"a"), "a\"b\\c\u{fc}.csv");
+        let text = serde_json::to_string(name).unwrap();
+        known.see(format!("{{\"files\":[{{\"role\":\"x\",\"name\":{text},\"sha256\":\"{hash}\"}}]}}").as_bytes());
+        assert_eq!(known.name_of(&hash, name), Some(name));
+        known.add(hash, "b.csv");
+        assert_eq!(known.name_of(&hash, name), Some(name), "both are known");
+        assert_eq!(known.name_of(&hash, "b.csv"), Some("b.csv"));
     }
 }

@@ -99,6 +99,8 @@ pub struct Batch {
     /// A mark of each line that is known once it is taken, and whether the last one has no end.
     marks: Vec<u64>,
     is_within_line: bool,
+    /// What is said of values that were taken too early.
+    late: Vec<Message>,
 }
 
 /// Why a file is waited for.
@@ -171,6 +173,15 @@ impl Watcher {
         self.folder.leave(file);
     }
 
+    /// Leaves a journal alone, with all that belongs to it.
+    pub fn leave_journal(&mut self, journal: &Path) {
+        for ending in ["", "-wal", "-shm", "-journal"] {
+            let mut name = journal.file_name().unwrap_or_default().to_owned();
+            name.push(ending);
+            self.leave(&journal.with_file_name(name));
+        }
+    }
+
     /// One look; `clock` is any clock that only goes forward.
     ///
     /// # Errors
@@ -238,6 +249,7 @@ impl Watcher {
             self.known.add(batch.sha256, &batch.name);
             self.known.add_lines(&batch.name, batch.marks.clone(), batch.is_within_line);
         }
+        self.known.set_late(&batch.name, batch.late.clone());
         if !batch.is_open {
             self.folder.done(&batch.found);
         }

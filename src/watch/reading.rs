@@ -28,8 +28,12 @@ struct Reading<'a> {
     judging: Judging<'a>,
     line_ends: &'static [u8],
     extent: &'a Extent,
-    /// Whether what can be read may be cut off.
+    /// Whether what is cut off cannot be read.
     shows_end: bool,
+    /// Whether a file of its name was taken before this is running, and had other lines at its beginning.
+    is_another: bool,
+    /// What was said of values that were taken too early.
+    late: Vec<Message>,
 }
 
 /// How the CSV of verdicts begins that Fitcheck itself writes: nothing of it was measured again.
@@ -66,7 +70,8 @@ pub(super) fn read(
     let mut extent = known.extent(&found.name, &mut body, line_ends, MOST_LINES).map_err(locked)?;
     let is_noted = note::written(&found.path).is_some_and(|written| found.was_done || found.is_changed_since(written));
     let all = |extent: &Extent| {
-        let reading = Reading { file: &file, found, judging: masked, line_ends, extent, shows_end };
+        let (is_another, late) = (false, Vec::new());
+        let reading = Reading { file: &file, found, judging: masked, line_ends, extent, shows_end, is_another, late };
         reading.read_all(extent.whole).items.iter().filter_map(problem).collect::<Vec<Message>>()
     };
     if extent.is_known {
@@ -108,7 +113,10 @@ pub(super) fn read(
     } else if has_lines && 0 < extent.known.lines && !known.has_lines(&found.name) && !extent.is_older {
         known.add_lines(&found.name, extent.marks(extent.known.lines), extent.is_within_line(&extent.known));
     }
-    let reading = Reading { file: &file, found, judging: masked, line_ends, extent: &extent, shows_end };
+    let late = if extent.known.lines == 0 { Vec::new() } else { known.late(&found.name).to_vec() };
+    let is_another = has_lines && is_another(known, found, &extent);
+    let reading =
+        Reading { file: &file, found, judging: masked, line_ends, extent: &extent, shows_end, is_another, late };
     let batch = reading.batch()?;
     // What changed while it was read may be half old and half new.
     if !found.is_unchanged() {
@@ -208,11 +216,15 @@ impl Reading<'_> {
         let mut problems: Vec<Message> = all.items.iter().filter_map(problem).collect();
         let late = if self.shows_end { None } else { all.late(known_lines) };
         let late = late.map(|(first, last)| Message::new("watch-late").text("first", first).text("last", last));
-        problems.extend(late.clone());
+        let late = late.filter(|late| !self.late.contains(late));
+        let all_late: Vec<Message> = self.late.iter().chain(&late).cloned().collect();
+        problems.extend(all_late.iter().cloned());
         let before = all.count(known_lines);
         let new = all.behind(known_lines);
         let counted = |id: &'static str, count: usize| (0 < count).then(|| Message::new(id).count("count", count));
         let again = if known_lines == 0 { counted("watch-again", new.count(*same_lines)) } else { None };
+        let other = self.is_another && new.items.iter().any(is_value);
+        let other = other.then(|| Message::new("watch-other"));
         let older = if *is_older { counted("watch-older", before) } else { None };
         let as_other =
             begins_as.as_ref().map(|(known, lines)| (known, new.count(*lines))).filter(|(_, count)| 0 < *count);
@@ -221,7 +233,7 @@ impl Reading<'_> {
         let is_within_line = !self.line_ends.is_empty() && self.extent.is_within_line(&mark);
         let no_end = is_within_line && !self.found.is_moved() && new.has_value_at(mark.lines);
         let no_end = no_end.then(|| Message::new("watch-no-line-end"));
-        let remarks = [again, older, as_other, late, no_end].into_iter().flatten().collect();
+        let remarks = [again, other, older, as_other, late, no_end].into_iter().flatten().collect();
         Batch {
             path: self.found.path.clone(),
             name: self.found.name.clone(),
@@ -234,6 +246,7 @@ impl Reading<'_> {
             is_open,
             marks: self.extent.marks(mark.lines),
             is_within_line,
+            late: all_late,
         }
     }
 

@@ -139,5 +139,6 @@ mod wall_cycles;
 mod warm;
 mod watch_cli;
 mod watching;
+mod watching_again;
 mod workpieces;
 mod xlsx;

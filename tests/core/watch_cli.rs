@@ -8,6 +8,7 @@ use std::process::{Child, Command, Stdio};
 use std::time::{Duration, Instant};
 
 use fitcheck::files;
+use fitcheck::journal::entry::Checked;
 
 use crate::watching::PLAN;
 
@@ -93,7 +94,7 @@ fn five_hundred_files_are_taken_once_each_whoever_is_killed_meanwhile() {
     let mut counts: BTreeMap<String, usize> = BTreeMap::new();
     for kept in reader.entries(1, 10_000).unwrap() {
         let entry = fitcheck::journal::body::read(&kept.body).unwrap();
-        if let Some(fitcheck::journal::entry::Checked::Size(record)) = entry.check().map(|check| &check.what) {
+        if let Some(Checked::Size(record)) = entry.check().map(|check| &check.what) {
             *counts.entry(record.measurement.diameter.to_string()).or_default() += 1;
         }
     }
@@ -127,4 +128,59 @@ fn a_second_program_on_the_same_folder_is_refused_and_the_first_one_goes_on() {
     let entries = reader.entries(1, 10).unwrap();
     let checks = entries.iter().filter(|kept| fitcheck::journal::body::read(&kept.body).unwrap().check().is_some());
     assert_eq!(checks.count(), 1);
+}
+
+/// The feature and the value of every check in the journal, sorted.
+fn checks(folder: &Path) -> Vec<String> {
+    let reader = fitcheck::store::local::Reader::open(&folder.join("j.sqlite")).unwrap();
+    let entries = reader.entries(1, 100).unwrap();
+    let check = |body: &[u8]| match &fitcheck::journal::body::read(body).unwrap().check()?.what {
+        Checked::Size(record) => Some(format!("{} {}", record.id, record.measurement.diameter)),
+        Checked::Cycle(_) => None,
+    };
+    let mut checks: Vec<String> = entries.iter().filter_map(|kept| check(&kept.body)).collect();
+    checks.sort();
+    checks
+}
+
+/// A journal takes no text of more than a kilobyte: that is told of its row, and keeps nothing else out.
+#[test]
+fn a_field_that_a_journal_cannot_hold_keeps_nothing_else_out() {
+    let folder = tempfile::tempdir().unwrap();
+    let input = folder.path().join("in");
+    std::fs::create_dir(&input).unwrap();
+    files::write(&folder.path().join("plan.csv"), PLAN.as_bytes()).unwrap();
+    let rows = format!("name;measured;serial\nPIN;19.99;S1\nPIN;19.985;{}\nPIN;19.984;S3\n", "x".repeat(1_101));
+    for (name, text) in
+        [("a.csv", "name;measured\nBORE_A;12.03\n"), ("b.csv", &rows), ("c.csv", "name;measured\nBORE_A;12.04\n")]
+    {
+        files::write(&input.join(name), text.as_bytes()).unwrap();
+    }
+    let output = Running::command(folder.path()).output().unwrap();
+    let said = String::from_utf8_lossy(&output.stderr);
+    assert_eq!(output.status.code(), Some(1), "{said}");
+    assert!(said.contains("b.csv:3: nothing was recorded: about.serial has 1101 bytes"), "{said}");
+    assert_eq!(checks(folder.path()), ["BORE_A 12.03", "BORE_A 12.04", "PIN 19.984", "PIN 19.99"]);
+    let note = std::fs::read_to_string(fitcheck::watch::note_of(&input.join("b.csv"))).unwrap();
+    assert!(note.contains("line 3: nothing was recorded: about.serial has 1101 bytes"), "{note}");
+}
+
+/// The shell makes the file before the program begins; what is in it would come again and again.
+#[cfg(target_os = "linux")]
+#[test]
+fn what_the_program_prints_into_its_folder_is_not_taken() {
+    for format in ["csv", "text", "json"] {
+        let folder = tempfile::tempdir().unwrap();
+        let input = folder.path().join("in");
+        std::fs::create_dir(&input).unwrap();
+        files::write(&folder.path().join("plan.csv"), PLAN.as_bytes()).unwrap();
+        files::write(&input.join("a.csv"), b"name;measured\nBORE_A;12.03\n").unwrap();
+        let [out, err] = ["out.txt", "err.txt"].map(|name| std::fs::File::create(input.join(name)).unwrap());
+        let mut command = Running::command(folder.path());
+        let mut running = Running(command.args(["--format", format]).stdout(out).stderr(err).spawn().unwrap());
+        assert_eq!(running.0.wait().unwrap().code(), Some(0), "{format}");
+        assert_eq!(checks(folder.path()), ["BORE_A 12.03"], "{format}");
+        let mut names = std::fs::read_dir(&input).unwrap().map(|entry| entry.unwrap().file_name());
+        assert!(!names.any(|name| name.to_string_lossy().ends_with(fitcheck::watch::NOTE_ENDING)), "{format}");
+    }
 }

@@ -11,7 +11,7 @@ use fitcheck::exchange::Item;
 use fitcheck::files;
 use fitcheck::journal::chain::Hash;
 use fitcheck::tolerance::Sources;
-use fitcheck::watch::{Batch, Judging, Known, Watcher};
+use fitcheck::watch::{Batch, Judging, Known, Look, Watcher};
 
 pub(crate) const PLAN: &str = "name;callout;x;y;z\nBORE_A;12 F9;50;65;-8\nPIN;20 g6;100;65;-8\n";
 
@@ -20,42 +20,56 @@ fn plan() -> fitcheck::part::Plan {
 }
 
 /// A folder and a clock that only the test moves.
-struct Watched {
+pub(crate) struct Watched {
     folder: tempfile::TempDir,
-    watcher: Watcher,
+    pub(crate) watcher: Watcher,
     clock: Duration,
     /// What was told to be the same as another file.
-    same: Vec<(String, String)>,
+    pub(crate) same: Vec<(String, String)>,
     /// What the journal would know.
     recorded: Vec<(String, Hash)>,
     /// What else was told.
-    remarks: Vec<String>,
-    masks: Vec<(String, Mask)>,
+    pub(crate) remarks: Vec<String>,
+    pub(crate) masks: Vec<(String, Mask)>,
+    /// What the last look has found.
+    pub(crate) looked: Option<Look>,
 }
 
 impl Watched {
-    fn new() -> Self {
+    pub(crate) fn new() -> Self {
         let folder = tempfile::tempdir().unwrap();
         let watcher = Watcher::new(folder.path(), Known::default());
         let (clock, same, recorded) = (Duration::ZERO, Vec::new(), Vec::new());
-        Self { folder, watcher, clock, same, recorded, remarks: Vec::new(), masks: Vec::new() }
+        Self { folder, watcher, clock, same, recorded, remarks: Vec::new(), masks: Vec::new(), looked: None }
     }
 
-    fn path(&self, name: &str) -> PathBuf {
+    pub(crate) fn path(&self, name: &str) -> PathBuf {
         self.folder.path().join(name)
     }
 
-    fn write(&self, name: &str, text: &str) {
+    pub(crate) fn write(&self, name: &str, text: &str) {
         // As a control does it, in place: a file that gets its name as a whole is complete at once.
         File::create(self.path(name)).unwrap().write_all(text.as_bytes()).unwrap();
     }
 
-    fn append(&self, name: &str, text: &str) {
+    /// Gives a file its name when it is complete.
+    pub(crate) fn put(&self, name: &str, text: &str) {
+        files::write(&self.path(name), text.as_bytes()).unwrap();
+    }
+
+    /// Begins a file that its writer keeps open.
+    pub(crate) fn open(&self, name: &str, text: &str) -> File {
+        let mut file = OpenOptions::new().create(true).append(true).open(self.path(name)).unwrap();
+        file.write_all(text.as_bytes()).unwrap();
+        file
+    }
+
+    pub(crate) fn append(&self, name: &str, text: &str) {
         OpenOptions::new().append(true).open(self.path(name)).unwrap().write_all(text.as_bytes()).unwrap();
     }
 
     /// Looks after some milliseconds.
-    fn look(&mut self, after: u64) -> Vec<Batch> {
+    pub(crate) fn look(&mut self, after: u64) -> Vec<Batch> {
         self.clock += Duration::from_millis(after);
         let (plan, sources) = (plan(), Sources::default());
         let now = jiff::civil::date(2026, 11, 23).at(8, 0, 0, 0);
@@ -63,12 +77,14 @@ impl Watched {
             .watcher
             .look(Judging { plan: Some(&plan), sources: &sources, masks: &self.masks, columns: None, now }, self.clock)
             .unwrap();
-        self.same.extend(look.same);
-        look.ready
+        self.same.extend(look.same.clone());
+        let ready = look.ready.clone();
+        self.looked = Some(look);
+        ready
     }
 
     /// The same folder watched by a program that knows what this one has recorded.
-    fn restarted(&mut self, after: u64) {
+    pub(crate) fn restarted(&mut self, after: u64) {
         let mut known = Known::default();
         for (name, sha256) in &self.recorded {
             known.add(*sha256, name);
@@ -78,7 +94,7 @@ impl Watched {
     }
 
     /// Looks until a file is unchanged for a moment, and takes what is there.
-    fn take(&mut self, after: u64) -> Vec<String> {
+    pub(crate) fn take(&mut self, after: u64) -> Vec<String> {
         [0, after].into_iter().flat_map(|after| self.take_once(after)).collect()
     }
 
@@ -92,13 +108,14 @@ impl Watched {
         for batch in &ready {
             self.watcher.taken(batch, &|message| message.to_string()).unwrap();
         }
+        self.watcher.tell(&|message| message.to_string()).unwrap();
         let said = |batch: &Batch| -> Vec<String> {
             batch.items.iter().filter_map(said).map(|said| format!("{} {said}", batch.name)).collect()
         };
         ready.iter().flat_map(said).collect()
     }
 
-    fn note(&self, name: &str) -> Option<String> {
+    pub(crate) fn note(&self, name: &str) -> Option<String> {
         std::fs::read_to_string(fitcheck::watch::note_of(&self.path(name))).ok()
     }
 }
@@ -117,7 +134,7 @@ fn said(item: &Item) -> Option<String> {
 /// What is told of a copy, and of a file that is written again.
 const SAME: [&str; 2] = ["a.csv is a.csv", "b.csv is a.csv"];
 
-const HEAD: &str = "name;measured\n";
+pub(crate) const HEAD: &str = "name;measured\n";
 
 #[test]
 fn a_file_is_taken_once_it_is_unchanged_for_a_moment_and_only_once() {

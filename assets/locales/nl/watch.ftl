@@ -23,3 +23,4 @@ watch-older = een bestand met deze naam is sindsdien met andere inhoud overgenom
 watch-refused = kon niet worden gelezen, en wordt opnieuw geprobeerd: { $reason }
 watch-copy = dezelfde inhoud is eerder overgenomen als { $known }: een werkstuk dat echt opnieuw is gemeten heeft een tijd of serienummer in zijn bestand nodig
 watch-verdicts = dit zijn oordelen die Fitcheck heeft geschreven, geen metingen: niets ervan wordt overgenomen
+watch-other = een bestand met deze naam is eerder overgenomen en begon anders: dit wordt helemaal overgenomen
