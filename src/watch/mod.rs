@@ -244,8 +244,9 @@ impl Watcher {
     /// # Errors
     /// [`FileError`] where the note cannot be written; the file counts as taken all the same.
     pub fn taken(&mut self, batch: &Batch, words: &dyn Fn(&Message) -> String) -> Result<(), FileError> {
-        // What could not be read may be read another time: with the file beside it, with another mask, when there is more of it.
-        if batch.has_values {
+        // What could not be read may be read another time: with the file beside it, with another mask, when there is more of it. Lines
+        // without a value, such as an empty one, are not looked at again when there is more behind them.
+        if batch.has_values || batch.is_open {
             self.known.add(batch.sha256, &batch.name);
             self.known.add_lines(&batch.name, batch.marks.clone(), batch.is_within_line);
         }

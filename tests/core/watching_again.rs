@@ -80,6 +80,19 @@ fn a_last_line_is_never_taken_while_its_writer_has_the_file_open() {
     }
 }
 
+#[test]
+fn half_a_line_behind_lines_without_a_value_is_not_waited_for_in_vain() {
+    for (before, behind) in [("\r", "\nPIN;19.985"), ("\n", "\n\nPIN;19.985"), ("\n", "# comment\nPIN;19.985")] {
+        let mut watched = Watched::new();
+        watched.write("a.csv", &format!("{HEAD}BORE_A;12.03{before}"));
+        assert_eq!(watched.take(150), ["a.csv BORE_A 12.03 GOOD"]);
+        watched.append("a.csv", behind);
+        assert_eq!(watched.take(500), NOTHING, "{behind:?}");
+        assert_eq!(watched.take(12_000), ["a.csv PIN 19.985 GOOD"], "{behind:?}");
+        assert!(watched.take(500).is_empty() && watched.looked.as_ref().unwrap().is_idle(), "{behind:?}");
+    }
+}
+
 #[cfg(target_os = "linux")]
 #[test]
 fn how_long_a_last_line_without_an_end_waits_is_by_what_is_known_of_its_writer() {
