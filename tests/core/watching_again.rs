@@ -4,17 +4,18 @@ use std::fs::{File, rename};
 use std::io::Write as _;
 
 use fitcheck::control::mask::Mask;
+use fitcheck::files;
 use fitcheck::watch::Waiting;
 
 use crate::watching::{HEAD, Watched};
 
-/// A log of BORE_A with this deviation from 12 mm, with its sign and four figures: `0.0300`.
+/// A log of `BORE_A` with this deviation from 12 mm, with its sign and four figures: `0.0300`.
 fn log(deviation: &str) -> String {
     let text = include_str!("../data/samples/logs/en/TCHPR421.TXT");
     let places = [("40.0", "50.0"), ("39.9", "49.9"), ("30.0", "65.0"), ("29.9", "64.9")];
     let text = places.iter().fold(text.to_owned(), |text, (from, to)| text.replace(from, to));
     text.replace("25.0210", "12.0590")
-        .replace("25.0134", &format!("12.{}", &deviation[2..]))
+        .replace("25.0134", &deviation.replacen('0', "12", 1))
         .replace("0.0134", deviation)
         .replace("25.0000", "12.0000")
 }
@@ -277,7 +278,7 @@ fn a_note_is_no_link_and_no_pipe() {
     let mut watched = Watched::new();
     let outside = tempfile::tempdir().unwrap();
     let [target, nothing] = ["diary.txt", "nothing.txt"].map(|name| outside.path().join(name));
-    std::fs::write(&target, "Fitcheck is fine\n").unwrap();
+    files::write(&target, b"Fitcheck is fine\n").unwrap();
     std::os::unix::fs::symlink(&target, watched.path("a.csv.why.txt")).unwrap();
     std::os::unix::fs::symlink(&nothing, watched.path("b.csv.why.txt")).unwrap();
     let pipe = std::process::Command::new("mkfifo").arg(watched.path("c.csv.why.txt")).status().unwrap();
@@ -319,7 +320,7 @@ fn a_link_to_a_journal_leads_to_its_lock() {
     use fitcheck::watch::Alone;
     let folder = tempfile::tempdir().unwrap();
     let [journal, link] = ["j.sqlite", "k.sqlite"].map(|name| folder.path().join(name));
-    std::fs::write(&journal, "").unwrap();
+    files::write(&journal, b"").unwrap();
     std::os::unix::fs::symlink(&journal, &link).unwrap();
     let first = Alone::take(folder.path(), &journal).unwrap().unwrap();
     assert!(Alone::take(folder.path(), &link).unwrap().is_none());
@@ -333,7 +334,7 @@ fn names_that_are_no_text_are_not_one_name() {
     let mut watched = Watched::new();
     for (name, rows) in [(b"\xff.csv", "BORE_A;12.03\n"), (b"\xfe.csv", "BORE_A;12.03\nPIN;19.99\n")] {
         let path = watched.path("x").with_file_name(std::ffi::OsStr::from_bytes(name));
-        std::fs::write(path, format!("{HEAD}{rows}")).unwrap();
+        files::write(&path, format!("{HEAD}{rows}").as_bytes()).unwrap();
         assert_eq!(watched.take(150).len(), rows.lines().count(), "{rows:?}");
     }
 }
