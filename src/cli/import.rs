@@ -107,7 +107,8 @@ The exit code is that of the worst verdict, a centre out of position counting as
 it is 1 if any row or file could not be used or judged. With --plan it is that of the worst part, by the last value of \
 each feature, and 1 if none is worse than good but features of a part have no value or a simulated one. Features without \
 a value are named at the end; in CSV and JSON each is a row with the plan as its file. \
-Files may have any size, pipes and two files that belong together (.dfd, .dfx) up to {largest} MiB each. \
+Files may have any size that a disk holds, but a log of points, a pipe and a .dfx that is read beside its .dfd have up to \
+{largest} MiB, and a sheet of a workbook unpacks to at most 512 MiB. \
 With --record, up to {MOST_ROWS} rows of a file are read.",
         formats.collect::<String>(),
         names(&row::COLUMNS).join(","),

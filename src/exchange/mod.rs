@@ -151,9 +151,9 @@ const CONTACTS: Format = Format {
 };
 
 impl Format {
-    /// Whether it is what a control printed through a mask.
-    pub fn is_print(&self) -> bool {
-        self.name == fn16::FORMAT.name
+    /// The masks that a file of it is read back through: these where a control printed it, else none.
+    pub fn masks_of<'a>(&self, masks: &'a [(String, Mask)]) -> &'a [(String, Mask)] {
+        if self.name == fn16::FORMAT.name { masks } else { &[] }
     }
 
     /// Whether the file seems to be of this format, by its first 64 KiB and its name.

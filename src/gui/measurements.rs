@@ -44,7 +44,7 @@ pub(super) fn read(into: ImportInto, path: PathBuf, mapping: Option<&Mapping>, w
         Ok(looked) => looked,
         Err((name, problem)) => return taken(into, name, Err(problem)),
     };
-    if mapping.is_none() && !masks_of(&looked.name, &looked.bytes, with).is_empty() {
+    if !masks_of(&looked.name, &looked.bytes, mapping, with).is_empty() {
         return looked.import(None, None, with);
     }
     if mapping.is_some() {
@@ -168,19 +168,17 @@ impl Looked {
     }
 }
 
-/// The user's own mask, where it seems to have printed a file.
-fn masks_of<'a>(name: &str, bytes: &[u8], with: With<'a>) -> &'a [(String, Mask)] {
-    match exchange::recognised(name, &mut Cursor::new(bytes), with.masks) {
-        Ok(Some(format)) if format.is_print() => with.masks,
-        _ => &[],
-    }
+/// The user's own mask, where it seems to have printed a file; chosen columns are those of a table.
+fn masks_of<'a>(name: &str, bytes: &[u8], mapping: Option<&Mapping>, with: With<'a>) -> &'a [(String, Mask)] {
+    let format = exchange::recognised(name, &mut Cursor::new(bytes), with.masks).ok().flatten();
+    format.filter(|_| mapping.is_none()).map_or(&[], |format| format.masks_of(with.masks))
 }
 
 fn import(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>) -> Result<Box<Imported>, Message> {
     let job = (with.begins)(path, false);
     job.has(bytes.len());
     let beside = |ending: &str| files::beside(path, ending);
-    let masks = if mapping.is_none() { masks_of(&name(path), &bytes, with) } else { &[] };
+    let masks = masks_of(&name(path), &bytes, mapping, with);
     let given = Given { beside: &beside, mapping, masks, ..Given::new(with.sources, with.now) };
     let mut body = Cursor::new(bytes);
     let imported = exchange::import_given(&name(path), &mut Watched::new(&mut body, &job), given);
@@ -193,7 +191,7 @@ fn items(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>)
     job.has(bytes.len());
     let beside = |ending: &str| files::beside(path, ending);
     let usual = Given::new(with.sources, with.now);
-    let masks = if mapping.is_none() { masks_of(&name(path), &bytes, with) } else { &[] };
+    let masks = masks_of(&name(path), &bytes, mapping, with);
     let given = Given { beside: &beside, mapping, masks, most_rows: MOST_ROWS, has_plan: true, ..usual };
     let (mut items, mut body) = (Vec::new(), Cursor::new(bytes));
     exchange::import_from(&name(path), &mut Watched::new(&mut body, &job), given, &mut |item| {

@@ -57,7 +57,7 @@ pub(super) fn read(
     let format = recognised(&found.name, &mut body, judging.masks).map_err(locked)?;
     let shows_end = format.is_none_or(|format| format.shows_end);
     let line_ends = format.map_or(b"".as_slice(), |format| format.line_ends);
-    let masks = if format.is_some_and(crate::exchange::Format::is_print) { judging.masks } else { &[] };
+    let masks = format.map_or(&[][..], |format| format.masks_of(judging.masks));
     let masked = Judging { masks, ..judging };
     if has_beginning(&file, VERDICTS).map_err(locked)? {
         told.notes.push((found.path.clone(), vec![Message::new("watch-verdicts")]));
