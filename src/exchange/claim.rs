@@ -1,6 +1,7 @@
 //! What a file itself says of a value's status: told where the verdict is another one.
 
 use super::error::{ImportWarningKind, shorten};
+use crate::control::status::status_of;
 use crate::verdict::Status;
 
 /// What a file says of a value's status.
@@ -33,6 +34,21 @@ impl Claim {
     /// A claim that no verdict agrees with.
     pub(super) fn unknown(said: &str) -> Self {
         Self { said: shorten(said), agrees: &[] }
+    }
+
+    /// What a word of a table claims; `None` for one that is not known.
+    pub(super) fn of_word(word: &str) -> Option<Self> {
+        if let Some(status) = status_of(word) {
+            return Some(Self::of(word, status));
+        }
+        let small: String = word.to_lowercase().chars().filter(|c| c.is_alphanumeric()).collect();
+        match small.as_str() {
+            "ok" | "pass" | "passed" | "accept" | "accepted" | "conform" | "conforms" | "io" | "inordnung" | "oke"
+            | "akkoord" | "goedgekeurd" | "conforme" | "buono" => Some(Self::of(word, Status::Good)),
+            "nok" | "notok" | "ng" | "fail" | "failed" | "reject" | "rejected" | "nio" | "nichtinordnung"
+            | "nietok" | "afgekeurd" | "nonconform" | "nonconforme" | "nonok" | "scarto" => Some(Self::out(word)),
+            _ => None,
+        }
     }
 
     /// The warning where a verdict is another one.

@@ -78,6 +78,8 @@ pub(super) struct LabelColumns {
     pub(super) serial: Option<usize>,
     pub(super) who: Option<usize>,
     pub(super) place: [Option<LengthColumn>; 3],
+    /// What the file says of a value's status: compared, not read.
+    pub(super) status: Option<usize>,
 }
 
 impl LabelColumns {
@@ -95,10 +97,11 @@ impl LabelColumns {
             serial: at(Role::Serial),
             who: at(Role::Who),
             place: [Role::X, Role::Y, Role::Z].map(place),
+            status: labels.iter().find(|(_, name)| words::is_status(name)).map(|(at, _)| *at),
         }
     }
 
-    /// The columns.
+    /// The columns that are read.
     pub(super) fn iter(&self) -> impl Iterator<Item = usize> {
         let texts = [self.number, self.part, self.serial, self.who].into_iter().flatten();
         texts.chain(self.place.iter().flatten().map(|column| column.at))

@@ -9,6 +9,7 @@ use csv::StringRecord;
 use jiff::civil::{DateTime, Time};
 
 use super::cells;
+use super::claim::Claim;
 use super::columns::{self, Columns, Sample};
 use super::delimited::{Item, LONGEST_ROW, Rows, without_separator_line};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
@@ -217,6 +218,10 @@ impl<'a> Reader<'a, '_, '_> {
         self.sink.warn(Place::line(line), None, reason);
     }
 
+    fn warn_row(&mut self, line: usize, reason: ImportWarningKind) {
+        self.sink.warn(Place::line(line), Some(line), reason);
+    }
+
     fn refuse(&mut self, line: usize, cell: Cell<'_>, reason: ImportErrorKind) {
         let given = shorten(cell.text.trim());
         self.sink.refuse(Place { column: cell.at.map(|at| at + 1), ..Place::line(line) }, reason, given);
@@ -271,7 +276,7 @@ impl<'a> Reader<'a, '_, '_> {
     /// Tells that the end of the file may have cut off a row.
     fn tell_cut_off(&mut self, line: usize, cells: &StringRecord) {
         if let Some(reason) = self.rules().cut_off(cells).filter(|_| self.is_open) {
-            self.sink.warn(Place::line(line), Some(line), reason);
+            self.warn_row(line, reason);
         }
     }
 
@@ -303,6 +308,9 @@ impl<'a> Reader<'a, '_, '_> {
         let measurement = Measurement::of_diameter(measured, origin);
         let record = Record::judged(time, id, Some(callout), limits, measurement, None);
         let labels = self.labels(line, cells);
+        for warning in labels.claims.iter().filter_map(|claim| claim.differs(record.verdict.size.status)) {
+            self.warn_row(line, warning);
+        }
         self.sink.keep(line, Record { correction, ..record }, labels);
         Ok(())
     }
@@ -327,6 +335,7 @@ impl<'a> Reader<'a, '_, '_> {
             part: label(columns.part),
             serial: label(columns.serial),
             who: label(columns.who),
+            claims: columns.status.and_then(|at| Claim::of_word(text(at))).into_iter().collect(),
             place,
             ..Labels::default()
         }
@@ -345,7 +354,7 @@ impl<'a> Reader<'a, '_, '_> {
             Some(_) => None,
         };
         if let Some(reason) = reason {
-            self.sink.warn(Place::line(line), Some(line), reason);
+            self.warn_row(line, reason);
         }
         read.unwrap_or(self.source.now)
     }

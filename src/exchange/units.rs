@@ -170,6 +170,11 @@ pub(super) fn known(token: &str) -> Option<Unit> {
     }
 }
 
+/// Whether a word behind a number is a unit of length, one that is read or another.
+pub(super) fn may_be_unit(word: &str) -> bool {
+    known(word).is_some() || is_foreign(&word.to_lowercase())
+}
+
 /// `"`, and what word processors make of it.
 const fn is_inch_sign(c: char) -> bool {
     matches!(c, '"' | '\u{2033}' | '\u{201c}' | '\u{201d}' | '\u{201e}' | '\u{2dd}' | '\u{ff02}')

@@ -184,6 +184,18 @@ pub enum ImportWarningKind {
         /// Its name.
         sheet: String,
     },
+    /// Rows that the user does not see, by hand or by a filter, and that are read like the others.
+    RowsHidden {
+        /// How many.
+        count: usize,
+        /// Which.
+        rows: String,
+    },
+    /// Columns that the user does not see.
+    ColumnsHidden {
+        /// Their letters.
+        columns: String,
+    },
     /// A version of QIF that nobody has tried here.
     QifVersion {
         /// What the file says.

@@ -188,6 +188,16 @@ pub(super) fn label(header: &str) -> Option<Role> {
     lists.into_iter().find(|(_, list)| list.split('|').any(|known| known == name)).map(|(role, _)| *role)
 }
 
+/// Names of a column that says what somebody or something else decided.
+const STATUS: &str = "status|result|verdict|decision|judgement|judgment|pass fail|ok nok|resultaat|uitslag|oordeel|beoordeling|\
+    ergebnis|urteil|bewertung|entscheid|entscheidung|befund|risultato|esito|giudizio";
+
+/// Whether a column with this name says the status of a value.
+pub(super) fn is_status(header: &str) -> bool {
+    let name = bare(header);
+    STATUS.split('|').any(|known| known == name)
+}
+
 /// The name in small letters, without its unit and what stands in brackets, with single blanks between words.
 pub(super) fn bare(header: &str) -> String {
     units::split(header).name.join(" ")

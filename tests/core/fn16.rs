@@ -231,6 +231,20 @@ fn a_no_break_space_of_a_mask_is_a_character_of_it() {
     check(mask, "08:05\u{a0}     25 H7\u{a0}mm   25.0100\n", &["1: 25 H7 25..25.021 25.01 GOOD"]);
 }
 
+/// Found by the fuzz target `fn16`: a tab between two fields matched nothing, since the blanks before it took it along.
+#[test]
+fn tabs_of_a_mask_separate_its_fields() {
+    let mask = "\"%S\t%9.4F\t%S\tmm\t%S\", QS2, Q153, QS3, QS12;";
+    let printed = "25 H7\t  25.0100\tGOOD\tmm\tas is\n20 g6\t  19.9900\t\tmm\t\n";
+    let expected = ["1: as is: 25 H7 25..25.021 25.01 GOOD", "2: 20 g6 19.98..19.993 19.99 GOOD"];
+    check(mask, printed, &expected);
+    check(mask, &printed.replace("mm\t\n", "mm\n"), &expected);
+    // With two texts side by side, too: as many tabs as the mask has, and no fewer.
+    let two = "\"%9.4F\t%S\t%S\", Q153, QS2, QS3;";
+    check(two, "  25.0100\t25 H7\tGOOD\n", &["1: 25 H7 25..25.021 25.01 GOOD"]);
+    check(two, "  25.0100\t\tGOOD\n", &["1:  25.01: no callout"]);
+}
+
 #[test]
 fn one_of_several_masks_is_found() {
     let (a, b) = ("\"A %S: %9.4F\", QS2, Q153;", "\"B %S: %9.4F\", QS2, Q153;");
@@ -381,7 +395,7 @@ struct Field {
 }
 
 fn field(number: u16) -> impl Strategy<Value = Field> {
-    let literal = prop::sample::select(vec!["A", "B: ", " C=", " / ", "Ø ", " |", "9 x ", " "]);
+    let literal = prop::sample::select(vec!["A", "B: ", " C=", " / ", "Ø ", " |", "9 x ", " ", "\t", "\tD", "E \t"]);
     let number_value =
         (-40_000_000_i64..40_000_000, 1_usize..7, 0_usize..14, prop::sample::select(vec!["", "-", "+", "0"]));
     let text = ("[A-Z0-9][A-Z0-9 .]{0,6}[A-Z0-9]|", 0_usize..12, prop::sample::select(vec!["", "-"]), any::<bool>());

@@ -336,3 +336,29 @@ fn a_value_that_a_file_calls_simulated_stays_simulated() {
         &["! line 2, column 4: simulated: perhaps is neither true nor false <perhaps>"],
     );
 }
+
+#[test]
+fn a_status_that_the_file_has_and_that_is_another_one_is_told() {
+    check(
+        "id;callout;measured;Ergebnis\nA;25 H7;25.012;n.i.O.\nB;25 H7;25.012;i.O.\nC;25 H7;25.03;OK\nD;25 H7;24.99;FAIL\nE;25 H7;25.01;?\n",
+        &[
+            "2 A: 25 H7 is 25.012 GOOD",
+            "3 B: 25 H7 is 25.012 GOOD",
+            "4 C: 25 H7 is 25.03 SCRAP",
+            "5 D: 25 H7 is 24.99 REWORK",
+            "6 E: 25 H7 is 25.01 GOOD",
+            "? line 1: columns skipped: 4 (Ergebnis)",
+            "? line 2: the file says n.i.O., but the limits say GOOD",
+            "? line 4: the file says OK, but the limits say SCRAP",
+        ],
+    );
+    check(
+        "id;callout;measured;status\nA;25 H7;25.012;SCRAP\nB;25 H7;25.03;SCRAP\n",
+        &[
+            "2 A: 25 H7 is 25.012 GOOD",
+            "3 B: 25 H7 is 25.03 SCRAP",
+            "? line 1: columns skipped: 4 (status)",
+            "? line 2: the file says SCRAP, but the limits say GOOD",
+        ],
+    );
+}

@@ -176,6 +176,16 @@ fn what_is_pasted_and_finds_no_place_is_told() {
 }
 
 #[test]
+fn a_pasted_header_with_a_name_that_no_plan_has_is_a_header_all_the_same() {
+    let mut session = opened(PLATE);
+    go(&mut session, 0, Column::Name);
+    plan(&mut session, PlanCommand::Paste("name\tcolour\tcallout\nN1\tred\t12 H8\n".to_owned()));
+    let row = &draft(&session).rows[0];
+    assert_eq!([Column::Name, Column::Callout].map(|column| row.text(column).unwrap()), ["N1", "12 H8"]);
+    assert_eq!(said(&session.notices()[0].message), "columns that a plan does not have were left out: colour");
+}
+
+#[test]
 fn a_change_that_was_taken_back_can_be_made_again_after_a_cell_was_left_with_escape() {
     let mut session = opened(PLATE);
     act(&mut session, Action::SortPlan);

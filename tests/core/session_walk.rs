@@ -605,6 +605,21 @@ fn a_folder_that_is_watched_by_a_plan_that_no_file_holds_is_not_watched_by_an_ol
     assert_eq!(session.saved().walk.watched.unwrap().plan, PathBuf::from("/plans/new.toml"));
 }
 
+#[test]
+fn what_waits_for_a_plan_that_has_faults_now_is_told() {
+    let mut session = walking();
+    watched(&mut session);
+    let saved = Saved::read(&session.saved().write()).unwrap();
+    let (mut back, _) = Session::restore(saved);
+    begin_records(&mut back);
+    open_journal(&mut back, 10);
+    let faulty = PLAN.replace("12 F9", "12 F99");
+    assert_eq!(read_plan(&mut back, &faulty), []);
+    let told: Vec<String> = back.notices().iter().map(|notice| said(&notice.message)).collect();
+    let ends = ["comes back once its plan has no faults", "is watched again once the plan has no faults"];
+    assert_eq!(ends.map(|end| told.iter().filter(|text| text.ends_with(end)).count()), [1, 1], "{told:?}");
+}
+
 fn own_mask() -> Command {
     let (mask, _) = Mask::read(include_bytes!("../../assets/masks/82552_en.a")).unwrap();
     Command::MaskRead { path: "/masks/own.a".into(), result: Ok((Box::new(mask), Vec::new())) }

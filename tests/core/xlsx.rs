@@ -375,3 +375,72 @@ fn a_sheet_that_is_seen_comes_before_a_hidden_one_and_a_hidden_one_is_told() {
     assert_eq!(records(&imported), ["2 A 25 H7 25.01 GOOD 2030-01-01T00:00:00"]);
     assert_eq!(warnings(&imported)[1], "line 1: sheet S is read, and it is hidden in the workbook");
 }
+
+/// Cell formats of these codes, after the plain one.
+fn styles(codes: &[&str]) -> String {
+    let mut formats = String::new();
+    let mut styles = String::from("<xf numFmtId=\"0\"/>");
+    for (id, code) in (164..).zip(codes) {
+        write!(formats, "<numFmt numFmtId=\"{id}\" formatCode=\"{}\"/>", code.replace('"', "&quot;")).unwrap();
+        write!(styles, "<xf numFmtId=\"{id}\" applyNumberFormat=\"1\"/>").unwrap();
+    }
+    format!("<styleSheet><numFmts>{formats}</numFmts><cellXfs>{styles}</cellXfs></styleSheet>")
+}
+
+#[test]
+fn a_unit_that_the_number_format_shows_counts() {
+    let row = |name: &str, style: usize, value: &str| {
+        format!(
+            "<row><c t=\"inlineStr\"><is><t>{name}</t></is></c><c t=\"inlineStr\"><is><t>25 H7</t></is></c><c s=\"{style}\"><v>{value}</v></c></row>"
+        )
+    };
+    let rows = [
+        row("A", 0, "25.01"),
+        row("B", 1, "25.01"),
+        row("C", 2, "25010"),
+        row("D", 3, "0.9847"),
+        row("E", 4, "25.01"),
+        row("F", 5, "25.01"),
+    ];
+    let sheet = sheet(&[HEADER]).replace("</sheetData>", &format!("{}</sheetData>", rows.concat()));
+    let styles = styles(&["0.000\" mm\"", "0.0\" \u{b5}m\"", "0.0000\\\"", "0.00%", "0.000\" cm\""]);
+    let imported = read(&book(&sheet, &[("xl/styles.xml", styles.as_bytes())]));
+    assert_eq!(
+        records(&imported),
+        [
+            "2 A 25 H7 25.01 GOOD 2030-01-01T00:00:00",
+            "3 B 25 H7 25.01 GOOD 2030-01-01T00:00:00",
+            "4 C 25 H7 25.01 GOOD 2030-01-01T00:00:00",
+            // 0.9847 in = 25.01138 mm
+            "5 D 25 H7 25.01138 GOOD 2030-01-01T00:00:00",
+        ]
+    );
+    assert_eq!(
+        errors(&imported),
+        [
+            "line 6, column 3: S!C6: measured: 25.01 % is not a number",
+            "line 7, column 3: S!C7: measured: 25.01 cm is not a number",
+        ]
+    );
+}
+
+#[test]
+fn hidden_rows_and_columns_are_read_and_told() {
+    let sheet = sheet(&[HEADER, &["A", "25 H7", "25.01"], &["B", "25 H7", "25.05"], &["C", "25 H7", "25.02"]]);
+    let cols =
+        "<cols><col min=\"3\" max=\"3\" hidden=\"1\"/><col min=\"9\" max=\"16384\" hidden=\"1\"/></cols><sheetData>";
+    let sheet = sheet.replace("<sheetData>", cols).replacen(
+        "<row><c t=\"inlineStr\"><is><t>B",
+        "<row hidden=\"1\"><c t=\"inlineStr\"><is><t>B",
+        1,
+    );
+    let imported = read(&book(&sheet, &[]));
+    assert_eq!(imported.records.len(), 3);
+    assert_eq!(
+        warnings(&imported),
+        [
+            "line 1: row 3 is hidden or filtered out in the workbook, and is read like the others",
+            "line 1: hidden columns are read like the others: C",
+        ]
+    );
+}

@@ -195,6 +195,11 @@ exchange-qif-no-results = a QIF file without measured values: a plan can be read
 exchange-qif-no-characteristics = the QIF file declares no characteristics
 exchange-warning-standard-uncertainty-not-used = the file states a combined standard uncertainty of { $standard } and a mean error of { $mean-error }: no rule uses them, so give --u instead
 exchange-warning-sheet-hidden = sheet { $sheet } is read, and it is hidden in the workbook
+exchange-warning-rows-hidden = { $count ->
+    [one] row { $rows } is hidden or filtered out in the workbook, and is read like the others
+   *[other] { $count } rows are hidden or filtered out in the workbook, and are read like the others: { $rows }
+}
+exchange-warning-columns-hidden = hidden columns are read like the others: { $columns }
 exchange-warning-qif-version = QIF version { $version }: this program is made for version 3.0
 exchange-warning-qif-count = { $list } says n={ $said }, but has { $found }: something may be missing or added
 exchange-warning-qif-twice = id { $id } occurs twice: the first element is used

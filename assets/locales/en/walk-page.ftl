@@ -100,6 +100,8 @@ walk-page-came-back = { $count ->
        *[other] The interrupted part { $serial } was restored with { $count } values
     }
 walk-page-watched = Watched folder
+walk-page-part-waits = Part { $serial } comes back once its plan has no faults
+walk-page-watch-waits = Folder { $path } is watched again once the plan has no faults
 walk-page-watch-no-plan = watching a folder needs a plan without faults: open one first
 walk-page-watch-no-journal = the journal cannot be opened: which files were imported before is unknown, so no folder is watched
 walk-page-watch-begins = Checking the journal for files imported before

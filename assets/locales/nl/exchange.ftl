@@ -195,6 +195,11 @@ exchange-qif-no-results = een QIF-bestand zonder gemeten waarden: een meetplan k
 exchange-qif-no-characteristics = het QIF-bestand noemt geen kenmerken
 exchange-warning-standard-uncertainty-not-used = het bestand noemt een gecombineerde standaardonzekerheid van { $standard } en een gemiddelde afwijking van { $mean-error }: geen regel gebruikt die, geef daarvoor --u
 exchange-warning-sheet-hidden = blad { $sheet } wordt gelezen, en is verborgen in de werkmap
+exchange-warning-rows-hidden = { $count ->
+    [one] rij { $rows } is in de werkmap verborgen of weggefilterd, en wordt gelezen als de andere
+   *[other] { $count } rijen zijn in de werkmap verborgen of weggefilterd, en worden gelezen als de andere: { $rows }
+}
+exchange-warning-columns-hidden = verborgen kolommen worden gelezen als de andere: { $columns }
 exchange-warning-qif-version = QIF-versie { $version }: de lezer is gemaakt voor 3.0
 exchange-warning-qif-count = { $list } zegt n={ $said } en heeft er { $found }: er kan iets ontbreken of bijgekomen zijn
 exchange-warning-qif-twice = id { $id } staat er twee keer: het eerste element telt

@@ -100,6 +100,8 @@ walk-page-came-back = { $count ->
        *[other] Het onderbroken onderdeel { $serial } is terug, met { $count } waarden
     }
 walk-page-watched = Bewaakte map
+walk-page-part-waits = Onderdeel { $serial } komt terug zodra het plan geen fouten meer heeft
+walk-page-watch-waits = Map { $path } wordt weer bewaakt zodra het plan geen fouten meer heeft
 walk-page-watch-no-plan = een map wordt bewaakt met een plan zonder fouten: open er eerst een
 walk-page-watch-no-journal = het journaal kan niet worden geopend: wat al genomen is, is niet bekend, dus er wordt geen map bewaakt
 walk-page-watch-begins = Het journaal wordt gevraagd wat al genomen is

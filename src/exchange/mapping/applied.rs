@@ -6,6 +6,7 @@ use crate::exchange::cells;
 use crate::exchange::columns::{self, Columns, LabelColumns, LengthColumn, Sample, unit_of};
 use crate::exchange::error::{ImportErrorKind, Role, shorten};
 use crate::exchange::own::OwnColumns;
+use crate::exchange::words;
 
 /// What a mapping says of the columns of a file, and what is detected beside it.
 struct Said<'a> {
@@ -151,6 +152,10 @@ impl Said<'_> {
             serial: self.either(Role::Serial, |found| found.labels.serial),
             who: self.either(Role::Who, |found| found.labels.who),
             place: [self.place(Role::X, 0)?, self.place(Role::Y, 1)?, self.place(Role::Z, 2)?],
+            status: (0..)
+                .zip(&self.names)
+                .find(|(at, name)| !self.is_used(*at) && words::is_status(name))
+                .map(|(at, _)| at),
         };
         let beside = |at: Option<usize>| at.filter(|at| *at != measured);
         let nominal = beside(self.either(Role::Nominal, |found| found.nominal.map(|column| column.at)));

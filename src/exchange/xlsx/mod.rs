@@ -1,11 +1,14 @@
 //! Workbooks of spreadsheets (XLSX): the rows of a sheet, read as those of a CSV.
 //!
-//! `package` looks at the file before anything is made of it, `sheet` makes texts of cells. Formulas count by the value that is
+//! `package` looks at the file before anything is made of it, `sheet` makes texts of cells, with the unit that a number format shows
+//! (`shown`); `hidden` is what nobody sees of a sheet. Formulas count by the value that is
 //! stored with them. Of merged cells the first one holds the value, as in the file: a callout over several rows is that of the
 //! first row, and the others are not judged.
 
+mod hidden;
 mod package;
 mod sheet;
+mod shown;
 
 use std::io::BufReader;
 
@@ -22,7 +25,8 @@ use super::measurements::Cells;
 use super::sizes::SizesOf;
 use super::source::{Beginning, Body, Context, Source};
 use crate::message::Place;
-use sheet::{FORMULA, Rows};
+use package::Seen;
+use sheet::{FORMULA, Rows, UnitsShown};
 
 pub(super) const FORMAT: Format = Format {
     name: "xlsx",
@@ -62,7 +66,7 @@ fn broken(error: &dyn std::fmt::Display) -> ImportErrorKind {
 }
 
 /// Opens a workbook, once it is known what it unpacks to.
-fn open<'b>(source: &'b mut Source<'_>) -> Result<Workbook<'b>, ImportErrorKind> {
+fn open<'b>(source: &'b mut Source<'_>) -> Result<(Workbook<'b>, Seen), ImportErrorKind> {
     let beginning = source.beginning();
     if is_compound(&beginning) {
         let is_locked =
@@ -74,9 +78,10 @@ fn open<'b>(source: &'b mut Source<'_>) -> Result<Workbook<'b>, ImportErrorKind>
     if memchr::memmem::find(head, b"application/vnd.oasis.opendocument").is_some() {
         return Err(ImportErrorKind::OldWorkbook { format: "ODS" });
     }
-    package::check(source.bytes()?)?;
+    let seen = package::check(source.bytes()?)?;
     let body = source.bytes()?;
-    calm(|| Xlsx::new(BufReader::new(body)).map_err(|error| sheet::refused(&error)))
+    let workbook = calm(|| Xlsx::new(BufReader::new(body)).map_err(|error| sheet::refused(&error)))?;
+    Ok((workbook, seen))
 }
 
 /// Does something with a decoder that may panic in a damaged file.
@@ -85,12 +90,19 @@ fn calm<T>(decode: impl FnOnce() -> Result<T, ImportErrorKind>) -> Result<T, Imp
     guarded(decode).unwrap_or_else(|said| Err(damaged(said)))
 }
 
+/// The units that number formats of a sheet show.
+fn units(workbook: &mut Workbook<'_>, sheet: &str) -> Result<UnitsShown, ImportErrorKind> {
+    calm(|| UnitsShown::of_sheet(workbook.worksheet_cells_reader(sheet).map_err(|error| sheet::refused(&error))?))
+}
+
 /// The rows of a sheet.
 fn rows<'x, 'b>(
     workbook: &'x mut Workbook<'b>,
     sheet: &str,
+    units: &'x UnitsShown,
 ) -> Result<Rows<'x, BufReader<&'b mut dyn Body>>, ImportErrorKind> {
-    calm(|| workbook.worksheet_cells_reader(sheet).map(Rows::new).map_err(|error| sheet::refused(&error)))
+    let cells = calm(|| workbook.worksheet_cells_reader(sheet).map_err(|error| sheet::refused(&error)))?;
+    Ok(Rows::new(cells, units))
 }
 
 /// Reads the measured sizes alone: limits are not looked up.
@@ -106,7 +118,7 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
     let context = source.context.clone();
     let (mapping, detects) = (source.given.mapping, Mapping::default());
     let has_plan = source.given.has_plan;
-    let mut workbook = open(source)?;
+    let (mut workbook, seen) = open(source)?;
     let names = names(&workbook);
     let (chosen, columns) = choose(&mut workbook, &names, mapping.unwrap_or(&detects))?;
     let left = names.iter().filter(|name| **name != chosen).map(|name| shorten(name)).collect::<Vec<_>>().join(", ");
@@ -117,7 +129,15 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
     if is_hidden(&workbook, &chosen) {
         sink.warn(Place::line(1), None, ImportWarningKind::SheetHidden { sheet: shorten(&chosen) });
     }
-    let mut rows = rows(&mut workbook, &chosen)?;
+    let hidden = seen.hidden(&chosen).cloned().unwrap_or_default();
+    if let Some((count, rows)) = hidden.rows() {
+        sink.warn(Place::line(1), None, ImportWarningKind::RowsHidden { count, rows });
+    }
+    if let Some(columns) = hidden.columns(columns.count) {
+        sink.warn(Place::line(1), None, ImportWarningKind::ColumnsHidden { columns });
+    }
+    let units = units(&mut workbook, &chosen)?;
+    let mut rows = rows(&mut workbook, &chosen, &units)?;
     read_rows(&mut rows, (&context, &columns, &chosen, has_plan), sink, sizes)
 }
 
@@ -168,7 +188,8 @@ fn choose(
 /// The first rows of a sheet, and what went wrong behind them.
 fn sample(workbook: &mut Workbook<'_>, sheet: &str) -> (Vec<(usize, StringRecord)>, Result<(), ImportErrorKind>) {
     let mut sample = Vec::new();
-    let sampled = rows(workbook, sheet).and_then(|mut rows| {
+    let sampled = units(workbook, sheet).and_then(|units| {
+        let mut rows = rows(workbook, sheet, &units)?;
         while sample.len() < SAMPLE
             && let Some(row) = calm(|| rows.next())?
         {
@@ -184,7 +205,7 @@ fn sample(workbook: &mut Workbook<'_>, sheet: &str) -> (Vec<(usize, StringRecord
 /// # Errors
 /// Why it cannot be opened, or that it has no rows.
 pub(super) fn samples(source: &mut Source<'_>) -> Result<(Sheets, usize), ImportErrorKind> {
-    let mut workbook = open(source)?;
+    let (mut workbook, _seen) = open(source)?;
     let names = names(&workbook);
     let chosen = choose(&mut workbook, &names, &Mapping::default()).map(|(name, _)| name).ok();
     let mut sheets = Sheets::new();
@@ -256,9 +277,10 @@ fn in_cell(item: Item, sheet: &str) -> Item {
 /// # Errors
 /// Why it is not a workbook, or cannot be read.
 pub(super) fn sheet_rows(source: &mut Source<'_>) -> Result<Vec<(usize, Vec<String>)>, ImportErrorKind> {
-    let mut workbook = open(source)?;
+    let (mut workbook, _seen) = open(source)?;
     for name in names(&workbook) {
-        let mut rows = rows(&mut workbook, &name)?;
+        let units = units(&mut workbook, &name)?;
+        let mut rows = rows(&mut workbook, &name, &units)?;
         let (mut all, mut count) = (Vec::new(), 0);
         while let Some((line, cells)) = calm(|| rows.next())? {
             count += cells.len();

@@ -9,6 +9,7 @@ use std::io::{Read, SeekFrom};
 use zip::ZipArchive;
 use zip::result::ZipError;
 
+use super::hidden::Hidden;
 use super::{Body, broken};
 use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::xml::{Start, Xml, fault};
@@ -49,11 +50,50 @@ const MOST_TEXTS: usize = 3_000_000;
 /// The end of the list of members, where the tail of a file is searched for it.
 const TAIL: u64 = 66 << 10;
 
+/// What was seen of a workbook.
+#[derive(Debug, Default)]
+pub(super) struct Seen {
+    /// The sheets: name, and the id of where they are.
+    sheets: Vec<(String, String)>,
+    /// Ids and the members that they stand for.
+    targets: Vec<(String, String)>,
+    /// By member: what sheets hide.
+    hidden: Vec<(String, Hidden)>,
+}
+
+impl Seen {
+    /// What a sheet hides.
+    pub(super) fn hidden(&self, sheet: &str) -> Option<&Hidden> {
+        let find = |list: &'_ [(String, String)], name: &str| {
+            list.iter().find(|(own, _)| own == name).map(|(_, value)| value.clone())
+        };
+        let target = plain(&find(&self.targets, &find(&self.sheets, sheet)?)?);
+        let is_it = |member: &str| member == target || member.strip_suffix(&target).is_some_and(|at| at.ends_with('/'));
+        self.hidden.iter().find(|(member, _)| is_it(member)).map(|(_, hidden)| hidden)
+    }
+
+    /// Takes note of an element of a member that says how the others hang together.
+    fn see(&mut self, start: &Start) {
+        match start.name.as_str() {
+            "sheet" => self.sheets.push((start.attribute("name").to_owned(), start.attribute("id").to_owned())),
+            "Relationship" if start.attribute("Type").ends_with("/worksheet") => {
+                self.targets.push((start.attribute("Id").to_owned(), start.attribute("Target").to_owned()));
+            }
+            _ => {}
+        }
+    }
+}
+
+/// The name of a member as names are compared.
+fn plain(name: &str) -> String {
+    name.to_lowercase().replace('\\', "/").trim_start_matches(['/', '.']).to_owned()
+}
+
 /// Looks at all members of a workbook.
 ///
 /// # Errors
 /// Why it is not a workbook, or not one that is read.
-pub(super) fn check(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
+pub(super) fn check(body: &mut dyn Body) -> Result<Seen, ImportErrorKind> {
     check_list(body)?;
     body.rewind().map_err(|error| crate::exchange::source::read_error(&error))?;
     let mut archive = ZipArchive::new(std::io::BufReader::new(body)).map_err(|error| unreadable(&error))?;
@@ -70,7 +110,7 @@ pub(super) fn check(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
     if twice.is_some() || archive.has_duplicate_names() {
         return Err(ImportErrorKind::ZipTwice);
     }
-    let mut all = 0;
+    let (mut seen, mut all) = (Seen::default(), 0);
     for index in 0..archive.len() {
         let member = archive.by_index(index).map_err(|error| unreadable(&error))?;
         let packed = member.compressed_size();
@@ -82,7 +122,7 @@ pub(super) fn check(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
         }
         let most = kind.most().min(ALL.saturating_sub(all));
         let mut counted = Counted { inner: member, packed, read: 0, most, is_over: false };
-        let looked = kind.look(&name, &mut counted);
+        let looked = kind.look(&name, &mut counted, &mut seen);
         let (read, is_over) = (counted.read, counted.is_over);
         if is_over {
             return Err(too_large());
@@ -90,7 +130,7 @@ pub(super) fn check(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
         looked?;
         all += read;
     }
-    Ok(())
+    Ok(seen)
 }
 
 /// The list of members says at its end how many there are: more take memory before anything else is known.
@@ -167,12 +207,12 @@ impl Kind {
         }
     }
 
-    fn look(self, name: &str, member: &mut dyn Read) -> Result<(), ImportErrorKind> {
+    fn look(self, name: &str, member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind> {
         match self {
-            Self::Sheet => sheet(name, member),
-            Self::Frame => survey(member),
-            Self::Texts => texts(member),
-            Self::Root => root(member),
+            Self::Sheet => sheet(name, member).map(|hidden| seen.hidden.push((plain(name), hidden))),
+            Self::Frame => survey(member, seen),
+            Self::Texts => texts(member, seen),
+            Self::Root => root(member, seen),
             Self::Other => std::io::copy(member, &mut std::io::sink()).map(|_count| ()).map_err(|error| broken(&error)),
         }
     }
@@ -200,12 +240,13 @@ impl Measure {
 
 /// Looks at a member as XML: how deep it is, and how long what is kept of it at once. A sheet that is not called one is refused:
 /// nobody would have looked at its cells.
-fn survey(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
+fn survey(member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind> {
     let mut measure = Measure::default();
     // The encoding of these is UTF-8.
-    let mut xml = Xml::new(member, b"", &["Type", "Target"])?;
+    let mut xml = Xml::new(member, b"", &["Type", "Target", "Id", "id", "name"])?;
     while let Some((start, depth, position)) = xml.begin()? {
         measure.see(&start, depth, position)?;
+        seen.see(&start);
         let is_sheet = start.name == "Relationship" && start.attribute("Type").ends_with("/worksheet");
         if is_sheet && Kind::of(start.attribute("Target")) != Kind::Sheet {
             return Err(ImportErrorKind::NotAWorkbook);
@@ -215,13 +256,14 @@ fn survey(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
 }
 
 /// Looks at a sheet in the same way, and at each cell: whoever reads the cells takes the first piece of a value for all of it, and the
-/// number of a text that is none for 0.
-fn sheet(member: &str, body: &mut dyn Read) -> Result<(), ImportErrorKind> {
-    let mut measure = Measure::default();
-    let mut xml = Xml::new(body, b"", &["r", "t"])?;
+/// number of a text that is none for 0. Gives what it hides.
+fn sheet(member: &str, body: &mut dyn Read) -> Result<Hidden, ImportErrorKind> {
+    let (mut measure, mut hidden) = (Measure::default(), Hidden::default());
+    let mut xml = Xml::new(body, b"", &["r", "t", "hidden", "min", "max"])?;
     let (mut cell, mut has_value) = (Start::default(), false);
     while let Some((start, depth, position)) = xml.begin()? {
         measure.see(&start, depth, position)?;
+        hidden.see(&start);
         match start.name.as_str() {
             "c" => (cell, has_value) = (start, false),
             "v" => {
@@ -237,7 +279,7 @@ fn sheet(member: &str, body: &mut dyn Read) -> Result<(), ImportErrorKind> {
             _ => {}
         }
     }
-    Ok(())
+    Ok(hidden)
 }
 
 /// Whether it is the number of a shared text, or nothing.
@@ -246,7 +288,7 @@ fn is_number_of_text(text: &str) -> bool {
 }
 
 /// The texts that cells share: how many there may be is reserved beforehand by who reads them.
-fn texts(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
+fn texts(member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind> {
     let mut all = Vec::new();
     member.read_to_end(&mut all).map_err(|error| broken(&error))?;
     let too_many = ImportErrorKind::ZipTexts { most: MOST_TEXTS };
@@ -262,7 +304,7 @@ fn texts(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
             return Err(too_many);
         }
     }
-    survey(&mut all.as_slice())
+    survey(&mut all.as_slice(), seen)
 }
 
 /// How many texts begin: whatever prefix their elements have.
@@ -277,12 +319,12 @@ fn count_texts(all: &[u8]) -> usize {
 }
 
 /// A workbook with another name could be as large as a sheet.
-fn root(member: &mut dyn Read) -> Result<(), ImportErrorKind> {
+fn root(member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind> {
     let mut all = Vec::new();
     member.read_to_end(&mut all).map_err(|error| broken(&error))?;
     let text = String::from_utf8_lossy(&all).to_lowercase();
     let is_odd = text.contains("sheet") && text.replace("spreadsheet", "").replace("worksheets/", "").contains("sheet");
-    if is_odd { Err(ImportErrorKind::NotAWorkbook) } else { survey(&mut all.as_slice()) }
+    if is_odd { Err(ImportErrorKind::NotAWorkbook) } else { survey(&mut all.as_slice(), seen) }
 }
 
 /// What a member unpacks to.

@@ -1,11 +1,15 @@
 //! The cells of a sheet as texts, row by row.
 
+use std::collections::BTreeMap;
 use std::io::{Read, Seek};
 
 use calamine::{DataRef, ExcelDateTime, XlsxCellReader, XlsxError, XlsxFormulaMetadata};
 use csv::StringRecord;
 
+use super::shown;
 use crate::exchange::error::ImportErrorKind;
+use crate::exchange::units;
+use crate::length::{Length, Unit};
 
 /// Columns that are read: a cell further to the right is refused.
 const MOST_COLUMNS: usize = 1_000;
@@ -16,6 +20,7 @@ pub(super) const FORMULA: char = '\u{e000}';
 /// The rows of a sheet that hold anything.
 pub(super) struct Rows<'x, R: Read + Seek> {
     cells: XlsxCellReader<'x, R>,
+    units: &'x UnitsShown,
     /// The first cell of the next row.
     waiting: Option<(usize, usize, String)>,
     /// The row before, from 1.
@@ -25,8 +30,8 @@ pub(super) struct Rows<'x, R: Read + Seek> {
 }
 
 impl<'x, R: Read + Seek> Rows<'x, R> {
-    pub(super) const fn new(cells: XlsxCellReader<'x, R>) -> Self {
-        Self { cells, waiting: None, before: 0, is_ended: false }
+    pub(super) const fn new(cells: XlsxCellReader<'x, R>, units: &'x UnitsShown) -> Self {
+        Self { cells, units, waiting: None, before: 0, is_ended: false }
     }
 
     /// The next row: its number from 1, and its cells.
@@ -76,12 +81,88 @@ impl<'x, R: Read + Seek> Rows<'x, R> {
                 (DataRef::Empty, Some(formula)) => format!("{FORMULA}{}", of_formula(formula)),
                 (value, _) => text(value),
             };
+            let is_number = matches!(cell.value, DataRef::Int(_) | DataRef::Float(_));
+            let text = match self.units.of(row, at).filter(|_| is_number) {
+                Some(unit) => with_unit(&text, unit),
+                None => text,
+            };
             if !text.is_empty() {
                 return Ok(Some((index(row).saturating_add(1), index(at), text)));
             }
         }
         self.is_ended = true;
         Ok(None)
+    }
+}
+
+/// The most runs of cells whose number formats show a unit.
+const MOST_RUNS: usize = 1_000_000;
+
+/// The units that number formats of a sheet show, where any do.
+#[derive(Debug, Default)]
+pub(super) struct UnitsShown {
+    /// By style: the text of its unit, or nothing.
+    units: Vec<String>,
+    /// By column, from 0: first and last row of neighbouring cells with the same unit.
+    runs: BTreeMap<u32, Vec<(u32, u32, usize)>>,
+}
+
+impl UnitsShown {
+    /// Those of a sheet; it is read through where the workbook has such a format at all.
+    ///
+    /// # Errors
+    /// Why the sheet cannot be read on.
+    pub(super) fn of_sheet<R: Read + Seek>(mut cells: XlsxCellReader<'_, R>) -> Result<Self, ImportErrorKind> {
+        let codes = cells.styles().iter().map(|style| style.number_format.as_ref());
+        let shown: Vec<_> = codes.map(|format| format.and_then(|format| shown::unit(&format.format_code))).collect();
+        let mut all = Self::default();
+        if shown.iter().all(Option::is_none) {
+            return Ok(all);
+        }
+        all.units = shown.iter().map(|unit| unit.clone().unwrap_or_default()).collect();
+        let mut count = 0;
+        while let Some((row, at, style)) = cells.next_style_id().map_err(|error| refused(&error))? {
+            // Where cells without a style of their own show a unit, those with one are told apart from them.
+            let is_kept = shown.get(style).is_some_and(Option::is_some) || shown.first().is_some_and(Option::is_some);
+            if !is_kept {
+                continue;
+            }
+            let runs = all.runs.entry(at).or_default();
+            match runs.last_mut() {
+                Some((_, last, own)) if *own == style && last.checked_add(1) == Some(row) => *last = row,
+                _ => {
+                    count += 1;
+                    if MOST_RUNS < count {
+                        return Err(ImportErrorKind::TooManyCells { most: MOST_RUNS });
+                    }
+                    runs.push((row, row, style));
+                }
+            }
+        }
+        Ok(all)
+    }
+
+    /// The unit behind the number of a cell: row and column from 0.
+    fn of(&self, row: u32, at: u32) -> Option<&str> {
+        let style = self.runs.get(&at).and_then(|runs| {
+            let (_, last, style) = runs.get(runs.partition_point(|(first, ..)| *first <= row).checked_sub(1)?)?;
+            (row <= *last).then_some(*style)
+        });
+        self.units.get(style.unwrap_or_default()).filter(|unit| !unit.is_empty()).map(String::as_str)
+    }
+}
+
+/// A number with the unit that its format shows: inches as millimetres, since cells are read without an inch behind them; what is not
+/// a length with a known unit is refused by whoever reads it.
+fn with_unit(text: &str, unit: &str) -> String {
+    match units::known(unit) {
+        Some(Unit::Inch) => match Length::parse_in(text, Unit::Inch) {
+            Ok(length) => format!("{length} mm"),
+            Err(_) => format!("{text} {unit}"),
+        },
+        Some(Unit::Micrometre) => format!("{text} \u{b5}m"),
+        Some(Unit::Millimetre) => format!("{text} mm"),
+        _ => format!("{text} {unit}"),
     }
 }
 
@@ -94,13 +175,18 @@ pub(super) fn refused(error: &XlsxError) -> ImportErrorKind {
 }
 
 /// The name of a cell, such as `C7`: row from 1, column from 0.
-pub(super) fn name(row: usize, mut at: usize) -> String {
+pub(super) fn name(row: usize, at: usize) -> String {
+    format!("{}{row}", letters(at))
+}
+
+/// The name of a column from 0, such as `C`.
+pub(super) fn letters(mut at: usize) -> String {
     let mut letters = String::new();
     loop {
         let letter = u8::try_from(at % 26).map_or('?', |letter| char::from(b'A' + letter));
         letters.insert(0, letter);
         if at < 26 {
-            return format!("{letters}{row}");
+            return letters;
         }
         at = at / 26 - 1;
     }
@@ -113,7 +199,7 @@ fn of_formula(formula: &XlsxFormulaMetadata) -> &str {
     }
 }
 
-/// What a cell shows, without its format.
+/// What a cell holds, without its format.
 fn text(value: &DataRef<'_>) -> String {
     match value {
         DataRef::Int(number) => number.to_string(),

@@ -40,20 +40,35 @@ fn read(text: &str, with_marks: bool) -> Option<Vec<Vec<String>>> {
     (!is_quoted).then_some(rows)
 }
 
-/// The columns of a block whose first row names at least two of them, and those that it names once more, which are left out;
-/// `None` where it does not. A cell without a name has no column.
-pub(super) fn header(rows: &[Vec<String>]) -> Option<(Vec<Option<Column>>, Vec<Column>)> {
+/// The first row of a block, which names its columns.
+#[derive(Debug, Default)]
+pub(super) struct Header {
+    /// What each column holds; `None` for one that is left out.
+    pub(super) columns: Vec<Option<Column>>,
+    /// Those that are named once more.
+    pub(super) twice: Vec<Column>,
+    /// Names that a plan does not know.
+    pub(super) unknown: Vec<String>,
+}
+
+/// The header of a block: at least two names of columns, and no more that are unknown than are known; `None` where the first row is none.
+/// A cell without a name has no column.
+pub(super) fn header(rows: &[Vec<String>]) -> Option<Header> {
     let first = rows.first().filter(|_| 1 < rows.len())?;
-    let (mut columns, mut twice) = (Vec::new(), Vec::new());
+    let mut header = Header::default();
+    let mut known = 0;
     for name in first {
-        let is_empty = name.trim().is_empty();
-        let column = if is_empty { None } else { Some(Column::of_key(name)?) };
-        let is_twice = column.is_some() && columns.contains(&column);
-        twice.extend(column.filter(|_| is_twice));
-        columns.push(column.filter(|_| !is_twice));
+        let name = name.trim();
+        let column = Column::of_key(name);
+        known += usize::from(column.is_some());
+        if column.is_none() && !name.is_empty() {
+            header.unknown.push(name.to_owned());
+        }
+        let is_twice = column.is_some() && header.columns.contains(&column);
+        header.twice.extend(column.filter(|_| is_twice));
+        header.columns.push(column.filter(|_| !is_twice));
     }
-    let count = columns.iter().flatten().count() + twice.len();
-    (1 < count).then_some((columns, twice))
+    (1 < known && header.unknown.len() <= known).then_some(header)
 }
 
 /// A cell without the mark that says that it is no formula.

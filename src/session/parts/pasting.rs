@@ -3,10 +3,13 @@
 use super::PartsPage;
 use super::editing::{clamped, selected, write};
 use super::paste;
-use crate::message::Message;
+use crate::message::{Message, shortened};
 use crate::part::{Column, MOST_FEATURES, Row};
 use crate::session::shared::Shared;
 use crate::tolerance::Sources;
+
+/// The longest list of names that is told.
+const MOST_NAMES: usize = 80;
 
 impl PartsPage {
     /// The selected cells as a spreadsheet takes them.
@@ -33,8 +36,10 @@ impl PartsPage {
             rows.remove(0);
         }
         let row = *self.sheet.selected_rows().start();
-        let (columns, twice) = named.clone().unwrap_or_else(|| (self.columns_from_corner(), Vec::new()));
-        if let ([cells], None) = (rows.as_slice(), &named)
+        let is_named = named.is_some();
+        let paste::Header { columns, twice, unknown } =
+            named.unwrap_or_else(|| paste::Header { columns: self.columns_from_corner(), ..paste::Header::default() });
+        if let ([cells], false) = (rows.as_slice(), is_named)
             && let [text] = cells.as_slice()
             && self.sheet.is_block()
         {
@@ -50,7 +55,7 @@ impl PartsPage {
         let nowhere = |at: &usize| columns.get(*at).is_none_or(Option::is_none);
         let has_text = |at: &usize| rows.iter().any(|row| row.get(*at).is_some_and(|cell| !cell.trim().is_empty()));
         // A column without a name is one that is meant to be left out, unless it holds something.
-        let lost_columns = (0..wide).filter(nowhere).filter(|at| named.is_none() || has_text(at)).count();
+        let lost_columns = (0..wide).filter(nowhere).filter(|at| !is_named || has_text(at)).count();
         rows.truncate(rows.len().saturating_sub(lost_rows));
         let block = (rows.len(), wide.min(columns.len()));
         self.document.change(sources, |draft| {
@@ -66,7 +71,7 @@ impl PartsPage {
             }
         });
         self.sheet.follow(&self.document);
-        if named.is_none() {
+        if !is_named {
             let column = columns.first().copied().flatten().unwrap_or(Column::Name);
             self.sheet.select((row, column), block.0, block.1);
         }
@@ -75,10 +80,15 @@ impl PartsPage {
             shared.tell(message.count("most", MOST_FEATURES));
         }
         if !twice.is_empty() {
-            let keys: Vec<&str> = twice.into_iter().map(Column::key).collect();
+            let keys: Vec<&str> = twice.iter().copied().map(Column::key).collect();
             shared.tell(Message::new("parts-page-pasted-twice").text("keys", keys.join(", ")));
-        } else if 0 < lost_columns {
-            let id = if named.is_some() { "parts-page-pasted-nameless" } else { "parts-page-pasted-columns" };
+        }
+        if !unknown.is_empty() {
+            shared.tell(
+                Message::new("parts-page-pasted-unknown").text("names", shortened(&unknown.join(", "), MOST_NAMES)),
+            );
+        } else if twice.is_empty() && 0 < lost_columns {
+            let id = if is_named { "parts-page-pasted-nameless" } else { "parts-page-pasted-columns" };
             shared.tell(Message::new(id).count("count", lost_columns));
         }
     }

@@ -33,6 +33,8 @@ pub(super) struct Resume {
     is_asked: bool,
     /// The folder that is to be watched again.
     pub(super) watched: Option<SavedWatch>,
+    /// Whether it was told that both wait for a plan without mistakes.
+    is_told: bool,
 }
 
 impl Resume {
@@ -69,8 +71,25 @@ impl PartsPage {
         }
     }
 
+    /// Tells once what waits because its plan has mistakes now.
+    fn tell_waiting(&mut self, shared: &mut Shared) {
+        let Some(path) = self.document.path().filter(|_| self.document.plan().is_none()) else { return };
+        let part = self.resume.saved.as_ref().filter(|saved| saved.plan.as_deref() == Some(path));
+        let folder = self.resume.watched.as_ref().filter(|watched| watched.plan == *path);
+        if std::mem::replace(&mut self.resume.is_told, part.is_some() || folder.is_some()) {
+            return;
+        }
+        if let Some(saved) = part {
+            shared.tell(Message::new("walk-page-part-waits").text("serial", &saved.serial));
+        }
+        if let Some(watched) = folder {
+            shared.tell(Message::new("walk-page-watch-waits").text("path", watched.folder.display()));
+        }
+    }
+
     /// Begins the interrupted part once its plan is there, and asks the journal for its values once that is open.
     pub(super) fn try_resume(&mut self, shared: &mut Shared) {
+        self.tell_waiting(shared);
         self.try_watch_again();
         let Some(saved) = &self.resume.saved else { return };
         let is_its = self.document.path() == saved.plan.as_deref();

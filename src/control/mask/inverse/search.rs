@@ -184,6 +184,8 @@ impl Ways<'_> {
         let rest = self.line.get(at..).unwrap_or_default();
         let most = format.digits.filter(|_| format.kind == Kind::Text).unwrap_or(usize::MAX);
         let columns = format.columns();
+        // Where tabs separate, none is within a text.
+        let ends_at_tab = matches!(self.pieces.get(piece + 1), Some(Piece::Literal(next)) if next.contains('\t'));
         let mut is_read = false;
         // The last piece reaches to the end of the line.
         let first = if piece + 1 == self.pieces.len() { rest.len() } else { 0 };
@@ -206,7 +208,8 @@ impl Ways<'_> {
                 continue;
             }
             let text = rest.get(..end).unwrap_or_default().trim_matches(BLANKS);
-            if most != usize::MAX && most < text.chars().count() || wants_text && text.is_empty() {
+            let is_long = most != usize::MAX && most < text.chars().count();
+            if is_long || wants_text && text.is_empty() || ends_at_tab && text.contains('\t') {
                 continue;
             }
             let start = at + (end - rest.get(..end).unwrap_or_default().trim_start_matches(BLANKS).len());
@@ -216,33 +219,42 @@ impl Ways<'_> {
     }
 }
 
-/// Where a literal text ends in a line that begins with it: a run of blanks matches any run, or the end of the line.
+/// Where a literal text ends in a line that begins with it: a run of blanks matches any run, or the end of the line; one with tabs
+/// matches as many tabs, since they tell fields apart that have blanks.
 fn literal_end(literal: &str, line: &str, is_first: bool) -> Option<usize> {
-    let literal = if is_first { literal.trim_start_matches(BLANKS) } else { literal };
-    if literal.is_empty() {
-        return Some(0);
-    }
+    let mut left = if is_first { literal.trim_start_matches(' ') } else { literal };
+    let is_blank = left.is_empty() || left.starts_with(BLANKS);
     // The width of the field before may have put blanks there.
-    let mut rest = if is_first || !literal.starts_with(' ') { line.trim_start_matches(BLANKS) } else { line };
-    let mut wants_blank = false;
-    for c in literal.chars() {
-        if c == ' ' {
-            wants_blank = true;
+    let mut rest = if is_blank { line } else { line.trim_start_matches(BLANKS) };
+    while let Some(c) = left.chars().next() {
+        let behind = left.trim_start_matches(BLANKS);
+        let run = left.get(..left.len() - behind.len()).unwrap_or_default();
+        if run.is_empty() {
+            rest = rest.strip_prefix(c)?;
+            left = left.get(c.len_utf8()..).unwrap_or_default();
             continue;
         }
-        if std::mem::take(&mut wants_blank) {
-            rest = behind_blanks(rest)?;
-        }
-        rest = rest.strip_prefix(c)?;
-    }
-    if wants_blank && !rest.is_empty() {
-        behind_blanks(rest)?;
-        // Further blanks may be those before the next literal text, with an empty text between them.
-        let own = literal.len() - literal.trim_end_matches(' ').len();
-        let found = rest.len() - rest.trim_start_matches(' ').len();
-        rest = rest.get(own.min(found).max(1)..)?;
+        let is_last = behind.is_empty();
+        rest = match run.matches('\t').count() {
+            0 if !is_last => behind_blanks(rest)?,
+            _ if is_last && rest.is_empty() => rest,
+            0 => {
+                behind_blanks(rest)?;
+                // Further blanks may be those before the next literal text, with an empty text between them.
+                let found = rest.len() - rest.trim_start_matches(' ').len();
+                rest.get(run.len().min(found).max(1)..)?
+            }
+            tabs if is_last => behind_tabs(rest, tabs)?,
+            tabs => behind_tabs(rest, tabs)?.trim_start_matches(' '),
+        };
+        left = behind;
     }
     Some(line.len() - rest.len())
+}
+
+/// What comes behind so many tabs and the blanks between them.
+fn behind_tabs(text: &str, tabs: usize) -> Option<&str> {
+    (0..tabs).try_fold(text, |rest, _| rest.trim_start_matches(' ').strip_prefix('\t'))
 }
 
 /// What comes behind at least one blank.

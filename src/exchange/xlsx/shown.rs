@@ -1,0 +1,80 @@
+//! The unit that a number format shows behind a number: a cell with 12 in it and the format `0.0" µm"` reads "12.0 µm" to whoever
+//! looks at the sheet. Codes of formats: ECMA-376-1, 18.8.31.
+
+use crate::exchange::units;
+
+/// What the sections of a format show beside the number and that may be a unit, each once.
+///
+/// A percent sign counts as one: 0.25 shows as 25 %.
+pub(super) fn unit(code: &str) -> Option<String> {
+    let mut units: Vec<String> = Vec::new();
+    for section in sections(code) {
+        for word in section.split_whitespace() {
+            let word = word.trim_matches(['[', ']', '(', ')']);
+            if (units::may_be_unit(word) || word == "%") && !units.iter().any(|known| known == word) {
+                units.push(word.to_owned());
+            }
+        }
+    }
+    (!units.is_empty()).then(|| units.join(", "))
+}
+
+/// The texts of the sections, without their figures.
+fn sections(code: &str) -> Vec<String> {
+    let mut sections = vec![String::new()];
+    let mut signs = code.chars();
+    while let Some(sign) = signs.next() {
+        let Some(text) = sections.last_mut() else { break };
+        match sign {
+            '"' => text.extend(signs.by_ref().take_while(|&sign| sign != '"')),
+            '\\' => text.extend(signs.next()),
+            // A blank as wide as a sign, and a sign that fills the cell.
+            '_' | '*' => {
+                signs.next();
+                text.push(' ');
+            }
+            // A condition, a colour, or a text with its language: [$mm-409].
+            '[' => {
+                let inside: String = signs.by_ref().take_while(|&sign| sign != ']').collect();
+                let literal =
+                    inside.strip_prefix('$').map_or("", |inside| inside.split('-').next().unwrap_or_default());
+                text.push_str(literal);
+            }
+            ';' => sections.push(String::new()),
+            '%' => text.push_str(" % "),
+            '\u{b5}' | '\u{3bc}' | '\u{2033}' => text.push(sign),
+            _ => text.push(' '),
+        }
+    }
+    sections
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn units_of_formats_are_found() {
+        for (code, expected) in [
+            ("General", None),
+            ("0.000", None),
+            ("#,##0.000;[Red]-#,##0.000", None),
+            ("0.000\" mm\"", Some("mm")),
+            ("0.0\" \u{b5}m\"", Some("\u{b5}m")),
+            ("0.0\\ \\\u{b5}\\m", Some("\u{b5}m")),
+            ("0.0000\\\"", Some("\"")),
+            ("0.0000\" in\"", Some("in")),
+            ("0.0[$ \u{b5}m-407]", Some("\u{b5}m")),
+            ("0.00%", Some("%")),
+            ("0.000\" thou\"", Some("thou")),
+            ("\"\u{d8} \"0.000", None),
+            ("0\" pcs\"", None),
+            ("0.000\" mm\";-0.000\" mm\"", Some("mm")),
+            ("[<1]0.0\" \u{b5}m\";0.000\" mm\"", Some("\u{b5}m, mm")),
+            ("\"", None),
+            ("[", None),
+        ] {
+            assert_eq!(unit(code).as_deref(), expected, "{code}");
+        }
+    }
+}
