@@ -207,12 +207,13 @@ impl Ways<'_> {
             if !may_end || self.has_failed(piece + 1, at + end) {
                 continue;
             }
-            let text = rest.get(..end).unwrap_or_default().trim_matches(BLANKS);
+            let whole = rest.get(..end).unwrap_or_default();
+            let text = whole.trim_matches(BLANKS);
             let is_long = most != usize::MAX && most < text.chars().count();
-            if is_long || wants_text && text.is_empty() || ends_at_tab && text.contains('\t') {
+            if is_long || wants_text && text.is_empty() || ends_at_tab && whole.contains('\t') {
                 continue;
             }
-            let start = at + (end - rest.get(..end).unwrap_or_default().trim_start_matches(BLANKS).len());
+            let start = at + (end - whole.trim_start_matches(BLANKS).len());
             is_read |= self.with((number, (start, start + text.len())), (piece + 1, at + end), values);
         }
         is_read
