@@ -6,7 +6,7 @@ use fitcheck::exchange::{Imported, import, sheet_rows};
 use super::shared::{NOW, OWN_SOURCES, told};
 
 /// The members of a workbook besides its sheet.
-const MEMBERS: [(&str, &str); 3] = [
+const MEMBERS: [(&str, &str); 4] = [
     (
         "_rels/.rels",
         r#"<Relationships><Relationship Id="a" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/officeDocument" Target="xl/workbook.xml"/></Relationships>"#,
@@ -15,6 +15,11 @@ const MEMBERS: [(&str, &str); 3] = [
     (
         "xl/_rels/workbook.xml.rels",
         r#"<Relationships><Relationship Id="a" Type="http://schemas.openxmlformats.org/officeDocument/2006/relationships/worksheet" Target="worksheets/sheet1.xml"/></Relationships>"#,
+    ),
+    // Cells with s="1" to s="4" show a unit or a percent sign.
+    (
+        "xl/styles.xml",
+        r#"<styleSheet><numFmts><numFmt numFmtId="164" formatCode="0.000&quot; mm&quot;"/><numFmt numFmtId="165" formatCode="0.0&quot; µm&quot;"/><numFmt numFmtId="166" formatCode="0.0000\&quot;"/></numFmts><cellXfs><xf numFmtId="0"/><xf numFmtId="164"/><xf numFmtId="165"/><xf numFmtId="166"/><xf numFmtId="10"/></cellXfs></styleSheet>"#,
     ),
 ];
 
