@@ -20,8 +20,8 @@ pub(super) struct Hidden {
     columns: Vec<(usize, usize)>,
     /// The row that the cells which follow are in, from 1.
     row: usize,
-    /// Whether it is hidden and not yet counted.
-    is_hidden: bool,
+    /// Whether that is hidden and not yet counted.
+    is_uncounted: bool,
 }
 
 impl Hidden {
@@ -30,10 +30,10 @@ impl Hidden {
         match start.name.as_str() {
             "row" => {
                 self.row = start.attribute("r").parse().unwrap_or(self.row.saturating_add(1));
-                self.is_hidden = is_true(start.attribute("hidden"));
+                self.is_uncounted = is_true(start.attribute("hidden"));
             }
             // A row of empty cells hides nothing.
-            "v" | "is" if std::mem::take(&mut self.is_hidden) => self.count(),
+            "v" | "is" if std::mem::take(&mut self.is_uncounted) => self.count(),
             "col" if is_true(start.attribute("hidden")) && self.columns.len() <= MOST_NAMED => {
                 let number = |name: &str| start.attribute(name).parse::<usize>().ok();
                 self.columns.extend(number("min").zip(number("max")));
