@@ -46,6 +46,8 @@ pub(super) struct Names {
     features: Vec<Earlier>,
     /// The positions of features by their names, by what their sizes may be called, and by their numbers.
     by_name: BTreeMap<String, usize>,
+    /// The same by their names as numbers: `01` is `1`.
+    as_number: BTreeMap<String, usize>,
     sizes: BTreeMap<String, usize>,
     numbers: BTreeMap<String, usize>,
 }
@@ -69,6 +71,7 @@ impl Names {
             self.sizes.entry(key(&called)).or_insert(at);
         }
         self.by_name.entry(key(&name)).or_insert(at);
+        self.as_number.entry(number_key(&name)).or_insert(at);
         if !number.is_empty() {
             self.numbers.entry(number_key(&number)).or_insert(at);
         }
@@ -110,13 +113,8 @@ impl Names {
         }
         let named = |key: &str| self.sizes.get(key).or_else(|| self.by_name.get(key));
         // A name such as 01 is that of the number 1, too.
-        let at = named(&key(number)).or_else(|| self.number_named(number));
+        let at = named(&key(number)).or_else(|| self.as_number.get(&number_key(number)));
         let Earlier { name, line, .. } = self.earlier(at)?;
         fault(PlanFault::NumberIsName { number: number.to_owned(), other: name.clone(), line: *line })
-    }
-
-    fn number_named(&self, number: &str) -> Option<&usize> {
-        let wanted = number_key(number);
-        self.by_name.iter().find(|(name, _)| number_key(name) == wanted).map(|(_, at)| at)
     }
 }
