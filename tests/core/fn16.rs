@@ -242,7 +242,7 @@ fn tabs_of_a_mask_separate_its_fields() {
     // With two texts side by side, too: as many tabs as the mask has, and no fewer.
     let two = "\"%9.4F\t%S\t%S\", Q153, QS2, QS3;";
     check(two, "  25.0100\t25 H7\tGOOD\n", &["1: 25 H7 25..25.021 25.01 GOOD"]);
-    check(two, "  25.0100\t\tGOOD\n", &["1:  25.01: no callout"]);
+    check(two, "  25.0100\t\tGOOD\n", &["1:  25.01: not judged: no limits given"]);
 }
 
 #[test]
