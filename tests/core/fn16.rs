@@ -245,6 +245,14 @@ fn tabs_of_a_mask_separate_its_fields() {
     check(two, "  25.0100\t\tGOOD\n", &["1:  25.01: not judged: no limits given"]);
 }
 
+/// Found by the fuzz target `fn16`: a text of which nothing is printed was taken for a hidden one.
+#[test]
+fn a_text_without_columns_is_not_a_hidden_one() {
+    let mask = "M_EMPTY_HIDE;\n\"REMARK %.S\", QS9;\nM_EMPTY_SHOW;\n\"IS %9.4F %S\", Q153, QS2;";
+    let printed = "REMARK \nIS   25.0100 25 H7\n";
+    check(mask, printed, &["1: 25 H7 25..25.021 25.01 GOOD"]);
+}
+
 #[test]
 fn one_of_several_masks_is_found() {
     let (a, b) = ("\"A %S: %9.4F\", QS2, Q153;", "\"B %S: %9.4F\", QS2, Q153;");

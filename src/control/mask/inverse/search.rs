@@ -133,7 +133,9 @@ impl Ways<'_> {
                 end.is_some_and(|end| self.from(piece + 1, at + end, values))
             }
             Some(Piece::Slot { number, format, is_text_parameter }) if format.is_text() => {
-                self.text((piece, at), *number, (format, *is_text_parameter && self.wants_texts), values)
+                // Of a text in no columns nothing is printed, empty or not.
+                let wants_text = *is_text_parameter && self.wants_texts && format.digits != Some(0);
+                self.text((piece, at), *number, (format, wants_text), values)
             }
             Some(Piece::Slot { number, format, .. }) => {
                 let touches = match pieces.get(piece + 1) {
