@@ -44,9 +44,9 @@ impl Claim {
         let small: String = word.to_lowercase().chars().filter(|c| c.is_alphanumeric()).collect();
         match small.as_str() {
             "ok" | "pass" | "passed" | "accept" | "accepted" | "conform" | "conforms" | "io" | "inordnung" | "oke"
-            | "akkoord" | "goedgekeurd" | "conforme" | "buono" => Some(Self::of(word, Status::Good)),
+            | "akkoord" | "goedgekeurd" | "conforme" => Some(Self::of(word, Status::Good)),
             "nok" | "notok" | "ng" | "fail" | "failed" | "reject" | "rejected" | "nio" | "nichtinordnung"
-            | "nietok" | "afgekeurd" | "nonconform" | "nonconforme" | "nonok" | "scarto" => Some(Self::out(word)),
+            | "nietok" | "afgekeurd" | "nonconform" | "nonconforme" | "nonok" => Some(Self::out(word)),
             _ => None,
         }
     }

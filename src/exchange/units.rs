@@ -170,9 +170,10 @@ pub(super) fn known(token: &str) -> Option<Unit> {
     }
 }
 
-/// Whether a word behind a number is a unit of length, one that is read or another.
-pub(super) fn may_be_unit(word: &str) -> bool {
-    known(word).is_some() || is_foreign(&word.to_lowercase())
+/// Whether a word beside a number is a unit of length, one that is read or another. With `is_behind` it is the only one behind the
+/// number: "in" is a unit there alone.
+pub(super) fn may_be_unit(word: &str, is_behind: bool) -> bool {
+    (is_behind || !is_also_a_word(word)) && (known(word).is_some() || is_foreign(&word.to_lowercase()))
 }
 
 /// `"`, and what word processors make of it.

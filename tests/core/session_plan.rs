@@ -182,7 +182,11 @@ fn a_pasted_header_with_a_name_that_no_plan_has_is_a_header_all_the_same() {
     plan(&mut session, PlanCommand::Paste("name\tcolour\tcallout\nN1\tred\t12 H8\n".to_owned()));
     let row = &draft(&session).rows[0];
     assert_eq!([Column::Name, Column::Callout].map(|column| row.text(column).unwrap()), ["N1", "12 H8"]);
-    assert_eq!(said(&session.notices()[0].message), "columns that a plan does not have were left out: colour");
+    assert_eq!(said(&session.notices()[0].message), "Pasted columns that a plan does not have were left out: colour");
+    // A column without a name that holds something is told all the same.
+    plan(&mut session, PlanCommand::Paste("name\tcolour\tcallout\t\nN1\tred\t12 H8\tx\n".to_owned()));
+    let told: Vec<String> = session.notices().iter().map(|notice| said(&notice.message)).collect();
+    assert!(told.iter().any(|text| text.starts_with("One pasted column was left out")), "{told:?}");
 }
 
 #[test]

@@ -425,6 +425,22 @@ fn a_unit_that_the_number_format_shows_counts() {
 }
 
 #[test]
+fn cells_without_a_style_of_their_own_show_the_unit_of_the_plain_one() {
+    let row = |name: &str, style: &str, value: &str| {
+        format!("<row><c t=\"str\"><v>{name}</v></c><c t=\"str\"><v>25 H7</v></c><c{style}><v>{value}</v></c></row>")
+    };
+    let rows = [row("A", "", "25010"), row("B", " s=\"1\"", "25.01"), row("C", " s=\"2\"", "25012")].concat();
+    let sheet = sheet(&[HEADER]).replace("</sheetData>", &format!("{rows}</sheetData>"));
+    let unit = "formatCode=\"0.0&quot; \u{b5}m&quot;\"";
+    let styles = format!(
+        "<styleSheet><numFmts><numFmt numFmtId=\"164\" {unit}/></numFmts><cellXfs><xf numFmtId=\"164\"/><xf numFmtId=\"2\"/><xf numFmtId=\"164\"/></cellXfs></styleSheet>"
+    );
+    let imported = read(&book(&sheet, &[("xl/styles.xml", styles.as_bytes())]));
+    let measured: Vec<String> = imported.records.iter().map(|record| record.measurement.diameter.to_string()).collect();
+    assert_eq!(measured, ["25.01", "25.01", "25.012"], "{:?}", errors(&imported));
+}
+
+#[test]
 fn hidden_rows_and_columns_are_read_and_told() {
     let sheet = sheet(&[HEADER, &["A", "25 H7", "25.01"], &["B", "25 H7", "25.05"], &["C", "25 H7", "25.02"]]);
     let cols =
@@ -443,4 +459,13 @@ fn hidden_rows_and_columns_are_read_and_told() {
             "line 1: hidden columns are read like the others: C",
         ]
     );
+    // A sheet is found by its name, whatever signs that has.
+    let named = BOOK.replace("name=\"S\"", "name=\"A &amp; B \"");
+    let named = zipped(&[
+        ("_rels/.rels", RELS.as_bytes()),
+        ("xl/workbook.xml", named.as_bytes()),
+        ("xl/_rels/workbook.xml.rels", BOOK_RELS.as_bytes()),
+        ("xl/worksheets/sheet1.xml", sheet.as_bytes()),
+    ]);
+    assert_eq!(warnings(&read(&named)).len(), 2);
 }

@@ -131,7 +131,7 @@ parts-page-opened = { $count ->
    *[other] { $name } is opened, and { $count } things of it are not taken over
 }
 parts-page-pasted-twice = A pasted column was left out: the first row names { $keys } more than once, and the first one counts
-parts-page-pasted-unknown = columns that a plan does not have were left out: { $names }
+parts-page-pasted-unknown = Pasted columns that a plan does not have were left out: { $names }
 parts-page-pasted-nameless = { $count ->
     [one] One pasted column was left out: the first row has no name above it
    *[other] { $count } pasted columns were left out: the first row has no names above them

@@ -131,7 +131,7 @@ parts-page-opened = { $count ->
    *[other] { $name } is geopend, en { $count } dingen ervan zijn niet overgenomen
 }
 parts-page-pasted-twice = Een geplakte kolom is weggelaten: de eerste rij noemt { $keys } meer dan eens, en de eerste telt
-parts-page-pasted-unknown = kolommen die een plan niet heeft, zijn weggelaten: { $names }
+parts-page-pasted-unknown = Geplakte kolommen die een plan niet heeft, zijn weggelaten: { $names }
 parts-page-pasted-nameless = { $count ->
     [one] Eén geplakte kolom is weggelaten: de eerste rij heeft er geen naam boven
    *[other] { $count } geplakte kolommen zijn weggelaten: de eerste rij heeft er geen namen boven

@@ -1,9 +1,8 @@
 //! Workbooks of spreadsheets (XLSX): the rows of a sheet, read as those of a CSV.
 //!
 //! `package` looks at the file before anything is made of it, `sheet` makes texts of cells, with the unit that a number format shows
-//! (`shown`); `hidden` is what nobody sees of a sheet. Formulas count by the value that is
-//! stored with them. Of merged cells the first one holds the value, as in the file: a callout over several rows is that of the
-//! first row, and the others are not judged.
+//! (`shown`); `hidden` is what nobody sees of a sheet. Formulas count by the value that is stored with them. Of merged cells the first
+//! one holds the value, as in the file: a callout over several rows is that of the first row, and the others are not judged.
 
 mod hidden;
 mod package;
@@ -25,6 +24,7 @@ use super::measurements::Cells;
 use super::sizes::SizesOf;
 use super::source::{Beginning, Body, Context, Source};
 use crate::message::Place;
+use hidden::Hidden;
 use package::Seen;
 use sheet::{FORMULA, Rows, UnitsShown};
 
@@ -120,7 +120,7 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
     let has_plan = source.given.has_plan;
     let (mut workbook, seen) = open(source)?;
     let names = names(&workbook);
-    let (chosen, columns) = choose(&mut workbook, &names, mapping.unwrap_or(&detects))?;
+    let Chosen { sheet: chosen, columns, units } = choose(&mut workbook, &names, mapping.unwrap_or(&detects))?;
     let left = names.iter().filter(|name| **name != chosen).map(|name| shorten(name)).collect::<Vec<_>>().join(", ");
     if !left.is_empty() {
         let kind = ImportWarningKind::SheetsLeft { sheet: shorten(&chosen), left: shorten(&left) };
@@ -129,14 +129,13 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
     if is_hidden(&workbook, &chosen) {
         sink.warn(Place::line(1), None, ImportWarningKind::SheetHidden { sheet: shorten(&chosen) });
     }
-    let hidden = seen.hidden(&chosen).cloned().unwrap_or_default();
-    if let Some((count, rows)) = hidden.rows() {
+    let hidden = seen.hidden(&chosen);
+    if let Some((count, rows)) = hidden.and_then(Hidden::rows) {
         sink.warn(Place::line(1), None, ImportWarningKind::RowsHidden { count, rows });
     }
-    if let Some(columns) = hidden.columns(columns.count) {
+    if let Some(columns) = hidden.and_then(|hidden| hidden.columns(columns.count)) {
         sink.warn(Place::line(1), None, ImportWarningKind::ColumnsHidden { columns });
     }
-    let units = units(&mut workbook, &chosen)?;
     let mut rows = rows(&mut workbook, &chosen, &units)?;
     read_rows(&mut rows, (&context, &columns, &chosen, has_plan), sink, sizes)
 }
@@ -153,12 +152,15 @@ fn names(workbook: &Workbook<'_>) -> Vec<String> {
     names
 }
 
+/// The sheet that is read.
+struct Chosen {
+    sheet: String,
+    columns: Columns,
+    units: UnitsShown,
+}
+
 /// The first sheet with callouts and measured values; else the first one with measured values.
-fn choose(
-    workbook: &mut Workbook<'_>,
-    names: &[String],
-    mapping: &Mapping,
-) -> Result<(String, Columns), ImportErrorKind> {
+fn choose(workbook: &mut Workbook<'_>, names: &[String], mapping: &Mapping) -> Result<Chosen, ImportErrorKind> {
     let mut second_best = None;
     let mut reason = None;
     if let Some(given) = mapping.sheet().filter(|sheet| !names.iter().any(|name| name == sheet)) {
@@ -166,15 +168,22 @@ fn choose(
         return Err(ImportErrorKind::NoSheet { given: shorten(given), sheets: shorten(&sheets) });
     }
     for name in names.iter().filter(|name| mapping.sheet().is_none_or(|sheet| sheet == name.as_str())) {
-        let (sample, sampled) = sample(workbook, name);
+        let mut units = UnitsShown::default();
+        let (sample, sampled) = sample(workbook, name, &mut units);
         let columns = match sampled {
             Err(error) if sample.is_empty() => Err(error),
             // Where there are rows before a fault, they tell.
             _ => mapping.columns(&mut Sample::of_cells(sample.into_iter())),
         };
         match columns {
-            Ok(columns) if columns.tolerance.is_some() => return Ok((name.clone(), columns)),
-            Ok(columns) => second_best = second_best.or(Some((name.clone(), columns))),
+            Ok(columns) => {
+                let is_best = columns.tolerance.is_some();
+                let chosen = Chosen { sheet: name.clone(), columns, units };
+                if is_best {
+                    return Ok(chosen);
+                }
+                second_best = second_best.or(Some(chosen));
+            }
             Err(ImportErrorKind::NoRows) => {}
             Err(error) => {
                 let cell = shorten(name);
@@ -185,11 +194,16 @@ fn choose(
     second_best.ok_or(reason.unwrap_or(ImportErrorKind::NoRows))
 }
 
-/// The first rows of a sheet, and what went wrong behind them.
-fn sample(workbook: &mut Workbook<'_>, sheet: &str) -> (Vec<(usize, StringRecord)>, Result<(), ImportErrorKind>) {
+/// The first rows of a sheet, and what went wrong behind them; the units that its number formats show go into `shown`.
+fn sample(
+    workbook: &mut Workbook<'_>,
+    sheet: &str,
+    shown: &mut UnitsShown,
+) -> (Vec<(usize, StringRecord)>, Result<(), ImportErrorKind>) {
     let mut sample = Vec::new();
     let sampled = units(workbook, sheet).and_then(|units| {
-        let mut rows = rows(workbook, sheet, &units)?;
+        *shown = units;
+        let mut rows = rows(workbook, sheet, shown)?;
         while sample.len() < SAMPLE
             && let Some(row) = calm(|| rows.next())?
         {
@@ -207,10 +221,10 @@ fn sample(workbook: &mut Workbook<'_>, sheet: &str) -> (Vec<(usize, StringRecord
 pub(super) fn samples(source: &mut Source<'_>) -> Result<(Sheets, usize), ImportErrorKind> {
     let (mut workbook, _seen) = open(source)?;
     let names = names(&workbook);
-    let chosen = choose(&mut workbook, &names, &Mapping::default()).map(|(name, _)| name).ok();
+    let chosen = choose(&mut workbook, &names, &Mapping::default()).map(|chosen| chosen.sheet).ok();
     let mut sheets = Sheets::new();
     for name in names.into_iter().take(MOST_SHEETS) {
-        let (rows, _) = sample(&mut workbook, &name);
+        let (rows, _) = sample(&mut workbook, &name, &mut UnitsShown::default());
         if !rows.is_empty() || chosen.as_ref() == Some(&name) {
             sheets.push((name, rows));
         }

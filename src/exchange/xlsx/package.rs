@@ -64,10 +64,9 @@ pub(super) struct Seen {
 impl Seen {
     /// What a sheet hides.
     pub(super) fn hidden(&self, sheet: &str) -> Option<&Hidden> {
-        let find = |list: &'_ [(String, String)], name: &str| {
-            list.iter().find(|(own, _)| own == name).map(|(_, value)| value.clone())
-        };
-        let target = plain(&find(&self.targets, &find(&self.sheets, sheet)?)?);
+        let (_, id) = self.sheets.iter().find(|(name, _)| name == sheet.trim())?;
+        let (_, target) = self.targets.iter().find(|(own, _)| own == id)?;
+        let target = plain(target);
         let is_it = |member: &str| member == target || member.strip_suffix(&target).is_some_and(|at| at.ends_with('/'));
         self.hidden.iter().find(|(member, _)| is_it(member)).map(|(_, hidden)| hidden)
     }

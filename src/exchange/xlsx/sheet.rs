@@ -129,7 +129,10 @@ impl UnitsShown {
             }
             let runs = all.runs.entry(at).or_default();
             match runs.last_mut() {
-                Some((_, last, own)) if *own == style && last.checked_add(1) == Some(row) => *last = row,
+                // Other styles of a table, such as those of every second row, may show the same unit.
+                Some((_, last, own)) if shown.get(*own) == shown.get(style) && last.checked_add(1) == Some(row) => {
+                    *last = row;
+                }
                 _ => {
                     count += 1;
                     if MOST_RUNS < count {

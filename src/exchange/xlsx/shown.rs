@@ -3,15 +3,22 @@
 
 use crate::exchange::units;
 
+/// Stands for the figures in the text of a section.
+const FIGURES: &str = "0";
+
+/// What people put around a unit.
+const BRACKETS: [char; 4] = ['[', ']', '(', ')'];
+
 /// What the sections of a format show beside the number and that may be a unit, each once.
 ///
 /// A percent sign counts as one: 0.25 shows as 25 %.
 pub(super) fn unit(code: &str) -> Option<String> {
     let mut units: Vec<String> = Vec::new();
     for section in sections(code) {
-        for word in section.split_whitespace() {
-            let word = word.trim_matches(['[', ']', '(', ')']);
-            if (units::may_be_unit(word) || word == "%") && !units.iter().any(|known| known == word) {
+        let words: Vec<&str> = section.split_whitespace().map(|word| word.trim_matches(BRACKETS)).collect();
+        for (at, &word) in words.iter().enumerate() {
+            let is_behind = matches!(words.get(..at), Some([.., FIGURES])) && at + 1 == words.len();
+            if (units::may_be_unit(word, is_behind) || word == "%") && !units.iter().any(|known| known == word) {
                 units.push(word.to_owned());
             }
         }
@@ -19,7 +26,7 @@ pub(super) fn unit(code: &str) -> Option<String> {
     (!units.is_empty()).then(|| units.join(", "))
 }
 
-/// The texts of the sections, without their figures.
+/// The texts of the sections, with [`FIGURES`] where their number stands.
 fn sections(code: &str) -> Vec<String> {
     let mut sections = vec![String::new()];
     let mut signs = code.chars();
@@ -43,6 +50,9 @@ fn sections(code: &str) -> Vec<String> {
             ';' => sections.push(String::new()),
             '%' => text.push_str(" % "),
             '\u{b5}' | '\u{3bc}' | '\u{2033}' => text.push(sign),
+            '0' | '#' | '?' if text.ends_with(&format!(" {FIGURES} ")) => {}
+            '0' | '#' | '?' => text.push_str(&format!(" {FIGURES} ")),
+            '.' | ',' => {}
             _ => text.push(' '),
         }
     }
@@ -69,6 +79,10 @@ mod tests {
             ("0.000\" thou\"", Some("thou")),
             ("\"\u{d8} \"0.000", None),
             ("0\" pcs\"", None),
+            ("0.000\" in stock\"", None),
+            ("\"measured in \"0.000", None),
+            ("\"\u{d8} in mm \"0.000", Some("mm")),
+            ("#,##0.000 [$in]", Some("in")),
             ("0.000\" mm\";-0.000\" mm\"", Some("mm")),
             ("[<1]0.0\" \u{b5}m\";0.000\" mm\"", Some("\u{b5}m, mm")),
             ("\"", None),

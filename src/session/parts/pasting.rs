@@ -32,9 +32,7 @@ impl PartsPage {
         }
         let mut rows = paste::cells(text);
         let named = paste::header(&rows);
-        if named.is_some() {
-            rows.remove(0);
-        }
+        let names = if named.is_some() { rows.remove(0) } else { Vec::new() };
         let row = *self.sheet.selected_rows().start();
         let is_named = named.is_some();
         let paste::Header { columns, twice, unknown } =
@@ -54,8 +52,10 @@ impl PartsPage {
         let wide = rows.iter().map(Vec::len).max().unwrap_or_default();
         let nowhere = |at: &usize| columns.get(*at).is_none_or(Option::is_none);
         let has_text = |at: &usize| rows.iter().any(|row| row.get(*at).is_some_and(|cell| !cell.trim().is_empty()));
-        // A column without a name is one that is meant to be left out, unless it holds something.
-        let lost_columns = (0..wide).filter(nowhere).filter(|at| !is_named || has_text(at)).count();
+        // A column without a name is one that is meant to be left out, unless it holds something; those with a name are told by it.
+        let is_nameless = |at: &usize| names.get(*at).is_none_or(|name| name.trim().is_empty());
+        let is_lost = |at: &usize| nowhere(at) && (!is_named || is_nameless(at) && has_text(at));
+        let lost_columns = (0..wide).filter(is_lost).count();
         rows.truncate(rows.len().saturating_sub(lost_rows));
         let block = (rows.len(), wide.min(columns.len()));
         self.document.change(sources, |draft| {
@@ -80,14 +80,15 @@ impl PartsPage {
             shared.tell(message.count("most", MOST_FEATURES));
         }
         if !twice.is_empty() {
-            let keys: Vec<&str> = twice.iter().copied().map(Column::key).collect();
+            let keys: Vec<&str> = twice.into_iter().map(Column::key).collect();
             shared.tell(Message::new("parts-page-pasted-twice").text("keys", keys.join(", ")));
         }
         if !unknown.is_empty() {
             shared.tell(
                 Message::new("parts-page-pasted-unknown").text("names", shortened(&unknown.join(", "), MOST_NAMES)),
             );
-        } else if twice.is_empty() && 0 < lost_columns {
+        }
+        if 0 < lost_columns {
             let id = if is_named { "parts-page-pasted-nameless" } else { "parts-page-pasted-columns" };
             shared.tell(Message::new(id).count("count", lost_columns));
         }

@@ -33,7 +33,7 @@ pub(super) struct Resume {
     is_asked: bool,
     /// The folder that is to be watched again.
     pub(super) watched: Option<SavedWatch>,
-    /// Whether it was told that both wait for a plan without mistakes.
+    /// Whether it was told that both wait for a plan without faults.
     is_told: bool,
 }
 
@@ -71,7 +71,7 @@ impl PartsPage {
         }
     }
 
-    /// Tells once what waits because its plan has mistakes now.
+    /// Tells once what waits because its plan has faults now.
     fn tell_waiting(&mut self, shared: &mut Shared) {
         let Some(path) = self.document.path().filter(|_| self.document.plan().is_none()) else { return };
         let part = self.resume.saved.as_ref().filter(|saved| saved.plan.as_deref() == Some(path));

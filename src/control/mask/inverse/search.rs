@@ -133,9 +133,7 @@ impl Ways<'_> {
                 end.is_some_and(|end| self.from(piece + 1, at + end, values))
             }
             Some(Piece::Slot { number, format, is_text_parameter }) if format.is_text() => {
-                // Of a text in no columns nothing is printed, empty or not.
-                let wants_text = *is_text_parameter && self.wants_texts && format.digits != Some(0);
-                self.text((piece, at), *number, (format, wants_text), values)
+                self.text((piece, at), *number, (format, *is_text_parameter && self.wants_texts), values)
             }
             Some(Piece::Slot { number, format, .. }) => {
                 let touches = match pieces.get(piece + 1) {
@@ -212,7 +210,9 @@ impl Ways<'_> {
             let whole = rest.get(..end).unwrap_or_default();
             let text = whole.trim_matches(BLANKS);
             let is_long = most != usize::MAX && most < text.chars().count();
-            if is_long || wants_text && text.is_empty() || ends_at_tab && whole.contains('\t') {
+            // Of a text in no columns nothing is printed, empty or not.
+            let is_missing = wants_text && 0 < most && text.is_empty();
+            if is_long || is_missing || ends_at_tab && whole.contains('\t') {
                 continue;
             }
             let start = at + (end - whole.trim_start_matches(BLANKS).len());
