@@ -253,6 +253,16 @@ fn a_text_without_columns_is_not_a_hidden_one() {
     check(mask, printed, &["1: 25 H7 25..25.021 25.01 GOOD"]);
 }
 
+/// Found by the fuzz target `fn16`: the blank behind a number on the left of its width was taken for that of the mask, and the other
+/// one for the text.
+#[test]
+fn blanks_that_fill_up_a_number_belong_to_it() {
+    let mask = "\"%-3D %6.6S IS %-9.4F %5.5S\", Q1, QS2, Q153, QS3;";
+    let expected = ["1: 25 H7 25..25.021 25.01 GOOD"];
+    check(mask, "7   25 H7  IS 25.0100   GOOD \n", &expected);
+    check(mask, "7 25 H7  IS 25.0100 GOOD\n", &expected);
+}
+
 #[test]
 fn one_of_several_masks_is_found() {
     let (a, b) = ("\"A %S: %9.4F\", QS2, Q153;", "\"B %S: %9.4F\", QS2, Q153;");

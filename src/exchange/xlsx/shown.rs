@@ -4,7 +4,7 @@
 use crate::exchange::units;
 
 /// Stands for the figures in the text of a section.
-const FIGURES: &str = "0";
+const FIGURES: &str = " 0 ";
 
 /// What people put around a unit.
 const BRACKETS: [char; 4] = ['[', ']', '(', ')'];
@@ -17,7 +17,7 @@ pub(super) fn unit(code: &str) -> Option<String> {
     for section in sections(code) {
         let words: Vec<&str> = section.split_whitespace().map(|word| word.trim_matches(BRACKETS)).collect();
         for (at, &word) in words.iter().enumerate() {
-            let is_behind = matches!(words.get(..at), Some([.., FIGURES])) && at + 1 == words.len();
+            let is_behind = words.get(..at).and_then(<[_]>::last) == Some(&FIGURES.trim()) && at + 1 == words.len();
             if (units::may_be_unit(word, is_behind) || word == "%") && !units.iter().any(|known| known == word) {
                 units.push(word.to_owned());
             }
@@ -50,8 +50,8 @@ fn sections(code: &str) -> Vec<String> {
             ';' => sections.push(String::new()),
             '%' => text.push_str(" % "),
             '\u{b5}' | '\u{3bc}' | '\u{2033}' => text.push(sign),
-            '0' | '#' | '?' if text.ends_with(&format!(" {FIGURES} ")) => {}
-            '0' | '#' | '?' => text.push_str(&format!(" {FIGURES} ")),
+            '0' | '#' | '?' if text.ends_with(FIGURES) => {}
+            '0' | '#' | '?' => text.push_str(FIGURES),
             '.' | ',' => {}
             _ => text.push(' '),
         }

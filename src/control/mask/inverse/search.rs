@@ -142,7 +142,10 @@ impl Ways<'_> {
                     None => false,
                 };
                 number_end(rest, format.decimals().unwrap_or_default(), touches).is_some_and(|(start, end)| {
-                    self.with((*number, (at + start, at + end)), (piece + 1, at + end), values)
+                    let value = (*number, (at + start, at + end));
+                    let padded = at + end + padding(format, (start, end), rest);
+                    // Whoever edits a print may take the padding out.
+                    self.with(value, (piece + 1, padded), values) || self.with(value, (piece + 1, at + end), values)
                 })
             }
         };
@@ -220,6 +223,13 @@ impl Ways<'_> {
         }
         is_read
     }
+}
+
+/// How many blanks behind a number fill up its width, where it stands on the left of that.
+fn padding(format: &Format, (start, end): (usize, usize), rest: &str) -> usize {
+    let behind = rest.get(end..).unwrap_or_default();
+    let blanks = behind.len() - behind.trim_start_matches(' ').len();
+    if format.left { format.width.saturating_sub(end - start).min(blanks) } else { 0 }
 }
 
 /// Where a literal text ends in a line that begins with it: a run of blanks matches any run, or the end of the line; one with tabs
