@@ -77,7 +77,8 @@ Examples:
   fitcheck batch bores.parquet -o verdicts.parquet
   zcat bores.csv.gz | fitcheck batch - --format jsonl | head
 
-The exit code is that of the worst verdict; it is 1 where any row could not be judged.",
+The exit code is that of the worst verdict; it is 1 where any row could not be judged, and 14 (judged, but look first: see \
+fitcheck --help) instead of 0 or 10 where something stands against a verdict.",
         ADDED.join(",")
     )
 }

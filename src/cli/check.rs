@@ -36,7 +36,8 @@ const EXAMPLES: &str = "Examples:
   fitcheck check \"25 h6\" --simulate --seed 7
   fitcheck check \"25 H7\" --measured 25.0195 --rule iso14253-2017 --u 1.2
 
-Exit codes: 0 good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage.";
+Exit codes: 0 good, 10 rework, 11 scrap, 12 re-measure,
+14 judged, but look first (see fitcheck --help), 1 bad data, 2 wrong usage.";
 
 /// Judge one measured value and print the control's status window
 #[derive(Debug, clap::Args)]

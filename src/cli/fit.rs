@@ -62,8 +62,8 @@ JSON of a search:
   nearest       where nothing fits: candidate, below_um, above_um
 What there is not is null. CSV has the same names, joined with _ where one lies within another.
 
-Exit codes: the worse of the measured parts, 0 good, 10 rework, 11 scrap; 1 bad data, 2 wrong
-usage. A search that finds nothing names the nearest miss and ends with 0.";
+Exit codes: the worse of the measured parts, 0 good, 10 rework, 11 scrap, 14 look
+first (see fitcheck --help); 1 bad data, 2 wrong usage. A search that finds nothing names the nearest miss and ends with 0.";
 
 /// Show the fit of a hole and a shaft such as "25 H7/g6", or find classes for a clearance
 #[derive(Debug, clap::Args)]

@@ -9,6 +9,7 @@ use std::path::{Path, PathBuf};
 
 use jiff::civil::DateTime;
 
+use super::admitted::Admits as _;
 use super::judging::{Judge, JudgeArgs};
 use super::measured::{Hashing, Measured};
 use super::parts::PlanParts;
@@ -104,8 +105,9 @@ Examples:
   fitcheck import bores.csv --rule iso14253-2017 --u 1.2 --format csv
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
-it is 1 if any row or file could not be used or judged. With --plan it is that of the worst part, by the last value of \
-each feature, and 1 if none is worse than good but features of a part have no value or a simulated one. Features without \
+it is 1 if any row or file could not be used or judged, and 14 (judged, but look first: see fitcheck --help) instead of 0, 10 or 12 \
+if something stands against a verdict. With --plan it is that of the worst part, by the last value of \
+each feature, and 1 if none is worse than good but features of a part have no value. Features without \
 a value are named at the end; in CSV and JSON each is a row with the plan as its file. \
 Files may have any size that a disk holds, but a log of points, a pipe and a .dfx that is read beside its .dfd have up to \
 {largest} MiB, and a sheet of a workbook unpacks to at most 512 MiB. \
@@ -242,6 +244,9 @@ impl Import<'_> {
     /// Counts a row and prints it.
     fn row(&mut self, row: &Row, io: &mut Io<'_>) {
         self.tally.count(row);
+        if row.wants_a_look {
+            io.look_first();
+        }
         if self.printed.is_ok() {
             self.printed = self.printer.row(row, io);
         }
@@ -321,12 +326,15 @@ fn read(
     Some(hashing.end())
 }
 
-/// Warns about the whole file; warnings about a row are beside the row.
+/// Warns about the whole file; warnings about a row are beside the row, and count with it.
 pub(super) fn warn(path: &Path, item: &Item, io: &mut Io<'_>) {
     if let Item::Warning(warning) = item
         && warning.what.row.is_none()
     {
         let line = warning.place.line.unwrap_or(1);
+        if warning.what.kind.wants_a_look() {
+            io.look_first();
+        }
         io.tell(format_args!("{}:{line}: {}", path.display(), said::warning(&warning.what.kind)));
     }
 }

@@ -5,9 +5,10 @@ use std::io::{BufRead, BufReader, BufWriter, IsTerminal as _, Read as _, Write};
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use super::admitted::Admits;
 use super::progress::{Line, Work};
 use super::said::{CliRemark, CliWarning, about, remark, warning};
-use super::{CliError, Refused as _, What};
+use super::{CliError, Outcome, Refused as _, What};
 use crate::control::deviations;
 use crate::exchange::contacts;
 use crate::files::{self, FileError};
@@ -31,12 +32,14 @@ pub struct Io<'a> {
     line: Option<Line>,
     /// Whether answers come to a terminal, where the line would stand among them.
     is_terminal: bool,
+    /// Whether something was told that asks somebody to look before the answers count.
+    wants_a_look: bool,
 }
 
 impl<'a> Io<'a> {
     /// Standard input, standard output (buffered) and standard error.
     pub fn new(input: &'a mut (dyn BufRead + Send), out: &'a mut (dyn Write + Send), err: &'a mut dyn Write) -> Self {
-        Self { input, out: Tame { out }, err, files: None, line: None, is_terminal: false }
+        Self { input, out: Tame { out }, err, files: None, line: None, is_terminal: false, wants_a_look: false }
     }
 
     /// Runs with the process's own streams.
@@ -80,7 +83,7 @@ impl<'a> Io<'a> {
 
     /// Standard input, output and error for workers that read and write in turns.
     pub(super) fn streams(&mut self) -> (&mut (dyn BufRead + Send), &mut (dyn Write + Send), Listener<'_>) {
-        (self.input, self.out.out, Listener(self.err))
+        (self.input, self.out.out, Listener { err: self.err, wants_a_look: &mut self.wants_a_look })
     }
 
     /// From here on what is told stands above the line of a work.
@@ -103,7 +106,7 @@ impl<'a> Io<'a> {
     /// Writes a line to standard error. It is not an error if nobody listens there or nothing more fits: the answer and
     /// the exit code stand without it.
     pub(super) fn tell(&mut self, line: impl Display) {
-        let mut listener = Listener(self.err);
+        let mut listener = Listener { err: self.err, wants_a_look: &mut self.wants_a_look };
         match &self.line {
             Some(shown) => shown.beside(|| listener.tell(line)),
             None => listener.tell(line),
@@ -116,14 +119,26 @@ impl<'a> Io<'a> {
         heard_or_not(written.and_then(|()| writeln!(self.data())))
     }
 
-    /// Prints a warning.
-    pub(super) fn warn(&mut self, what: &impl Say) {
+    /// Prints a warning. Whether somebody has to look first is decided with its kind.
+    pub(super) fn warn(&mut self, what: &impl Admits) {
+        self.wants_a_look |= what.wants_a_look();
         self.tell(warning(what));
     }
 
     /// Prints a warning about something: a file, a part.
-    pub(super) fn warn_about(&mut self, name: &(impl IntoArg + ?Sized), what: &impl Say) {
+    pub(super) fn warn_about(&mut self, name: &(impl IntoArg + ?Sized), what: &impl Admits) {
+        self.wants_a_look |= what.wants_a_look();
         self.tell(warning(&about(name, what)));
+    }
+
+    /// Something was told that asks somebody to look before the answers count.
+    pub(super) fn look_first(&mut self) {
+        self.wants_a_look = true;
+    }
+
+    /// What the exit code must admit of all that was told.
+    pub(super) const fn admitted(&self) -> Outcome {
+        if self.wants_a_look { Outcome::LookFirst } else { Outcome::Done }
     }
 
     /// Prints a remark.
@@ -143,12 +158,20 @@ struct Tame<'a> {
 }
 
 /// Standard error, while the other streams are in use.
-pub(super) struct Listener<'a>(&'a mut dyn Write);
+pub(super) struct Listener<'a> {
+    err: &'a mut dyn Write,
+    wants_a_look: &'a mut bool,
+}
 
 impl Listener<'_> {
     /// As [`Io::tell`].
     pub(super) fn tell(&mut self, line: impl Display) {
-        let _unheard = writeln!(self.0, "{}", tame(&line.to_string()));
+        let _unheard = writeln!(self.err, "{}", tame(&line.to_string()));
+    }
+
+    /// As [`Io::look_first`].
+    pub(super) fn look_first(&mut self) {
+        *self.wants_a_look = true;
     }
 }
 

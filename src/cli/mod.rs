@@ -1,12 +1,13 @@
 //! The command line: one file per subcommand, each a short walk through the rooms.
 //!
-//! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage, 130 stopped by Ctrl+C. A closed
-//! pipe ends the program quietly. Nothing here needs a display.
+//! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 14 judged, but look first, 1 bad data, 2 wrong usage, 130 stopped by
+//! Ctrl+C. [`Outcome::worse`] ranks them. A closed pipe ends the program quietly. Nothing here needs a display.
 //!
 //! A new subcommand is a file with its `Args`, a `mod` line and a line in the table `subcommands!`. They share:
 //!
 //! | file | what |
 //! |---|---|
+//! | `admitted` | what a run must admit by its exit code |
 //! | `args` | arguments of several subcommands: format, tables, dialogue language |
 //! | `io` | the standard streams, reading and saving files |
 //! | `progress` | how far something long has come, and its end by Ctrl+C |
@@ -37,6 +38,7 @@ macro_rules! subcommands {
     };
 }
 
+mod admitted;
 mod answers;
 mod args;
 mod batch;
@@ -94,7 +96,12 @@ pub struct Cli {
     command: Option<Command>,
 }
 
-const EXIT_CODES: &str = "Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 1 bad data, 2 wrong usage, 130 stopped by Ctrl+C.";
+const EXIT_CODES: &str = "\
+Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 14 judged, but look first, 1 bad data, 2 wrong usage, 130 stopped by Ctrl+C.
+
+14 takes the place of 0, 10 and 12: everything has an answer, yet something stands against it (the file's own status, another value of the \
+same feature, a value that may be another quantity, nobody measured) or something measured was left out of it (another sheet, a file with \
+the bytes of another). Standard error says what. With scrap the exit code stays 11, with bad data 1.";
 
 subcommands! {
     Limits(limits::Args),
@@ -124,6 +131,8 @@ enum Outcome {
     Done,
     /// Judged: the worst status.
     Judged(Status),
+    /// Judged, but look first: something stands against the answer, or something measured was left out of it.
+    LookFirst,
     /// Some of the data could not be used; the rest was answered.
     BadData,
     /// Ctrl+C ended it: what was answered until then stays.
@@ -138,9 +147,28 @@ impl Outcome {
             Self::Judged(Status::Rework) => 10,
             Self::Judged(Status::Scrap) => 11,
             Self::Judged(Status::ReMeasure) => 12,
+            Self::LookFirst => 14,
             Self::BadData => 1,
             // As every shell says it of a program that SIGINT has ended.
             Self::Stopped => 130,
+        }
+    }
+
+    /// Which of two counts: the one place that ranks them.
+    const fn worse(self, other: Self) -> Self {
+        if self.rank() < other.rank() { other } else { self }
+    }
+
+    const fn rank(self) -> u8 {
+        match self {
+            Self::Done => 0,
+            Self::Judged(Status::Good) => 1,
+            Self::Judged(Status::Rework) => 2,
+            Self::Judged(Status::ReMeasure) => 3,
+            Self::LookFirst => 4,
+            Self::Judged(Status::Scrap) => 5,
+            Self::BadData => 6,
+            Self::Stopped => 7,
         }
     }
 }
@@ -151,7 +179,7 @@ impl Cli {
         let result = self.command.as_ref().map_or(Ok(Outcome::Done), |command| command.run(io));
         let result = result.and_then(|outcome| heard_or_not(io.data().flush()).map(|()| outcome));
         match result {
-            Ok(outcome) => outcome.code(),
+            Ok(outcome) => outcome.worse(io.admitted()).code(),
             Err(CliError::Stream(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => 0,
             Err(error) => {
                 let outcome =

@@ -59,16 +59,18 @@ impl PlanParts {
     }
 
     /// The outcome of the run: the worst part, or a verdict of no part where that is worse. Without scrap, rework or doubt it is good where
-    /// every part is, and bad data where a part lacks a value or was simulated.
+    /// every part is, bad data where a part lacks a value, and to be looked at first where it was simulated.
     pub(super) fn outcome(&self, of_none: Option<Status>) -> Outcome {
         let standings: Vec<Standing> = self.each().map(|(_, walk)| walk.standing()).collect();
         let worst = standings.iter().filter_map(Standing::said).max().max(self.beyond).max(of_none);
         // Of a part that is not known what it lacks nothing is good.
-        let is_open = self.beyond.is_some() || standings.iter().any(|standing| standing.said().is_none());
-        match worst {
+        let is_open = self.beyond.is_some() || standings.iter().any(Standing::is_open);
+        let judged = match worst {
             None | Some(Status::Good) if is_open => Outcome::BadData,
             Some(worst) => Outcome::Judged(worst),
             None => Outcome::Done,
-        }
+        };
+        let is_simulated = standings.iter().any(|standing| 0 < standing.simulated);
+        if is_simulated { judged.worse(Outcome::LookFirst) } else { judged }
     }
 }

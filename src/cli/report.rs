@@ -95,7 +95,8 @@ picture.
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
 error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. With
 --plan it is that of the worst part, by the last value of each feature, and 1 if none is worse
-than good but a part lacks a value or has a simulated one. CSV holds only the checks, with the
+than good but a part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the
+place of 0, 10 and 12 if something stands against a verdict. CSV holds only the checks, with the
 name of the picture: standard error reports what it leaves out.";
 
 /// Why a `--check` is not a check.

@@ -2,6 +2,7 @@
 
 use std::path::PathBuf;
 
+use super::admitted::Admits;
 use crate::length::Length;
 use crate::message::{IntoArg, Message, Say, printed};
 use crate::tolerance::ToleranceClass;
@@ -230,6 +231,50 @@ pub(super) enum CliWarning<'a> {
     LogNone,
     /// A folder for logs, and an input that shows the log on the screen.
     LogOnScreen,
+}
+
+impl Admits for CliWarning<'_> {
+    fn wants_a_look(&self) -> bool {
+        match self {
+            // What was measured counts twice, not at all, or by less than was asked for.
+            Self::SameContent { .. } | Self::FileTwice | Self::ContactsLeft { .. } | Self::LimitsAlone => true,
+            // Bad data already.
+            Self::StoppedUnrecorded
+            | Self::PlanMissing { .. }
+            | Self::PlanMissingOf { .. }
+            | Self::SeeNote { .. }
+            | Self::PlanMoreParts { .. }
+            | Self::PlanNoValue
+            | Self::PlanNoValueOf { .. } => false,
+            Self::NotAlone { .. }
+            | Self::ColumnNotUsed { .. }
+            | Self::ExpansionUnconfirmed { .. }
+            | Self::MoreFigures { .. }
+            | Self::PositionUnused { .. }
+            | Self::PredefUnused { .. }
+            | Self::LogOption { .. }
+            | Self::TablesNotUsed
+            | Self::EmptyCell { .. }
+            | Self::NotInCsv { .. }
+            | Self::NotesNotInCsv { .. }
+            | Self::NoToolMonitored
+            | Self::LogUnknown { .. }
+            | Self::BudgetOption { .. }
+            | Self::LogOff
+            | Self::LogNone
+            | Self::LogOnScreen => false,
+        }
+    }
+}
+
+impl Admits for Recorded {
+    fn wants_a_look(&self) -> bool {
+        match self {
+            // It was to be kept, and is not.
+            Self::Without { .. } => true,
+            Self::Entry { .. } | Self::Entries { .. } | Self::Nothing | Self::NotSent { .. } => false,
+        }
+    }
 }
 
 /// `warning: …`

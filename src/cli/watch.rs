@@ -7,7 +7,7 @@ use std::time::{Duration, Instant};
 use super::import::{Printer, Row, Rows};
 use super::judging::{Judge, JudgeArgs};
 use super::record::{Stream, StreamArgs};
-use super::said::CliWarning;
+use super::said::{CliWarning, about, warning};
 use super::{CliError, CliRemark, Format, Io, Outcome, TableArgs};
 use crate::control::mask::Mask;
 use crate::journal::entry::{FileRole, UsedFile};
@@ -32,7 +32,8 @@ Examples:
   fitcheck watch /srv/measured --until-idle 2 --format csv > /srv/verdicts.csv
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; it is 1 if a row or file \
-could not be used or judged.";
+could not be used or judged, and 14 (judged, but look first: see fitcheck --help) instead of 0, 10 or 12 if something \
+stands against a verdict or a file was not recorded because it has the bytes of another.";
 
 /// Judge and record files as they are dropped into a folder
 #[derive(Debug, clap::Args)]
@@ -153,7 +154,7 @@ impl Run<'_> {
                     }
                     for (name, known) in &look.same {
                         if name == known {
-                            io.warn_about(name, &Message::new("watch-same-again"));
+                            io.tell(warning(&about(name, &Message::new("watch-same-again"))));
                         } else {
                             io.warn_about(name, &CliWarning::SameContent { known: known.clone() });
                         }
@@ -235,13 +236,16 @@ impl Run<'_> {
                 io.warn_about(&batch.name, error);
             }
             for remark in &batch.remarks {
-                io.warn_about(&batch.name, remark);
+                io.tell(warning(&about(&batch.name, remark)));
             }
             for item in &batch.items {
                 super::import::warn(Path::new(&batch.name), item, io);
             }
             for row in rows {
                 self.is_bad |= row.error.is_some();
+                if row.wants_a_look {
+                    io.look_first();
+                }
                 self.worst = self.worst.max(row.part_status());
                 self.printer.row(row, io)?;
             }

@@ -242,6 +242,54 @@ impl ImportWarningKind {
         }
     }
 
+    /// Whether it stands against the answers of the file, or says that something which may have been measured is left out of them: a run
+    /// that only says so must not end as if nothing were the matter.
+    pub const fn stands_against(&self) -> bool {
+        match self {
+            Self::Comment
+            | Self::LimitsDiffer { .. }
+            | Self::PlanDiffers { .. }
+            | Self::PlanDiffersBelow { .. }
+            | Self::PlanDiffersAbove { .. }
+            | Self::PlanDiffersNominal { .. }
+            | Self::StatusDiffers { .. }
+            | Self::SheetsLeft { .. }
+            | Self::SheetHidden { .. }
+            | Self::RowsHidden { .. }
+            | Self::ColumnsHidden { .. }
+            | Self::QifCount { .. }
+            | Self::QifTwice { .. }
+            | Self::CutOff { .. } => true,
+            Self::Aqdef(warning) => warning.stands_against(),
+            Self::Calypso(warning) => warning.stands_against(),
+            // Lines that are no measurement, what a file lacks and what explains how a row was read.
+            Self::Log(LogWarningKind::NoUnit | LogWarningKind::NoTime | LogWarningKind::NoDeviations)
+            | Self::Log(LogWarningKind::Ignored { .. } | LogWarningKind::TextBefore)
+            | Self::Corrected
+            | Self::OtherRule
+            | Self::IgnoredColumns { .. }
+            | Self::NotUsed { .. }
+            | Self::Place { .. }
+            | Self::SeveralLines { .. }
+            | Self::Time { .. }
+            | Self::NoTime
+            | Self::Offset { .. }
+            | Self::PartDiffers { .. }
+            | Self::FoundByNumberOf { .. }
+            | Self::FoundByPlaceOf { .. }
+            | Self::FoundByNumber { .. }
+            | Self::FoundByPlace { .. }
+            | Self::ClassUnknown { .. }
+            | Self::UncertaintyNotUsed { .. }
+            | Self::UnitAssumed
+            | Self::Rounded { .. }
+            | Self::RoundedValues { .. }
+            | Self::StandardUncertaintyNotUsed { .. }
+            | Self::QifVersion { .. }
+            | Self::OpenEnd { .. } => false,
+        }
+    }
+
     /// That the cells of a line above the measurements are not used.
     pub(super) fn not_used(cells: &csv::StringRecord) -> Self {
         let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");

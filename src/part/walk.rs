@@ -69,13 +69,17 @@ pub struct Standing {
 impl Standing {
     /// Whether every size was measured, by somebody: without this nothing is green.
     pub const fn is_complete(&self) -> bool {
-        self.missing == 0 && self.skipped == 0 && self.simulated == 0
+        !self.is_open() && self.simulated == 0
+    }
+
+    /// Whether a size has no value.
+    pub const fn is_open(&self) -> bool {
+        0 < self.missing || 0 < self.skipped
     }
 
     /// The status of the part as far as it is decided: scrap stays scrap, whatever is missing; good is said of a complete part alone.
     pub fn status(&self) -> Option<Status> {
-        let is_open = 0 < self.missing || 0 < self.skipped;
-        self.worst.filter(|worst| *worst != Status::Good || !is_open)
+        self.worst.filter(|worst| *worst != Status::Good || !self.is_open())
     }
 
     /// The status as a card or a report may say it: nothing is good while something is missing, left out or simulated.

@@ -1,6 +1,7 @@
 //! What a batch had, on standard error: the first remarks with their lines, then how many rows had which verdict.
 
 use crate::batch::Summary;
+use crate::cli::admitted::Admits as _;
 use crate::cli::io::Listener;
 use crate::cli::{CliRemark, CliWarning, Io, Outcome, said};
 use crate::exchange::batch::{Counts, FIRST, Kind, Tally};
@@ -28,6 +29,9 @@ impl<'a> Told<'a> {
 
     /// A warning about a line above the rows.
     pub(super) fn warning(&mut self, name: &str, line: usize, what: &ImportWarningKind) {
+        if what.wants_a_look() {
+            self.listener.look_first();
+        }
         self.listener.tell(format_args!("{name}:{line}: {}", said::warning(what)));
     }
 
@@ -102,7 +106,7 @@ fn counted(rows: u64, counts: Counts, refused: u64) -> String {
     format!("{rows} {}: {}", if rows == 1 { "row" } else { "rows" }, parts.join(", "))
 }
 
-/// As `import`: bad data where any row has no verdict, else the worst one.
+/// As `import`: bad data where any row has no verdict, else the worst one, and what has to be looked at first.
 pub(super) fn outcome(summary: &Summary) -> Outcome {
     let tally = &summary.tally;
     if tally.rows == 0 || 0 < tally.notes(Kind::Refused).count {
@@ -110,5 +114,7 @@ pub(super) fn outcome(summary: &Summary) -> Outcome {
     }
     let worst =
         Status::ALL.into_iter().zip(summary.counts()).filter(|(_, count)| 0 < *count).map(|(status, _)| status).max();
-    worst.map_or(Outcome::Done, Outcome::Judged)
+    let judged = worst.map_or(Outcome::Done, Outcome::Judged);
+    let against = tally.notes(Kind::Doubt).count + tally.simulated + tally.against;
+    if 0 < against { judged.worse(Outcome::LookFirst) } else { judged }
 }

@@ -41,11 +41,6 @@ pub(in crate::cli) fn introduce(found: &Assessment, io: &mut Io<'_>) {
         let step = step_deg.map(|step| format!(" × {}°", figure(step, 3))).unwrap_or_default();
         io.remark(&CliRemark::BudgetContacts { touches, step, factor: format!("{factor:.3}") });
     }
-    tell(found, io);
-}
-
-/// Says what to check about it on standard error.
-pub(super) fn tell(found: &Assessment, io: &mut Io<'_>) {
     for warning in found.warnings() {
         io.warn(&warning);
     }

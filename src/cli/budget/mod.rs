@@ -15,7 +15,7 @@ use std::path::PathBuf;
 use jiff::civil::Date;
 
 use super::pair::read_parts;
-use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts};
+use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts, said};
 use crate::budget::{Assessment, Basis, Conditions, Geometry, Kind};
 use crate::length::Length;
 use crate::report::pairing::Parts;
@@ -105,7 +105,10 @@ impl Args {
         let readings = read.map(|read| read.measured);
         let day = self.date.unwrap_or_else(|| super::now().date());
         let found = Assessment::of(budget, &conditions, readings.as_deref(), day).about(&name)?;
-        found::tell(&found, io);
+        // Nothing is judged here.
+        for warning in found.warnings() {
+            io.tell(said::warning(&warning));
+        }
         match self.format {
             Format::Json => io.json(&figures::json(&found, &conditions, &beside))?,
             Format::Csv => figures::csv(&found, io)?,

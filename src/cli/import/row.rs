@@ -3,6 +3,7 @@
 use std::path::Path;
 use std::sync::Arc;
 
+use crate::cli::admitted::Admits;
 use crate::cli::judging::{Judge, Sizes};
 use crate::cli::{CliRemark, CliWarning};
 use crate::exchange::{ImportError, Item, Labels, Unjudged, WhyUnjudged};
@@ -69,6 +70,8 @@ pub(in crate::cli) struct Row {
     pub(in crate::cli) position: Option<PositionVerdict>,
     pub(in crate::cli) source: Option<Arc<str>>,
     pub(in crate::cli) warnings: Vec<String>,
+    /// Whether one of them asks somebody to look before the verdict counts.
+    pub(in crate::cli) wants_a_look: bool,
     pub(in crate::cli) error: Option<String>,
     /// Whether it is a size of a plan that nothing measured.
     pub(in crate::cli) is_missing: bool,
@@ -108,15 +111,15 @@ pub(in crate::cli) struct Rows<'a> {
     name: Arc<str>,
     /// Where limits came from so far, in words.
     sources: Vec<(Source, Arc<str>)>,
-    /// The line of the row that comes next, and the warnings about it.
-    warnings: (usize, Vec<String>),
+    /// The line of the row that comes next, the warnings about it, and whether one of them asks somebody to look.
+    warnings: (usize, Vec<String>, bool),
 }
 
 impl<'a> Rows<'a> {
     pub(in crate::cli) fn of(path: &Path, judge: &'a Judge, wants_checks: bool) -> Self {
         let name = path.file_name().unwrap_or_default().to_string_lossy().as_ref().into();
         let (path, sizes) = (path.display().to_string().into(), Sizes::default());
-        Self { judge, wants_checks, sizes, path, name, sources: Vec::new(), warnings: (0, Vec::new()) }
+        Self { judge, wants_checks, sizes, path, name, sources: Vec::new(), warnings: (0, Vec::new(), false) }
     }
 
     /// The same of values that a plan has judged.
@@ -132,7 +135,7 @@ impl<'a> Rows<'a> {
             Item::Unjudged(unjudged) => {
                 let mut row = Row::of_unjudged(&unjudged);
                 if row.status.is_some() && !self.judge.is_plain() {
-                    row.warnings.push(CliWarning::LimitsAlone.to_string());
+                    row.warns(&CliWarning::LimitsAlone);
                 }
                 (unjudged.line, row)
             }
@@ -140,9 +143,10 @@ impl<'a> Rows<'a> {
             Item::Warning(warning) => {
                 let line = warning.what.row?;
                 if self.warnings.0 != line {
-                    self.warnings = (line, Vec::new());
+                    self.warnings = (line, Vec::new(), false);
                 }
                 self.warnings.1.push(warning.what.kind.to_string());
+                self.warnings.2 |= warning.what.kind.wants_a_look();
                 return None;
             }
             Item::Contacts(_) => return None,
@@ -155,6 +159,7 @@ impl<'a> Rows<'a> {
         }
         if self.warnings.0 == line {
             row.warnings.append(&mut self.warnings.1);
+            row.wants_a_look |= self.warnings.2;
         }
         Some(row)
     }
@@ -196,15 +201,15 @@ impl Row {
     fn of(record: &Record) -> Self {
         let limits = &record.limits;
         let size = record.verdict.size;
-        let mut warnings: Vec<String> = record.doubt.iter().map(ToString::to_string).collect();
+        let mut row = Self::default();
+        record.doubt.iter().for_each(|doubt| row.warns(doubt));
         if record.measurement.origin.is_simulated() {
-            warnings.push(CliRemark::Simulated.to_string());
+            row.warnings.push(CliRemark::Simulated.to_string());
+            row.wants_a_look = true;
         }
-        if let Some(budget) = &record.budget {
-            warnings.extend(budget.warnings.iter().map(ToString::to_string));
-        }
+        record.budget.iter().flat_map(|budget| &budget.warnings).for_each(|warning| row.warns(warning));
         if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
-            warnings.push(differs(*standard));
+            row.warnings.push(differs(*standard));
         }
         Self {
             id: record.id.clone(),
@@ -217,9 +222,14 @@ impl Row {
             status: Some(size.status),
             remove: size.removal.map(|removal| removal.to_limit),
             position: record.verdict.position,
-            warnings,
-            ..Self::default()
+            ..row
         }
+    }
+
+    /// What is said of it.
+    fn warns(&mut self, what: &impl Admits) {
+        self.warnings.push(what.message().to_string());
+        self.wants_a_look |= what.wants_a_look();
     }
 
     fn of_unjudged(unjudged: &Unjudged) -> Self {

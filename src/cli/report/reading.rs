@@ -6,9 +6,11 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
+use super::super::admitted::Admits as _;
 use super::super::judging::{Judge, Sizes, Warned};
 use super::super::measured::Measured;
 use super::super::progress::{Watched, Work, stopped};
+use super::super::said::warning;
 use super::super::{CliError, Io, Outcome};
 use super::part::Parts;
 use crate::exchange::{self, ByPlan, Item, import_from};
@@ -139,6 +141,9 @@ impl Collected {
             Item::Unjudged(unjudged) => self.refuse(line(unjudged.line), unjudged.why.message(), io),
             Item::Error(error) => self.refuse(Message::new("report-note").text("place", name), error.message(), io),
             Item::Warning(warning) => {
+                if warning.what.kind.wants_a_look() {
+                    io.look_first();
+                }
                 self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io);
             }
             Item::Contacts(_) => {}
@@ -149,7 +154,7 @@ impl Collected {
     pub(super) fn end_parts(&mut self, io: &mut Io<'_>) -> (Vec<PartSheet>, Option<String>) {
         let Some(parts) = self.parts.take() else { return (Vec::new(), None) };
         if let Some(why) = parts.unseen() {
-            io.warn(why);
+            io.tell(warning(why));
         }
         let name = Some(parts.plan.head.part.clone()).filter(|name| !name.is_empty());
         self.outcome = Some(parts.outcome(self.worst_typed));
@@ -160,6 +165,9 @@ impl Collected {
 
     pub(super) fn see(&mut self, record: &Record, io: &mut Io<'_>) {
         self.warned.see(record, io);
+        if record.doubt.is_some() || record.measurement.origin.is_simulated() {
+            io.look_first();
+        }
         self.worst = self.worst.max(Some(record.verdict.status()));
     }
 

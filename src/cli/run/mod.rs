@@ -49,7 +49,8 @@ tool is locked (TL), and the run stops. --tools-out writes the changed table, al
 Text: the windows on standard output, notes on standard error. JSON: blocks, status, source, parameters,
 files, windows, outputs, cycles, tool changes, pauses, remarks, faults, trace.
 
-Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure, 1 a fault or bad data, 2 wrong usage.";
+Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure,
+14 judged, but look first (see fitcheck --help), 1 a fault or bad data, 2 wrong usage.";
 
 /// Run an NC program as a control does, within bounds
 #[derive(Debug, clap::Args)]
@@ -166,6 +167,9 @@ impl Args {
             return Ok(Outcome::BadData);
         }
         recorded?;
+        if machine.remarks().iter().any(|(_, remark)| remark.stands_against()) {
+            io.look_first();
+        }
         Ok(machine.status().map_or(Outcome::Done, Outcome::Judged))
     }
 

@@ -176,7 +176,7 @@ impl ExportArgs {
             None => heard_or_not(io.data().write_all(&bytes))?,
         }
         if let Some(warning) = tables.iter().find_map(|table| (format.warning)(table)) {
-            io.warn(&warning);
+            io.tell(crate::cli::said::warning(&warning));
         }
         Ok(Outcome::Done)
     }

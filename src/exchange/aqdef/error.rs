@@ -199,6 +199,9 @@ pub enum AqdefWarning {
         line: usize,
         /// What it is.
         reason: Message,
+        /// As it stands against the answers by itself.
+        #[say(skip)]
+        stands_against: bool,
     },
 }
 
@@ -209,5 +212,27 @@ impl AqdefWarning {
             self,
             Self::Fewer { .. } | Self::Late { .. } | Self::CutOff { .. } | Self::ValuesLeft { .. } | Self::Zeros
         )
+    }
+    /// As [`ImportWarningKind::stands_against`](crate::exchange::ImportWarningKind::stands_against).
+    pub const fn stands_against(&self) -> bool {
+        match self {
+            Self::Count { .. }
+            | Self::Fewer { .. }
+            | Self::Missing { .. }
+            | Self::Repeated { .. }
+            | Self::Late { .. }
+            | Self::Allowance { .. }
+            | Self::NoLimit { .. }
+            | Self::ScrapLimit { .. }
+            | Self::ScrapFeature { .. }
+            | Self::CutOff { .. }
+            | Self::Zeros
+            | Self::ValuesLeft { .. } => true,
+            Self::Skipped { .. }
+            | Self::KindOfLimit { .. }
+            | Self::ValuesBeside { .. }
+            | Self::DescriptionBeside { .. } => false,
+            Self::Beside { stands_against, .. } => *stands_against,
+        }
     }
 }

@@ -58,7 +58,10 @@ impl<'s, 'a> Told<'s, 'a> {
     /// A warning about a line that declares something.
     pub(super) fn declared(&mut self, line: usize, kind: ImportWarningKind) {
         match self.beside.clone() {
-            Some(file) => self.warn(1, AqdefWarning::Beside { file, line, reason: kind.message() }.into()),
+            Some(file) => {
+                let (reason, stands_against) = (kind.message(), kind.stands_against());
+                self.warn(1, AqdefWarning::Beside { file, line, reason, stands_against }.into());
+            }
             None => self.warn(line, kind),
         }
     }

@@ -351,6 +351,7 @@ impl Judge<'_> {
                     && row.line_end().is_empty()
                     && let Some(warning) = rules.cut_off(&cells)
                 {
+                    tally.against += u64::from(warning.stands_against());
                     tally.note(Kind::CutOff, Some(columns.measured.at), || warning.message());
                 }
                 let bounds = limits.bounds();

@@ -52,6 +52,8 @@ pub struct Tally {
     pub rows: u64,
     /// Rows that say that nobody measured; they are among the judged ones.
     pub simulated: u64,
+    /// Judged rows that something else stands against.
+    pub against: u64,
     /// Lines that were not UTF-8.
     pub not_utf8: u64,
     /// Comments.
@@ -85,6 +87,7 @@ impl Tally {
         self.lines += next.lines;
         self.rows += next.rows;
         self.simulated += next.simulated;
+        self.against += next.against;
         self.not_utf8 += next.not_utf8;
         self.comments += next.comments;
         for (notes, more) in self.notes.iter_mut().zip(next.notes) {

@@ -63,6 +63,15 @@ pub enum CalypsoWarning {
     },
 }
 
+impl CalypsoWarning {
+    /// As [`ImportWarningKind::stands_against`].
+    pub const fn stands_against(&self) -> bool {
+        match self {
+            Self::NoEnd | Self::Behind { .. } | Self::Zeros | Self::Deviation { .. } | Self::Exceed { .. } => true,
+        }
+    }
+}
+
 impl From<CalypsoFault> for ImportErrorKind {
     fn from(fault: CalypsoFault) -> Self {
         Self::Calypso(fault)

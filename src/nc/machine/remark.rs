@@ -263,6 +263,11 @@ impl Remark {
         remarks
     }
 
+    /// Whether something that may have been measured is left out of what is judged.
+    pub const fn stands_against(&self) -> bool {
+        matches!(self, Self::Skipped | Self::ContactsLeft { .. })
+    }
+
     /// What the reader of a file has to say.
     pub(super) fn read(path: &NcPath, warnings: &[impl Say]) -> Vec<Self> {
         warnings.iter().map(|warning| Self::Read { path: path.clone(), what: warning.message() }).collect()

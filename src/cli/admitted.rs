@@ -1,0 +1,102 @@
+//! What a run must admit by its exit code: whether what is told beside an answer stands against it, or says that something measured was left
+//! out of it.
+//!
+//! The rule: everything that was asked for has an answer, and a colleague would stop all the same. What only explains an answer, such as a
+//! column of remarks that is not read or an option without an effect, is told and no more. Each kind decides in a match without a default, so
+//! that a new one has to decide, too.
+
+use crate::budget::BudgetWarning;
+use crate::control::deviations::DeviationWarning;
+use crate::control::mask::{MaskWarning, OtherLanguages};
+use crate::control::probe_block::Unused;
+use crate::control::table::TableWarning;
+use crate::exchange::ImportWarningKind;
+use crate::files::FileError;
+use crate::journal::entry::CheckRemark;
+use crate::message::{Located, Say};
+use crate::nc::program::ProgramWarning;
+use crate::part::PlanRemark;
+use crate::probing::Caveat;
+use crate::probing::circle::CircleWarning;
+use crate::store::{StoreError, StoreRemark};
+use crate::tolerance::FigureWarning;
+use crate::verdict::{Doubt, Undecided};
+use crate::watch::Waiting;
+
+/// Something that is told beside an answer.
+pub(super) trait Admits: Say {
+    /// Whether it asks somebody to look before the answer counts.
+    fn wants_a_look(&self) -> bool;
+}
+
+/// What only explains an answer.
+macro_rules! explains {
+    ($($kind:ty: $why:literal),+ $(,)?) => {
+        $(
+            #[doc = $why]
+            impl Admits for $kind {
+                fn wants_a_look(&self) -> bool {
+                    false
+                }
+            }
+        )+
+    };
+}
+
+explains! {
+    Caveat: "How well a diameter is known: the rules count it.",
+    CircleWarning: "The same of the circles of a file of contacts.",
+    DeviationWarning: "Tables: what was not understood of one has no limits.",
+    FigureWarning: "Where limits come from: those that were asked for count.",
+    FileError: "A note beside a file that could not be written.",
+    Located<PlanRemark>: "A plan judges nothing yet.",
+    MaskWarning: "How something is printed.",
+    OtherLanguages: "The same.",
+    ProgramWarning: "How a program was read: a machine says for itself what it left out.",
+    StoreError: "A journal that was not put in order has all its entries.",
+    StoreRemark: "A journal: `verify` has an exit code of its own.",
+    TableWarning: "Tables of tools and probes.",
+    Undecided: "It is a verdict of its own.",
+    Unused: "Blocks beside the one that was asked for.",
+    Waiting: "A file that cannot be read is bad data.",
+}
+
+impl Admits for ImportWarningKind {
+    fn wants_a_look(&self) -> bool {
+        self.stands_against()
+    }
+}
+
+/// The value may be another quantity, or that of another part.
+impl Admits for Doubt {
+    fn wants_a_look(&self) -> bool {
+        true
+    }
+}
+
+/// A kept verdict that would be another one today.
+impl Admits for CheckRemark {
+    fn wants_a_look(&self) -> bool {
+        match self {
+            Self::JudgedOtherwise { .. } => true,
+        }
+    }
+}
+
+/// A budget of something else than what was measured.
+impl Admits for BudgetWarning {
+    fn wants_a_look(&self) -> bool {
+        match self {
+            Self::Expired { .. }
+            | Self::NotYet { .. }
+            | Self::OtherSize { .. }
+            | Self::OtherSide { .. }
+            | Self::OtherExpansion { .. }
+            | Self::OtherTemperature { .. } => true,
+            Self::FewReadings { .. }
+            | Self::BiasCorrected { .. }
+            | Self::BiasNotCorrected { .. }
+            | Self::Recorded { .. } => false,
+        }
+    }
+}
