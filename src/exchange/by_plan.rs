@@ -5,6 +5,7 @@ use jiff::civil::DateTime;
 
 use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, shorten};
 use super::imported::{Asked, Item, Labels, Unjudged, WhyUnjudged};
+use super::quantity::Quantity;
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Located, Place};
@@ -40,11 +41,24 @@ impl<'a> ByPlan<'a> {
             Item::Record { line, record, labels } => self.value(Value::of_record(line, *record, labels), take),
             Item::Unjudged(unjudged) => match unjudged.measured.filter(|_| is_plain(&unjudged.why)) {
                 Some(measured) => self.value(Value::of_unjudged(*unjudged, measured), take),
-                None => take(Item::Unjudged(unjudged)),
+                None => self.other_quantity(unjudged, take),
             },
             // By the limits of the file: those of the plan are compared below.
             Item::Warning(warning) if matches!(warning.what.kind, ImportWarningKind::StatusDiffers { .. }) => {}
             item => take(item),
+        }
+    }
+
+    /// A coordinate may be what the plan asks of a face; every other quantity that is no size stays what its file calls it.
+    fn other_quantity(&self, unjudged: Box<Unjudged>, take: &mut dyn FnMut(Item)) {
+        let measured = unjudged.measured.filter(|_| matches!(unjudged.why, WhyUnjudged::NotASize { .. }));
+        let is_asked = |value: &Value| self.find(value).is_ok();
+        match measured.zip(unjudged.labels.quantity.as_ref()) {
+            Some((measured, Quantity::Coordinate(_))) => {
+                let value = Value::of_unjudged((*unjudged).clone(), measured);
+                if is_asked(&value) { self.value(value, take) } else { take(Item::Unjudged(unjudged)) }
+            }
+            _ => take(Item::Unjudged(unjudged)),
         }
     }
 
@@ -91,21 +105,18 @@ impl<'a> ByPlan<'a> {
         let clues = Clues { name: id, number: &labels.number, place: labels.place, side: labels.side };
         let (at, by) = self.finder.find(&clues)?;
         let kind = self.sizes.get(at).map_or("", |size| size.feature.kind.word());
-        if !kinds.is_empty() && !kinds.contains(&kind) {
+        let fits = |quantity: &Quantity| self.sizes.get(at).is_none_or(|size| quantity.fits(&size.feature.kind));
+        if !kinds.is_empty() && !kinds.contains(&kind) || !labels.quantity.as_ref().is_none_or(fits) {
             return Err(NotFound::OtherKind { name: self.name(at), kind });
         }
-        // A number may be a running one and a place that of another operation: the nominal size must be the plan's.
-        let planned = self.sizes.get(at).map(|size| size.limits.nominal);
-        match asked.nominal {
-            Some(given) if by != By::Name && planned.is_some_and(|planned| planned != given) => {
-                Err(NotFound::OtherNominal { name: self.name(at), given })
-            }
-            // A name that is known to no feature speaks against the number, unless the size speaks for it.
-            _ if by == By::Number && has_name_and_number(value) && !self.agrees(at, asked) => {
-                Err(NotFound::OtherName { given: shorten(id.trim()), name: self.name(at) })
-            }
-            _ => Ok((at, by)),
+        if let Some(why) = self.sizes.get(at).and_then(|size| contradiction(asked, size, by)) {
+            return Err(why);
         }
+        // A name that is known to no feature speaks against the number, unless the size speaks for it.
+        if by == By::Number && has_name_and_number(value) && !self.agrees(at, asked) {
+            return Err(NotFound::OtherName { given: shorten(id.trim()), name: self.name(at) });
+        }
+        Ok((at, by))
     }
 
     /// Whether a file asks for what the plan asks for: the same nominal size, or else limits that are all the plan's.
@@ -152,8 +163,11 @@ struct Value {
 impl Value {
     /// A value that its file has limits for.
     fn of_record(line: usize, record: Record, labels: Labels) -> Self {
-        let Record { id, limits: own, time, measurement, verdict, correction, .. } = record;
-        let asked = Asked { nominal: Some(own.nominal), minimum: Some(own.minimum()), maximum: Some(own.maximum()) };
+        let Record { id, callout, limits: own, time, measurement, verdict, correction, .. } = record;
+        // A file with limits alone has its smaller one for a nominal size.
+        let has_nominal = callout.is_some() || own.nominal != own.minimum();
+        let nominal = has_nominal.then_some(own.nominal);
+        let asked = Asked { nominal, minimum: Some(own.minimum()), maximum: Some(own.maximum()) };
         let kinds: &[&str] = if measurement.centre.is_some() { &["diameter"] } else { &[] };
         let (position, not_positive) = (verdict.position, None);
         Self { line, id, labels, asked, time, measurement, position, correction, kinds, not_positive }
@@ -185,6 +199,36 @@ impl Value {
         let why = WhyUnjudged::NotInPlan(why);
         Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why }
     }
+}
+
+/// Half a thousandth of an inch: how far a file may round a nominal size.
+const ROUNDED: Length = Length::constant(12_700);
+
+/// That a file asks for something else under the name of a plan's size: a row of another quantity, or of another feature.
+///
+/// A number may be a running one and a place that of another operation: there the nominal size must be the plan's. A value with the name
+/// of the size may have its nominal size rounded, or the middle of the plan's limits; what lies within them is told and nothing more.
+/// Without a nominal size its limits must have something in common with the plan's.
+fn contradiction(asked: &Asked, size: &Size<'_>, by: By) -> Option<NotFound> {
+    let limits = size.limits;
+    if let Some(given) = asked.nominal {
+        let planned = limits.nominal;
+        let is_rounded = given.saturating_sub(planned).abs() <= ROUNDED;
+        let is_within = limits.minimum() <= given && given <= limits.maximum();
+        let agrees = given == planned || by == By::Name && (is_rounded || is_within);
+        return (!agrees).then(|| NotFound::OtherNominal { name: size.name(), given, planned });
+    }
+    let is_above = asked.minimum.is_some_and(|minimum| limits.maximum() < minimum);
+    let is_below = asked.maximum.is_some_and(|maximum| maximum < limits.minimum());
+    if !is_above && !is_below {
+        return None;
+    }
+    let range = |minimum: Option<Length>, maximum: Option<Length>| {
+        let text = |limit: Option<Length>| limit.map_or_else(String::new, |limit| limit.to_string());
+        format!("{} … {}", text(minimum), text(maximum)).trim().to_owned()
+    };
+    let planned = range(Some(limits.minimum()), Some(limits.maximum()));
+    Some(NotFound::OtherLimits { name: size.name(), given: range(asked.minimum, asked.maximum), planned })
 }
 
 /// Whether a file has both: without a number cell its name is the number.

@@ -5,12 +5,13 @@
 use csv::StringRecord;
 
 use super::cells::{
-    self, WholeNumbers, decimals, is_blank, is_callout, is_class, is_class_with_grade, is_comment, is_data, is_number,
-    is_whole, may_be_names, own_callout,
+    self, WholeNumbers, decimals, is_blank, is_callout, is_class_with_grade, is_comment, is_data, is_number, is_whole,
+    may_be_names, own_callout,
 };
 use super::delimited::{Item, Rows, SEPARATORS};
-use super::error::{ImportErrorKind, Role};
+use super::error::{ImportErrorKind, ImportWarningKind, Role};
 use super::own::OwnColumns;
+use super::quantity::{Free, QuantityColumn};
 use super::units;
 use super::words::{self, Rank};
 use crate::length::Unit;
@@ -48,6 +49,8 @@ pub(super) struct Columns {
     pub(super) time: Vec<usize>,
     /// A column that says whether nobody measured.
     pub(super) simulated: Option<usize>,
+    /// Columns that say what was measured.
+    pub(super) quantities: Vec<QuantityColumn>,
     /// How many cells a row has.
     pub(super) count: usize,
     /// The line of the header; `None` where there is none.
@@ -109,6 +112,12 @@ impl LabelColumns {
 }
 
 impl Columns {
+    /// That words which say nothing known of what was measured are taken for sizes.
+    pub(super) fn taken_as_sizes(&self) -> impl Iterator<Item = ImportWarningKind> {
+        let taken = self.quantities.iter().filter_map(QuantityColumn::taken);
+        taken.map(|(column, words)| ImportWarningKind::QuantityUnknown { column: column.clone(), words: words.clone() })
+    }
+
     /// The units that unknown names say, where there is one for each column.
     fn with_units(&mut self, names: &StringRecord) -> Result<(), ImportErrorKind> {
         if names.len() == self.count {
@@ -230,62 +239,47 @@ impl Sample {
     }
 
     /// The cells of a column below the header.
-    fn cells(&self, at: usize) -> impl Iterator<Item = &str> + Clone {
+    pub(super) fn cells(&self, at: usize) -> impl Iterator<Item = &str> + Clone {
         let data = self.rows.iter().skip(self.above);
         data.filter_map(move |(_, cells)| cells.get(at)).map(str::trim).filter(|cell| !cell.is_empty())
     }
 
     /// Whether more than half of a column's cells are of a kind.
-    fn mostly(&self, at: usize, kind: fn(&str) -> bool) -> bool {
+    pub(super) fn mostly(&self, at: usize, kind: fn(&str) -> bool) -> bool {
         let (are, all) = self.cells(at).fold((0, 0), |(are, all), cell| (are + usize::from(kind(cell)), all + 1));
         all < are * 2
     }
 
     fn by_header(&self, line: usize, header: &StringRecord) -> Result<Columns, ImportErrorKind> {
-        let roles: Vec<_> = header.iter().map(words::role).collect();
-        let best = |role: Role, ranks: &[Rank]| -> Result<Option<usize>, ImportErrorKind> {
-            for rank in ranks {
-                let found: Vec<usize> =
-                    (0..).zip(&roles).filter(|(_, r)| **r == Some((role, *rank))).map(|(at, _)| at).collect();
-                match found.as_slice() {
-                    [] => {}
-                    // Any of several names will do.
-                    [at, ..] if found.len() == 1 || role == Role::Id => return Ok(Some(*at)),
-                    _ => return Err(several(role, header, &found)),
-                }
+        let mut roles: Vec<_> = header.iter().map(words::role).collect();
+        let own = OwnColumns::of(header);
+        for at in own.of_correction() {
+            if let Some(role) = roles.get_mut(at) {
+                *role = None;
             }
-            Ok(None)
-        };
-        let sure = [Rank::Exact, Rank::Contained];
-        let measured = self.measured.map_or_else(|| best(Role::Measured, &sure), |at| Ok(Some(at)))?;
-        // "diameter" is the measured value where no other column is; otherwise it may be the nominal size.
-        let measured_at = match measured {
-            Some(at) => at,
-            None => best(Role::Measured, &[Rank::Weak])?.ok_or(ImportErrorKind::NoMeasuredColumn)?,
-        };
-        let tolerance = best(Role::Tolerance, &[Rank::Exact, Rank::Contained, Rank::Weak])?;
-        let has_class = tolerance.is_some_and(|at| self.mostly(at, is_class));
-        let mut nominal = best(Role::Nominal, &sure)?;
-        if nominal.is_none() && has_class && measured.is_some() {
-            nominal = best(Role::Measured, &[Rank::Weak])?;
         }
+        let quantities = self.quantities(header, names(header, &roles), |at| free(header, &roles, at));
+        for column in &quantities {
+            if let Some(role) = roles.get_mut(column.at) {
+                *role = None;
+            }
+        }
+        let best = |role: Role, ranks: &[Rank]| best(header, &roles, role, ranks);
+        let sure = [Rank::Exact, Rank::Contained];
+        let chosen = self.chosen(header, &roles)?;
+        let (tolerance, nominal, measured_at) = (chosen.tolerance, chosen.nominal, chosen.measured);
         let time: Vec<usize> =
             (0..).zip(&roles).filter(|(_, r)| matches!(r, Some((Role::Time, _)))).map(|(at, _)| at).take(2).collect();
-        let id = best(Role::Id, &sure)?;
-        // A part, a serial number or a number names a value where nothing else does.
-        let is_id = |at: &usize| matches!(roles.get(*at), Some(Some((Role::Id, _))));
-        let names_more = |at: &usize| header.get(*at).is_none_or(|name| words::label(name).is_none());
-        let id =
-            (0..header.len()).filter(is_id).find(names_more).filter(|_| id.is_some_and(|at| !names_more(&at))).or(id);
+        let id = names(header, &roles);
         let simulated = best(Role::Simulated, &sure)?;
         let column = |at: usize| -> Result<LengthColumn, ImportErrorKind> {
             Ok(LengthColumn { at, unit: unit_of(header.get(at).unwrap_or_default())? })
         };
-        let own = OwnColumns::of(header);
         let used: Vec<usize> = [id, tolerance, nominal, simulated, Some(measured_at)]
             .into_iter()
             .flatten()
             .chain(time.iter().copied())
+            .chain(quantities.iter().map(|column| column.at))
             .chain(own.of_correction())
             .collect();
         let labels = LabelColumns::of(header, &used);
@@ -298,6 +292,7 @@ impl Sample {
             measured: column(measured_at)?,
             time,
             simulated,
+            quantities,
             count: header.len(),
             header: Some(line),
             names_known: true,
@@ -353,6 +348,9 @@ impl Sample {
         let first = [tolerance, nominal, Some(measured)].into_iter().flatten().min().unwrap_or_default();
         let id = (0..first).next();
         let used = [id, tolerance, nominal, Some(measured)];
+        let is_free = |at: usize| if used.contains(&Some(at)) { Free::No } else { Free::Yes };
+        let quantities = self.quantities(&no_header, id, is_free);
+        let is_used = |at: usize| used.contains(&Some(at)) || quantities.iter().any(|column| column.at == at);
         Ok(Columns {
             id,
             tolerance,
@@ -363,11 +361,8 @@ impl Sample {
             count,
             header: None,
             names_known: false,
-            ignored: (0..count)
-                .filter(|at| !used.contains(&Some(*at)))
-                .take(NAMED + 1)
-                .map(|at| name_of(at, ""))
-                .collect(),
+            ignored: (0..count).filter(|at| !is_used(*at)).take(NAMED + 1).map(|at| name_of(at, "")).collect(),
+            quantities,
             decimal_sign: None,
             behind: None,
             decimals: None,
@@ -406,6 +401,60 @@ impl Sample {
         let data = self.rows.get(..data)?.iter().skip(self.above);
         let all = data.filter_map(|(_, cells)| cells.get(at)).filter(|cell| is_number(cell)).map(decimals);
         all.clone().min().zip(all.max())
+    }
+}
+
+/// What the names of a header say of the columns.
+pub(super) type Roles = [Option<(Role, Rank)>];
+
+/// The column of a role by its name, the surest names first.
+pub(super) fn best(
+    header: &StringRecord,
+    roles: &Roles,
+    role: Role,
+    ranks: &[Rank],
+) -> Result<Option<usize>, ImportErrorKind> {
+    for rank in ranks {
+        let found: Vec<usize> =
+            (0..).zip(roles).filter(|(_, r)| **r == Some((role, *rank))).map(|(at, _)| at).collect();
+        match found.as_slice() {
+            [] => {}
+            [at] => return Ok(Some(*at)),
+            _ => return Err(several(role, header, &found)),
+        }
+    }
+    Ok(None)
+}
+
+/// The column that names the features. Any of several will do, but a part, a serial number or a number names a value only where nothing
+/// else does.
+fn names(header: &StringRecord, roles: &Roles) -> Option<usize> {
+    let of_rank = |rank: Rank| roles.iter().position(|role| *role == Some((Role::Id, rank)));
+    let first = of_rank(Rank::Exact).or_else(|| of_rank(Rank::Contained))?;
+    if names_features(header, first) {
+        return Some(first);
+    }
+    let is_id = |at: &usize| matches!(roles.get(*at), Some(Some((Role::Id, _))));
+    (0..header.len()).filter(is_id).find(|at| names_features(header, *at)).or(Some(first))
+}
+
+/// Whether a column of names has those of features, and of nothing else.
+fn names_features(header: &StringRecord, at: usize) -> bool {
+    header.get(at).is_none_or(|name| words::label(name).is_none())
+}
+
+/// Whether a column may say what was measured.
+fn free(header: &StringRecord, roles: &Roles, at: usize) -> Free {
+    let name = header.get(at).unwrap_or_default();
+    let is_id = |at: usize| names_features(header, at) && matches!(roles.get(at), Some(Some((Role::Id, _))));
+    match roles.get(at).copied().flatten() {
+        Some((Role::Id, _)) if is_id(at) && (0..header.len()).any(|other| other != at && is_id(other)) => {
+            Free::NamesToo
+        }
+        None | Some((Role::Measured, Rank::Weak)) if words::label(name).is_none() && !words::is_status(name) => {
+            Free::Yes
+        }
+        _ => Free::No,
     }
 }
 

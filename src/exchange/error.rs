@@ -439,6 +439,8 @@ pub enum Role {
     Y,
     /// As above.
     Z,
+    /// What was measured.
+    Quantity,
 }
 
 /// The longest text that errors repeat, in characters.

@@ -4,6 +4,7 @@ use jiff::civil::DateTime;
 
 use super::claim::Claim;
 use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
+use super::quantity::Quantity;
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Located, Place, Say};
@@ -57,6 +58,8 @@ pub struct Labels {
     pub place: [Option<Length>; 3],
     /// Which of the two sides of a pocket or boss it is, from 0, where the file says so.
     pub side: Option<usize>,
+    /// What the file says was measured: a diameter, a coordinate, another quantity.
+    pub quantity: Option<Quantity>,
     /// What the file says of its status.
     pub claims: Vec<Claim>,
     /// How far the value may lie from its figures, where the file was printed with a known number of decimals: half of the last one. Zero

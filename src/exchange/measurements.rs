@@ -212,6 +212,9 @@ impl<'a> Reader<'a, '_, '_> {
             let columns = columns::listed(&self.columns.ignored);
             self.warn(line, ImportWarningKind::IgnoredColumns { columns });
         }
+        for kind in self.columns.taken_as_sizes() {
+            self.warn(line, kind);
+        }
     }
 
     fn warn(&mut self, line: usize, reason: ImportWarningKind) {
@@ -288,7 +291,7 @@ impl<'a> Reader<'a, '_, '_> {
 
     /// Judges a row and keeps it, or names the cell that cannot be used.
     fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
-        let Found { measured, asked, said, is_simulated } = self.rules().read(cells)?;
+        let Found { measured, asked, said, is_simulated, quantity } = self.rules().read(cells)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
         self.tell_cut_off(line, cells);
         let time = self.time(line, cells);
@@ -299,15 +302,21 @@ impl<'a> Reader<'a, '_, '_> {
             let column = self.columns.measured.at;
             let given = shorten(cells.get(column).unwrap_or_default().trim());
             let below = WhyUnjudged::NotPositive { given, column: column + 1 };
-            let why = if measured <= Length::ZERO { below } else { WhyUnjudged::NoCallout };
-            let (asked, labels, measured, position) = (said, self.labels(line, cells), Some(measured), None);
+            let other = self.rules().other_than_size(cells);
+            let why = match other {
+                Some(cell) => WhyUnjudged::NotASize { what: shorten(cell.text) },
+                None if measured <= Length::ZERO => below,
+                None => WhyUnjudged::NoCallout,
+            };
+            let labels = Labels { quantity, ..self.labels(line, cells) };
+            let (asked, measured, position) = (said, Some(measured), None);
             let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
             self.sink.set_aside(unjudged);
             return Ok(());
         };
         let measurement = Measurement::of_diameter(measured, origin);
         let record = Record::judged(time, id, Some(callout), limits, measurement, None);
-        let labels = self.labels(line, cells);
+        let labels = Labels { quantity, ..self.labels(line, cells) };
         for warning in labels.claims.iter().filter_map(|claim| claim.differs(record.verdict.size.status)) {
             self.warn_row(line, warning);
         }

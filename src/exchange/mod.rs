@@ -23,6 +23,8 @@
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
 //! | `sizes` | what was measured alone, of holes or of shafts |
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
+//! | `rivals` | which of several columns is the measured value, the nominal size, the callout: one, or none in silence |
+//! | `quantity` | what a row says that was measured of its feature |
 //! | `mapping` | which column is which as the user says |
 //! | `lookup` | callouts that are read, and limits that are looked up, once for many rows |
 //! | `own` | what a CSV of Fitcheck says of its values beside them |
@@ -62,6 +64,8 @@ pub(crate) mod pieces;
 mod plans;
 mod point_log;
 mod qif;
+mod quantity;
+mod rivals;
 mod rules;
 mod sizes;
 mod source;
@@ -89,6 +93,7 @@ pub use mapping::{
     UNIT_WORDS,
 };
 pub use plans::{PLAN_ENDINGS, read_plan};
+pub use quantity::Quantity;
 pub use sizes::{Size, Sizes, SizesWarning, sizes, sizes_from};
 use source::{Beginning, Source};
 pub use source::{Body, Given, WHOLE};

@@ -7,9 +7,11 @@ use csv::StringRecord;
 use super::cells;
 use super::columns::{Columns, LengthColumn};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten, shorten_cell};
-use super::imported::Asked;
+use super::imported::{Asked, WhyUnjudged};
 use super::lookup::Lookup;
+use super::quantity::{self, Quantity};
 use crate::length::Length;
+use crate::message::Say as _;
 use crate::tolerance::{Callout, CalloutError, Feature, Limits, Sources, ToleranceClass};
 
 /// A cell and its place in the row, from 0.
@@ -31,6 +33,8 @@ pub(super) struct Found {
     pub(super) said: Asked,
     /// Whether it says that nobody measured.
     pub(super) is_simulated: bool,
+    /// What it says was measured.
+    pub(super) quantity: Option<Quantity>,
 }
 
 /// What is known before a row is read.
@@ -48,6 +52,10 @@ pub(super) struct Rules<'a> {
 impl Rules<'_> {
     /// What a row says, or the first cell that cannot be used.
     pub(super) fn read<'c>(&self, cells: &'c StringRecord) -> Result<Found, Refused<'c>> {
+        let quantity = self.quantity(cells);
+        if quantity.as_ref().is_some_and(|quantity| !quantity.is_size()) {
+            return self.other_quantity(cells, quantity);
+        }
         self.right_length(cells, self.columns.tolerance)?;
         let asks = self.columns.tolerance.is_some_and(|at| !is_blank(cells, at));
         let measured = if self.has_plan && !asks { self.any_measured(cells)? } else { self.measured(cells)? };
@@ -55,7 +63,7 @@ impl Rules<'_> {
             // A plan may judge it: what a file of Fitcheck says against it counts all the same.
             self.columns.own.decided_by_size(cells)?;
             let said = self.said(cells)?;
-            return Ok(Found { measured, asked: None, said, is_simulated: self.is_simulated(cells)? });
+            return Ok(Found { measured, asked: None, said, is_simulated: self.is_simulated(cells)?, quantity });
         };
         let limits = match self.lookup {
             Some(lookup) => lookup.limits(&callout, self.sources),
@@ -64,7 +72,26 @@ impl Rules<'_> {
         let limits = limits.map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
         let is_simulated = self.is_simulated(cells)?;
         self.columns.own.decided_by_size(cells)?;
-        Ok(Found { measured, asked: Some((callout, limits)), said: Asked::default(), is_simulated })
+        Ok(Found { measured, asked: Some((callout, limits)), said: Asked::default(), is_simulated, quantity })
+    }
+
+    /// What a row says was measured.
+    fn quantity(&self, cells: &StringRecord) -> Option<Quantity> {
+        quantity::of_row(&self.columns.quantities, cells).map(|(_, _, quantity)| quantity)
+    }
+
+    /// The cell by which a row is of another quantity than a size.
+    pub(super) fn other_than_size<'c>(&self, cells: &'c StringRecord) -> Option<Cell<'c>> {
+        let (at, text, _) = quantity::of_row(&self.columns.quantities, cells).filter(|(_, _, of)| !of.is_size())?;
+        Some(Cell { at: Some(at), text })
+    }
+
+    /// A row of another quantity than a size: its callout, if it has one, is not that of its value.
+    fn other_quantity<'c>(&self, cells: &'c StringRecord, quantity: Option<Quantity>) -> Result<Found, Refused<'c>> {
+        self.right_length(cells, None)?;
+        let measured = self.any_measured(cells)?;
+        let said = self.said(cells).unwrap_or_default();
+        Ok(Found { measured, asked: None, said, is_simulated: self.is_simulated(cells)?, quantity })
     }
 
     /// What a row without a callout says that its value should be.
@@ -99,6 +126,10 @@ impl Rules<'_> {
     /// other one is refused.
     pub(super) fn size<'c>(&self, cells: &'c StringRecord, feature: Feature) -> Result<Found, Refused<'c>> {
         self.right_length(cells, None)?;
+        if let Some(cell) = self.other_than_size(cells) {
+            let what = WhyUnjudged::NotASize { what: shorten(cell.text) }.message();
+            return Err((cell, ImportErrorKind::NotASize(what)));
+        }
         let measured = self.measured(cells)?;
         let text = self.columns.tolerance.and_then(|at| cells.get(at)).unwrap_or_default().trim();
         let given = shorten_cell(text);
@@ -113,7 +144,8 @@ impl Rules<'_> {
                 ImportErrorKind::OtherFeature { given: given.into_owned(), feature },
             ));
         }
-        Ok(Found { measured, asked: None, said: Asked::default(), is_simulated: self.is_simulated(cells)? })
+        let (is_simulated, quantity) = (self.is_simulated(cells)?, None);
+        Ok(Found { measured, asked: None, said: Asked::default(), is_simulated, quantity })
     }
 
     /// Whether a comment would be a row with a size, were it none.

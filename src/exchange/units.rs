@@ -136,7 +136,7 @@ impl Parts {
 }
 
 /// The words of a text in small letters; `measuredValue` is two of them.
-fn words_of(text: &str) -> Vec<String> {
+pub(super) fn words_of(text: &str) -> Vec<String> {
     let mut spaced = String::new();
     let mut before = ' ';
     for c in text.chars() {

@@ -45,6 +45,13 @@ pub enum ImportWarningKind {
         /// Their names or numbers.
         columns: String,
     },
+    /// A column that may say what was measured, with words that are not known: its values are taken as sizes.
+    QuantityUnknown {
+        /// Its number and name.
+        column: String,
+        /// Its first words.
+        words: String,
+    },
     /// A skipped line above the measurements.
     NotUsed {
         /// The line's text.

@@ -15,11 +15,14 @@ pub(super) enum Rank {
     Contained,
     /// The name fits, but others do as well: `diameter` may be nominal or measured.
     Weak,
+    /// The name may be that of a measured value and may say another one: `gemeten voor` is "measured before" or "measured at the
+    /// front". It is never taken, and beside a measured value it is asked about.
+    Unsure,
 }
 
 const ID: &str = "id|nr|no|number|nummer|num|numero|part|part no|part number|part id|teil|teilenummer|deel|onderdeel|\
     workpiece|werkstuk|werkstück|pezzo|stuk|name|naam|nome|bezeichnung|benaming|feature|feature id|merkmal|kenmerk|\
-    caratteristica|element|elemento|bore|hole|bohrung|boring|gat|foro|shaft|as|welle|albero|label|serial|serial number|\
+    caratteristica|characteristic|characteristic name|element|elemento|bore|hole|bohrung|boring|gat|foro|shaft|as|welle|albero|label|serial|serial number|\
     seriennummer|serienummer|matricola|pos|item|code|codice|what|was|wat";
 const TOLERANCE: &str = "callout|fit|tolerance|tol|toleranz|tolerantie|tolleranza|passing|passung|accoppiamento|\
     toleranzfeld|tolerantieveld|spec|specification|specificatie|spezifikation|specifica|size and class";
@@ -27,7 +30,7 @@ const CLASS: &str = "class|klasse|classe|tolerance class|toleranzklasse|tolerant
 const NOMINAL: &str = "nominal|nominal size|nominal diameter|nominal value|nom|nennmaß|nennmass|nenngröße|nennwert|\
     sollmaß|sollmass|sollwert|soll|nominaal|nominale maat|nominale diameter|nominale|quota nominale|valore nominale|\
     diametro nominale|dimensione nominale|basic size|target";
-const MEASURED: &str = "measured|measured value|measured size|measured diameter|measurement|actual|actual value|\
+const MEASURED: &str = "measured|meas|act|mis|measured value|measured size|measured diameter|measurement|actual|actual value|\
     actual size|actual diameter|reading|istmaß|istmass|istwert|ist|messwert|gemessen|gemessener wert|gemeten|\
     gemeten waarde|gemeten maat|meetwaarde|meting|werkelijk|werkelijke maat|werkelijke waarde|misurato|misurata|\
     valore misurato|diametro misurato|quota misurata|misurazione|effettivo|valore effettivo|dimensione effettiva";
@@ -76,8 +79,8 @@ const OTHER: &str = "deviation|dev|afwijking|abweichung|scostamento|error|fout|f
     temperature|temperatuur|temperatur|temperatura|position|positie|posizione|x|y|z|status|result|resultaat|ergebnis|\
     risultato|count|anzahl|aantal|plus|minus|um|form|rundheit|roundness|rondheid|type|typ|tipo";
 
-/// Words that say another measurement or another quantity than the diameter that was measured now. In a name for a part they
-/// say nothing.
+/// Words that say another measurement or another quantity than the diameter that was measured now: an earlier or an expected one,
+/// that of a master or at the setting of a gauge, a radius. In a name for a part they say nothing.
 const STRANGE: &str = "simulated|simulation|sim|previous|prev|prior|old|former|earlier|last|expected|predicted|estimated|\
     calculated|computed|assumed|planned|reference|ref|radius|radial|roughness|depth|angle|runout|concentricity|\
     cylindricity|flatness|straightness|parallelism|wear|correction|uncertainty|sigma|std|stdev|range|spread|scatter|\
@@ -92,14 +95,22 @@ const STRANGE: &str = "simulated|simulation|sim|previous|prev|prior|old|former|e
     verschleiss|korrektur|unsicherheit|streuung|spannweite|\
     simulato|simulata|precedente|vecchio|vecchia|ultimo|ultima|atteso|attesa|previsto|prevista|stimato|stimata|\
     calcolato|calcolata|riferimento|raggio|rugosità|rugosita|profondità|profondita|angolo|cilindricità|planarità|\
-    usura|correzione|incertezza|dispersione";
+    usura|correzione|incertezza|dispersione|\
+    before|pre|beforehand|vorher|vóór|vooraf|\
+    master|masters|setting|preset|calibration|calibrated|calibrating|cal|zero|zeroing|zeroed|gage|\
+    einstellring|einstellmeister|einstellung|einstellmaß|einstellmass|einstellnormal|meister|meisterring|meisterteil|\
+    lehrring|kalibrierung|kalibriert|kalibrierring|eichung|eichring|null|nullung|nullpunkt|nullmaß|nullmass|referenzring|\
+    referenzteil|referenzmaß|referenzmass|\
+    instelring|instelmaat|instelling|kalibratie|kalibreren|kalibreerring|ijking|ijkring|ijkmaat|nul|nulpunt|nulling|meester|\
+    meesterring|referentiering|\
+    azzeramento|azzerato|taratura|calibrazione|calibratura|calibro|impostazione|regolazione";
 
 /// Words beside a measured value that say how it was found and leave it what it is.
 const BESIDE: &str = "average|avg|mean|median|final|raw|corrected|in|gemiddeld|gemiddelde|mediaan|mittel|mittelwert|mittlerer|\
     mittlere|median|media|medio|mediana|of|the|a|an|de|het|een|van|der|die|das|des|von|il|la|lo|di|del|della|bei|bij|a|\
     with|mit|met|con|probe|taster|tastsystem|tastatore|cmm|kmg|machine|maschine|messmaschine|meetmachine|macchina|\
     point|points|punkt|punkte|punt|punten|punto|punti|two|three|four|inner|outer|inside|outside|innen|außen|aussen|\
-    binnen|buiten|interno|esterno|round|zone|hand|val|eff|mis|act|meas|dim|1st|2nd|3rd|4th";
+    binnen|buiten|interno|esterno|round|zone|hand|val|eff|dim|1st|2nd|3rd|4th|vor|voor|prima|after|nach|na|dopo|ort|r";
 
 /// The lists above, to be asked by a word.
 struct Known {
@@ -149,6 +160,44 @@ pub(super) fn is_word(word: &str) -> bool {
     KNOWN.words.contains(word)
 }
 
+/// Words that make a tolerance what a value is out of: `OutOfTol` says how far, or that it is.
+const OUT: [&str; 8] = ["out", "outside", "over", "außer", "ausser", "außerhalb", "buiten", "fuori"];
+
+/// Whether a name says that its values are of before something was done, as far as a single name can say so.
+#[derive(Clone, Copy, PartialEq, Eq)]
+enum Before {
+    No,
+    Perhaps,
+    Yes,
+}
+
+/// Words that mean "before" in one place and something else in another: `voor honen`, but `voor` and `achter` are front and rear;
+/// `prima di honing`, but `prima misura` is the first one. `vor Ort` is where it was measured.
+fn before(name: &[String]) -> Before {
+    let words: Vec<&str> = name.iter().map(String::as_str).collect();
+    let of = |at: usize, word: &str| match (word, words.get(at + 1).copied()) {
+        ("vor", Some("ort")) => Before::No,
+        ("vor", _) => Before::Yes,
+        ("voor", Some(_)) if 0 < at => Before::Yes,
+        ("voor", _) => Before::Perhaps,
+        ("prima", Some("di" | "del" | "dello" | "della" | "dell" | "dei" | "degli" | "delle" | "d")) => Before::Yes,
+        ("prima", _) if 0 < at => Before::Perhaps,
+        _ => Before::No,
+    };
+    let all = (0..).zip(&words).map(|(at, word)| of(at, word));
+    all.fold(Before::No, |found, next| if found == Before::No || next == Before::Yes { next } else { found })
+}
+
+/// Whether a name says that its values are of after something was done: one beside it with `voor` or `prima` is then before that.
+pub(super) fn is_after(header: &str) -> bool {
+    units::split(header).name.iter().any(|word| matches!(word.as_str(), "after" | "nach" | "na" | "dopo"))
+}
+
+/// Whether a name may say that its values are of before something was done.
+pub(super) fn may_be_before(header: &str) -> bool {
+    before(&units::split(header).name) == Before::Perhaps
+}
+
 /// What a column with this name holds.
 pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
     let Parts { mut name, inside, is_remark, .. } = units::split(header);
@@ -157,12 +206,23 @@ pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
     let is_size = |role: Role| matches!(role, Role::Measured | Role::Nominal | Role::Tolerance);
     let is_other = is_strange(&name) || is_strange(&inside);
     let is_other_size = is_strange(&inside);
+    let before = before(&[name.as_slice(), inside.as_slice()].concat());
     if !is_remark {
         name.extend(inside.iter().cloned());
     }
+    let may_be_radius = name.iter().any(|word| word == "r");
     let name = name.join(" ");
     let is_nominal = inside.iter().any(|word| KNOWN.within.get(word.as_str()) == Some(&0));
     if let Some(known) = KNOWN.whole.get(name.as_str()).filter(|(role, _)| !is_other_size || !is_size(*role)) {
+        if known.0 == Role::Tolerance && is_deviation(header) {
+            return None;
+        }
+        // A remark says what the name does not: `measured (before honing)`.
+        match (known.0, before) {
+            (Role::Measured, Before::Yes) => return None,
+            (Role::Measured, Before::Perhaps) => return Some((Role::Measured, Rank::Unsure)),
+            _ => {}
+        }
         // "diameter (nominal)"
         let is_measured = known.1 != Rank::Weak || !is_nominal;
         return Some(if is_measured { *known } else { (Role::Nominal, Rank::Contained) });
@@ -174,11 +234,23 @@ pub(super) fn role(header: &str) -> Option<(Role, Rank)> {
     if name.split(' ').any(is_id) {
         return Some((Role::Id, Rank::Contained));
     }
-    if is_other {
+    if is_other || before == Before::Yes {
         return None;
     }
     let place = name.split(' ').filter_map(|part| KNOWN.within.get(part)).min()?;
-    WITHIN.get(*place).map(|(role, _)| (*role, Rank::Contained))
+    let (role, _) = WITHIN.get(*place)?;
+    match role {
+        Role::Tolerance if is_deviation(header) || name.split(' ').any(|word| OUT.contains(&word)) => None,
+        Role::Measured if before == Before::Perhaps || may_be_radius => Some((*role, Rank::Unsure)),
+        _ => Some((*role, Rank::Contained)),
+    }
+}
+
+/// Whether the name has the sign of an upper or lower deviation: `+TOL`, `Tol-`.
+fn is_deviation(header: &str) -> bool {
+    let is_sign = |c: char| matches!(c, '+' | '-' | '\u{2212}');
+    let name = header.trim();
+    name.starts_with(is_sign) || name.ends_with(is_sign)
 }
 
 /// What else a column with this name says of a value: the part, who measured, where it is.

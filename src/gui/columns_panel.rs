@@ -11,7 +11,7 @@ use crate::message::Message;
 use crate::session::{Action, ColumnChoice, ColumnsCommand, OpenColumns, role_id, unit_id};
 
 /// What a column may hold, in the order of the list.
-const ROLES: [Role; 13] = [
+const ROLES: [Role; 14] = [
     Role::Id,
     Role::Number,
     Role::Tolerance,
@@ -25,6 +25,7 @@ const ROLES: [Role; 13] = [
     Role::Y,
     Role::Z,
     Role::Simulated,
+    Role::Quantity,
 ];
 
 /// The names of the separators.

@@ -58,12 +58,23 @@ pub enum NotFound {
         /// The name of the feature.
         name: String,
     },
-    /// The feature of that number or place has another nominal size.
+    /// The feature of that name, number or place has another nominal size.
     OtherNominal {
         /// Its name.
         name: String,
         /// What the file says.
         given: Length,
+        /// What the plan says.
+        planned: Length,
+    },
+    /// The limits of the file have nothing in common with those of the feature.
+    OtherLimits {
+        /// Its name.
+        name: String,
+        /// The file's limits.
+        given: String,
+        /// The plan's limits.
+        planned: String,
     },
     /// The feature is of another kind than what was measured.
     OtherKind {

@@ -43,6 +43,7 @@ columns-page-role-who = operator
 columns-page-role-x = X
 columns-page-role-y = Y
 columns-page-role-z = Z
+columns-page-role-quantity = what was measured
 columns-page-header = { $line } header
 columns-page-row = { $line }
 columns-page-not-read = { $line } not read

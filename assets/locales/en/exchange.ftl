@@ -23,7 +23,7 @@ exchange-print-ambiguous = the mask can read this in several ways
 exchange-print-broken = the record ends too early: expected the output of line { $line } of the mask
 exchange-no-rows = no row holds a measurement
 exchange-no-measured-column = no column of measured values: name it in the first line, such as id;callout;measured
-exchange-several-columns = columns { $columns } may each be { $role }: name them in the first line, such as id;callout;measured
+exchange-several-columns = columns { $columns } may each be { $role }: say which one, such as import --columns measured=3, or name only one of them so in the first line, such as id;callout;measured
 exchange-role-id = the name
 exchange-role-tolerance = the callout
 exchange-role-nominal = the nominal size
@@ -37,6 +37,7 @@ exchange-role-who = the operator
 exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
+exchange-role-quantity = what was measured
 exchange-no-column = { $role } should be in column { $given }, but the file has { $columns }
 exchange-column-twice = column { $column } cannot be both { $first } and { $second }
 exchange-unit = unknown unit { $unit }: use mm, µm or inch
@@ -73,6 +74,7 @@ exchange-unjudged-point = a surface point of cycle { $cycle }: its deviation alo
 exchange-unjudged-point-without-tolerance = not judged: the point was probed without a tolerance
 exchange-unjudged-contacts = not judged: { $count } contacts without a callout
 exchange-warning-ignored-columns = columns skipped: { $columns }
+exchange-warning-quantity-unknown = column { $column } says nothing known of what was measured ({ $words }): all its values are read as sizes; give import --columns quantity=- where that is right
 exchange-warning-not-used = skipped, not a measurement: { $text }
 exchange-warning-comment = a line that begins with # is a comment, but this one holds a measurement
 exchange-warning-several-lines = the row runs over { $lines } lines within quotation marks

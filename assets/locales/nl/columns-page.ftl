@@ -43,6 +43,7 @@ columns-page-role-who = wie mat
 columns-page-role-x = X
 columns-page-role-y = Y
 columns-page-role-z = Z
+columns-page-role-quantity = wat gemeten is
 columns-page-header = { $line } kop
 columns-page-row = { $line }
 columns-page-not-read = { $line } niet gelezen

@@ -23,7 +23,7 @@ exchange-print-ambiguous = dit kan door het masker op meerdere manieren worden g
 exchange-print-broken = het record eindigt te vroeg: verwacht wordt wat regel { $line } van het masker afdrukt
 exchange-no-rows = geen enkele rij bevat een meting
 exchange-no-measured-column = geen kolom met gemeten waarden: benoem die in de eerste regel, bijvoorbeeld id;passing;gemeten
-exchange-several-columns = kolommen { $columns } kunnen elk { $role } zijn: benoem ze in de eerste regel, bijvoorbeeld id;passing;gemeten
+exchange-several-columns = kolommen { $columns } kunnen elk { $role } zijn: zeg welke, bijvoorbeeld met import --columns measured=3, of noem er in de eerste regel maar één zo, bijvoorbeeld id;passing;gemeten
 exchange-role-id = de naam
 exchange-role-tolerance = de passing
 exchange-role-nominal = de nominale maat
@@ -37,6 +37,7 @@ exchange-role-who = wie heeft gemeten
 exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
+exchange-role-quantity = wat gemeten is
 exchange-no-column = { $role } zou in kolom { $given } staan, en het bestand heeft { $columns }
 exchange-column-twice = kolom { $column } kan niet tegelijk { $first } en { $second } zijn
 exchange-unit = onbekende eenheid { $unit }: gebruik mm, µm of inch
@@ -73,6 +74,7 @@ exchange-unjudged-point = een oppervlaktepunt van cyclus { $cycle }: de afwijkin
 exchange-unjudged-point-without-tolerance = niet beoordeeld: het punt is zonder tolerantie getast
 exchange-unjudged-contacts = niet beoordeeld: { $count } meetpunten zonder passing
 exchange-warning-ignored-columns = overgeslagen kolommen: { $columns }
+exchange-warning-quantity-unknown = kolom { $column } zegt niets bekends over wat gemeten is ({ $words }): al zijn waarden worden als maten gelezen; klopt dat, geef dan import --columns quantity=-
 exchange-warning-not-used = overgeslagen, geen meting: { $text }
 exchange-warning-comment = een regel die met # begint is commentaar, maar hier staat een meting in
 exchange-warning-several-lines = de rij loopt binnen aanhalingstekens over { $lines } regels

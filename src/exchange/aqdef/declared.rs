@@ -6,6 +6,7 @@ use super::keys::{Key, number};
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, What};
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind, shorten};
+use crate::exchange::quantity::Quantity;
 use crate::exchange::units;
 use crate::length::{Length, LengthError, Unit};
 use crate::tolerance::Feature;
@@ -74,6 +75,7 @@ impl Declared {
             number: first(&asked, &[2001]).map_or_else(|| asked.number.to_string(), str::to_owned),
             part: first(&asked, &[1001, 1002]).unwrap_or_default().to_owned(),
             who: asked.text(1222).to_owned(),
+            quantity: (quantity == Some(DIAMETER)).then_some(Quantity::Diameter),
             ..Labels::default()
         };
         let mut characteristic = Characteristic {

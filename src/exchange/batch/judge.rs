@@ -11,8 +11,9 @@ use super::row::{Part, Row};
 use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
-use crate::exchange::error::ImportErrorKind;
+use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::imported::WhyUnjudged;
+use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::rules::{Found, Rules};
 use crate::length::{Length, Unit, Window};
 use crate::message::Say;
@@ -82,17 +83,19 @@ pub struct Court<'a> {
     layout: &'a Layout,
     sources: &'a Sources,
     steps: Steps,
-    fast: Fast,
+    fast: Fast<'a>,
 }
 
 /// Which rows can be judged fast.
 #[derive(Debug)]
-struct Fast {
+struct Fast<'a> {
     measured: (usize, Unit),
     nominal: Option<(usize, Unit)>,
     tolerance: Option<usize>,
     /// Columns in which a row may say that nobody measured, or that the size alone does not decide.
     aside: Vec<usize>,
+    /// Columns that say what was measured: with one of its words of a size a row is plain.
+    quantities: &'a [QuantityColumn],
     count: usize,
     /// A decimal sign that the measured values do not have.
     foreign_sign: Option<u8>,
@@ -114,6 +117,7 @@ impl<'a> Court<'a> {
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
             tolerance: columns.tolerance,
             aside: columns.simulated.into_iter().chain(columns.own.deciding().into_iter().flatten()).collect(),
+            quantities: &columns.quantities,
             count: columns.count,
             foreign_sign: columns.decimal_sign.map(|sign| if sign == '.' { b',' } else { b'.' }),
             has_commas,
@@ -315,6 +319,11 @@ impl Judge<'_> {
                 return None;
             }
         }
+        for column in fast.quantities {
+            if !column.is_known_size(row.cell(column.at)?) {
+                return None;
+            }
+        }
         let number = self.classes.number(class)?;
         let (class, feature, deviations) = self.classes.deviations(number, nominal)?;
         let bounds = Bounds::new(feature, nominal, deviations)?;
@@ -360,7 +369,13 @@ impl Judge<'_> {
                 tally.simulated += u64::from(is_simulated);
                 self.give(row, &Judged::new(bounds, measured), class, tally, take);
             }
-            Ok(Found { asked: None, .. }) => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
+            Ok(Found { asked: None, .. }) => match rules.other_than_size(&cells) {
+                Some(cell) => {
+                    let why = WhyUnjudged::NotASize { what: shorten(cell.text) };
+                    Self::refuse(row, cell.at, &why, tally, take);
+                }
+                None => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
+            },
             Err((cell, reason)) => Self::refuse(row, cell.at, &reason, tally, take),
         }
     }

@@ -128,7 +128,7 @@ impl Layout {
         known_format(&head, "")?;
         let text = utf8(sample);
         let columns = Sample::of(&text, 1, Some(b',')).columns()?;
-        let warnings = skipped(&columns, 1).into_iter().collect();
+        let warnings = skipped(&columns, 1).collect();
         Ok(Self {
             columns: Columns { count: names.len(), ..columns },
             separator: b',',
@@ -159,6 +159,7 @@ impl Layout {
             || columns.simulated == Some(at)
             || columns.own.deciding().contains(&Some(at))
             || columns.nominal.is_some_and(|nominal| nominal.at == at)
+            || columns.quantities.iter().any(|column| column.at == at)
     }
 
     /// The separator of its cells.
@@ -167,11 +168,13 @@ impl Layout {
     }
 }
 
-/// The columns that are skipped, with the line of their names.
-fn skipped(columns: &Columns, first_line: usize) -> Option<(usize, ImportWarningKind)> {
+/// The columns that are skipped or say nothing known, with the line of their names.
+fn skipped(columns: &Columns, first_line: usize) -> impl Iterator<Item = (usize, ImportWarningKind)> {
     let names = columns::listed(&columns.ignored);
     let warning = ImportWarningKind::IgnoredColumns { columns: names };
-    (!columns.ignored.is_empty()).then(|| (columns.header.unwrap_or(first_line), warning))
+    let ignored = (!columns.ignored.is_empty()).then_some(warning);
+    let line = columns.header.unwrap_or(first_line);
+    ignored.into_iter().chain(columns.taken_as_sizes()).map(move |warning| (line, warning))
 }
 
 /// Whether a text is of the one format that can be judged row by row.

@@ -6,6 +6,7 @@ use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, Value, What};
 use crate::exchange::claim::Claim;
 use crate::exchange::error::{ImportErrorKind, shorten};
+use crate::exchange::quantity::Quantity;
 use crate::exchange::units;
 use crate::length::{Length, LengthError, Unit};
 
@@ -86,6 +87,7 @@ impl Row {
             part: cells.text(Column::Plan).to_owned(),
             serial: cells.text(Column::Part).to_owned(),
             place: [x?, y?, z?],
+            quantity: is_diameter.then_some(Quantity::Diameter),
             ..Labels::default()
         };
         let characteristic = Characteristic {

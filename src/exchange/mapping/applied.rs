@@ -6,6 +6,7 @@ use crate::exchange::cells;
 use crate::exchange::columns::{self, Columns, LabelColumns, LengthColumn, Sample, unit_of};
 use crate::exchange::error::{ImportErrorKind, Role, shorten};
 use crate::exchange::own::OwnColumns;
+use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::words;
 
 /// What a mapping says of the columns of a file, and what is detected beside it.
@@ -45,6 +46,7 @@ impl Mapping {
         };
         let said = Said { mapping: self, roles: said, names, found: detected.ok() };
         let mut columns = said.columns(measured, width)?;
+        columns.quantities = said.quantities(&columns, sample);
         columns.header = header.map(|(line, _)| line).or_else(|| said.found.as_ref().and_then(|found| found.header));
         columns.names_known = sample.header.is_some();
         columns.ignored = said.ignored(&columns);
@@ -145,6 +147,16 @@ impl Said<'_> {
         }
     }
 
+    /// The columns that say what was measured.
+    fn quantities(&self, columns: &Columns, sample: &Sample) -> Vec<QuantityColumn> {
+        let found = self.found.as_ref().map(|found| found.quantities.clone()).unwrap_or_default();
+        if self.of(Role::Quantity).is_none() {
+            return found.into_iter().filter(|column| !self.is_used(column.at)).collect();
+        }
+        let said = self.roles.iter().filter(|(role, _)| *role == Role::Quantity);
+        said.filter_map(|(_, at)| sample.quantity(&self.names, (*at)?, columns.id)).collect()
+    }
+
     fn columns(&self, measured: usize, width: usize) -> Result<Columns, ImportErrorKind> {
         let labels = LabelColumns {
             number: self.either(Role::Number, |found| found.labels.number),
@@ -168,6 +180,7 @@ impl Said<'_> {
             measured: self.length(measured)?,
             time: self.times(),
             simulated: self.either(Role::Simulated, |found| found.simulated),
+            quantities: Vec::new(),
             count: count.max(self.roles.iter().filter_map(|(_, at)| *at).max().map_or(0, |at| at + 1)),
             header: None,
             names_known: false,
@@ -244,6 +257,7 @@ pub(super) fn roles(columns: &Columns) -> Vec<Option<Role>> {
         (Role::Z, z),
     ];
     let times = columns.time.iter().map(|at| (Role::Time, Some(*at)));
-    let all: Vec<(Role, Option<usize>)> = one.into_iter().chain(times).collect();
+    let quantities = columns.quantities.iter().map(|column| (Role::Quantity, Some(column.at)));
+    let all: Vec<(Role, Option<usize>)> = one.into_iter().chain(times).chain(quantities).collect();
     (0..columns.count).map(|at| all.iter().find(|(_, of)| *of == Some(at)).map(|(role, _)| *role)).collect()
 }

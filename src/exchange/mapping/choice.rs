@@ -40,12 +40,12 @@ impl Choice {
         Self { sheet, separator, roles: detected.roles.clone(), ..Self::default() }
     }
 
-    /// A column holds something from now on, and no other column the same; date and time may have a column each.
+    /// A column holds something from now on, and no other column the same, or one more where two may have it.
     pub fn give(&mut self, at: usize, role: Option<Role>) {
         if self.roles.len() <= at {
             self.roles.resize(at + 1, None);
         }
-        let most = if role == Some(Role::Time) { 2 } else { 1 };
+        let most = if role.is_some_and(Role::may_be_two) { 2 } else { 1 };
         let others: Vec<usize> =
             (0..self.roles.len()).filter(|other| *other != at && self.roles.get(*other) == Some(&role)).collect();
         for other in others.into_iter().skip(most - 1).filter(|_| role.is_some()) {
@@ -65,7 +65,7 @@ impl Choice {
             let mut columns: Vec<Column> = of_it.map(|(at, _)| column_of(at, names)).collect();
             let column = match (role, columns.len()) {
                 (_, 0) => Column::none(),
-                (Role::Time, _) => Column::Several(columns),
+                (role, _) if role.may_be_two() => Column::Several(columns),
                 _ => columns.swap_remove(0),
             };
             (role.word().to_owned(), column)

@@ -111,7 +111,8 @@ impl FirstRows {
         let header = sample.header.and_then(|at| sample.rows.get(at)).map(|(_, cells)| cells.clone());
         let role = |name: &str| {
             let label = words::label(name);
-            words::role(name).filter(|(_, rank)| *rank != words::Rank::Weak).map(|(role, _)| role).or(label)
+            let is_sure = |rank: words::Rank| !matches!(rank, words::Rank::Weak | words::Rank::Unsure);
+            words::role(name).filter(|(_, rank)| is_sure(*rank)).map(|(role, _)| role).or(label)
         };
         let said: Vec<Option<Role>> = header.iter().flatten().map(role).collect();
         let is_one = |role: &Option<Role>| said.iter().filter(|other| *other == role).count() == 1;

@@ -30,7 +30,6 @@ pub use first_rows::FirstRows;
 pub use remembered::{Kept, MOST_KEPT, Remembered};
 use words::{DECIMALS, SEPARATORS, UNITS, known, role_of};
 
-use super::error::Role;
 use crate::length::Unit;
 use crate::message::Say;
 
@@ -71,7 +70,8 @@ pub enum MappingError {
     },
 }
 
-/// A column by its number, from 1, or by its name in the header; `-` is none. Date and time may have a column each.
+/// A column by its number, from 1, or by its name in the header; `-` is none. Date and time may have a column each, and so may type and
+/// axis.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 #[serde(untagged)]
 enum Column {
@@ -130,7 +130,7 @@ impl Mapping {
         for (word, column) in std::mem::take(&mut self.columns) {
             let role = role_of(&word)?;
             let is_pair = |columns: &[Column]| {
-                role == Role::Time
+                role.may_be_two()
                     && matches!(columns.len(), 1..=2)
                     && !columns.iter().any(|column| matches!(column, Column::Several(_)) || column.is_none())
             };

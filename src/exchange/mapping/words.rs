@@ -5,7 +5,7 @@ use crate::exchange::error::Role;
 use crate::length::Unit;
 
 /// The words of what a column holds.
-pub(super) const ROLES: [(Role, &str); 13] = [
+pub(super) const ROLES: [(Role, &str); 14] = [
     (Role::Id, "name"),
     (Role::Tolerance, "callout"),
     (Role::Nominal, "nominal"),
@@ -19,10 +19,12 @@ pub(super) const ROLES: [(Role, &str); 13] = [
     (Role::X, "x"),
     (Role::Y, "y"),
     (Role::Z, "z"),
+    (Role::Quantity, "quantity"),
 ];
 
 /// Other words for the same.
-const OTHER_WORDS: [(&str, Role); 3] = [("id", Role::Id), ("class", Role::Tolerance), ("date", Role::Time)];
+const OTHER_WORDS: [(&str, Role); 4] =
+    [("id", Role::Id), ("class", Role::Tolerance), ("date", Role::Time), ("type", Role::Quantity)];
 
 /// Words beside those of columns.
 const OF_THE_FILE: [&str; 6] = ["separator", "decimal", "unit", "place-unit", "first-row", "sheet"];
@@ -32,6 +34,11 @@ pub(super) const DECIMALS: [(&str, char); 2] = [("point", '.'), ("comma", ',')];
 pub(super) const UNITS: [(&str, Unit); 3] = [("mm", Unit::Millimetre), ("um", Unit::Micrometre), ("inch", Unit::Inch)];
 
 impl Role {
+    /// Whether two columns may have it: date and time, the type of a feature and the axis of a value.
+    pub(super) const fn may_be_two(self) -> bool {
+        matches!(self, Self::Time | Self::Quantity)
+    }
+
     /// Everything that a column may hold.
     pub fn all() -> impl Iterator<Item = Self> {
         ROLES.into_iter().map(|(role, _)| role)

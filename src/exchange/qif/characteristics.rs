@@ -5,6 +5,7 @@ use super::units::{NotALength, Number, Of, Units};
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, What};
 use crate::exchange::error::ImportErrorKind;
+use crate::exchange::quantity::Quantity;
 use crate::length::Length;
 use crate::tolerance::{Feature, ToleranceClass};
 
@@ -153,6 +154,8 @@ impl Definitions {
         };
         if is_size(&definition.kind) {
             characteristic.what = What::Size;
+            let is_diameter = definition.kind == "Diameter";
+            characteristic.labels.quantity = Some(if is_diameter { Quantity::Diameter } else { Quantity::Width });
             let target = lengths.read(nominal.target.as_ref(), Of::Characteristic)?;
             let diameter = declared.and_then(|declared| declared.diameter.as_ref());
             characteristic.nominal = match target {
