@@ -12,8 +12,12 @@ pub(super) const FAR: f64 = 1e6;
 /// The largest expansion per kelvin: a mistaken unit is a million times as large.
 pub(super) const ALPHA: f64 = 0.001;
 
-/// The farthest that a temperature can be from 20 °C, in kelvin.
-pub(super) const DEGREES: f64 = 1_000.0;
+/// The farthest that a temperature can be from 20 °C, in kelvin: 293 is a temperature and no distance.
+pub(super) const DEGREES: f64 = 100.0;
+
+/// The temperatures between which a piece is measured, in °C: those of `thermal::Range::MEASURED`. 68 are degrees Fahrenheit, 293 kelvin.
+pub(super) const COLDEST: f64 = 0.0;
+pub(super) const WARMEST: f64 = 50.0;
 
 /// A number of a table, if it is there.
 pub(super) type Number = Option<Spanned<f64>>;

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 use toml::Spanned;
 
-use super::numbers::{ALPHA, FAR, Number, Numbers, Refusal, refused};
+use super::numbers::{ALPHA, COLDEST, FAR, Number, Numbers, Refusal, WARMEST, refused};
 use super::{BudgetError, Calibrated};
 use crate::length::Length;
 use crate::tolerance::Feature;
@@ -61,7 +61,7 @@ pub(super) fn calibrated(piece: &Spanned<Piece>, text: &str) -> Result<Calibrate
         (None, Some(expanded)) => expanded / numbers.needed("k", 1.0, 10.0)?,
         (None, None) => return Err(numbers.missing("standard_um, or expanded_um with k")),
     };
-    let off = numbers.within("temperature_c", -100.0, 200.0)?.map(|temperature| (temperature - 20.0).abs());
+    let off = numbers.within("temperature_c", COLDEST, WARMEST)?.map(|temperature| (temperature - 20.0).abs());
     // Of expansion: D |T - 20| u(alpha), micrometres.
     let grown = |key| -> Result<Option<f64>, Refusal> {
         let Some(alpha) = numbers.within(key, 0.0, ALPHA)? else { return Ok(None) };

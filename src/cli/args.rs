@@ -57,6 +57,9 @@ struct GivenTables {
     source: Base,
     #[command(flatten)]
     standard: StandardArgs,
+    /// Take a tolerance zone as it is given that is wider than IT 18 of its size or reaches to zero
+    #[arg(long)]
+    wide_zone: bool,
 }
 
 impl ValueEnum for Base {
@@ -134,8 +137,9 @@ impl TableArgs {
 
     /// Where limits are looked up; warnings about the user's own tables go to standard error.
     pub(super) fn load(&self, io: &mut Io<'_>) -> Result<Sources, CliError> {
-        let GivenTables { tables, source, standard } = &self.0;
+        let GivenTables { tables, source, standard, wide_zone } = &self.0;
         let sources = Sources::default().with_base(*source, shipped_tables).with_options(standard.options());
+        let sources = sources.with_wide_zones(*wide_zone);
         let Some(folder) = tables else { return Ok(sources) };
         let own = files::read_tables(folder).said()?;
         for warning in &own.warnings {

@@ -136,6 +136,7 @@ impl Args {
         let limits = if unstated { sources.size_limits(&callout) } else { sources.limits(&callout, feature) };
         let limits = match limits {
             Err(error @ LimitsError::NoFeature { .. }) => return Err(CliError::AddFeature { error }),
+            Err(error @ LimitsError::Zone(_)) => return Err(CliError::AddWideZone { asked, error }),
             limits => limits.about(&asked)?,
         };
         // A record says hole or shaft, and so does a simulated workpiece.
@@ -168,8 +169,11 @@ impl Args {
         if let Some(why) = record.verdict.undecided {
             io.warn(&why);
         }
-        if let Some((correction, part)) = &correction {
-            tell_correction(correction, part, io);
+        if let Some((correction, warmth)) = &correction {
+            for doubt in &warmth.doubts {
+                io.warn(doubt);
+            }
+            tell_correction(correction, &warmth.part, io);
         }
         if matches!(self.format, Format::Text) {
             tell_rule(&record, io);
@@ -257,6 +261,9 @@ impl Args {
 /// Warns about the measured value and the figures behind its limits; what else the measurement cannot tell is in CSV
 /// and JSON.
 fn warn(record: &Record, sources: &Sources, io: &mut Io<'_>) {
+    if let Some(doubt) = record.callout.and_then(|callout| sources.zone_doubt(&callout, &record.limits)) {
+        io.warn(&doubt);
+    }
     if let Some(doubt) = record.doubt {
         io.warn(&doubt);
     }

@@ -7,6 +7,7 @@ use crate::files::FileError;
 use crate::length::Length;
 use crate::message::{Arg, IntoArg, Message, Say, printed};
 use crate::tolerance::LimitsError;
+use crate::tolerance::fit::thermal::ThermalDoubt;
 
 /// Why a subcommand could not do its work.
 #[derive(Debug, Say)]
@@ -59,6 +60,10 @@ pub(super) enum CliError {
 
     /// Hole or shaft must be named.
     AddFeature { error: LimitsError },
+    /// A zone out of all proportion, which may be meant.
+    AddWideZone { asked: Arg, error: LimitsError },
+    /// A temperature that is doubted and may be meant.
+    AddFarTemperature { what: Arg, error: ThermalDoubt },
     /// Outside the limits, and hole or shaft decides between rework and scrap.
     ReworkOrScrap { asked: Arg, measured: Length, minimum: Length, maximum: Length },
 

@@ -110,7 +110,11 @@ impl Args {
         if !is_one && (hole.is_some() || shaft.is_some()) {
             return Err(CliError::PartsOfSeveral);
         }
-        let given = Given { sources: &sources, heat: self.heat.load()?, hole, shaft };
+        let heat = self.heat.load()?;
+        for doubt in heat.iter().flat_map(|heat| &heat.doubts) {
+            io.warn(doubt);
+        }
+        let given = Given { sources: &sources, heat, hole, shaft };
         let mut fits = Fits { given, worst: None };
         match (
             Answers::print((self.format, is_one), &names(&Figures::COLUMNS), &self.callouts, &mut fits, io),

@@ -136,7 +136,7 @@ impl Judge {
         let record = match &self.warmth {
             // A file of Fitcheck says how its values were corrected.
             Some(_) if record.correction.is_some() => return Err(CliError::AlreadyCorrected),
-            Some(Warmth { part, scale }) => {
+            Some(Warmth { part, scale, .. }) => {
                 let measured = record.measurement.diameter;
                 record.corrected(Correction::new(measured, part.warm, *scale))
             }
@@ -151,7 +151,7 @@ impl Judge {
 
     /// Says once how all records are brought to 20 °C and by which budget they are judged.
     pub(super) fn tell(&self, io: &mut Io<'_>) {
-        if let Some(Warmth { part, scale }) = &self.warmth {
+        if let Some(Warmth { part, scale, doubts }) = &self.warmth {
             io.remark(&CliRemark::CorrectedAll {
                 temperature: part.warm.temperature,
                 material: part.name.clone().unwrap_or_else(|| "none".to_owned()),
@@ -159,6 +159,9 @@ impl Judge {
             });
             if let Some(scale) = scale {
                 io.remark(&CliRemark::Scales { temperature: scale.temperature, expansion: scale.expansion });
+            }
+            for doubt in doubts {
+                io.warn(doubt);
             }
             if part.certainty == Certainty::Verify {
                 io.warn(&CliWarning::ExpansionUnconfirmed { expansion: part.warm.expansion });

@@ -131,8 +131,15 @@ impl LimitsOf<'_> {
     ) -> Result<(), CliError> {
         match self.0.size_limits(&callout) {
             Err(error) => answers.refuse::<Self>(asked, &error, io),
-            Ok(limits) if answers.is_text() => answers.text(|out, _| write_text(out, &callout, &limits), io),
-            Ok(limits) => answers.figures(&Row::of(asked.callout, &limits), io),
+            Ok(limits) => {
+                if let Some(doubt) = self.0.zone_doubt(&callout, &limits) {
+                    io.warn_about(&callout, &doubt);
+                }
+                if answers.is_text() {
+                    return answers.text(|out, _| write_text(out, &callout, &limits), io);
+                }
+                answers.figures(&Row::of(asked.callout, &limits), io)
+            }
         }
     }
 }

@@ -6,8 +6,9 @@ use super::{CliError, Refused as _, What};
 use crate::control::text::decode;
 use crate::files;
 use crate::length::Length;
+use crate::message::IntoArg as _;
 use crate::tolerance::fit::materials::{Certainty, Materials};
-use crate::tolerance::fit::thermal::{Correction, Expansion, Temperature, ThermalError, Warm};
+use crate::tolerance::fit::thermal::{Correction, Expansion, Range, Temperature, ThermalDoubt, ThermalError, Warm};
 
 /// The built-in materials, with a user's own file before them.
 pub(super) fn materials(own: Option<&Path>) -> Result<Materials, CliError> {
@@ -25,6 +26,8 @@ pub(super) struct Part {
     pub certainty: Certainty,
     pub source: Option<String>,
     pub warm: Warm,
+    /// At which temperatures it expands as much.
+    pub range: Range,
 }
 
 impl Part {
@@ -37,15 +40,35 @@ impl Part {
                 certainty: material.certainty,
                 source: material.source.clone(),
                 warm: warm(material.expansion),
+                range: material.range,
             }),
             Err(unknown) => match text.parse::<Expansion>() {
-                Ok(expansion) => {
-                    Ok(Self { name: None, certainty: Certainty::Own, source: None, warm: warm(expansion) })
-                }
+                Ok(expansion) => Ok(Self {
+                    name: None,
+                    certainty: Certainty::Own,
+                    source: None,
+                    warm: warm(expansion),
+                    range: Range::USUAL,
+                }),
                 Err(ThermalError::NotANumber { .. }) => Err(unknown).said(),
                 Err(error) => Err(error).said(),
             },
         }
+    }
+
+    /// What is doubtful about its temperature, whether it is measured or only warm.
+    pub(super) fn doubt(&self, is_measured: bool) -> Option<ThermalDoubt> {
+        let Warm { expansion, temperature } = self.warm;
+        let measured = if is_measured { ThermalDoubt::of_measured(temperature) } else { None };
+        measured.or_else(|| ThermalDoubt::of_expansion(temperature, expansion, self.range))
+    }
+}
+
+/// Refuses a doubtful temperature, unless it is meant.
+pub(super) fn refuse_far(doubt: Option<ThermalDoubt>, is_meant: bool) -> Result<Option<ThermalDoubt>, CliError> {
+    match doubt {
+        Some(error) if !is_meant => Err(CliError::AddFarTemperature { what: What::Temperature.arg(), error }),
+        doubt => Ok(doubt),
     }
 }
 
@@ -68,6 +91,9 @@ pub(super) struct WarmArgs {
     /// Your own materials, a TOML file: they replace those of the same name and add others
     #[arg(long, value_name = "FILE.toml", requires = "material")]
     materials: Option<PathBuf>,
+    /// Take a temperature as it is given that is below 0 °C, above 50 °C or beyond the range of the expansion
+    #[arg(long, requires = "temperature")]
+    far_temperature: bool,
 }
 
 /// How warm a measured part is, and the scales that it was measured with where they count.
@@ -75,13 +101,15 @@ pub(super) struct WarmArgs {
 pub(super) struct Warmth {
     pub part: Part,
     pub scale: Option<Warm>,
+    /// What is doubtful about the temperatures, and meant.
+    pub doubts: Vec<ThermalDoubt>,
 }
 
 impl WarmArgs {
     /// The correction of a measured length; `None` where no temperature was given.
-    pub(super) fn correction(&self, measured: Length) -> Result<Option<(Correction, Part)>, CliError> {
-        let Some(Warmth { part, scale }) = self.warmth()? else { return Ok(None) };
-        Ok(Some((Correction::new(measured, part.warm, scale), part)))
+    pub(super) fn correction(&self, measured: Length) -> Result<Option<(Correction, Warmth)>, CliError> {
+        let Some(warmth) = self.warmth()? else { return Ok(None) };
+        Ok(Some((Correction::new(measured, warmth.part.warm, warmth.scale), warmth)))
     }
 
     /// The temperatures; `None` where none was given.
@@ -93,10 +121,15 @@ impl WarmArgs {
         let scale = match (&self.scale_temperature, &self.scale_material) {
             (Some(temperature), Some(material)) => {
                 let scale = Part::of(material, &materials, read(temperature)?);
-                Some(scale.about(&What::Option { name: "scale-material" })?.warm)
+                Some(scale.about(&What::Option { name: "scale-material" })?)
             }
             _ => None,
         };
-        Ok(Some(Warmth { part, scale }))
+        let mut doubts = Vec::new();
+        for of in std::iter::once(&part).chain(&scale) {
+            doubts.extend(refuse_far(of.doubt(true), self.far_temperature)?);
+        }
+        let scale = scale.map(|scale| scale.warm);
+        Ok(Some(Warmth { part, scale, doubts }))
     }
 }

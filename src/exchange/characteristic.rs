@@ -177,6 +177,7 @@ impl Characteristic {
                     warn(ImportWarningKind::LimitsDiffer { callout, minimum, maximum });
                 }
             }
+            Some(Err(error @ LimitsError::Zone(_))) => return Err(NoLimits::Refused(Box::new(error))),
             Some(Err(_)) => warn(ImportWarningKind::ClassUnknown { given: self.class.clone() }),
             None if !self.class.is_empty() => warn(ImportWarningKind::ClassUnknown { given: self.class.clone() }),
             None => {}
@@ -195,6 +196,7 @@ impl Characteristic {
             deviations.map_err(|_swapped| NoLimits::Unjudged(WhyUnjudged::SwappedLimits { minimum, maximum }))?;
         let from = LimitSource::File(Arc::clone(&context.file));
         let limits = Limits::new(feature, nominal, deviations, from).ok_or_else(too_large)?;
+        context.sources.proportionate(&limits.bounds()).map_err(|error| NoLimits::Refused(Box::new(error)))?;
         Ok((None, limits))
     }
 }

@@ -9,6 +9,7 @@ use crate::control::log::LogFault;
 use crate::control::point_log::PointFault;
 use crate::length::{Length, LengthError};
 use crate::message::{Located, Message, Say, shortened};
+use crate::tolerance::fit::thermal::ThermalDoubt;
 use crate::tolerance::{Callout, CalloutError, Feature, LimitsError};
 
 pub use super::warning::{ImportWarning, ImportWarningKind};
@@ -42,6 +43,9 @@ pub enum ImportErrorKind {
     },
     /// The columns of a correction to 20 °C and the measured value contradict each other.
     Correction,
+    /// The temperature from which a value was brought to 20 °C is doubted.
+    #[say(transparent)]
+    Temperature(ThermalDoubt),
     /// There is nothing in the file.
     Empty,
     /// The system cannot read on.

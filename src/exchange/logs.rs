@@ -162,6 +162,12 @@ impl Read {
             let reason = ImportErrorKind::Limits(crate::tolerance::LimitsError::TooLarge { nominal: pair.maximum });
             return Made::Refused { reason, given: pair.maximum.to_string() };
         };
+        if let Err(error) = source.sources.proportionate(&limits.bounds()) {
+            return Made::Refused {
+                reason: ImportErrorKind::Limits(error),
+                given: format!("{}/{}", pair.maximum, pair.minimum),
+            };
+        }
         let origin = Origin::Imported { file: Arc::clone(&source.file) };
         let measurement = Measurement { centre: self.centre, ..Measurement::of_diameter(measured, origin) };
         Made::Record(Box::new(Record::judged(self.time, self.id.clone(), None, limits, measurement, self.position)))
@@ -187,6 +193,17 @@ impl Read {
                 given,
             };
         };
+        let in_proportion = if is_coordinate {
+            source.sources.proportionate_coordinate(limits.nominal, limits.deviations)
+        } else {
+            source.sources.proportionate(&limits.bounds())
+        };
+        if let Err(error) = in_proportion {
+            return Made::Refused {
+                reason: ImportErrorKind::Limits(error),
+                given: format!("{}/{}", pair.maximum, pair.minimum),
+            };
+        }
         let judged = Coordinate::judged(self.cycle.code, figure.nominal, &limits, measured);
         let why = if is_coordinate { WhyUnjudged::Coordinate(judged) } else { WhyUnjudged::Size { what, judged } };
         Made::Unjudged { measured, why }

@@ -42,7 +42,11 @@ impl Lookup {
         let step = ends.partition_point(|end| *end < nominal);
         if let Some((deviations, source)) = self.found.borrow().get(&(class, step)) {
             let limits = Limits::new(class.feature(), nominal, *deviations, source.clone());
-            return limits.ok_or(LimitsError::TooLarge { nominal });
+            let limits = limits.ok_or(LimitsError::TooLarge { nominal })?;
+            // Within a step a zone is as wide everywhere; whether it reaches to zero depends on the size.
+            if Length::ZERO < limits.minimum() {
+                return Ok(limits);
+            }
         }
         let limits = sources.limits(callout, None)?;
         let mut found = self.found.borrow_mut();

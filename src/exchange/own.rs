@@ -6,7 +6,7 @@ use csv::StringRecord;
 use super::error::{ImportErrorKind, shorten};
 use super::rules::{Cell, Refused};
 use crate::length::Length;
-use crate::tolerance::fit::thermal::{Correction, Warm};
+use crate::tolerance::fit::thermal::{Correction, ThermalDoubt, Warm};
 
 /// The cell of a position that is out.
 const OUT: &str = "OUT";
@@ -100,6 +100,9 @@ impl OwnColumns {
         let refused = |at: usize| (cell(at), ImportErrorKind::Correction);
         let warm = |[temperature, expansion]: [usize; 2]| -> Result<Warm, Refused<'c>> {
             let temperature_c = text(temperature).parse().map_err(|_not_one| refused(temperature))?;
+            if let Some(doubt) = ThermalDoubt::of_measured(temperature_c) {
+                return Err((cell(temperature), ImportErrorKind::Temperature(doubt)));
+            }
             let expansion_of = text(expansion).parse().map_err(|_not_one| refused(expansion))?;
             Ok(Warm { expansion: expansion_of, temperature: temperature_c })
         };

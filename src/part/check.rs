@@ -295,6 +295,9 @@ impl Reader<'_> {
 
     fn limits(&mut self, kind: &Kind, side: Option<Feature>) -> Option<Vec<Limits>> {
         if let Kind::Point(band, _) = kind {
+            let in_proportion = self.sources.proportionate_coordinate(Length::ZERO, *band);
+            let in_proportion = in_proportion.map_err(|error| PlanFault::Band(Box::new(error)));
+            self.take(Column::Callout, in_proportion)?;
             return Some(Limits::new(Feature::Shaft, Length::ZERO, *band, Source::Callout).into_iter().collect());
         }
         // A face is judged as an outside dimension; a pocket has sides inside, a boss outside.
@@ -308,7 +311,10 @@ impl Reader<'_> {
             let limits = if matches!(callout.tolerance(), Tolerance::Fit { .. }) {
                 Err(PlanFault::Fit { callout })
             } else {
-                let limits = self.sources.limits(&callout, side);
+                let limits = match kind {
+                    Kind::Face(..) => self.sources.coordinate_limits(&callout, side),
+                    _ => self.sources.limits(&callout, side),
+                };
                 limits.map_err(|error| PlanFault::Limits { callout, error: Box::new(error) })
             };
             let Some(limits) = self.take(column, limits) else { continue };

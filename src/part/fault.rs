@@ -218,6 +218,9 @@ pub enum PlanFault {
         /// Why.
         error: Box<LimitsError>,
     },
+    /// A band about the nominal place of a point that is out of all proportion.
+    #[say(transparent)]
+    Band(Box<LimitsError>),
     /// A value that is out of the cycle's range.
     #[say(transparent)]
     Range(Box<CycleError>),

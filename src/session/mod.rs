@@ -71,7 +71,8 @@ pub use budget::{
     bars,
 };
 pub use check::{
-    Asked, CheckCommand, CheckField, CheckPage, Judging, Lot, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
+    Asked, CheckCommand, CheckField, CheckPage, Doubted, Judging, Lot, MeasureBy, Question, Shown, UncertaintyFrom,
+    Worth,
 };
 pub use columns::{
     Asked as AskedColumns, ColumnChoice, ColumnsCommand, NoticeColumns, OpenColumns, UsedColumns, refusal, role_id,

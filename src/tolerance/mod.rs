@@ -7,6 +7,7 @@
 //! | `iso2768` | general tolerances: `10m` |
 //! | `limits` | deviations and limits of size, and where they come from |
 //! | `figure` | figures to check: contested ones, and those of own tables that differ from the standard |
+//! | `proportion` | zones that are out of all proportion to their size |
 //! | `table` | size ranges and deviations as a control's table holds them |
 //! | `table_edit` | a table that is being edited, and tables made from the standard |
 //! | `compare` | a table against the standard, cell by cell |
@@ -24,6 +25,7 @@ pub mod fit;
 pub mod iso2768;
 pub mod iso286;
 pub mod limits;
+pub mod proportion;
 mod ranges;
 pub mod sources;
 pub mod table;
@@ -34,5 +36,6 @@ pub use class::{ClassError, Feature, ToleranceClass};
 pub use figure::FigureWarning;
 pub use iso2768::GeneralClass;
 pub use limits::{Bounds, Deviations, DeviationsError, Limits, Source};
+pub use proportion::ZoneDoubt;
 pub use sources::{Absent, Base, LimitsError, Sources};
 pub use table::DeviationTable;

@@ -14,7 +14,8 @@ use super::callout::{Callout, Tolerance};
 use super::class::{Feature, ToleranceClass};
 use super::iso286;
 use super::iso2768;
-use super::limits::{Deviations, Limits, Source};
+use super::limits::{Bounds, Deviations, Limits, Source};
+use super::proportion::{self, ZoneDoubt};
 use super::ranges;
 use super::table::DeviationTable;
 use crate::length::Length;
@@ -33,6 +34,7 @@ pub struct Sources {
     control: Vec<Arc<DeviationTable>>,
     options: iso286::Options,
     absent: Option<Absent>,
+    takes_wide_zones: bool,
 }
 
 /// A folder of own tables that limits should come from and do not.
@@ -131,6 +133,9 @@ pub enum LimitsError {
         /// Their folder.
         folder: Arc<str>,
     },
+    /// A zone out of all proportion to its size.
+    #[say(transparent)]
+    Zone(Box<ZoneDoubt>),
 }
 
 impl Sources {
@@ -156,6 +161,12 @@ impl Sources {
     pub const fn with_options(mut self, options: iso286::Options) -> Self {
         self.options = options;
         self
+    }
+
+    /// A copy that takes zones out of all proportion as they are given, because somebody said that they are meant; or one that does not.
+    #[must_use]
+    pub fn with_wide_zones(self, takes_wide_zones: bool) -> Self {
+        Self { takes_wide_zones, ..self }
     }
 
     /// A copy that knows which own tables are absent, if any.
@@ -246,10 +257,78 @@ impl Sources {
         {
             return Err(LimitsError::OtherFeature { class });
         }
+        let limits = self.whatever_limits(callout, feature)?;
+        self.undoubted(|| self.zone_doubt(callout, &limits))?;
+        Self::with_feature(callout, feature, limits)
+    }
+
+    /// What is doubtful about the limits of a callout, whether or not wide zones are meant.
+    pub fn zone_doubt(&self, callout: &Callout, limits: &Limits) -> Option<ZoneDoubt> {
+        if self.is_of_standard(callout, limits) {
+            return None;
+        }
+        let doubt = proportion::doubt(&limits.bounds())?;
+        Some(if matches!(callout.tolerance(), Tolerance::Limits { .. }) { doubt.without_offer() } else { doubt })
+    }
+
+    /// The limits of a coordinate that a callout gives: its zone may be wide, for its size is only how far it lies from some zero.
+    ///
+    /// # Errors
+    /// [`LimitsError`], as for [`Sources::limits`].
+    pub fn coordinate_limits(&self, callout: &Callout, feature: Option<Feature>) -> Result<Limits, LimitsError> {
+        let limits = self.whatever_limits(callout, feature)?;
+        self.proportionate_coordinate(limits.nominal, limits.deviations)?;
+        Self::with_feature(callout, feature, limits)
+    }
+
+    /// Limits of a hole or a shaft; of a shaft where nobody says which.
+    fn whatever_limits(&self, callout: &Callout, feature: Option<Feature>) -> Result<Limits, LimitsError> {
         let (deviations, source) = self.deviations(callout, feature)?;
-        let feature = callout.feature().or(feature).ok_or(LimitsError::NoFeature { callout: *callout })?;
+        let feature = callout.feature().or(feature).unwrap_or(Feature::Shaft);
         Limits::new(feature, callout.nominal(), deviations, source)
             .ok_or(LimitsError::TooLarge { nominal: callout.nominal() })
+    }
+
+    /// The same where somebody says it: what is doubted comes first, for it has to be written anew anyway.
+    fn with_feature(callout: &Callout, feature: Option<Feature>, limits: Limits) -> Result<Limits, LimitsError> {
+        match callout.feature().or(feature) {
+            Some(_) => Ok(limits),
+            None => Err(LimitsError::NoFeature { callout: *callout }),
+        }
+    }
+
+    /// Whether the figures are those of a standard, which nobody has typed.
+    fn is_of_standard(&self, callout: &Callout, limits: &Limits) -> bool {
+        let is_iso286 = |class| {
+            let cell = iso286::deviations(class, limits.nominal, self.options);
+            cell.is_ok_and(|cell| cell.deviations == limits.deviations)
+        };
+        match &limits.source {
+            Source::Callout | Source::File(_) | Source::Recorded { .. } => false,
+            Source::Table { shipped: false, .. } => callout.class_for(limits.feature).is_some_and(is_iso286),
+            Source::Standard { .. } | Source::Iso2768 { .. } | Source::Table { .. } | Source::WithoutOwn { .. } => true,
+        }
+    }
+
+    /// Refuses sizes whose zone is out of all proportion, unless wide zones are meant. For limits that come without a callout.
+    ///
+    /// # Errors
+    /// [`LimitsError::Zone`] with what was probably meant.
+    pub fn proportionate(&self, bounds: &Bounds) -> Result<(), LimitsError> {
+        self.undoubted(|| proportion::doubt(bounds))
+    }
+
+    /// The same for a coordinate, or for a deviation from a place.
+    ///
+    /// # Errors
+    /// [`LimitsError::Zone`] with what was probably meant.
+    pub fn proportionate_coordinate(&self, nominal: Length, deviations: Deviations) -> Result<(), LimitsError> {
+        self.undoubted(|| proportion::doubt_of_coordinate(nominal, deviations))
+    }
+
+    fn undoubted(&self, doubt: impl FnOnce() -> Option<ZoneDoubt>) -> Result<(), LimitsError> {
+        let doubt = if self.takes_wide_zones { None } else { doubt() };
+        doubt.map_or(Ok(()), |doubt| Err(LimitsError::Zone(Box::new(doubt))))
     }
 
     /// The limits of a callout where it does not matter whether a hole or a shaft is meant: a callout without letters

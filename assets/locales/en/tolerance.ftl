@@ -51,6 +51,15 @@ limits-defined = it is defined { $ranges }
 limits-range = over { $over } up to { $to } mm
 limits-ranges = { $first }, { $rest }
 limits-too-large = the limits of { $nominal } mm are too large
+
+## Zones out of all proportion
+zone-micrometres = a zone of { $width } mm is out of all proportion to { $nominal } mm, whose IT 18 is { $widest } mm: are the deviations micrometres? Then write { $offer }
+zone-wide = a zone of { $width } mm is out of all proportion to { $nominal } mm, whose IT 18 is { $widest } mm: check nominal size and limits
+zone-micrometres-to-zero = minimum limit { $minimum } mm is not above 0: are the deviations micrometres? Then write { $offer }
+zone-to-zero = minimum limit { $minimum } mm is not above 0: check nominal size and limits
+zone-coordinate-micrometres = a zone of { $width } mm is wider than { $widest } mm, the most for a coordinate: are the deviations micrometres? Then write { $offer }
+zone-coordinate = a zone of { $width } mm is wider than { $widest } mm, the most for a coordinate: check the limits
+
 shape-no-ranges = the table has no size range
 shape-not-ascending = size range up to { $end } mm does not end above the one before it, { $before } mm
 shape-cells = column { $class } has { $cells } cells for { $ranges } size ranges
@@ -149,6 +158,13 @@ fit-search-no-classes = the tables have no classes for both hole and shaft at { 
 fit-thermal-too-fine = { $text } has more than three decimals
 fit-thermal-temperature = a temperature of { $text } °C is out of range: from -273.15 to 1000 °C
 fit-thermal-expansion = an expansion of { $text } is out of range: from -20 to 500, in millionths per kelvin, such as 11.5 for steel
+fit-thermal-expansion-unit = an expansion of { $text } is in another unit: it is given in millionths per kelvin; write { $meant }
+
+## Temperatures that are doubted
+thermal-doubt-fahrenheit = { $given } °C is far from any temperature at which parts are measured: are these degrees Fahrenheit? Then write { $meant }
+thermal-doubt-kelvin = { $given } °C is far from any temperature at which parts are measured: are these kelvin? Then write { $meant }
+thermal-doubt-far = { $given } °C is far from any temperature at which parts are measured, { $least } to { $most } °C: check it
+thermal-doubt-beyond = { $given } °C is beyond { $least } to { $most } °C, where an expansion of { $expansion } millionths per kelvin holds: give one for this temperature
 
 ## Materials
 material-published = published value
@@ -159,6 +175,7 @@ material-version = materials file version { $found } is not supported: expected 
 material-too-many = { $count } materials are too many: at most { $most }
 material-too-large = a materials file has at most { $most } bytes
 material-name = a material's name has 1 to { $longest } characters and no control characters
+material-range = a range of temperatures begins with the lower one: write two numbers in °C, such as [-50, 200]
 material-twice = material { $name } is defined twice
 material-unknown = unknown material { $name }: choose one of { $known }, or give the expansion itself, such as 11.5
 ## Callouts: deviations, limits, fits and general tolerances
@@ -184,6 +201,7 @@ callout-limits-apart = { $larger } mm is more than twice { $smaller } mm, so the
 callout-limits-or-deviation = this is ambiguous: write { $limits } for limits of size or { $deviation } for a lower deviation
 callout-limits-meant = such a deviation would leave nothing: write { $limits } for limits of size
 callout-minimum-not-positive = minimum limit { $minimum } mm is not above 0
+callout-micrometres-meant = minimum limit { $minimum } mm is not above 0: are the deviations micrometres? Then write { $offer }
 callout-mixed-decimals = { $number } has a different decimal sign than the number before it: use one kind
 callout-cycle-sign = { $sign } is for the texts of cycles 14xx, not for a callout
 callout-not-in-cycle-text = { $found } cannot stand in a text of cycles 14xx: write a class, a general class or deviations

@@ -114,7 +114,11 @@ simulated = SIMULATED
 status-simulated = { simulated } { $status }
 judge-anyway = Judge { $measured } mm as it is
 take-meant = Use { $meant } mm
+take-text = Use { $meant }
+keep-text = Judge by { $given } as it is
 question-enter = Enter judges the value as it is; typing replaces it
+doubted-enter = Enter uses the highlighted button; typing replaces the text
+doubted-type = Nothing is judged before the text is typed again or taken as it is
 doubt-sentence = The { $doubt }
 lot-title = { $rows ->
     [one] { $name }: 1 row

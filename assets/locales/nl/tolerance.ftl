@@ -51,6 +51,15 @@ limits-defined = wel { $ranges }
 limits-range = boven { $over } tot en met { $to } mm
 limits-ranges = { $first }, { $rest }
 limits-too-large = de grensmaten van { $nominal } mm zijn te groot
+
+## Tolerantievelden buiten elke verhouding
+zone-micrometres = een tolerantieveld van { $width } mm staat in geen verhouding tot { $nominal } mm, waarvan IT 18 { $widest } mm is: zijn de afwijkingen micrometers? Schrijf dan { $offer }
+zone-wide = een tolerantieveld van { $width } mm staat in geen verhouding tot { $nominal } mm, waarvan IT 18 { $widest } mm is: controleer nominale maat en grensmaten
+zone-micrometres-to-zero = minimale grensmaat { $minimum } mm is niet groter dan 0: zijn de afwijkingen micrometers? Schrijf dan { $offer }
+zone-to-zero = minimale grensmaat { $minimum } mm is niet groter dan 0: controleer nominale maat en grensmaten
+zone-coordinate-micrometres = een tolerantieveld van { $width } mm is breder dan { $widest } mm, het meeste voor een coördinaat: zijn de afwijkingen micrometers? Schrijf dan { $offer }
+zone-coordinate = een tolerantieveld van { $width } mm is breder dan { $widest } mm, het meeste voor een coördinaat: controleer de grensmaten
+
 shape-no-ranges = de tabel heeft geen maatbereik
 shape-not-ascending = maatbereik tot en met { $end } mm eindigt niet boven het vorige, { $before } mm
 shape-cells = kolom { $class } heeft { $cells } cellen voor { $ranges } maatbereiken
@@ -149,6 +158,13 @@ fit-search-no-classes = de tabellen hebben bij { $nominal } mm geen klassen voor
 fit-thermal-too-fine = { $text } heeft meer dan drie decimalen
 fit-thermal-temperature = een temperatuur van { $text } °C valt buiten het bereik: van -273,15 tot 1000 °C
 fit-thermal-expansion = een uitzetting van { $text } valt buiten het bereik: van -20 tot 500, in miljoensten per kelvin, zoals 11,5 voor staal
+fit-thermal-expansion-unit = een uitzetting van { $text } staat in een andere eenheid: die is in miljoensten per kelvin; schrijf { $meant }
+
+## Temperaturen die niet kunnen kloppen
+thermal-doubt-fahrenheit = { $given } °C ligt ver van elke temperatuur waarbij wordt gemeten: zijn dit graden Fahrenheit? Schrijf dan { $meant }
+thermal-doubt-kelvin = { $given } °C ligt ver van elke temperatuur waarbij wordt gemeten: is dit in kelvin? Schrijf dan { $meant }
+thermal-doubt-far = { $given } °C ligt ver van elke temperatuur waarbij wordt gemeten, { $least } tot { $most } °C: controleer die
+thermal-doubt-beyond = { $given } °C ligt buiten { $least } tot { $most } °C, waar een uitzetting van { $expansion } miljoensten per kelvin geldt: geef er een voor deze temperatuur
 
 ## Materialen
 material-published = gepubliceerde waarde
@@ -159,6 +175,7 @@ material-version = versie { $found } van een materialenbestand wordt niet onders
 material-too-many = { $count } materialen zijn er te veel: hoogstens { $most }
 material-too-large = een materialenbestand heeft hoogstens { $most } bytes
 material-name = de naam van een materiaal heeft 1 tot { $longest } tekens en geen stuurtekens
+material-range = een temperatuurbereik begint met de laagste: schrijf twee getallen in °C, zoals [-50, 200]
 material-twice = materiaal { $name } is twee keer gedefinieerd
 material-unknown = onbekend materiaal { $name }: kies een van { $known }, of geef de uitzetting zelf op, zoals 11,5
 ## Maataanduidingen: afwijkingen, grensmaten, passingen en algemene toleranties
@@ -184,6 +201,7 @@ callout-limits-apart = { $larger } mm is meer dan twee keer { $smaller } mm, dus
 callout-limits-or-deviation = dit is dubbelzinnig: schrijf { $limits } voor grensmaten of { $deviation } voor een onderafwijking
 callout-limits-meant = zo'n afwijking zou niets overlaten: schrijf { $limits } voor grensmaten
 callout-minimum-not-positive = minimale grensmaat { $minimum } mm is niet groter dan 0
+callout-micrometres-meant = minimale grensmaat { $minimum } mm is niet groter dan 0: zijn de afwijkingen micrometers? Schrijf dan { $offer }
 callout-mixed-decimals = { $number } heeft een ander decimaalteken dan het getal ervoor: gebruik één soort
 callout-cycle-sign = { $sign } hoort in de teksten van de cycli 14xx, niet in een passing
 callout-not-in-cycle-text = { $found } is in een tekst van de cycli 14xx niet toegestaan: schrijf een klasse, een algemene klasse of afwijkingen

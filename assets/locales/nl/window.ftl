@@ -114,7 +114,11 @@ simulated = GESIMULEERD
 status-simulated = { simulated } { $status }
 judge-anyway = { $measured } mm toch beoordelen
 take-meant = { $meant } mm gebruiken
+take-text = { $meant } gebruiken
+keep-text = { $given } toch zo gebruiken
 question-enter = Enter beoordeelt de waarde zoals die is; typen vervangt de waarde
+doubted-enter = Enter gebruikt de gekleurde knop; typen vervangt de tekst
+doubted-type = Er wordt niets beoordeeld voordat de tekst opnieuw getypt of zo gebruikt wordt
 doubt-sentence = { $doubt }
 lot-title = { $rows ->
     [one] { $name }: 1 rij

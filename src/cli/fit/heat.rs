@@ -2,10 +2,10 @@
 
 use std::path::PathBuf;
 
-use crate::cli::material::{Part, materials};
+use crate::cli::material::{Part, materials, refuse_far};
 use crate::cli::{CliError, Refused as _, What};
 use crate::length::Length;
-use crate::tolerance::fit::thermal::{Temperature, clearance_change_apart};
+use crate::tolerance::fit::thermal::{Temperature, ThermalDoubt, clearance_change_apart};
 use crate::tolerance::fit::{Fit, Kind};
 
 /// Materials and temperatures.
@@ -25,6 +25,10 @@ pub(super) struct HeatArgs {
     /// Your own materials, a TOML file: they replace those of the same name and add others
     #[arg(long, value_name = "FILE.toml", requires = "hole_material")]
     materials: Option<PathBuf>,
+
+    /// Take a temperature as it is given that is beyond the range of the expansion
+    #[arg(long, requires = "heat")]
+    far_temperature: bool,
 }
 
 /// One temperature for both parts, or one for each.
@@ -55,6 +59,8 @@ struct TemperatureArgs {
 pub(super) struct Heat {
     pub hole: Part,
     pub shaft: Part,
+    /// What is doubtful about the temperatures, and meant.
+    pub doubts: Vec<ThermalDoubt>,
 }
 
 /// A fit at these temperatures.
@@ -90,7 +96,11 @@ impl HeatArgs {
         };
         let hole = part(hole, self.temperatures.hole_temperature.as_ref(), What::HoleMaterial)?;
         let shaft = part(shaft, self.temperatures.shaft_temperature.as_ref(), What::ShaftMaterial)?;
-        Ok(Some(Heat { hole, shaft }))
+        let mut doubts = Vec::new();
+        for part in [&hole, &shaft] {
+            doubts.extend(refuse_far(part.doubt(false), self.far_temperature)?);
+        }
+        Ok(Some(Heat { hole, shaft, doubts }))
     }
 }
 

@@ -326,7 +326,8 @@ impl Judge<'_> {
         }
         let number = self.classes.number(class)?;
         let (class, feature, deviations) = self.classes.deviations(number, nominal)?;
-        let bounds = Bounds::new(feature, nominal, deviations)?;
+        // Within a step a zone is as wide everywhere; whether it reaches to zero depends on the size.
+        let bounds = Bounds::new(feature, nominal, deviations).filter(|bounds| Length::ZERO < bounds.minimum())?;
         self.give(row, &Judged::new(bounds, measured), Some((number, class)), tally, take);
         Some(())
     }

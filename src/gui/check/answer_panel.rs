@@ -11,7 +11,7 @@ use crate::gui::view::{Digits, View, doubt_text, heading, quiet};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Message, Say};
-use crate::session::{Action, Lot, Question, Step};
+use crate::session::{Action, Doubted, Lot, Question, Step};
 use crate::tolerance::Source;
 use crate::verdict::{PositionVerdict, Status};
 use crate::words::Words;
@@ -20,6 +20,9 @@ use crate::words::Words;
 pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     if let Some(lot) = view.session.check().lot().filter(|_| !is_low(ui)) {
         lot_ui(ui, view, lot);
+    }
+    if let Some(doubted) = view.session.check().doubted() {
+        return doubted_ui(ui, view, doubted);
     }
     if let Some(question) = view.session.check().question() {
         return question_ui(ui, view, question);
@@ -70,6 +73,27 @@ fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question) {
     }
     let anyway = view.named(Action::JudgeAnyway).min_size(size);
     view.button_as(ui, Action::JudgeAnyway, anyway);
+}
+
+/// What is asked about a text before anything is judged by it.
+fn doubted_ui(ui: &mut Ui, view: &mut View<'_>, doubted: &Doubted) {
+    let enter = if doubted.meant.is_some() { "doubted-enter" } else { "doubted-type" };
+    let card = Card {
+        word: view.text("word-question"),
+        value: Some(view.words.number(&doubted.text)),
+        lines: vec![view.words.say(&doubted.why), view.text(enter)],
+        ..Card::default()
+    };
+    card_ui(ui, view, &card);
+    ui.add_space(space(1.0));
+    let size = vec2(ui.available_width(), control(ui));
+    if doubted.meant.is_some() {
+        view.main_button(ui, Action::TakeText, size);
+    }
+    if doubted.can_stay {
+        let anyway = view.named(Action::KeepText).min_size(size);
+        view.button_as(ui, Action::KeepText, anyway);
+    }
 }
 
 /// How many rows of an imported file are what, and which of them is shown.

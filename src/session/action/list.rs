@@ -105,6 +105,10 @@ actions! {
     JudgeAnyway;
     /// Takes what a typed value may have been instead of it.
     TakeMeant;
+    /// Takes what a doubted text probably means instead of it.
+    TakeText;
+    /// Judges by a doubted text as it stands.
+    KeepText;
     /// Shows another row of the imported file, worst first.
     ShowInLot(Step): Step::PATH;
     /// Clears the result.

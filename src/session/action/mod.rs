@@ -92,6 +92,13 @@ impl Action {
                     .text("meant", mm(question.and_then(|question| question.doubt.meant())));
                 words.say(&message)
             }
+            Self::TakeText | Self::KeepText => {
+                let doubted = session.check().doubted();
+                let given = doubted.map(|doubted| words.number(&doubted.text)).unwrap_or_default();
+                let meant = doubted.and_then(|doubted| doubted.meant.as_ref());
+                let meant = meant.map(|meant| words.number(meant)).unwrap_or_default();
+                words.say(&Message::new(self.row().text).text("given", given).text("meant", meant))
+            }
             Self::TakeMeantValue => {
                 let question = session.parts().walking().question();
                 let meant = question.and_then(|question| question.doubt.meant());

@@ -147,6 +147,10 @@ pub(super) fn row(action: Action) -> Row {
         }
         Action::TakeMeant => on(Page::Check, "take-meant", CheckCommand::TakeMeant)
             .when(|session| session.check().question().is_some_and(|question| question.doubt.meant().is_some())),
+        Action::TakeText => on(Page::Check, "take-text", CheckCommand::TakeText)
+            .when(|session| session.check().doubted().is_some_and(|doubted| doubted.meant.is_some())),
+        Action::KeepText => on(Page::Check, "keep-text", CheckCommand::KeepText)
+            .when(|session| session.check().doubted().is_some_and(|doubted| doubted.can_stay)),
         Action::ShowInLot(step) => {
             let (text, possible): (_, fn(&Session) -> bool) = match step {
                 Step::First => ("lot-worst", is_after_worst),

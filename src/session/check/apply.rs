@@ -5,7 +5,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::{
-    Asked, CheckCommand, CheckField, CheckPage, Judging, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
+    Asked, CheckCommand, CheckField, CheckPage, Doubted, Judging, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
     class_text, measuring, nominal_text, worth,
 };
 use crate::journal::entry::{FileRole, UsedFile};
@@ -58,6 +58,8 @@ impl PageState for CheckPage {
                     self.measure(shared, now);
                 }
             }
+            CheckCommand::TakeText => self.take_text(shared, now),
+            CheckCommand::KeepText => self.keep_text(shared, now),
             CheckCommand::Clear => {
                 self.texts.set(CheckField::Measured, "");
                 self.measured_is_used = false;
@@ -196,7 +198,7 @@ impl CheckPage {
 
     /// Reads the fields anew. The limits are those of the record that lends them.
     fn read(&mut self, sources: &Sources) {
-        self.asked = Asked::read(&self.texts, self.feature, self.judging, sources);
+        self.asked = Asked::read(&self.texts, self.feature, self.judging, sources, &self.meant);
         if let Some(record) = &self.lent {
             self.asked.show_limits(record.limits.clone(), record.callout);
         }
@@ -229,6 +231,7 @@ impl CheckPage {
     /// have no others.
     pub(super) fn edited(&mut self, sources: &Sources) {
         (self.shown, self.question, self.lot, self.refusal) = (None, None, None, None);
+        self.asks = false;
         self.rows.iter_mut().for_each(Rows::hide);
         self.lent = self.lent.take().filter(|record| record.callout.is_none());
         self.take_back_own();
@@ -282,12 +285,34 @@ impl CheckPage {
         self.edited(&shared.sources);
     }
 
+    /// What is highlighted beside a doubted text: what it probably means. Without that it stays as it is, and is asked about.
+    fn take_text(&mut self, shared: &mut Shared, now: DateTime) {
+        let Some(Doubted { field, meant: Some(meant), .. }) = self.doubted().cloned() else { return };
+        let sign = shared.language.decimal_sign().to_string();
+        self.type_text(field, meant.replace('.', &sign), &shared.sources);
+        self.measure(shared, now);
+    }
+
+    fn keep_text(&mut self, shared: &mut Shared, now: DateTime) {
+        let Some(doubted) = self.doubted().filter(|doubted| doubted.can_stay).cloned() else { return };
+        self.meant.add(&doubted);
+        self.edited(&shared.sources);
+        self.measure(shared, now);
+    }
+
     fn measure(&mut self, shared: &mut Shared, now: DateTime) {
+        if self.doubted().is_some() {
+            return self.take_text(shared, now);
+        }
         let asked_about = self.question.take();
         // What stands in the fields is what is meant.
         self.own.clear();
         self.own_judging = None;
         self.edited(&shared.sources);
+        self.asks = self.asked.doubted().is_some();
+        if self.asks {
+            return;
+        }
         let record = match measuring::measure(self, shared.budget.as_deref(), now) {
             Ok(record) => record,
             Err((field, problem)) => {
@@ -344,6 +369,7 @@ impl CheckPage {
             self.feature = Some(record.limits.feature);
         }
         (self.lot, self.question, self.refusal) = (lot, None, None);
+        self.asks = false;
         self.show_inputs(id, &record, shared);
         self.lent = Some(Arc::clone(&record));
         self.read(&shared.sources);

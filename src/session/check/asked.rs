@@ -4,6 +4,7 @@ use std::collections::BTreeMap;
 use std::ops;
 
 use super::CheckField;
+use super::doubted::{Doubted, Meant};
 use super::worth::{Judging, Worth};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
@@ -11,7 +12,7 @@ use crate::probing::cycle::{Angle, Axis, Meaning, Value};
 use crate::probing::cycles::measuring;
 use crate::session::field::{Range, Texts, whole};
 use crate::tolerance::callout::halves;
-use crate::tolerance::{Callout, Feature, Limits, Sources};
+use crate::tolerance::{Callout, Feature, Limits, LimitsError, Sources};
 
 /// The meaning of the fields. Made anew at every change.
 #[derive(Debug, Clone, Default)]
@@ -28,6 +29,8 @@ pub struct Asked {
     /// The number of lobes of the simulated workpiece.
     pub(super) lobes: Option<u32>,
     worth: Worth,
+    /// What is asked about first.
+    doubted: Option<Doubted>,
     errors: BTreeMap<CheckField, Message>,
 }
 
@@ -70,11 +73,17 @@ impl Asked {
         feature: Option<Feature>,
         judging: Judging,
         sources: &Sources,
+        meant: &Meant,
     ) -> Self {
         let mut asked = Self::default();
-        asked.read_callout(texts.text(CheckField::Callout), feature, sources);
+        asked.read_callout(texts.text(CheckField::Callout), feature, sources, meant);
         asked.worth = Worth::read(texts, judging, &mut |field, problem| _ = asked.errors.insert(field, problem));
         asked.worth.look_at(asked.limits.as_ref());
+        if let Some(doubted) = Doubted::temperature(texts, meant) {
+            asked.errors.insert(doubted.field, doubted.why.clone());
+            asked.worth.doubt_temperature(doubted.field, doubted.why.clone());
+            asked.doubted.get_or_insert(doubted);
+        }
         for (field, meaning) in PARAMETERS {
             asked.read_parameter(field, meaning, texts.text(field));
         }
@@ -87,20 +96,27 @@ impl Asked {
     }
 
     /// `feature` counts where the callout does not say hole or shaft itself.
-    fn read_callout(&mut self, text: &str, feature: Option<Feature>, sources: &Sources) {
+    fn read_callout(&mut self, text: &str, feature: Option<Feature>, sources: &Sources, meant: &Meant) {
         if text.trim().is_empty() {
             return;
         }
         let problem = match text.parse::<Callout>() {
             Ok(callout) => {
                 self.callout = Some(callout);
+                let sources = sources.clone().with_wide_zones(meant.has(CheckField::Callout, &callout.to_string()));
                 match sources.limits(&callout, callout.feature().or(feature)) {
                     Ok(limits) => return self.limits = Some(limits),
-                    Err(error) => error.message(),
+                    Err(error) => {
+                        if let LimitsError::Zone(doubt) = &error {
+                            self.doubted = Some(Doubted::zone(&callout, doubt));
+                        }
+                        error.message()
+                    }
                 }
             }
             Err(error) => {
                 self.culprit = error.span();
+                self.doubted = Doubted::callout(text, &error);
                 error.message()
             }
         };
@@ -163,6 +179,11 @@ impl Asked {
         &self.worth
     }
 
+    /// The first text that may not mean what it says.
+    pub const fn doubted(&self) -> Option<&Doubted> {
+        self.doubted.as_ref()
+    }
+
     /// What is wrong with a field.
     pub fn error(&self, field: CheckField) -> Option<&Message> {
         self.errors.get(&field)
@@ -183,5 +204,6 @@ impl Asked {
         self.limits = Some(limits);
         self.culprit = None;
         self.errors.remove(&CheckField::Callout);
+        self.doubted = self.doubted.take().filter(|doubted| doubted.field != CheckField::Callout);
     }
 }

@@ -32,6 +32,10 @@ pub enum CheckCommand {
     Measure,
     /// Takes what the typed value may have been instead of it, and judges that.
     TakeMeant,
+    /// Takes what a doubted text probably means instead of it, and judges by that.
+    TakeText,
+    /// Judges by a doubted text as it stands.
+    KeepText,
     /// Clears the result and the typed value; the history stays.
     Clear,
     /// Puts the status window's text on the clipboard.

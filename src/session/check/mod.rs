@@ -6,6 +6,7 @@
 //! | `field` | the text fields |
 //! | `command`, `apply` | what can be done, and doing it |
 //! | `asked` | what the texts mean: callout, limits, errors beside their fields |
+//! | `doubted` | texts that may not mean what they say, and those that do |
 //! | `measuring` | from the fields to a measurement |
 //! | `importing` | from a file to checks and the notice about it |
 //! | `worth` | the rule that judges it, its uncertainty, its temperature |
@@ -15,6 +16,7 @@
 mod apply;
 mod asked;
 mod command;
+mod doubted;
 mod field;
 mod importing;
 mod inputs;
@@ -32,10 +34,12 @@ use serde::{Deserialize, Serialize};
 pub use asked::Asked;
 pub(super) use asked::{class_text, nominal_text};
 pub use command::CheckCommand;
+pub use doubted::Doubted;
 pub use field::CheckField;
 pub use lot::Lot;
 pub use worth::{Judging, UncertaintyFrom, Worth};
 
+use self::doubted::Meant;
 use self::inputs::Inputs;
 use super::command::Effect;
 use super::field::{KeptField as _, Texts};
@@ -105,6 +109,10 @@ pub struct CheckPage {
     /// Whether the typed diameter was measured already: a new callout empties its field.
     measured_is_used: bool,
     question: Option<Question>,
+    /// The doubted texts that are meant.
+    meant: Meant,
+    /// Whether a doubted text is asked about.
+    asks: bool,
     lot: Option<Lot>,
     /// The rows of a large file.
     rows: Option<Rows>,
@@ -121,7 +129,7 @@ impl CheckPage {
     pub(super) fn new(saved: &SavedInputs, sources: &Sources) -> Self {
         let (texts, by, feature) = (Texts::restored(&saved.texts), saved.by, saved.feature);
         let judging = saved.judging;
-        let asked = Asked::read(&texts, feature, judging, sources);
+        let asked = Asked::read(&texts, feature, judging, sources, &Meant::default());
         Self {
             texts,
             by,
@@ -136,6 +144,8 @@ impl CheckPage {
             refusal: None,
             measured_is_used: false,
             question: None,
+            meant: Meant::default(),
+            asks: false,
             lot: None,
             rows: None,
             shows_rows: false,
@@ -219,6 +229,11 @@ impl CheckPage {
     /// What is asked about the typed value before it is judged.
     pub const fn question(&self) -> Option<&Question> {
         self.question.as_ref()
+    }
+
+    /// The text that is asked about before anything is judged.
+    pub fn doubted(&self) -> Option<&Doubted> {
+        self.asked.doubted().filter(|_| self.asks)
     }
 
     /// Whether the next part is judged by more than its limits: the rows of a large file are not.

@@ -258,6 +258,12 @@ impl Worth {
             && self.warm == record.correction.map(|correction| (correction.part, correction.scale))
     }
 
+    /// Brings nothing to 20 °C from a temperature that is doubted.
+    pub(super) fn doubt_temperature(&mut self, field: CheckField, why: Message) {
+        self.warm = None;
+        self.no_correction.get_or_insert((field, why));
+    }
+
     /// Whether the part's temperature is given.
     pub(super) const fn is_warm(&self) -> bool {
         self.warm.is_some()

@@ -126,6 +126,13 @@ pub enum CalloutErrorKind {
         /// The minimum limit.
         minimum: Length,
     },
+    /// The same, and as micrometres the deviations would leave something.
+    MicrometresMeant {
+        /// The minimum limit.
+        minimum: Length,
+        /// The callout with micrometres.
+        offer: Callout,
+    },
     /// A limit would be beyond what a length can hold.
     #[say(id = "limits-too-large")]
     TooLarge {
@@ -201,6 +208,7 @@ impl CalloutErrorKind {
             | Self::LimitsOrDeviation { .. }
             | Self::LimitsMeant { .. }
             | Self::MinimumNotPositive { .. }
+            | Self::MicrometresMeant { .. }
             | Self::TooLarge { .. }
             | Self::MixedDecimals { .. }
             | Self::CycleSign { .. }

@@ -46,6 +46,7 @@ pub use reading::halves;
 use super::class::{Feature, ToleranceClass};
 use super::iso2768::GeneralClass;
 use super::limits::Deviations;
+use super::proportion::as_micrometres;
 use crate::length::{Length, Unit};
 use crate::message::{Arg, IntoArg};
 
@@ -129,14 +130,18 @@ impl Callout {
     /// A callout of a size and its deviations: `12 +0.01 -0.015`.
     ///
     /// # Errors
-    /// [`CalloutErrorKind::NotPositive`], [`CalloutErrorKind::MinimumNotPositive`], and
+    /// [`CalloutErrorKind::NotPositive`], [`CalloutErrorKind::MinimumNotPositive`] or [`CalloutErrorKind::MicrometresMeant`], and
     /// [`CalloutErrorKind::TooLarge`] where a limit would be beyond [`Length::MAX`].
     pub fn with_deviations(nominal: Length, deviations: Deviations) -> Result<Self, CalloutError> {
         let callout = Self::above_zero(nominal, Tolerance::Deviations(deviations))?;
         let limits = (nominal.checked_add(deviations.lower()), nominal.checked_add(deviations.upper()));
         let (Some(minimum), Some(_)) = limits else { return Err(CalloutErrorKind::TooLarge { nominal }.into()) };
         if minimum <= Length::ZERO {
-            return Err(CalloutErrorKind::MinimumNotPositive { minimum }.into());
+            return Err(match as_micrometres(nominal, deviations) {
+                Some(offer) => CalloutErrorKind::MicrometresMeant { minimum, offer },
+                None => CalloutErrorKind::MinimumNotPositive { minimum },
+            }
+            .into());
         }
         Ok(callout)
     }
@@ -264,6 +269,6 @@ impl fmt::Display for Callout {
 }
 
 /// A deviation with its sign; zero has none.
-fn signed(deviation: Length) -> String {
+pub(super) fn signed(deviation: Length) -> String {
     format!("{}{deviation}", if Length::ZERO < deviation { "+" } else { "" })
 }

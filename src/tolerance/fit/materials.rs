@@ -5,13 +5,15 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::fmt;
+use std::marker::PhantomData;
+use std::str::FromStr;
 use std::sync::LazyLock;
 
 use serde::Deserialize;
 use serde::de::{Deserializer, Visitor};
 use toml::Spanned;
 
-use super::thermal::Expansion;
+use super::thermal::{Expansion, Range, Temperature, ThermalError};
 use crate::message::{Located, Place, Say};
 use crate::words::Language;
 
@@ -58,6 +60,8 @@ pub struct Material {
     pub names: BTreeMap<String, String>,
     /// How much it expands.
     pub expansion: Expansion,
+    /// At which temperatures it does.
+    pub range: Range,
     /// Where the value comes from.
     pub source: Option<String>,
     /// How sure the value is.
@@ -109,6 +113,8 @@ pub enum MaterialsError {
     /// A name that is empty or too long, or has control characters.
     #[say(args(longest = LONGEST_NAME))]
     Name,
+    /// A range of temperatures that ends before it begins.
+    Range,
     /// Two materials have the same name.
     Twice {
         /// The name.
@@ -156,6 +162,9 @@ impl Materials {
         for entry in file.material {
             let (line, _) = line_and_column(text, entry.name.span().start);
             let material = entry.material();
+            if material.range.most < material.range.least {
+                return Err(Located::in_line(line, MaterialsError::Range));
+            }
             let names = || std::iter::once(&material.name).chain(material.names.values());
             if !names().all(|name| is_name(name)) {
                 return Err(Located::in_line(line, MaterialsError::Name));
@@ -217,18 +226,25 @@ struct Entry {
     names: BTreeMap<String, String>,
     #[serde(deserialize_with = "expansion")]
     expansion: Expansion,
+    #[serde(default)]
+    range: Option<[Degrees; 2]>,
     source: Option<String>,
     #[serde(default)]
     certainty: Certainty,
 }
 
+/// A temperature of a file.
+#[derive(Deserialize)]
+struct Degrees(#[serde(deserialize_with = "temperature")] Temperature);
+
 impl Entry {
     fn material(self) -> Material {
-        let Self { name, names, expansion, source, certainty } = self;
+        let Self { name, names, expansion, range, source, certainty } = self;
+        let range = range.map_or(Range::USUAL, |[Degrees(least), Degrees(most)]| Range { least, most });
         // A name that is looked for has no blanks around it either.
         let bare = |name: &str| name.trim().to_owned();
         let names = names.into_iter().map(|(language, name)| (language, bare(&name))).collect();
-        Material { name: bare(name.get_ref()), names, expansion, source, certainty }
+        Material { name: bare(name.get_ref()), names, expansion, range, source, certainty }
     }
 }
 
@@ -236,31 +252,35 @@ fn is_name(name: &str) -> bool {
     (1..=LONGEST_NAME).contains(&name.trim().chars().count()) && !name.contains(char::is_control)
 }
 
-/// A number, or the number as a text. The shortest text of a float is the decimal that was written.
 fn expansion<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Expansion, D::Error> {
-    struct Millionths;
+    deserializer.deserialize_any(Read("an expansion in millionths a kelvin, such as 11.5", PhantomData))
+}
 
-    impl Visitor<'_> for Millionths {
-        type Value = Expansion;
+fn temperature<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Temperature, D::Error> {
+    deserializer.deserialize_any(Read("a temperature in °C, such as 100", PhantomData))
+}
 
-        fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
-            f.write_str("an expansion in millionths a kelvin, such as 11.5")
-        }
+/// A number, or the number as a text. The shortest text of a float is the decimal that was written.
+struct Read<T>(&'static str, PhantomData<T>);
 
-        fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<Expansion, E> {
-            self.visit_str(&number.to_string())
-        }
+impl<T: FromStr<Err = ThermalError>> Visitor<'_> for Read<T> {
+    type Value = T;
 
-        fn visit_f64<E: serde::de::Error>(self, number: f64) -> Result<Expansion, E> {
-            self.visit_str(&number.to_string())
-        }
-
-        fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<Expansion, E> {
-            text.parse().map_err(E::custom)
-        }
+    fn expecting(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str(self.0)
     }
 
-    deserializer.deserialize_any(Millionths)
+    fn visit_i64<E: serde::de::Error>(self, number: i64) -> Result<T, E> {
+        self.visit_str(&number.to_string())
+    }
+
+    fn visit_f64<E: serde::de::Error>(self, number: f64) -> Result<T, E> {
+        self.visit_str(&number.to_string())
+    }
+
+    fn visit_str<E: serde::de::Error>(self, text: &str) -> Result<T, E> {
+        text.parse().map_err(E::custom)
+    }
 }
 
 fn toml_error(text: &str, error: &toml::de::Error) -> Located<MaterialsError> {

@@ -3,11 +3,15 @@
 //! First order in the temperature, which is enough: a coefficient is seldom known to better than a tenth. Coefficients
 //! and temperatures are exact decimals; the result is rounded once, at the end, to the nanometre.
 
+mod doubt;
+
 use std::fmt;
 use std::str::FromStr;
 
+pub use doubt::{Range, ThermalDoubt};
+
 use crate::length::Length;
-use crate::message::Say;
+use crate::message::{Arg, IntoArg, Say, printed};
 
 /// The reference temperature of ISO 1.
 const REFERENCE: i32 = 20_000;
@@ -48,6 +52,13 @@ pub enum ThermalError {
     Expansion {
         /// What was given.
         text: String,
+    },
+    /// A coefficient that is in another unit: per kelvin, or millimetres per metre and kelvin.
+    ExpansionUnit {
+        /// What was given.
+        text: String,
+        /// The same in millionths per kelvin.
+        meant: Expansion,
     },
 }
 
@@ -90,9 +101,13 @@ impl Temperature {
 impl FromStr for Expansion {
     type Err = ThermalError;
 
-    /// Reads millionths per kelvin, `11.5`: point or comma, at most three decimals.
+    /// Reads millionths per kelvin, `11.5`: point or comma, at most three decimals. Less than a tenth of one, other than zero, is what
+    /// `11.5e-6` and `0.0115` are, and is refused with what they mean.
     fn from_str(text: &str) -> Result<Self, ThermalError> {
         let text = text.trim();
+        if let Some(meant) = in_other_unit(text) {
+            return Err(ThermalError::ExpansionUnit { text: text.to_owned(), meant });
+        }
         let found = i32::try_from(thousandths(text)?).ok().map(Self);
         let in_range = found.filter(|found| Self::MIN <= *found && *found <= Self::MAX);
         in_range.ok_or_else(|| ThermalError::Expansion { text: text.to_owned() })
@@ -113,6 +128,19 @@ impl FromStr for Temperature {
     }
 }
 
+/// A coefficient per kelvin, or in millimetres per metre and kelvin; `None` where the text is something else, or may be millionths.
+fn in_other_unit(text: &str) -> Option<Expansion> {
+    let given: f64 = text.replace(',', ".").parse().ok()?;
+    let factor = match given.abs() {
+        0.000_000_1..0.000_5 => 1e6,
+        0.001..0.1 => 1e3,
+        _ => return None,
+    };
+    // Three decimals, as they can be given.
+    let thousandths = format!("{:.0}", given * factor * 1e3).parse().ok()?;
+    Expansion::from_thousandths(thousandths)
+}
+
 /// Millionths per kelvin with a point and only the decimals it has.
 impl fmt::Display for Expansion {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
@@ -124,6 +152,20 @@ impl fmt::Display for Expansion {
 impl fmt::Display for Temperature {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.pad(&decimal(self.0))
+    }
+}
+
+/// With the decimal sign and the minus of the language.
+impl IntoArg for Expansion {
+    fn arg(&self) -> Arg {
+        printed(self)
+    }
+}
+
+/// With the decimal sign and the minus of the language.
+impl IntoArg for Temperature {
+    fn arg(&self) -> Arg {
+        printed(self)
     }
 }
 

@@ -1,0 +1,168 @@
+//! Whether a zone is in proportion to its size: micrometres that were written where millimetres are read are not.
+//!
+//! `25 +21/0` is a drawing's `25 +0.021/0`, and read as millimetres it takes a hole of 30 mm for good. The coarsest grade there is
+//! says what a zone can be: one that is wider than IT 18 of its size, or that reaches to zero, is doubted, and nothing is judged by it
+//! until somebody says that it is meant. A zone of ISO 286 or ISO 2768 itself is never doubted.
+
+use super::callout::{Callout, signed};
+use super::iso286::{Grade, standard_tolerance, step_ends};
+use super::limits::{Bounds, Deviations};
+use crate::length::Length;
+use crate::message::Say;
+
+/// Why a zone is doubted, with what was probably meant.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "zone", error)]
+pub enum ZoneDoubt {
+    /// Too wide, and as micrometres it would not be.
+    Micrometres {
+        /// How wide it is.
+        width: Length,
+        /// Nominal size.
+        nominal: Length,
+        /// IT 18 of this size.
+        widest: Length,
+        /// The same with micrometres.
+        offer: Callout,
+    },
+    /// Too wide.
+    Wide {
+        /// How wide it is.
+        width: Length,
+        /// Nominal size.
+        nominal: Length,
+        /// IT 18 of this size.
+        widest: Length,
+    },
+    /// Down to zero or beyond, and as micrometres it would not be.
+    MicrometresToZero {
+        /// The minimum limit.
+        minimum: Length,
+        /// The same with micrometres.
+        offer: Callout,
+    },
+    /// Down to zero or beyond.
+    ToZero {
+        /// The minimum limit.
+        minimum: Length,
+    },
+    /// Of a coordinate: wider than that of any length up to half a metre.
+    CoordinateMicrometres {
+        /// How wide it is.
+        width: Length,
+        /// The widest that is not doubted.
+        widest: Length,
+        /// The deviations as micrometres.
+        offer: String,
+    },
+    /// The same where micrometres are not what was meant either.
+    Coordinate {
+        /// How wide it is.
+        width: Length,
+        /// The widest that is not doubted.
+        widest: Length,
+    },
+}
+
+impl ZoneDoubt {
+    /// What was probably meant, where that is a callout.
+    pub const fn meant(&self) -> Option<&Callout> {
+        match self {
+            Self::Micrometres { offer, .. } | Self::MicrometresToZero { offer, .. } => Some(offer),
+            Self::Wide { .. } | Self::ToZero { .. } | Self::CoordinateMicrometres { .. } | Self::Coordinate { .. } => {
+                None
+            }
+        }
+    }
+
+    /// The same where deviations were not what was written.
+    #[must_use]
+    pub fn without_offer(self) -> Self {
+        match self {
+            Self::Micrometres { width, nominal, widest, .. } => Self::Wide { width, nominal, widest },
+            Self::MicrometresToZero { minimum, .. } => Self::ToZero { minimum },
+            Self::CoordinateMicrometres { width, widest, .. } => Self::Coordinate { width, widest },
+            other @ (Self::Wide { .. } | Self::ToZero { .. } | Self::Coordinate { .. }) => other,
+        }
+    }
+}
+
+/// What a coordinate counts as where it is smaller: its zero is wherever somebody put it, so it says nothing of the zone.
+const COORDINATE: Length = Length::from_micrometres(500_000);
+
+/// A micrometre is a thousandth of a millimetre.
+const THOUSAND: i64 = 1_000;
+
+/// The finest deviation that anybody writes in micrometres, in nanometres: half of one.
+const FINEST: i64 = 500;
+
+/// The widest zone of a size that is not doubted: its IT 18. Up to 1 mm and beyond 3150 mm there is no such grade; there it is that of the
+/// nearest size that has one, 1.4 mm and 33 mm.
+///
+/// ```
+/// use fitcheck::tolerance::proportion::widest;
+///
+/// let of = |size: &str| widest(size.parse().unwrap()).to_string();
+/// assert_eq!([of("25"), of("0.5"), of("5000")], ["3.3", "1.4", "33"]);
+/// ```
+pub fn widest(nominal: Length) -> Length {
+    let of = |size| standard_tolerance(Grade::COARSEST, size);
+    let has_it = |size: &Length| of(*size).is_some();
+    let nearest = || {
+        let mut ends = step_ends().filter(has_it);
+        if Length::from_micrometres(1_000) < nominal { ends.last() } else { ends.next() }
+    };
+    of(nominal).or_else(|| of(nearest()?)).unwrap_or(Length::ZERO)
+}
+
+/// What is doubtful about the zone of a size; nothing where it is inside IT 18 and above zero.
+pub fn doubt(bounds: &Bounds) -> Option<ZoneDoubt> {
+    let Bounds { nominal, .. } = *bounds;
+    let width = bounds.maximum().saturating_sub(bounds.minimum());
+    let deviations =
+        Deviations::spanning(bounds.maximum().saturating_sub(nominal), bounds.minimum().saturating_sub(nominal));
+    if bounds.minimum() <= Length::ZERO {
+        let minimum = bounds.minimum();
+        return Some(match as_micrometres(nominal, deviations) {
+            Some(offer) => ZoneDoubt::MicrometresToZero { minimum, offer },
+            None => ZoneDoubt::ToZero { minimum },
+        });
+    }
+    let widest = widest(nominal);
+    (widest < width).then(|| match as_micrometres(nominal, deviations) {
+        Some(offer) => ZoneDoubt::Micrometres { width, nominal, widest, offer },
+        None => ZoneDoubt::Wide { width, nominal, widest },
+    })
+}
+
+/// What is doubtful about the zone of a coordinate or of a deviation from a place, which may lie about zero.
+pub fn doubt_of_coordinate(nominal: Length, deviations: Deviations) -> Option<ZoneDoubt> {
+    let (width, widest) = (deviations.width(), widest(nominal.abs().max(COORDINATE)));
+    (widest < width).then(|| match thousandths(deviations) {
+        Some(meant) => {
+            let offer = format!("{} {}", signed(meant.upper()), signed(meant.lower()));
+            ZoneDoubt::CoordinateMicrometres { width, widest, offer }
+        }
+        None => ZoneDoubt::Coordinate { width, widest },
+    })
+}
+
+/// The callout whose deviations are as many micrometres, where that is a zone that nobody doubts.
+pub(super) fn as_micrometres(nominal: Length, deviations: Deviations) -> Option<Callout> {
+    let meant = thousandths(deviations)?;
+    if nominal <= Length::ZERO || nominal.checked_add(meant.lower())? <= Length::ZERO || widest(nominal) < meant.width()
+    {
+        return None;
+    }
+    Callout::with_deviations(nominal, meant).ok()
+}
+
+/// A thousandth of both deviations, where that is what somebody may have written in micrometres.
+fn thousandths(deviations: Deviations) -> Option<Deviations> {
+    let of = |deviation: Length| {
+        let nm = deviation.nanometres();
+        let is_whole = nm % THOUSAND == 0 && (nm == 0 || FINEST <= nm.abs() / THOUSAND);
+        is_whole.then(|| Length::from_nanometres(nm / THOUSAND).ok()).flatten()
+    };
+    Some(Deviations::spanning(of(deviations.upper())?, of(deviations.lower())?))
+}
