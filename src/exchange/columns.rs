@@ -11,6 +11,7 @@ use super::cells::{
 use super::delimited::{Item, Rows, SEPARATORS};
 use super::error::{ImportErrorKind, Role};
 use super::own::OwnColumns;
+use super::stated::Stated;
 use super::units;
 use super::words::{self, Rank};
 use crate::length::Unit;
@@ -64,6 +65,8 @@ pub(super) struct Columns {
     pub(super) decimals: Option<(usize, usize)>,
     /// What a file of Fitcheck says of its values.
     pub(super) own: OwnColumns,
+    /// What is said of how a value came about.
+    pub(super) stated: Stated,
     /// What is said of a value besides its name.
     pub(super) labels: LabelColumns,
     /// The line of the first row, where the user has said it.
@@ -282,7 +285,8 @@ impl Sample {
             Ok(LengthColumn { at, unit: unit_of(header.get(at).unwrap_or_default())? })
         };
         let own = OwnColumns::of(header);
-        let used: Vec<usize> = [id, tolerance, nominal, simulated, Some(measured_at)]
+        let stated = Stated::of(header, measured_at);
+        let used: Vec<usize> = [id, tolerance, nominal, simulated, stated.origin, Some(measured_at)]
             .into_iter()
             .flatten()
             .chain(time.iter().copied())
@@ -306,6 +310,7 @@ impl Sample {
             behind: None,
             decimals: None,
             own,
+            stated,
             labels,
             first: None,
         })
@@ -372,6 +377,7 @@ impl Sample {
             behind: None,
             decimals: None,
             own: OwnColumns::default(),
+            stated: Stated::default(),
             labels: LabelColumns::default(),
             first: None,
         })

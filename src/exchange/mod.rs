@@ -66,6 +66,7 @@ mod rules;
 mod sizes;
 mod source;
 pub mod sql;
+mod stated;
 pub mod tables;
 mod units;
 mod warning;
