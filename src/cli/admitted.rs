@@ -19,7 +19,8 @@ use crate::part::PlanRemark;
 use crate::probing::Caveat;
 use crate::probing::circle::CircleWarning;
 use crate::store::{StoreError, StoreRemark};
-use crate::tolerance::FigureWarning;
+use crate::tolerance::fit::thermal::ThermalDoubt;
+use crate::tolerance::{FigureWarning, ZoneDoubt};
 use crate::verdict::{Doubt, Undecided};
 use crate::watch::Waiting;
 
@@ -44,6 +45,8 @@ macro_rules! explains {
 }
 
 explains! {
+    ThermalDoubt: "Told where the temperature was said to be meant; elsewhere it is refused.",
+    ZoneDoubt: "Told where the zone was said to be meant; elsewhere it is refused.",
     Caveat: "How well a diameter is known: the rules count it.",
     CircleWarning: "The same of the circles of a file of contacts.",
     DeviationWarning: "Tables: what was not understood of one has no limits.",

@@ -86,6 +86,8 @@ impl Answers {
             let asked = |callout| Asked { callout, line: Some(number) };
             match found {
                 Found::End => break,
+                // A line that nobody reads the answer of.
+                _ if io.is_closed() => break,
                 Found::Whole => answerer.answer(asked(text.trim()), self, io)?,
                 Found::TooLong => {
                     let beginning: String = text.chars().take(SHOWN).chain(['…']).collect();

@@ -19,6 +19,7 @@ use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
 use super::args::one_of;
+use super::io::is_dash;
 use super::progress::Work;
 use super::{CliError, CliRemark, Io, Outcome, TableArgs};
 use crate::batch::{self, Failed, Form, Input, Manner, Packing, Stream, Summary, Watch};
@@ -38,7 +39,7 @@ pub(super) struct Args {
     #[arg(required = true, value_name = "FILE")]
     inputs: Vec<PathBuf>,
 
-    /// File to write, .csv, .tsv, .jsonl or .parquet; text is packed where .gz or .zst follows; default: standard output
+    /// File to write, .csv, .tsv, .jsonl or .parquet; text is packed where .gz or .zst follows; - or no file is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
@@ -93,7 +94,7 @@ impl Args {
         }
         let job = Job { args: self, sources: &sources, form, packing };
         let mut result = Ok(Summary::default());
-        if let Some(path) = &self.output {
+        if let Some(path) = self.file() {
             let (input, _, listener) = io.streams();
             let mut told = Told::new(listener);
             let written = files::write_with(path, &mut |out| {
@@ -114,10 +115,15 @@ impl Args {
         Ok(summary::outcome(&summary))
     }
 
+    /// The file to write; none for standard output.
+    fn file(&self) -> Option<&PathBuf> {
+        self.output.as_ref().filter(|path| !is_dash(path))
+    }
+
     /// What is written, by `--format` and the output's ending.
     fn form(&self) -> Result<(Form, Packing), CliError> {
         let (form, packing) = self.named_form()?;
-        match &self.output {
+        match self.file() {
             Some(path) if form == Form::Parquet && packing != Packing::Plain => {
                 Err(CliError::BatchPacked { path: path.clone() })
             }
@@ -129,7 +135,7 @@ impl Args {
     }
 
     fn named_form(&self) -> Result<(Form, Packing), CliError> {
-        let Some(path) = &self.output else { return Ok((self.format.unwrap_or(Form::Csv), Packing::Plain)) };
+        let Some(path) = self.file() else { return Ok((self.format.unwrap_or(Form::Csv), Packing::Plain)) };
         let (packing, name) = Packing::of_name(path);
         let ending = name.extension().unwrap_or_default().to_string_lossy();
         let known = Form::of_ending(&ending);
@@ -152,7 +158,7 @@ impl Args {
     fn not_the_output(&self, input: &Path) -> Result<(), CliError> {
         let input =
             if input.as_os_str() == "-" { same_file::Handle::stdin() } else { same_file::Handle::from_path(input) };
-        let output = match &self.output {
+        let output = match self.file() {
             Some(path) => same_file::Handle::from_path(path),
             None => same_file::Handle::stdout(),
         };
@@ -306,6 +312,10 @@ impl Job<'_> {
     /// All inputs have the columns of the first one, and none under the name of an added one.
     fn same_columns(&self, opened: &Opened<'_>, first: &mut Option<First>) -> Result<(), CliError> {
         let (name, names) = (&opened.name, &opened.layout.names);
+        // Only CSV has a place for the mark.
+        if opened.layout.are_simulated() && self.form != Form::Csv {
+            return Err(CliError::BatchSimulated { name: name.clone() });
+        }
         let prefix = self.args.prefix.as_str();
         let is_added = |name: &&String| name.strip_prefix(prefix).is_some_and(|name| ADDED.contains(&name));
         if let Some(column) = names.iter().find(is_added) {

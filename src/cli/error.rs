@@ -30,6 +30,10 @@ pub(super) enum CliError {
     /// An answer that cannot be written as CSV or JSON.
     Output(String),
 
+    /// The mark of a simulation above rows that would be written without it.
+    BatchSimulated { name: String },
+    /// A dash, which is standard output, for what cannot go there.
+    Dash,
     /// A measured diameter of zero or less.
     NotAboveZero { diameter: Length },
     /// An option of ISO 286, where the control's tables answer.

@@ -215,9 +215,7 @@ impl Import<'_> {
                 work.row();
             }
             warn(path, &item, io);
-            if (self.printed.is_ok() || is_kept)
-                && let Some(row) = rows.row(item)
-            {
+            if let Some(row) = rows.row(item) {
                 if let Some(keeping) = &mut self.keeping {
                     keeping.see(&row);
                 }

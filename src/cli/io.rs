@@ -15,7 +15,7 @@ use crate::files::{self, FileError};
 use crate::journal::chain::Hash;
 use crate::journal::entry::{FileRole, UsedFile};
 use crate::length::Length;
-use crate::message::{IntoArg, Say};
+use crate::message::{self, IntoArg, Say, is_wild};
 use crate::tolerance::DeviationTable;
 
 /// The standard streams, as arguments so that tests can bring their own.
@@ -24,7 +24,7 @@ use crate::tolerance::DeviationTable;
 pub struct Io<'a> {
     /// Standard input.
     pub(super) input: &'a mut (dyn BufRead + Send),
-    out: Tame<'a>,
+    out: Tame<Out<'a>>,
     err: &'a mut dyn Write,
     /// The files that were read, where they are to be remembered.
     files: Option<Vec<UsedFile>>,
@@ -39,7 +39,8 @@ pub struct Io<'a> {
 impl<'a> Io<'a> {
     /// Standard input, standard output (buffered) and standard error.
     pub fn new(input: &'a mut (dyn BufRead + Send), out: &'a mut (dyn Write + Send), err: &'a mut dyn Write) -> Self {
-        Self { input, out: Tame { out }, err, files: None, line: None, is_terminal: false, wants_a_look: false }
+        let out = Tame(Out { out, failed: None });
+        Self { input, out, err, files: None, line: None, is_terminal: false, wants_a_look: false }
     }
 
     /// Runs with the process's own streams.
@@ -78,12 +79,23 @@ impl<'a> Io<'a> {
     /// Standard output for JSON, CSV and files: byte for byte.
     pub(super) fn data(&mut self) -> &mut dyn Write {
         self.give_way();
-        self.out.out
+        &mut self.out.0
+    }
+
+    /// Whether nobody reads standard output any more: whoever would go on for ever ends.
+    pub(super) fn is_closed(&self) -> bool {
+        self.out.0.failed.as_ref().is_some_and(|error| error.kind() == std::io::ErrorKind::BrokenPipe)
+    }
+
+    /// Why standard output could not be written, where it could not be. A closed pipe is no error.
+    pub(super) fn unwritten(&mut self) -> Option<std::io::Error> {
+        self.out.0.close();
+        self.out.0.failed.take().filter(|error| error.kind() != std::io::ErrorKind::BrokenPipe)
     }
 
     /// Standard input, output and error for workers that read and write in turns.
     pub(super) fn streams(&mut self) -> (&mut (dyn BufRead + Send), &mut (dyn Write + Send), Listener<'_>) {
-        (self.input, self.out.out, Listener { err: self.err, wants_a_look: &mut self.wants_a_look })
+        (self.input, self.out.0.out, Listener { err: self.err, wants_a_look: &mut self.wants_a_look })
     }
 
     /// From here on what is told stands above the line of a work.
@@ -100,7 +112,7 @@ impl<'a> Io<'a> {
 
     /// Standard input beside standard output, for an answer to each line.
     pub(super) fn input_and_data(&mut self) -> (&mut dyn BufRead, &mut dyn Write) {
-        (self.input, self.out.out)
+        (self.input, &mut self.out.0)
     }
 
     /// Writes a line to standard error. It is not an error if nobody listens there or nothing more fits: the answer and
@@ -152,10 +164,43 @@ impl<'a> Io<'a> {
     }
 }
 
-/// Standard output for people: every text that is written to it is tamed.
-struct Tame<'a> {
+/// Standard output as it is. The first error is kept and told at the end, and what comes after it goes nowhere: a verdict is reached, and
+/// recorded, whoever listens.
+struct Out<'a> {
     out: &'a mut (dyn Write + Send),
+    failed: Option<std::io::Error>,
 }
+
+impl Out<'_> {
+    fn keep(&mut self, written: std::io::Result<()>) {
+        self.failed = self.failed.take().or(written.err());
+    }
+
+    fn close(&mut self) {
+        if self.failed.is_none() {
+            let written = self.out.flush();
+            self.keep(written);
+        }
+    }
+}
+
+impl Write for Out<'_> {
+    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
+        if self.failed.is_none() {
+            let written = self.out.write_all(bytes);
+            self.keep(written);
+        }
+        Ok(bytes.len())
+    }
+
+    fn flush(&mut self) -> std::io::Result<()> {
+        self.close();
+        Ok(())
+    }
+}
+
+/// An output for people: every text that is written to it is tamed. What is formatted is a line: no name in it begins another one.
+pub(super) struct Tame<W>(pub(super) W);
 
 /// Standard error, while the other streams are in use.
 pub(super) struct Listener<'a> {
@@ -166,7 +211,7 @@ pub(super) struct Listener<'a> {
 impl Listener<'_> {
     /// As [`Io::tell`].
     pub(super) fn tell(&mut self, line: impl Display) {
-        let _unheard = writeln!(self.err, "{}", tame(&line.to_string()));
+        let _unheard = writeln!(self.err, "{}", tame_line(&line.to_string()));
     }
 
     /// As [`Io::look_first`].
@@ -175,26 +220,43 @@ impl Listener<'_> {
     }
 }
 
-impl Write for Tame<'_> {
+impl<W: Write> Write for Tame<W> {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        self.out.write_all(tame(&String::from_utf8_lossy(bytes)).as_bytes())?;
+        self.0.write_all(tame(&String::from_utf8_lossy(bytes)).as_bytes())?;
         Ok(bytes.len())
     }
 
+    fn write_fmt(&mut self, text: std::fmt::Arguments<'_>) -> std::io::Result<()> {
+        let text = text.to_string();
+        match text.strip_suffix('\n') {
+            Some(line) => self.0.write_all((tame_line(line) + "\n").as_bytes()),
+            None => self.0.write_all(tame_line(&text).as_bytes()),
+        }
+    }
+
     fn flush(&mut self) -> std::io::Result<()> {
-        self.out.flush()
+        self.0.flush()
     }
 }
 
-/// A text from a file, a name or an argument, safe for a terminal: control characters, which could write a title or
-/// hide a line, and the marks that turn the direction of a text (Unicode's `Bidi_Control`), which could show
-/// `SCRAP` where something else is written, become blanks.
+/// Lines of text, safe for a terminal.
 fn tame(text: &str) -> String {
-    let is_wild = |c: char| {
-        c.is_control() && c != '\n' && c != '\t'
-            || matches!(c, '\u{61c}' | '\u{200e}' | '\u{200f}' | '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}')
-    };
-    text.chars().map(|c| if is_wild(c) { ' ' } else { c }).collect()
+    text.chars().map(|c| if c != '\n' && is_wild(c) { ' ' } else { c }).collect()
+}
+
+/// The same for a single line.
+pub(super) fn tame_line(text: &str) -> String {
+    message::tame(text).into_owned()
+}
+
+/// Whether an argument is a dash, which stands for standard input or output.
+pub(super) fn is_dash(path: &Path) -> bool {
+    path.as_os_str() == "-"
+}
+
+/// Refuses a dash for what standard output cannot take: a folder, a database, one of several files.
+pub(super) fn not_dash(path: &Path) -> Result<(), CliError> {
+    if is_dash(path) { Err(CliError::Dash) } else { Ok(()) }
 }
 
 /// Prints help, or what is wrong with the arguments, and ends the program.
@@ -210,7 +272,7 @@ pub(super) fn end(error: &clap::Error) -> ! {
 
 /// Prints on standard error why the program ends; if it is closed, nobody is left to tell.
 pub fn tell(message: &str) -> ExitCode {
-    let _unheard = writeln!(std::io::stderr().lock(), "fitcheck: {}", tame(message));
+    let _unheard = writeln!(std::io::stderr().lock(), "fitcheck: {}", tame_line(message));
     ExitCode::FAILURE
 }
 

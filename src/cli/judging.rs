@@ -8,6 +8,7 @@ use super::material::{WarmArgs, Warmth};
 use super::rule::RuleArgs;
 use super::{CliError, CliRemark, CliWarning, Io, Refused as _};
 use crate::budget::{Budget, BudgetWarning};
+use crate::exchange::Labels;
 use crate::journal::Record;
 use crate::journal::planned::{self, Beside, Planned, PlannedError, PlannedRemark};
 use crate::message::{IntoArg as _, Say as _};
@@ -107,7 +108,12 @@ impl Judge {
         &self,
         sizes: &Sizes<'_>,
         record: Record,
+        labels: &Labels,
     ) -> Result<(Record, Vec<PlannedRemark>), CliError> {
+        // Corrected from what the file does not say: it is not corrected again.
+        if labels.is_corrected && self.warmth.is_some() {
+            return Err(CliError::AlreadyCorrected);
+        }
         let Some(size) = sizes.0.get(&record.id) else { return Ok((self.judged(record)?, Vec::new())) };
         let Planned { record, mut said } = self.judged_by_plan(size, record)?;
         said.retain(PlannedRemark::is_warning);

@@ -140,6 +140,14 @@ enum Outcome {
 }
 
 impl Outcome {
+    /// What becomes of it where standard output could not be written: nothing is good then, and scrap stays scrap.
+    const fn unwritten(self) -> Self {
+        match self {
+            Self::Judged(Status::Scrap) | Self::Stopped => self,
+            Self::Done | Self::Judged(_) | Self::LookFirst | Self::BadData => Self::BadData,
+        }
+    }
+
     /// The exit code as listed above.
     const fn code(self) -> u8 {
         match self {
@@ -177,9 +185,15 @@ impl Cli {
     /// Runs the subcommand on the given streams and returns the exit code.
     pub fn run(&self, io: &mut Io<'_>) -> u8 {
         let result = self.command.as_ref().map_or(Ok(Outcome::Done), |command| command.run(io));
-        let result = result.and_then(|outcome| heard_or_not(io.data().flush()).map(|()| outcome));
+        let unwritten = io.unwritten();
         match result {
-            Ok(outcome) => outcome.worse(io.admitted()).code(),
+            Ok(outcome) => match unwritten {
+                None => outcome.worse(io.admitted()).code(),
+                Some(error) => {
+                    io.fail(CliError::Stream(error));
+                    outcome.unwritten().code()
+                }
+            },
             Err(CliError::Stream(error)) if error.kind() == std::io::ErrorKind::BrokenPipe => 0,
             Err(error) => {
                 let outcome =

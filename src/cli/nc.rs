@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::args::dialogue;
+use super::io::not_dash;
 use super::plan::{is_plan_file, read_named, whole};
 use super::{CliError, CliRemark, Io, Outcome, Refused as _, TableArgs};
 use crate::files;
@@ -199,6 +200,7 @@ impl Args {
     }
 
     fn save(&self, set: &NcSet, io: &mut Io<'_>) -> Result<(), CliError> {
+        not_dash(&self.output)?;
         if self.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("zip")) {
             let bytes = set.zip().said()?;
             self.write_one(&self.output, &bytes)?;

@@ -6,6 +6,7 @@ use jiff::civil::DateTime;
 use serde_json::{Map, Value as Json, json};
 
 use super::{CliError, CliRemark, Format, Io, Outcome, Refused as _, TableArgs, What, read_input};
+use crate::cli::io::is_dash;
 use crate::exchange::{self, Given, PLAN_ENDINGS};
 use crate::files;
 use crate::length::Unit;
@@ -346,6 +347,10 @@ fn save(draft: &Draft, path: &Path, force: bool, io: &mut Io<'_>) -> Result<Outc
         io.remark(&CliRemark::PlanHeadLeft { keys: keys.join(", ") });
     }
     let text = if is_csv { draft.to_csv() } else { draft.to_toml() };
+    if is_dash(path) {
+        io.data().write_all(text.as_bytes())?;
+        return Ok(Outcome::Done);
+    }
     let write = if force { files::write } else { files::write_new };
     write(path, text.as_bytes()).map_err(|error| match error {
         error @ files::FileError::Exists { .. } if !force => CliError::UseForce { error },

@@ -153,7 +153,7 @@ impl Args {
             collected.parts = Some(Parts::read(path, &sources, io)?);
         }
         let plan = collected.parts.as_ref().map(|parts| Arc::clone(&parts.plan));
-        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, judge, plan };
+        let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, judge, plan, are_corrected: false };
         given.judge.tell(io);
         super::io::warn_of_repeats(&self.files, io);
         for path in &self.files {
@@ -183,6 +183,7 @@ impl Args {
                 Err(error) => collected.refuse(Message::new("report-note").text("place", text), error, io),
             }
         }
+        given.are_corrected = collected.are_corrected;
         let checks = Arc::new(given);
         let (parts, of_plan) = collected.end_parts(io);
         let Some(outcome) = collected.outcome() else { return Err(CliError::ReportEmpty) };

@@ -1,6 +1,6 @@
 //! What the program was started for: a subcommand, the window, or files that the window opens.
 
-use std::ffi::OsString;
+use std::ffi::{OsStr, OsString};
 use std::path::{Path, PathBuf};
 
 use clap::error::ErrorKind;
@@ -48,16 +48,30 @@ impl Cli {
                         Some(error) => Self::wrong_usage(&error),
                         None => Start::Window(paths),
                     },
-                    _ => io::end(&error),
+                    _ => io::end(&Self::on_one_line(error, paths.iter().map(|path| path.as_os_str()))),
                 }
             }
-            Err(error) => io::end(&error),
+            Err(error) => io::end(&Self::on_one_line(error, given.iter().skip(1).map(OsString::as_os_str))),
         }
+    }
+
+    /// The same error of arguments in which nothing begins another line: clap repeats them as they are.
+    fn on_one_line<'a>(error: clap::Error, given: impl Iterator<Item = &'a OsStr>) -> clap::Error {
+        let given: Vec<_> = given.map(OsStr::to_string_lossy).collect();
+        let tamed: Vec<String> = given.iter().map(|arg| io::tame_line(arg)).collect();
+        if given == tamed {
+            return error;
+        }
+        let again = Self::try_parse_from(std::iter::once("fitcheck".to_owned()).chain(tamed)).err();
+        again.filter(|again| again.kind() == error.kind()).unwrap_or_else(|| {
+            let (kind, said) = (error.kind(), error.render().to_string());
+            Self::command().error(kind, io::tame_line(&said))
+        })
     }
 
     /// Ends the program: the arguments make no sense.
     pub fn wrong_usage(error: &impl std::fmt::Display) -> ! {
-        io::end(&Self::command().error(ErrorKind::ValueValidation, error))
+        io::end(&Self::command().error(ErrorKind::ValueValidation, io::tame_line(&error.to_string())))
     }
 }
 

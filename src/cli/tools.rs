@@ -4,6 +4,7 @@ use std::path::PathBuf;
 
 use serde_json::{Value as Json, json};
 
+use super::io::not_dash;
 use super::{CliError, CliRemark, Io, Refused as _, read_input, save};
 use crate::control::tool_table::{Changed, ToolChange, ToolTable};
 
@@ -38,6 +39,7 @@ impl ToolArgs {
         io: &mut Io<'_>,
     ) -> Result<Option<String>, CliError> {
         if let (Some(table), Some(path)) = (table, &self.to) {
+            not_dash(path)?;
             let name = path.display().to_string();
             save(path, &table.write().about(&name)?, io)?;
             return Ok(Some(name));

@@ -183,7 +183,7 @@ impl Run<'_> {
             if Duration::from_secs(1) <= last.elapsed() {
                 self.journal.rest(io);
             }
-            if idle.is_some_and(|idle| idle <= last.elapsed()) {
+            if io.is_closed() || idle.is_some_and(|idle| idle <= last.elapsed()) {
                 return Ok(());
             }
             std::thread::sleep(EVERY);

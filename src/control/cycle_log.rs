@@ -36,6 +36,8 @@ pub struct Heading {
     pub program: Option<String>,
     /// Millimetres or inches: the unit of the main program, which is also the unit of the log.
     pub unit: Unit,
+    /// Whether a simulation gave the contacts: the log says so.
+    pub is_simulated: bool,
 }
 
 /// Why a log cannot be written.
@@ -89,6 +91,7 @@ impl CycleLog {
             date: heading.date_time.map(DateTime::date),
             time: heading.date_time.map(DateTime::time),
             program: heading.program.clone(),
+            is_simulated: heading.is_simulated,
             further: vec![Further::measuring_height(height, heading.unit, language)],
             ..Log::new(cycle.number, figures, heading.unit)
         }))
@@ -175,6 +178,7 @@ fn point(cycle: &Cycle, result: &CycleResult, heading: &Heading) -> Option<Point
     Some(PointLog {
         date_time: heading.date_time,
         program: heading.program.clone(),
+        is_simulated: heading.is_simulated,
         unit: heading.unit,
         nominal: all(AXES.map(|axis| cycle.length_of(&result.inputs, Meaning::Point(axis))))?,
         normal: all(AXES.map(normal))?,

@@ -13,6 +13,7 @@
 //! | `log` | measuring logs as texts, read and written |
 //! | `point_log` | the log of points as HTML, read and written |
 //! | `probe_block` | the block of a probing cycle in an NC program, read and written |
+//! | `simulated` | the line that marks what a simulation has written
 //! | `cycle_log` | from a cycle's result to its log |
 
 pub mod cycle_log;
@@ -23,6 +24,7 @@ pub mod mask;
 pub mod point_log;
 pub mod probe_block;
 pub mod probe_table;
+pub mod simulated;
 pub mod status;
 pub mod table;
 pub mod text;

@@ -12,6 +12,7 @@ use super::delimited::{Item, Rows, SEPARATORS};
 use super::error::{ImportErrorKind, ImportWarningKind, Role};
 use super::own::OwnColumns;
 use super::quantity::{Free, QuantityColumn};
+use super::stated::Stated;
 use super::units;
 use super::words::{self, Rank};
 use crate::length::Unit;
@@ -67,6 +68,8 @@ pub(super) struct Columns {
     pub(super) decimals: Option<(usize, usize)>,
     /// What a file of Fitcheck says of its values.
     pub(super) own: OwnColumns,
+    /// What is said of how a value came about.
+    pub(super) stated: Stated,
     /// What is said of a value besides its name.
     pub(super) labels: LabelColumns,
     /// The line of the first row, where the user has said it.
@@ -275,7 +278,8 @@ impl Sample {
         let column = |at: usize| -> Result<LengthColumn, ImportErrorKind> {
             Ok(LengthColumn { at, unit: unit_of(header.get(at).unwrap_or_default())? })
         };
-        let used: Vec<usize> = [id, tolerance, nominal, simulated, Some(measured_at)]
+        let stated = Stated::of(header, measured_at);
+        let used: Vec<usize> = [id, tolerance, nominal, simulated, stated.origin, Some(measured_at)]
             .into_iter()
             .flatten()
             .chain(time.iter().copied())
@@ -301,6 +305,7 @@ impl Sample {
             behind: None,
             decimals: None,
             own,
+            stated,
             labels,
             first: None,
         })
@@ -367,6 +372,7 @@ impl Sample {
             behind: None,
             decimals: None,
             own: OwnColumns::default(),
+            stated: Stated::default(),
             labels: LabelColumns::default(),
             first: None,
         })

@@ -4,6 +4,9 @@
 //! guess. Figures are read as `f64` with all their digits; they are geometry, not sizes.
 
 use super::delimited::{Item, LONGEST_ROW, Rows, SEPARATORS};
+use super::error::Role;
+use super::stated::{self, marks_simulation};
+use super::words;
 use crate::control::text;
 use crate::message::{Located, Place, Say};
 use crate::probing::Contact;
@@ -66,6 +69,13 @@ pub enum ContactsError {
     },
     /// A comment that holds coordinates: a circle without them would be a guess.
     Comment,
+    /// Contacts that nobody measured.
+    Simulated,
+    /// A column that says neither measured nor simulated.
+    Origin {
+        /// What was found.
+        given: String,
+    },
     /// A quotation mark that is not closed.
     OpenQuote,
     /// A row that is too long.
@@ -83,6 +93,8 @@ struct Places {
     y: usize,
     z: Option<usize>,
     cells: usize,
+    /// A column that says whether they are simulated.
+    simulated: Option<usize>,
 }
 
 /// Reads contacts. The separator is a comma, semicolon, tab or bar; a decimal comma may be used where the comma is not
@@ -117,6 +129,9 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
         }
         if let Some((first, more)) = row.split_first().and_then(|(first, more)| Some((first.strip_prefix('#')?, more)))
         {
+            if marks_simulation(&cells) {
+                return Err(Located::in_line(line, ContactsError::Simulated));
+            }
             // One number is a remark such as a count; two are a place.
             if 2 <= more.iter().copied().chain([first.trim()]).filter(|cell| number(cell).is_some()).count() {
                 return Err(at_cell(line, 0, ContactsError::Comment));
@@ -132,7 +147,13 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
                 places = Some(header(&row, line, &mut read.ignored)?);
             }
             None => {
-                let found = Places { x: 0, y: 1, z: (2 < row.len()).then_some(2), cells: row.len().clamp(2, 3) };
+                let found = Places {
+                    x: 0,
+                    y: 1,
+                    z: (2 < row.len()).then_some(2),
+                    cells: row.len().clamp(2, 3),
+                    simulated: None,
+                };
                 places = Some(found);
                 read.contacts.push(contact(&row, found, line)?);
             }
@@ -198,8 +219,11 @@ fn header(row: &[&str], line: usize, ignored: &mut Vec<String>) -> Result<Places
     let (Some(x), Some(y)) = (place('x')?, place('y')?) else {
         return Err(Located::in_line(line, ContactsError::NoColumns { given: super::error::shorten(&row.join(", ")) }));
     };
-    ignored.extend(row.iter().filter(|cell| name(cell).is_none()).map(|cell| (*cell).to_owned()));
-    Ok(Places { x, y, z: place('z')?, cells: row.len() })
+    let says =
+        |cell: &str| words::is_origin(cell) || words::role(cell).is_some_and(|(role, _)| role == Role::Simulated);
+    ignored.extend(row.iter().filter(|cell| name(cell).is_none() && !says(cell)).map(|cell| (*cell).to_owned()));
+    let simulated = row.iter().position(|cell| says(cell));
+    Ok(Places { x, y, z: place('z')?, cells: row.len(), simulated })
 }
 
 fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, Located<ContactsError>> {
@@ -207,6 +231,13 @@ fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, Located
         let given = super::error::shorten(&row.join(", "));
         let cells = ContactsError::Cells { cells: row.len(), wanted: places.cells, given };
         return Err(Located::in_line(line, cells));
+    }
+    if let Some((at, text)) = places.simulated.and_then(|at| Some((at, *row.get(at)?))) {
+        match stated::yes_or_no(text).or_else(|| stated::is_simulated(text)) {
+            Some(false) => {}
+            Some(true) => return Err(at_cell(line, at, ContactsError::Simulated)),
+            None => return Err(at_cell(line, at, ContactsError::Origin { given: super::error::shorten(text) })),
+        }
     }
     let coordinate = |name: char, at: usize| {
         let cell = row.get(at).copied().unwrap_or_default();

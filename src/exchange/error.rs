@@ -380,6 +380,13 @@ pub enum ImportErrorKind {
         /// What was given.
         given: String,
     },
+    /// The mark of a simulation stands between rows that are judged in any order.
+    SimulatedBelow,
+    /// The text of an origin says neither that a value was measured nor that it was simulated.
+    Origin {
+        /// What was given.
+        given: String,
+    },
     /// A diameter of zero or less.
     NotPositive {
         /// What was given.

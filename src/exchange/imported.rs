@@ -62,6 +62,8 @@ pub struct Labels {
     pub quantity: Option<Quantity>,
     /// What the file says of its status.
     pub claims: Vec<Claim>,
+    /// Whether the file says that the value was brought to 20 °C, without saying from what.
+    pub is_corrected: bool,
     /// How far the value may lie from its figures, where the file was printed with a known number of decimals: half of the last one. Zero
     /// where the figures are the value.
     pub rounded_by: Length,

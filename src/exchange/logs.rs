@@ -88,6 +88,7 @@ fn take(sink: &mut Sink<'_>, log: Result<Log, LogError>, context: &Context<'_>) 
 fn add(sink: &mut Sink<'_>, log: Log, source: &Context<'_>) {
     // The reader knows the cycle of every log that it has read.
     let Some((cycle, layout)) = cycle(log.cycle).zip(layout(log.cycle)) else { return };
+    let file = Arc::clone(&source.file);
     let read = Read {
         cycle,
         line: log.line,
@@ -96,7 +97,7 @@ fn add(sink: &mut Sink<'_>, log: Log, source: &Context<'_>) {
         position: position(layout, &log.figures),
         centre: centre(layout, &log.figures),
         labels: labels(layout, &log.figures),
-        origin: Origin::Imported { file: Arc::clone(&source.file) },
+        origin: if log.is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } },
     };
     for warning in log.warnings {
         sink.warn(warning.place, Some(log.line), ImportWarningKind::Log(warning.what));
@@ -168,8 +169,8 @@ impl Read {
                 given: format!("{}/{}", pair.maximum, pair.minimum),
             };
         }
-        let origin = Origin::Imported { file: Arc::clone(&source.file) };
-        let measurement = Measurement { centre: self.centre, ..Measurement::of_diameter(measured, origin) };
+        let measurement = Measurement::of_diameter(measured, self.origin.clone());
+        let measurement = Measurement { centre: self.centre, ..measurement };
         Made::Record(Box::new(Record::judged(self.time, self.id.clone(), None, limits, measurement, self.position)))
     }
 

@@ -19,6 +19,7 @@ use super::pieces::Pieces;
 use super::rules::{Cell, Found, Refused, Rules};
 use super::sizes::{Size, SizesOf};
 use super::source::{Context, Source, WHOLE};
+use super::stated::marks_simulation;
 use super::{Format, Labels};
 use crate::journal::Record;
 use crate::length::Length;
@@ -72,7 +73,16 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
     let columns = mapping.columns(&mut sample)?;
     // The first rows are read once more with the rest.
     drop(sample);
-    let mut reader = Reader { source: &context, columns: &columns, separator, has_plan, sink, is_open: false, sizes };
+    let mut reader = Reader {
+        source: &context,
+        columns: &columns,
+        separator,
+        has_plan,
+        sink,
+        is_open: false,
+        is_simulated: false,
+        sizes,
+    };
     reader.warn_of_columns(first_line);
     let mut rows = Rows::new(text, first_line, separator);
     let mut line = reader.rows(&mut rows);
@@ -100,7 +110,8 @@ impl<'a, 's, 'z> Cells<'a, 's, 'z> {
         sizes: Option<SizesOf<'z>>,
     ) -> Self {
         let separator = columns::NO_SEPARATOR;
-        let mut reader = Reader { source, columns, separator, has_plan, sink, is_open: false, sizes };
+        let mut reader =
+            Reader { source, columns, separator, has_plan, sink, is_open: false, is_simulated: false, sizes };
         reader.warn_of_columns(1);
         Self(reader)
     }
@@ -129,7 +140,8 @@ pub(super) fn read_these<'r>(
     rows: impl Iterator<Item = &'r (usize, StringRecord)>,
     sink: &mut Sink<'_>,
 ) {
-    let mut reader = Reader { source, columns, separator, has_plan, sink, is_open: false, sizes: None };
+    let mut reader =
+        Reader { source, columns, separator, has_plan, sink, is_open: false, is_simulated: false, sizes: None };
     for (line, cells) in rows {
         reader.row(*line, cells);
     }
@@ -159,7 +171,8 @@ pub(super) fn read_row(
     (line, cells): (usize, &StringRecord),
     sink: &mut Sink<'_>,
 ) {
-    let mut reader = Reader { source, columns, separator, has_plan: false, sink, is_open: false, sizes: None };
+    let mut reader =
+        Reader { source, columns, separator, has_plan: false, sink, is_open: false, is_simulated: false, sizes: None };
     if let Err((cell, reason)) = reader.measurement(line, cells) {
         reader.refuse(line, cell, reason);
     }
@@ -173,6 +186,8 @@ struct Reader<'a, 's, 'z> {
     sink: &'a mut Sink<'s>,
     /// Whether the row is the last one and has no line end.
     is_open: bool,
+    /// Whether the mark of a simulation stands above it.
+    is_simulated: bool,
     /// Where sizes go, if they alone are wanted.
     sizes: Option<SizesOf<'z>>,
 }
@@ -234,6 +249,10 @@ impl<'a> Reader<'a, '_, '_> {
         if cells::is_blank(cells) {
             return;
         }
+        if marks_simulation(cells) {
+            self.is_simulated = true;
+            return;
+        }
         if cells::is_comment(cells) {
             let rules = self.rules();
             let hides = match &self.sizes {
@@ -270,6 +289,7 @@ impl<'a> Reader<'a, '_, '_> {
         let Found { measured, is_simulated, .. } = rules.size(cells, sizes.feature)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
         self.tell_cut_off(line, cells);
+        let is_simulated = is_simulated || self.is_simulated;
         let Some(sizes) = &mut self.sizes else { return Ok(()) };
         self.sink.count();
         (sizes.take)(Size { line, id, measured, is_simulated });
@@ -296,7 +316,11 @@ impl<'a> Reader<'a, '_, '_> {
         self.tell_cut_off(line, cells);
         let time = self.time(line, cells);
         let file = Arc::clone(&self.source.file);
-        let origin = if is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } };
+        let origin = if is_simulated || self.is_simulated {
+            Origin::ImportedSimulation { file }
+        } else {
+            Origin::Imported { file }
+        };
         let correction = self.columns.own.correction(cells, measured)?;
         let Some((callout, limits)) = asked else {
             let column = self.columns.measured.at;
@@ -346,6 +370,7 @@ impl<'a> Reader<'a, '_, '_> {
             who: label(columns.who),
             claims: columns.status.and_then(|at| Claim::of_word(text(at))).into_iter().collect(),
             place,
+            is_corrected: self.columns.stated.is_corrected(cells),
             ..Labels::default()
         }
     }

@@ -70,6 +70,7 @@ mod rules;
 mod sizes;
 mod source;
 pub mod sql;
+mod stated;
 pub mod tables;
 mod units;
 mod warning;

@@ -57,13 +57,14 @@ fn add(sink: &mut Sink<'_>, line: usize, log: &PointLog, source: &Context<'_>) {
             return sink.refuse(Place::line(line), reason, log.tolerance.clone());
         }
     };
+    let file = Arc::clone(&source.file);
     sink.set_aside(Unjudged {
         line,
         id: String::new(),
         labels: Labels::default(),
         time: log.date_time.unwrap_or(source.now),
         measured: Some(log.deviation),
-        origin: Origin::Imported { file: Arc::clone(&source.file) },
+        origin: if log.is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } },
         position: None,
         asked: Asked::default(),
         correction: None,

@@ -260,6 +260,7 @@ impl ImportWarningKind {
             | Self::PlanDiffersAbove { .. }
             | Self::PlanDiffersNominal { .. }
             | Self::StatusDiffers { .. }
+            | Self::QuantityUnknown { .. }
             | Self::SheetsLeft { .. }
             | Self::SheetHidden { .. }
             | Self::RowsHidden { .. }

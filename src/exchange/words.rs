@@ -39,7 +39,16 @@ const WEAK: &str = "diameter|durchmesser|diametro|ø|dia|d|size|maat|maß|mass|g
 const TIME: &str = "time|timestamp|time stamp|datetime|date time|date and time|date|tijd|tijdstip|datum|datum tijd|\
     datum en tijd|zeit|uhrzeit|zeitstempel|zeitpunkt|data|ora|data ora|data e ora|measured at|measured on";
 
-const SIMULATED: &str = "simulated|gesimuleerd|simuliert|simulato";
+const SIMULATED: &str = "simulated|is simulated|gesimuleerd|simuliert|simulato|simulata";
+
+/// Names of a column that says where a value comes from.
+const ORIGIN: &str = "origin|value origin|data origin|measurement origin|herkunft|wertherkunft|oorsprong|herkomst|origine|\
+    provenienza";
+
+/// Names of a column that says whether a value was brought to 20 °C.
+const CORRECTED: &str = "corrected|is corrected|temperature corrected|corrected to 20 c|at 20 c|temperature compensated|\
+    compensated|gecorrigeerd|temperatuur gecorrigeerd|temperatuurgecorrigeerd|gecompenseerd|bij 20 c|op 20 c|korrigiert|\
+    temperaturkorrigiert|temperaturkompensiert|kompensiert|auf 20 c|bei 20 c|corretto|corretta|compensato|a 20 c|correction um";
 
 /// Names that say more of a value than what it is of: they count beside a column that names the feature.
 const LABELS: [(Role, &str); 4] = [
@@ -268,6 +277,32 @@ const STATUS: &str = "status|result|verdict|decision|judgement|judgment|pass fai
 pub(super) fn is_status(header: &str) -> bool {
     let name = bare(header);
     STATUS.split('|').any(|known| known == name)
+}
+
+/// Whether a column with this name says where a value comes from.
+pub(super) fn is_origin(header: &str) -> bool {
+    let name = plain(header);
+    ORIGIN.split('|').any(|known| known == name)
+}
+
+/// Whether a column with this name says whether a value was brought to 20 °C.
+pub(super) fn is_corrected(header: &str) -> bool {
+    let name = plain(header);
+    CORRECTED.split('|').any(|known| known == name)
+}
+
+/// Whether the name of a measured value says that it was brought to 20 °C, as in `Istmaß auf 20 °C` or `corrected diameter`.
+pub(super) fn says_corrected(header: &str) -> bool {
+    let name = plain(header);
+    let words = || name.split(' ');
+    let is_word = |word: &str| CORRECTED.split('|').any(|known| known == word);
+    words().any(is_word) || words().zip(words().skip(1)).any(|pair| pair == ("20", "c"))
+}
+
+/// Everything of a name in small letters, with single blanks between words.
+fn plain(header: &str) -> String {
+    let words = header.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+    words.map(str::to_lowercase).collect::<Vec<_>>().join(" ")
 }
 
 /// The name in small letters, without its unit and what stands in brackets, with single blanks between words.

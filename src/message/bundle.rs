@@ -7,7 +7,7 @@ use std::sync::OnceLock;
 use fluent_bundle::concurrent::FluentBundle;
 use fluent_bundle::{FluentArgs, FluentResource, FluentValue};
 
-use super::{Arg, Message};
+use super::{Arg, Message, tame};
 use crate::shipped;
 
 /// Changes the wording of a text.
@@ -112,7 +112,7 @@ impl Bundle {
         let mut args = FluentArgs::new();
         for (name, arg) in &message.args {
             let value: FluentValue<'_> = match arg {
-                Arg::Text(text) => text.as_str().into(),
+                Arg::Text(text) => tame(text).into(),
                 Arg::Count(count) => (*count).into(),
                 Arg::Number(plain) => number(plain).into(),
                 Arg::Message(message) => self.say(message, number).into(),

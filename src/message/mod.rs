@@ -8,10 +8,12 @@
 //! |---|---|
 //! | `arg` | what can be put into a text, and how |
 //! | `bundle` | the texts of one language |
+//! | `foreign` | texts that somebody else has written, where they could do harm |
 //! | `located` | an error or a warning with its place in a file |
 
 mod arg;
 mod bundle;
+mod foreign;
 mod located;
 
 use std::fmt;
@@ -21,6 +23,7 @@ pub use arg::{Arg, IntoArg};
 pub(crate) use arg::{as_text, printed};
 pub use bundle::{Bundle, TextFile, Transform};
 pub use fitcheck_derive::Say;
+pub(crate) use foreign::{guarded, is_formula, is_wild, tame};
 pub use located::{Located, Place};
 
 /// A sentence without its language: the name of a text and what is put into it.

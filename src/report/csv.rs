@@ -7,7 +7,8 @@
 //!
 //! A spreadsheet reads a field that begins with `=`, `+`, `-` or `@` as a formula, and an id or a file name can hold
 //! one. Such a text gets an apostrophe in front, as in a spreadsheet itself: it is shown as text and never computed.
-//! Columns of numbers never get one, so a negative deviation stays a number.
+//! Columns of numbers never get one, so a negative deviation stays a number. The same within a text behind a semicolon, a tab or a
+//! line end, where another setting of the spreadsheet begins the next cell.
 
 use std::borrow::Cow;
 use std::io::{self, Write};
@@ -18,6 +19,7 @@ use super::row::Row;
 use super::{RenderError, Rendering, Report};
 use crate::journal::Record;
 use crate::length::{Length, Line};
+use crate::message::{guarded, is_formula};
 use crate::words::Words;
 
 /// This rendering.
@@ -151,6 +153,8 @@ impl CsvLine {
     /// The next cell.
     pub(crate) fn cell(&mut self, text: &str) {
         self.next();
+        let guarded = guarded(text);
+        let text = guarded.as_ref();
         if !text.bytes().any(|byte| matches!(byte, b',' | b'"' | b'\n' | b'\r')) {
             return self.line.append(text.as_bytes());
         }
@@ -263,19 +267,17 @@ fn contacts(row: &Row) -> Option<String> {
 
 /// A cell of any CSV that Fitcheck writes: a number as it is, any other text so that no spreadsheet computes it.
 pub(crate) fn cell(text: &str) -> Cow<'_, str> {
-    if is_formula(text) && text.parse::<f64>().is_err() { Cow::Owned(format!("'{text}")) } else { Cow::Borrowed(text) }
+    if text.parse::<f64>().is_ok() { Cow::Borrowed(text) } else { harmless_text(text) }
+}
+
+fn harmless_text(text: &str) -> Cow<'_, str> {
+    if is_formula(text) { Cow::Owned(format!("'{}", guarded(text))) } else { guarded(text) }
 }
 
 /// A text that no spreadsheet computes. Blanks and control characters in front do not hide a formula, and the wide
 /// signs of East Asian keyboards are formulas to some spreadsheets, too.
 pub(crate) fn harmless(text: &str) -> String {
-    if is_formula(text) { format!("'{text}") } else { text.to_owned() }
-}
-
-/// Whether a spreadsheet may compute a text.
-fn is_formula(text: &str) -> bool {
-    let first = text.trim_start_matches(|c: char| c.is_whitespace() || c.is_control()).chars().next();
-    first.is_some_and(|c| "=+-@\u{ff1d}\u{ff0b}\u{ff0d}\u{ff20}".contains(c))
+    harmless_text(text).into_owned()
 }
 
 #[cfg(test)]
@@ -294,7 +296,7 @@ mod tests {
                     own.cell(cell);
                 }
                 let mut writer = csv::WriterBuilder::new().from_writer(Vec::new());
-                writer.write_record(&cells).unwrap();
+                writer.write_record(cells.iter().map(|cell| guarded(cell).into_owned())).unwrap();
                 proptest::prop_assert_eq!(own.end(), writer.into_inner().unwrap());
             }
         }

@@ -26,7 +26,7 @@ pub mod json;
 pub mod pairing;
 pub mod part;
 mod picture;
-mod row;
+pub(crate) mod row;
 pub mod text;
 
 use std::io::{self, Write};

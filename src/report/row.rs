@@ -217,7 +217,7 @@ impl Row {
 }
 
 /// The position for machines; the size has its own column, so neither hides the other.
-fn position(position: PositionVerdict) -> &'static str {
+pub fn position(position: PositionVerdict) -> &'static str {
     if position.is_out() {
         "OUT"
     } else if position.is_monitored() {

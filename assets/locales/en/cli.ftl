@@ -31,9 +31,11 @@ cli-what-option = --{ $name }
 cli-what-set = --set { $name }={ $value }
 
 # Errors
+cli-batch-simulated = { $name } is simulated, as its first lines say, and only CSV can say so: write CSV
+cli-dash = - is standard output, which cannot take this: give a name, or ./- for something that is called -
 cli-not-above-zero = { $diameter } mm is not above 0
 cli-ratio-of-one-limit = rule asme-simple compares the uncertainty with the tolerance: expected --lower and --upper
-cli-already-corrected = --temperature: the values are at 20 °C already, as the column as_measured_mm says
+cli-already-corrected = --temperature: the values are at 20 °C already, as their file says
 cli-not-a-multiple = { $given }: expected a number above 0 with at most three decimals
 cli-no-limits = give --lower, --upper or both, with the lower limit below the upper one
 cli-risk-without-uncertainty = the risks of a process need --u or --expanded

@@ -50,6 +50,8 @@ exchange-nominal = nominal size: { $reason }
 exchange-nominal-differs = callout { $callout } does not match nominal size { $nominal } in its own column
 exchange-measured = measured: { $reason }
 exchange-simulated = simulated: { $given } is neither true nor false
+exchange-simulated-below = the rows below this line are simulated: judge them as a file of their own, or with fitcheck import
+exchange-origin = origin: { $given } says neither measured nor simulated; write measured, typed or simulated, or set simulated=- where this column says something else
 exchange-decimal-sign = measured: { $given } has a different decimal sign than the other values: "{ $sign }"
 exchange-not-positive = measured: a diameter of { $given } is not above 0
 exchange-decimal-comma = { $joined } may be one number with a decimal comma: use a decimal point or another separator
@@ -94,6 +96,8 @@ contacts-not-a-number = { $name } is { $given }, not a number of millimetres
 contacts-row-too-long = the row is longer than { $most } KiB
 contacts-comment = a line that begins with # is a comment, but this one holds coordinates: take the # away, or the whole line
 contacts-too-many = the file has more than { $most } contacts
+contacts-simulated = these contacts are simulated: nothing is measured by them; take a workpiece file instead
+contacts-origin = { $given } says neither measured nor simulated: write measured or simulated, or take the column away
 contacts-open-quote = a quotation mark is not closed
 contacts-mixed-signs = { $given } has a different decimal sign than the rows before it
 

@@ -31,9 +31,11 @@ cli-what-option = --{ $name }
 cli-what-set = --set { $name }={ $value }
 
 # Fouten
+cli-batch-simulated = { $name } is gesimuleerd, zoals de eerste regels zeggen, en alleen CSV kan dat zeggen: schrijf CSV
+cli-dash = - is de standaarduitvoer, waar dit niet heen kan: geef een naam, of ./- voor iets dat - heet
 cli-not-above-zero = { $diameter } mm is niet groter dan 0
 cli-ratio-of-one-limit = regel asme-simple vergelijkt de onzekerheid met de tolerantie: verwacht worden --lower en --upper
-cli-already-corrected = --temperature: de waarden gelden al bij 20 °C, zoals de kolom as_measured_mm zegt
+cli-already-corrected = --temperature: de waarden gelden al bij 20 °C, zoals hun bestand zegt
 cli-not-a-multiple = { $given }: een getal boven 0 met hoogstens drie decimalen verwacht
 cli-no-limits = geef --lower, --upper of beide, met de ondergrens onder de bovengrens
 cli-risk-without-uncertainty = voor de risico's van een proces is --u of --expanded nodig

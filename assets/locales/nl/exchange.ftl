@@ -50,6 +50,8 @@ exchange-nominal = nominale maat: { $reason }
 exchange-nominal-differs = passing { $callout } klopt niet met de nominale maat { $nominal } in de eigen kolom
 exchange-measured = gemeten: { $reason }
 exchange-simulated = gesimuleerd: { $given } is geen true en geen false
+exchange-simulated-below = de rijen onder deze regel zijn gesimuleerd: beoordeel ze als een eigen bestand, of met fitcheck import
+exchange-origin = herkomst: { $given } zegt niet of er gemeten of gesimuleerd is; schrijf gemeten, getypt of gesimuleerd, of stel simulated=- in als deze kolom iets anders zegt
 exchange-decimal-sign = gemeten: { $given } heeft een ander decimaalteken dan de andere waarden: "{ $sign }"
 exchange-not-positive = gemeten: een diameter van { $given } is niet groter dan 0
 exchange-decimal-comma = { $joined } is misschien één getal met een decimale komma: gebruik een decimale punt of een ander scheidingsteken
@@ -94,6 +96,8 @@ contacts-not-a-number = { $name } is { $given }, geen getal in millimeters
 contacts-row-too-long = de rij is langer dan { $most } KiB
 contacts-comment = een regel die met # begint is commentaar, maar hier staan coördinaten in: haal de # weg, of de hele regel
 contacts-too-many = het bestand heeft meer dan { $most } meetpunten
+contacts-simulated = deze meetpunten zijn gesimuleerd: daarmee wordt niets gemeten; neem in plaats daarvan een werkstukbestand
+contacts-origin = { $given } zegt niet of er gemeten of gesimuleerd is: schrijf gemeten of gesimuleerd, of haal de kolom weg
 contacts-open-quote = een aanhalingsteken is niet gesloten
 contacts-mixed-signs = { $given } heeft een ander decimaalteken dan de rijen ervoor
 

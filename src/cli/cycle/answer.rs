@@ -158,15 +158,16 @@ fn step(step: &Move) -> Json {
 
 pub(super) fn print_csv(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
     let mut writer = csv::Writer::from_writer(io.data());
-    writer.write_record(["key", "name", "value", "unit"])?;
+    writer.write_record(["key", "name", "value", "unit", "simulated"])?;
+    let simulated = run.source.origin().is_simulated().to_string();
     for found in &run.result.results {
         let unit = if matches!(found.value, Value::Length(_)) { "mm" } else { "" };
         let key = found.key.map(|key| key.to_string()).unwrap_or_default();
         let (name, value) = (found.name.to_string(), found.value.to_string());
-        writer.write_record([key.as_str(), &name, &cell(&value), unit])?;
+        writer.write_record([key.as_str(), &name, &cell(&value), unit, &simulated])?;
     }
     let status = run.result.verdict().map_or("", crate::verdict::Status::word);
-    writer.write_record(["status", "status", status, ""])?;
+    writer.write_record(["status", "status", status, "", &simulated])?;
     writer.flush()?;
     Ok(())
 }

@@ -2,8 +2,9 @@
 
 use std::path::{Path, PathBuf};
 
+use super::super::io::not_dash;
 use super::super::{CliWarning, Refused as _, What};
-use super::{CliError, Io};
+use super::{CliError, Io, Source};
 use crate::control::cycle_log::{CycleLog, Heading, OtherVerdict};
 use crate::control::text::decode;
 use crate::files::{self, FileError};
@@ -41,11 +42,14 @@ impl LogArgs {
         &self,
         cycle: &Cycle,
         result: &CycleResult,
+        source: &Source,
         language: Dialogue,
         io: &mut Io<'_>,
     ) -> Result<Kept, CliError> {
+        self.log_folder.as_deref().map_or(Ok(()), not_dash)?;
         let date_time = Some(self.time.unwrap_or_else(super::super::now));
-        let heading = Heading { date_time, program: self.program.clone(), unit: Unit::Millimetre };
+        let (program, unit) = (self.program.clone(), Unit::Millimetre);
+        let heading = Heading { date_time, program, unit, is_simulated: source.origin().is_simulated() };
         let log = match result.log {
             LogTarget::None | LogTarget::Shown => None,
             LogTarget::File(_) | LogTarget::Screen => CycleLog::of(cycle, result, &heading, language),

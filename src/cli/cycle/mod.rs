@@ -182,7 +182,7 @@ impl Args {
         warn_of_unused(&source, &path, io);
         let (result, tools) = self.monitored(result, io)?;
         let ball_radius = prober.ball_radius();
-        let log = self.log.keep(self.cycle, &result, language, io)?;
+        let log = self.log.keep(self.cycle, &result, &source, language, io)?;
         if log.other.is_some() {
             io.look_first();
         }

@@ -13,7 +13,8 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
     let (number, set_up, longest, ball) = (probe.number, probe.set_up, probe.longest_path, run.ball_radius);
     writeln!(io.people(), "probe {number}: SET_UP {set_up} mm, DIST {longest} mm, ball radius {ball} mm")?;
 
-    writeln!(io.people(), "\nparameters")?;
+    writeln!(io.people())?;
+    writeln!(io.people(), "parameters")?;
     let shown =
         cycle.parameters.iter().filter(|parameter| parameter.has_effect || result.inputs.is_given(parameter.key));
     let width = shown.clone().map(|parameter| parameter.question(run.language).chars().count()).max().unwrap_or(0);
@@ -28,7 +29,8 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
         writeln!(io.people(), "  {:<6} {question:<width$}  {value}{note}", parameter.key)?;
     }
 
-    writeln!(io.people(), "\ncontacts")?;
+    writeln!(io.people())?;
+    writeln!(io.people(), "contacts")?;
     for (number, contact) in (1_usize..).zip(&result.contacts) {
         writeln!(io.people(), "  {number}   {:>14.6} {:>14.6} {:>14.6}", contact.x, contact.y, contact.z)?;
     }
@@ -37,7 +39,8 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
         print_path(&result.path, io)?;
     }
 
-    writeln!(io.people(), "\nresults")?;
+    writeln!(io.people())?;
+    writeln!(io.people(), "results")?;
     for found in &result.results {
         let name = found.name.to_string();
         writeln!(io.people(), "  {:<5} {name:<36}  {}", found.called(), found.value.with_unit())?;
@@ -72,7 +75,8 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
         writeln!(io.people(), "note: {warning}")?;
     }
     if let Some(log) = &run.log.shown {
-        write!(io.people(), "\n{log}")?;
+        writeln!(io.people())?;
+        io.people().write_all(log.as_bytes())?;
     }
     Ok(())
 }

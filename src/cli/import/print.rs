@@ -33,6 +33,8 @@ pub(in crate::cli) struct Printer {
 
 impl Printer {
     pub(in crate::cli) fn new(format: Format, more: More, io: &mut Io<'_>) -> Result<Self, CliError> {
+        // Before the first row nobody knows whether a file says that its values were corrected.
+        let more = more.with(More::CORRECTED, true);
         match format {
             Format::Text => {}
             Format::Csv => {

@@ -18,7 +18,7 @@ use crate::verdict::{PositionVerdict, Status};
 pub(in crate::cli) type Column = (&'static str, fn(&Row) -> Value<'_>);
 
 /// The columns of the CSV and the names in JSON, in order. They must not change.
-pub(in crate::cli) const COLUMNS: [Column; 15] = [
+pub(in crate::cli) const COLUMNS: [Column; 16] = [
     ("file", |row| Value::Text(&row.file)),
     ("line", |row| row.line.map_or(Value::Nothing, Value::Count)),
     ("id", |row| Value::Text(&row.id)),
@@ -34,6 +34,7 @@ pub(in crate::cli) const COLUMNS: [Column; 15] = [
     ("source", |row| text(row.source.as_deref())),
     ("warnings", |row| Value::Texts(&row.warnings)),
     ("error", |row| text(row.error.as_deref())),
+    ("simulated", |row| row.is_simulated.map_or(Value::Nothing, |is| Value::Text(if is { "true" } else { "false" }))),
 ];
 
 fn text(text: Option<&str>) -> Value<'_> {
@@ -77,6 +78,8 @@ pub(in crate::cli) struct Row {
     pub(in crate::cli) is_missing: bool,
     /// What its file says of it besides its name.
     pub(in crate::cli) labels: Labels,
+    /// Whether nobody measured its value; `None` where it has none.
+    pub(in crate::cli) is_simulated: Option<bool>,
     /// The check, where it is wanted or has more to say than a control.
     pub(in crate::cli) judged: Option<Arc<Record>>,
 }
@@ -131,7 +134,7 @@ impl<'a> Rows<'a> {
     /// had theirs.
     pub(in crate::cli) fn row(&mut self, item: Item) -> Option<Row> {
         let (line, mut row) = match item {
-            Item::Record { line, record, labels } => (line, Row { labels, ..self.record(record) }),
+            Item::Record { line, record, labels } => (line, self.record(record, labels)),
             Item::Unjudged(unjudged) => {
                 let mut row = Row::of_unjudged(&unjudged);
                 if row.status.is_some() && !self.judge.is_plain() {
@@ -179,20 +182,23 @@ impl Rows<'_> {
     }
 
     /// The row of a record, as the judge of this import says.
-    fn record(&mut self, record: Box<Record>) -> Row {
+    fn record(&mut self, record: Box<Record>, labels: Labels) -> Row {
         let source = Some(self.said(&record.limits.source));
         if self.judge.is_plain() && self.sizes.is_empty() {
-            let row = Row { source, ..Row::of(&record) };
-            return Row { judged: self.wants_checks.then(|| Arc::from(record)), ..row };
+            let row = Row { source, labels, ..Row::of(&record) };
+            let is_wanted = self.wants_checks || record.correction.is_some();
+            return Row { judged: is_wanted.then(|| Arc::from(record)), ..row };
         }
         let (id, measured) = (record.id.clone(), record.measurement.diameter);
-        match self.judge.judged_of(&self.sizes, *record) {
+        match self.judge.judged_of(&self.sizes, *record, &labels) {
             Ok((record, said)) => {
-                let mut row = Row { source, ..Row::of(&record) };
+                let mut row = Row { source, labels, ..Row::of(&record) };
                 row.warnings.extend(said.iter().map(ToString::to_string));
                 Row { judged: Some(Arc::new(record)), ..row }
             }
-            Err(error) => Row { id, measured: Some(measured), error: Some(error.to_string()), ..Row::default() },
+            Err(error) => {
+                Row { id, labels, measured: Some(measured), error: Some(error.to_string()), ..Row::default() }
+            }
         }
     }
 }
@@ -222,6 +228,7 @@ impl Row {
             status: Some(size.status),
             remove: size.removal.map(|removal| removal.to_limit),
             position: record.verdict.position,
+            is_simulated: Some(record.measurement.origin.is_simulated()),
             ..row
         }
     }
@@ -237,6 +244,7 @@ impl Row {
             id: unjudged.id.clone(),
             measured: unjudged.measured,
             position: unjudged.position,
+            is_simulated: unjudged.measured.map(|_| unjudged.origin.is_simulated()),
             ..Self::default()
         };
         match &unjudged.why {

@@ -3,6 +3,7 @@
 use std::path::PathBuf;
 
 use super::{CliError, CliRemark, Io, JournalArgs, Outcome, Refused as _};
+use crate::cli::io::not_dash;
 use crate::journal::chain::Head;
 use crate::store::local;
 
@@ -21,6 +22,7 @@ pub(super) struct Args {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
+        not_dash(&self.to)?;
         let Head { number, hash } = local::backup(&self.journal.file()?, &self.to).said()?;
         io.tell(CliRemark::BackedUp { path: self.to.clone(), number, hash: hash.to_string() });
         Ok(Outcome::Done)

@@ -10,6 +10,7 @@ use super::{
     CliError, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, heard_or_not, save_with, server,
 };
 use crate::cli::args::one_of;
+use crate::cli::io::is_dash;
 use crate::cli::progress::{Size, Work, stopped};
 use crate::cli::record::Place;
 use crate::journal::chain::ChainId;
@@ -46,7 +47,7 @@ Examples:
 pub(super) struct Args {
     #[command(flatten)]
     question: QuestionArgs,
-    /// The file; default: standard output
+    /// The file; - or no file is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Format of the export
@@ -81,7 +82,7 @@ impl Args {
         );
         io.watch(&work);
         let mut export = Export { from: &from, work: &work, failed: None, unread: Vec::new() };
-        let written = if let Some(path) = &self.output {
+        let written = if let Some(path) = self.output.as_ref().filter(|path| !is_dash(path)) {
             save_with(path, &mut |out| export.write(self.format, out), io)
         } else {
             heard_or_not(export.write(self.format, io.data()))

@@ -7,11 +7,13 @@ use crate::journal::entry::{Check, Checked, CycleCheck, Entry};
 use crate::length::{Length, Unit};
 use crate::report::columns::{Cell as _, Column, cells, names};
 use crate::report::csv::harmless;
+use crate::report::row::position;
 use crate::store::local::Row;
+use crate::tolerance::fit::thermal::Correction;
 use crate::verdict::rules::Uncertainty;
 
 /// The columns of the CSV, in order.
-pub(super) const COLUMNS: [Column<Row>; 17] = [
+pub(super) const COLUMNS: [Column<Row>; 26] = [
     ("station", |row| name(&about(row)?.station)),
     ("number", |row| Some(row.kept.head.number.to_string())),
     ("time", |row| Some(about(row)?.time.text())),
@@ -29,10 +31,32 @@ pub(super) const COLUMNS: [Column<Row>; 17] = [
     ("origin", |row| name(&origin(check(row)?))),
     ("correction_of", |row| Some(entry(row)?.corrects()?.target.number.to_string())),
     ("hash", |row| Some(row.kept.head.hash.to_string())),
+    ("simulated", |row| check(row)?.is_simulated().cell()),
+    ("as_measured_mm", |row| Some(mm(correction(row)?.measured))),
+    ("correction_um", |row| Some(correction(row)?.change().exact(Unit::Micrometre, 0))),
+    ("temperature_c", |row| Some(correction(row)?.part.temperature.to_string())),
+    ("expansion_um_per_m_k", |row| Some(correction(row)?.part.expansion.to_string())),
+    ("scale_temperature_c", |row| Some(correction(row)?.scale?.temperature.to_string())),
+    ("scale_expansion_um_per_m_k", |row| Some(correction(row)?.scale?.expansion.to_string())),
+    ("position", |row| position(record(row)?.verdict.position?).cell()),
+    ("remeasure_reason", |row| Some(record(row)?.verdict.undecided?.to_string())),
 ];
 
 /// Columns whose cells are numbers in JSON.
-const NUMBERS: [&str; 6] = ["number", "min_mm", "max_mm", "measured_mm", "u_um", "correction_of"];
+const NUMBERS: [&str; 12] = [
+    "number",
+    "min_mm",
+    "max_mm",
+    "measured_mm",
+    "u_um",
+    "correction_of",
+    "as_measured_mm",
+    "correction_um",
+    "temperature_c",
+    "expansion_um_per_m_k",
+    "scale_temperature_c",
+    "scale_expansion_um_per_m_k",
+];
 
 /// The names of the columns, as the first line of a CSV.
 pub(super) fn header() -> Vec<String> {
@@ -82,6 +106,11 @@ pub(super) fn record(row: &Row) -> Option<&Record> {
         Checked::Size(record) => Some(record),
         Checked::Cycle(_) => None,
     }
+}
+
+/// How a value was brought to 20 °C.
+fn correction(row: &Row) -> Option<&Correction> {
+    record(row)?.correction.as_ref()
 }
 
 fn cycle(row: &Row) -> Option<&CycleCheck> {

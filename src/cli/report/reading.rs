@@ -37,6 +37,8 @@ pub(super) struct Given {
     pub(super) now: DateTime,
     pub(super) judge: Judge,
     pub(super) plan: Option<Arc<Plan>>,
+    /// Whether a value was brought to 20 °C, here or before.
+    pub(super) are_corrected: bool,
 }
 
 impl Given {
@@ -81,8 +83,8 @@ impl Checks for Given {
             self.read((path, file, work), &mut |item| {
                 // What cannot be judged was noted at the first look.
                 if seen.is_ok()
-                    && let Item::Record { record, .. } = item
-                    && let Ok((record, _said)) = self.judge.judged_of(&sizes, *record)
+                    && let Item::Record { record, labels, .. } = item
+                    && let Ok((record, _said)) = self.judge.judged_of(&sizes, *record, &labels)
                 {
                     seen = see(&record);
                 }
@@ -99,9 +101,9 @@ impl Checks for Given {
         self.typed.iter().try_for_each(see)
     }
 
-    /// One way judges all of them.
+    /// One way judges all of them, and the files may say that their values were corrected.
     fn more(&self) -> io::Result<More> {
-        Ok(self.judge.more_of(self.plan.as_deref()))
+        Ok(self.judge.more_of(self.plan.as_deref()).with(More::CORRECTED, self.are_corrected))
     }
 }
 
@@ -117,6 +119,8 @@ pub(super) struct Collected {
     more_notes: usize,
     pub(super) bad: bool,
     warned: Warned,
+    /// Whether a value was brought to 20 °C, here or before.
+    pub(super) are_corrected: bool,
     /// The whole parts, with a plan.
     pub(super) parts: Option<Parts>,
 }
@@ -128,7 +132,7 @@ impl Collected {
         let line = |line: usize| Message::new("report-note-line").text("place", name).text("line", line);
         let sizes = Sizes::of(given.plan.as_deref());
         given.read((path, file, work), &mut |item| match item {
-            Item::Record { record, line: at, labels } => match given.judge.judged_of(&sizes, *record) {
+            Item::Record { record, line: at, labels } => match given.judge.judged_of(&sizes, *record, &labels) {
                 Ok((record, said)) => {
                     for remark in &said {
                         self.note(line(at), remark.message(), io);
@@ -168,6 +172,7 @@ impl Collected {
         if record.doubt.is_some() || record.measurement.origin.is_simulated() {
             io.look_first();
         }
+        self.are_corrected |= record.correction.is_some();
         self.worst = self.worst.max(Some(record.verdict.status()));
     }
 

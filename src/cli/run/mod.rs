@@ -16,6 +16,7 @@ use clap::ValueEnum;
 
 use super::args::dialogue;
 use super::cycle::{Source, pairs, probe_table, read_workpiece};
+use super::io::not_dash;
 use super::record::{RecordArgs, Recorder};
 use super::tools::ToolArgs;
 use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input};
@@ -225,6 +226,7 @@ impl Args {
             files::no_half_set(folder)?;
         }
         if let Some(folder) = &self.output_folder {
+            not_dash(folder)?;
             files::make_folder(folder)?;
             store = store.writing(folder);
         }

@@ -4,6 +4,7 @@ use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use crate::cli::args::{classes, one_of};
+use crate::cli::io::is_dash;
 use crate::cli::{
     CliError, CliRemark, CliWarning, Io, Outcome, Refused as _, StandardArgs, What, heard_or_not, read_table, save,
 };
@@ -112,6 +113,8 @@ impl NewArgs {
             files.push((path, name, bytes));
         }
         match files.as_slice() {
+            [(path, _, bytes)] if is_dash(path) => io.data().write_all(bytes)?,
+            _ if is_dash(&self.output) => return Err(CliError::Dash),
             [(path, _, bytes)] => save(path, bytes, io)?,
             // One for holes and one for shafts belong together.
             both => {

@@ -66,6 +66,7 @@ pub(in crate::control) struct Surface {
     pub(in crate::control) status: String,
     pub(in crate::control) no_tolerance: String,
     pub(in crate::control) not_judged: String,
+    pub(in crate::control) simulated: String,
 }
 
 impl Labels {

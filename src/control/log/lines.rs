@@ -8,6 +8,7 @@ use std::path::Path;
 use jiff::civil::{Date, Time};
 
 use super::error::{LogError, LogFault, LogWarning, LogWarningKind};
+use crate::control::simulated::is_mark;
 use crate::length::Unit;
 use crate::message::{Located, Place};
 
@@ -36,6 +37,8 @@ pub(super) struct Chunk {
     lines: Vec<(usize, String)>,
     /// Whether there are more of them, or one is longer than [`LONGEST_LINE`].
     pub(super) is_too_long: bool,
+    /// Whether one of them is the mark of a simulation, which is none of them.
+    pub(super) is_simulated: bool,
     /// How many of them hold a figure after a label.
     figures: usize,
     /// Which of them may go on: the last one of a file that ends without a line end, and those that byte 0 ends.
@@ -109,6 +112,10 @@ impl Chunks {
             (self.chunk.is_too_long, self.waits) = (true, false);
             return None;
         }
+        if is_mark(bare) {
+            self.chunk.is_simulated = true;
+            return None;
+        }
         let kind = classify(bare);
         let value = match kind {
             Line::Label { value, .. } => value,
@@ -136,7 +143,7 @@ impl Chunks {
 impl Chunk {
     /// It, if it has anything.
     fn if_any(self) -> Option<Self> {
-        (self.title.is_some() || !self.lines.is_empty() || self.is_too_long).then_some(self)
+        (self.title.is_some() || !self.lines.is_empty() || self.is_too_long || self.is_simulated).then_some(self)
     }
 
     /// Adds a line that is not blank, with the value that it has after a label.

@@ -53,6 +53,8 @@ pub struct Log {
     pub figures: Vec<Figure>,
     /// Further results, such as the measuring height, as they were written.
     pub further: Vec<Further>,
+    /// Whether a simulation has written it, as its mark says: nobody measured.
+    pub is_simulated: bool,
     /// Warnings about a log that could still be read.
     pub warnings: Vec<LogWarning>,
 }
@@ -113,6 +115,8 @@ pub struct Logs {
     chunks: Chunks,
     /// What stood above the next log.
     before: Option<LogWarning>,
+    /// Whether the mark of a simulation stood there.
+    is_simulated: bool,
     /// Whether there was a log.
     is_found: bool,
     /// Whether there was anything.
@@ -137,12 +141,15 @@ impl Logs {
     fn read(&mut self, chunk: &Chunk) -> Option<Result<Log, LogError>> {
         if chunk.title.is_none() && !chunk.has_figures() {
             // Everything above the first title.
-            let line = chunk.first_line().unwrap_or(1);
+            self.is_simulated |= chunk.is_simulated;
+            let Some(line) = chunk.first_line() else { return None };
             self.before.get_or_insert(Located::in_line(line, LogWarningKind::TextBefore));
             return None;
         }
         self.is_found = true;
+        let is_simulated = std::mem::take(&mut self.is_simulated);
         Some(read_one(chunk).map(|mut log| {
+            log.is_simulated |= is_simulated;
             log.warnings.splice(0..0, self.before.take());
             log
         }))
@@ -186,6 +193,7 @@ fn read_one(chunk: &Chunk) -> Result<Log, LogError> {
         unit,
         figures,
         further,
+        is_simulated: chunk.is_simulated,
         warnings,
     })
 }

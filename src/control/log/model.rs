@@ -23,6 +23,7 @@ impl Log {
             unit,
             figures,
             further: Vec::new(),
+            is_simulated: false,
             warnings: Vec::new(),
         }
     }
@@ -48,6 +49,7 @@ impl Log {
             date: self.date,
             time: self.time.map(whole_seconds),
             program: self.program.clone(),
+            is_simulated: self.is_simulated,
             further: self.further.iter().map(|further| further.printed(labels)).collect(),
             ..Self::new(self.cycle, self.figures.iter().map(figure).collect(), self.unit)
         }

@@ -4,7 +4,8 @@
 //! (`docs/SOURCES.md`). Our rules are: the columns (label and colon left aligned in 46 characters, the value right
 //! aligned in 12), CRLF, ASCII or, if the words need it, Latin-1, four decimals of an inch, the lines after the
 //! deviations, all sections of the other cycles, and other languages' words. The documented layout has no line for a
-//! status, a tolerance class or a tool: a log has the same lines whether the part is good, rework or scrap.
+//! status, a tolerance class or a tool: a log has the same lines whether the part is good, rework or scrap. Only what a
+//! simulation has measured gets a line more, below the title: its mark.
 //!
 //! What is written reads back as the same log ([`Log::printed`]), or it is an error. What a log lacks is left out and
 //! never made up. Nothing here opens a file.
@@ -12,6 +13,7 @@
 use super::labels::Labels;
 use super::model::DECIMALS;
 use super::{Figure, LimitPair, Log, LogError, LogFault, each, layout};
+use crate::control::simulated::MARK;
 use crate::control::text::decode;
 use crate::length::{Length, Unit};
 use crate::message::Say;
@@ -167,6 +169,9 @@ fn text_with(labels: &Labels, log: &Log, language: Dialogue) -> Result<String, L
     let mut page = Page { text: String::new(), unit: log.unit };
     page.line(title);
     page.line("");
+    if log.is_simulated {
+        page.line(MARK);
+    }
     page.header(log, labels)?;
     page.figures(layout, &log.figures, labels);
     if !log.further.is_empty() {

@@ -38,6 +38,8 @@ struct Row {
     class: &'static str,
     time: String,
     program: String,
+    /// Where it is simulated.
+    simulated: Option<&'static str>,
     axes: [Axis; 3],
     along: String,
     unit: &'static str,
@@ -69,6 +71,7 @@ struct Axis {
 /// let log = PointLog {
 ///     date_time: Some(jiff::civil::date(2024, 3, 14).at(8, 5, 9, 0)),
 ///     program: Some(r"TNC:\PART1.H".to_owned()),
+///     is_simulated: false,
 ///     unit: Unit::Millimetre,
 ///     nominal: ["10".parse()?, "20".parse()?, "5".parse()?],
 ///     normal: [0.0, 0.0, 1.0],
@@ -120,7 +123,7 @@ pub fn append(page: &[u8], log: &PointLog, language: Dialogue) -> Result<Vec<u8>
     write(&logs, language)
 }
 
-fn row(log: &PointLog, number: usize, words: &Surface, language: Dialogue) -> Row {
+fn row(log: &PointLog, number: usize, words: &'static Surface, language: Dialogue) -> Row {
     let unit = log.unit;
     let plain = |length: Length| people(&length.exact(unit, DECIMALS), language);
     let signed = |length: Length| {
@@ -143,6 +146,7 @@ fn row(log: &PointLog, number: usize, words: &Surface, language: Dialogue) -> Ro
         class: class(log.status),
         time: log.date_time.map(|time| time.strftime(DATE).to_string()).unwrap_or_default(),
         program: visible(log.program.as_deref().unwrap_or_default()),
+        simulated: log.is_simulated.then_some(words.simulated.as_str()),
         axes,
         along: signed(log.deviation),
         unit: if unit == Unit::Inch { "inch" } else { "mm" },

@@ -18,6 +18,8 @@ pub struct PointLog {
     pub date_time: Option<DateTime>,
     /// Path of the NC program on the control.
     pub program: Option<String>,
+    /// Whether a simulation has written it: nobody measured.
+    pub is_simulated: bool,
     /// Millimetres or inches: what the page shows. The figures themselves are exact lengths.
     pub unit: Unit,
     /// The nominal point (Q263, Q264, Q294).

@@ -38,6 +38,9 @@ struct Stored {
     upper_mm: Option<String>,
     lower_mm: Option<String>,
     status: Option<Status>,
+    /// Only where it is one.
+    #[serde(default, skip_serializing_if = "std::ops::Not::not")]
+    simulated: bool,
 }
 
 /// Only to find out whether a later version has written the rest.
@@ -70,6 +73,7 @@ pub(super) fn block(log: &PointLog) -> String {
         upper_mm: log.band.map(|band| mm(band.upper)),
         lower_mm: log.band.map(|band| mm(band.lower)),
         status: log.status,
+        simulated: log.is_simulated,
     };
     #[expect(clippy::expect_used, reason = "texts under names are always JSON")]
     let json = serde_json::to_string(&stored).expect("texts can be written as JSON");
@@ -109,6 +113,7 @@ pub(super) fn parse(json: &str) -> Result<PointLog, PointFault> {
     let log = PointLog {
         date_time: stored.time,
         program: stored.program,
+        is_simulated: stored.simulated,
         unit: match stored.unit {
             StoredUnit::Mm => Unit::Millimetre,
             StoredUnit::Inch => Unit::Inch,

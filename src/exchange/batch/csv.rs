@@ -6,6 +6,7 @@ use super::row::Row;
 use super::{ADDED, index};
 use crate::exchange::error::ImportErrorKind;
 use crate::length::Line;
+use crate::message::guarded;
 use crate::verdict::Status;
 
 /// Room for the longest word of a status between two separators.
@@ -64,6 +65,8 @@ impl Csv {
     /// A cell with quotation marks where it needs some.
     fn text(&mut self, text: &str) {
         let separator = self.separator;
+        // It may repeat what a cell has.
+        let text = &*guarded(text);
         if text.bytes().all(|byte| byte != separator && !matches!(byte, b'"' | b'\n' | b'\r')) {
             self.out.append(text.as_bytes());
         } else {

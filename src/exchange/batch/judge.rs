@@ -15,6 +15,7 @@ use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::rules::{Found, Rules};
+use crate::exchange::stated::marks_simulation;
 use crate::length::{Length, Unit, Window};
 use crate::message::Say;
 use crate::tolerance::{Bounds, Sources, ToleranceClass};
@@ -115,8 +116,14 @@ impl<'a> Court<'a> {
         let fast = Fast {
             measured: (columns.measured.at, columns.measured.unit),
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
-            tolerance: columns.tolerance,
-            aside: columns.simulated.into_iter().chain(columns.own.deciding().into_iter().flatten()).collect(),
+            // Simulated rows are counted where each is read as a whole.
+            tolerance: columns.tolerance.filter(|_| !columns.stated.are_simulated),
+            aside: columns
+                .simulated
+                .into_iter()
+                .chain(columns.stated.origin)
+                .chain(columns.own.deciding().into_iter().flatten())
+                .collect(),
             quantities: &columns.quantities,
             count: columns.count,
             foreign_sign: columns.decimal_sign.map(|sign| if sign == '.' { b',' } else { b'.' }),
@@ -349,6 +356,9 @@ impl Judge<'_> {
         let (has_commas, sources) = (self.court.fast.has_commas, self.court.sources);
         let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
         if self.court.fast.has_comments && cells::is_comment(&cells) {
+            if marks_simulation(&cells) && !columns.stated.are_simulated {
+                return Self::refuse(row, None, &ImportErrorKind::SimulatedBelow, tally, take);
+            }
             if rules.hides_measurement(&cells) {
                 return Self::refuse(row, None, &ImportErrorKind::Comment, tally, take);
             }

@@ -6,6 +6,7 @@ use std::ops::Range;
 use super::index::Index;
 use super::row::Row;
 use super::{LONGEST_ROW, index};
+use crate::control::simulated::is_mark;
 use crate::control::text::windows_1252;
 use crate::exchange::FORMATS;
 use crate::exchange::cells;
@@ -66,7 +67,7 @@ impl Layout {
         let decoded = utf8(body);
         let (text, first_line, separator) = without_separator_line(&decoded);
         let sample = Sample::of(text, first_line, separator);
-        let columns = sample.columns()?;
+        let mut columns = sample.columns()?;
         let separator = sample.separator;
         let above_header = decoded.len() - text.len();
         let rows = text.as_bytes();
@@ -93,6 +94,8 @@ impl Layout {
         let is_utf8 = matches!(decoded, Cow::Borrowed(_)) || above.is_ascii();
         let skip = mark + if let Cow::Borrowed(_) = decoded { above.len() } else { above.chars().count() };
         let above = [if mark == 0 { &[] } else { MARK }, above.as_bytes()].concat();
+        columns.stated.are_simulated =
+            above.split(|byte| matches!(byte, b'\n' | b'\r')).any(|line| is_mark(&utf8(line)));
         let comments = mark + above_header..mark + above_header + if has_header { header_start } else { length };
         if has_header {
             // It is used after all.
@@ -157,9 +160,15 @@ impl Layout {
         columns.measured.at == at
             || columns.tolerance == Some(at)
             || columns.simulated == Some(at)
+            || columns.stated.origin == Some(at)
             || columns.own.deciding().contains(&Some(at))
             || columns.nominal.is_some_and(|nominal| nominal.at == at)
             || columns.quantities.iter().any(|column| column.at == at)
+    }
+
+    /// Whether the mark of a simulation stands above its rows.
+    pub const fn are_simulated(&self) -> bool {
+        self.columns.stated.are_simulated
     }
 
     /// The separator of its cells.

@@ -36,11 +36,13 @@ struct Said {
     labels: Labels,
     /// Whether the cycle that the name ends with measures inside or outside.
     feature: Option<Feature>,
+    /// Whether a simulation printed it.
+    is_simulated: bool,
 }
 
 impl Judging<'_> {
     /// Judges the values of a print that begins at a line.
-    pub(super) fn judge(&self, line: usize, printed: &Printed, sink: &mut Sink<'_>) {
+    pub(super) fn judge(&self, line: usize, printed: &Printed, is_simulated: bool, sink: &mut Sink<'_>) {
         let name = self.roles.name.and_then(|at| value(printed, at)).unwrap_or_default();
         let feature = cycle_in(name).map(|cycle| cycle.shape().feature());
         let place = self.roles.centre.map(|centre| centre.map(|at| length(printed, at)));
@@ -51,6 +53,7 @@ impl Judging<'_> {
             time: self.time(line, printed, sink),
             labels: Labels { place, claims: self.claims(printed), ..Labels::default() },
             feature,
+            is_simulated,
         };
         for reading in &self.roles.readings {
             self.reading(&said, reading, printed, sink);
@@ -123,13 +126,14 @@ impl Judging<'_> {
                 sink.warn(Place::line(said.line), Some(said.line), warning);
             }
         }
+        let file = Arc::clone(&self.context.file);
         sink.set_aside(Unjudged {
             line: said.line,
             id: said.name.clone(),
             labels: said.labels.clone(),
             time: said.time,
             measured: Some(measured),
-            origin: Origin::Imported { file: Arc::clone(&self.context.file) },
+            origin: if said.is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } },
             position: None,
             asked: Asked::default(),
             correction: None,
@@ -173,7 +177,7 @@ impl Judging<'_> {
             expanded: None,
             labels: labels.clone(),
         };
-        let value = Value { line: said.line, measured, time: Some(said.time), labels, is_simulated: false };
+        let value = Value { line: said.line, measured, time: Some(said.time), labels, is_simulated: said.is_simulated };
         characteristic.judge(value, self.context, sink);
     }
 

@@ -19,6 +19,7 @@ use super::error::{ImportErrorKind, ImportWarningKind, shorten};
 use super::imported::Sink;
 use super::source::{Beginning, Source};
 use crate::control::mask::{Found, Inverse, Mask, Printed};
+use crate::control::simulated::is_mark;
 use crate::control::text;
 use crate::message::{Place, Say as _};
 use judged::Judging;
@@ -59,11 +60,15 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
     }
     let judging = Judging { slots: inverse.slots(), roles: &roles, context: &context };
     let mut pieces = source.pieces(text::LINE_END_BYTES)?;
-    let mut window = Window { inverse: &inverse, lines: VecDeque::new() };
+    let mut window = Window { inverse: &inverse, lines: VecDeque::new(), simulated_from: None };
     let mut next = 1;
     while let Some(piece) = pieces.next()? {
         for (number, line) in text::lines_from(&piece, next) {
             next = number + 1;
+            if is_mark(line) {
+                window.simulated_from.get_or_insert(number);
+                continue;
+            }
             window.lines.push_back((number, line.to_owned()));
             if inverse.most_lines() <= window.lines.len() && !window.first(&judging, sink) {
                 return Ok(());
@@ -107,7 +112,7 @@ fn fitting<'a>(masks: &'a [(String, Mask)], head: &str) -> Result<Fitting<'a>, I
 
 /// What the beginning of a file has of a mask; `None` where most of its lines are others.
 fn sample(inverse: &Inverse, head: &str) -> Option<Vec<Printed>> {
-    let lines: Vec<&str> = text::lines(head).map(|(_, line)| line).collect();
+    let lines: Vec<&str> = text::lines(head).map(|(_, line)| line).filter(|line| !is_mark(line)).collect();
     let (mut at, mut fit, mut other) = (0, 0, 0);
     let mut sample = Vec::new();
     while let Some(rest) = lines.get(at..).filter(|rest| !rest.is_empty()) {
@@ -134,6 +139,8 @@ fn sample(inverse: &Inverse, head: &str) -> Option<Vec<Printed>> {
 struct Window<'a> {
     inverse: &'a Inverse,
     lines: VecDeque<(usize, String)>,
+    /// The line of the mark below which all is simulated, where there is one.
+    simulated_from: Option<usize>,
 }
 
 impl Window<'_> {
@@ -148,8 +155,10 @@ impl Window<'_> {
         let count = match found {
             Found::Printed(printed) => {
                 let printed = self.inverse.by_parameter(printed);
+                let last = self.lines.get(printed.lines.saturating_sub(1)).map_or(number, |(last, _)| *last);
+                let is_simulated = self.simulated_from.is_some_and(|from| from < last);
                 sink.unit(number, number + printed.lines.saturating_sub(1));
-                judging.judge(number, &printed, sink);
+                judging.judge(number, &printed, is_simulated, sink);
                 printed.lines
             }
             Found::Ambiguous(count) => {

@@ -50,6 +50,11 @@ impl Probed {
         }
     }
 
+    /// Whether nobody measured.
+    pub(super) const fn is_simulated(&self) -> bool {
+        !matches!(self, Self::Recorded(_))
+    }
+
     /// Whether every cycle meets what it expects.
     pub(super) const fn is_perfect(&self) -> bool {
         matches!(self, Self::Perfect)

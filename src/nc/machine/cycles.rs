@@ -80,6 +80,11 @@ impl Cycles {
         &self.runs
     }
 
+    /// Whether nobody measured: no contacts were recorded.
+    pub(super) const fn is_simulated(&self) -> bool {
+        self.probed.is_simulated()
+    }
+
     /// What the simulated part has to say about moves: what they would touch.
     pub(super) const fn probed(&mut self) -> &mut Probed {
         &mut self.probed

@@ -33,13 +33,14 @@ impl Log {
         result: &CycleResult,
         flow: &Flow,
         settings: &Settings,
+        is_simulated: bool,
     ) -> Result<Option<Self>, FaultKind> {
         let (LogTarget::File(_) | LogTarget::Screen) = result.log else { return Ok(None) };
         let Some(name) = cycle.log.file() else { return Ok(None) };
         let path = flow.path().resolve(name)?;
         let program = Some(flow.path().to_string());
         let unit = if flow.main_unit() == Some(ProgramUnit::Inch) { Unit::Inch } else { Unit::Millimetre };
-        let heading = Heading { date_time: Some(settings.time), program, unit };
+        let heading = Heading { date_time: Some(settings.time), program, unit, is_simulated };
         let language = settings.language;
         let is_shown = result.log == LogTarget::Screen;
         let content = CycleLog::of(cycle, result, &heading, language);

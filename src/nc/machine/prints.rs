@@ -9,6 +9,7 @@ use super::path::NcPath;
 use super::remark::{Remark, Remarks};
 use super::values::Values;
 use crate::control::mask::{Context, FileUse, Mask, MaskWarningKind, Output};
+use crate::control::simulated::MARK;
 
 /// A window that FN 16 has opened.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -42,6 +43,10 @@ pub struct Written {
 #[derive(Debug)]
 pub(super) struct Prints {
     budget: Budget,
+    /// Whether nobody measured what is printed: files say so.
+    is_simulated: bool,
+    /// The files that have the mark of that.
+    marked: BTreeSet<NcPath>,
     windows: Vec<Window>,
     outputs: Vec<Written>,
     /// How many times something was printed to a file, also in vain.
@@ -54,9 +59,11 @@ pub(super) struct Prints {
 }
 
 impl Prints {
-    pub(super) const fn new(budget: Budget) -> Self {
+    pub(super) const fn new(budget: Budget, is_simulated: bool) -> Self {
         Self {
             budget,
+            is_simulated,
+            marked: BTreeSet::new(),
             windows: Vec::new(),
             outputs: Vec::new(),
             printed: 0,
@@ -134,7 +141,14 @@ impl Prints {
             remarks.add(place, Remark::Full { path, kilobytes });
             return Ok(());
         }
-        let is_saved = save(&path, &encoded(&output.text), how, files)?;
+        // What stands below the mark is simulated: once is enough, until the file is replaced. A text without figures measures nothing.
+        if how == FileUse::Replace {
+            self.marked.remove(&path);
+        }
+        let has_figures = output.text.contains(|c: char| c.is_ascii_digit());
+        let is_marked = self.is_simulated && has_figures && self.marked.insert(path.clone());
+        let mark = if is_marked { format!("{MARK}\n") } else { String::new() };
+        let is_saved = save(&path, &encoded(&(mark + &output.text)), how, files)?;
         if !is_saved {
             remarks.add(place.clone(), Remark::NotWritten { path: path.clone() });
         }

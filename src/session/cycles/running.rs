@@ -68,11 +68,10 @@ pub struct RunLog {
 
 impl RunLog {
     /// The log of a result, as Q281 asks for it; a page of points is only written, never shown.
-    fn of(cycle: &Cycle, result: &CycleResult, time: DateTime, language: Dialogue) -> Option<Result<Self, Message>> {
+    fn of(cycle: &Cycle, result: &CycleResult, heading: &Heading, language: Dialogue) -> Option<Result<Self, Message>> {
         let (LogTarget::File(_) | LogTarget::Screen) = result.log else { return None };
         let (name, is_shown) = (cycle.log.file()?.to_owned(), result.log == LogTarget::Screen);
-        let heading = Heading { date_time: Some(time), program: None, unit: Unit::Millimetre };
-        let log = CycleLog::of(cycle, result, &heading, language)?;
+        let log = CycleLog::of(cycle, result, heading, language)?;
         Some(log.write(language).map_err(|error| error.message()).map(|bytes| Self {
             name,
             shown: is_shown.then(|| decode(&bytes).replace("\r\n", "\n").trim_end().to_owned()),
@@ -184,13 +183,18 @@ impl CyclesPage {
         let (path, result) = cycle.measure_along(inputs, &mut *prober);
         let table = shared.tool_table();
         let monitoring = table.zip(result.as_ref().ok()).map(|(table, result)| Monitoring::of(table, cycle, result));
+        let is_simulated = self.from != ContactsFrom::Recorded;
+        let heading = Heading { date_time: Some(time), program: None, unit: Unit::Millimetre, is_simulated };
         let result = result.map(|result| if table.is_some() { result.with_tool_table() } else { result });
         let evaluation = result.as_ref().ok().and_then(CycleResult::evaluation);
         Ok(CycleRun {
             cycle,
             from,
-            is_simulated: self.from != ContactsFrom::Recorded,
-            log: result.as_ref().ok().and_then(|result| RunLog::of(cycle, result, time, shared.language.dialogue())),
+            is_simulated,
+            log: result
+                .as_ref()
+                .ok()
+                .and_then(|result| RunLog::of(cycle, result, &heading, shared.language.dialogue())),
             nominal: cycle.nominal(inputs).ok(),
             ball_radius: prober.ball_radius(),
             unused: if result.is_ok() { source.unused(&path) } else { 0 },

@@ -117,7 +117,7 @@ impl PartsPage {
         if labels.serial.is_empty() && of_walk.is_some_and(|plan| !self.is_of_label(plan, &labels.part)) {
             return Err(Message::new("walk-page-other-label").text("part", labels.part.trim()));
         }
-        let (record, remarks) = judged_by(size, record, shared)?;
+        let (record, remarks) = judged_by(size, record, labels.is_corrected, shared)?;
         let at = self.walking.place_of(&record.id).filter(|_| is_own);
         Ok(Arriving { at, record: Arc::new(record), remarks, labels: Some(Box::new(labels)), file: None })
     }

@@ -3,7 +3,7 @@
 use jiff::civil::DateTime;
 
 use crate::journal::Record;
-use crate::journal::planned::{Planned, PlannedRemark, judge};
+use crate::journal::planned::{Planned, PlannedError, PlannedRemark, judge};
 use crate::message::{Message, Say as _};
 use crate::part::Size;
 use crate::probing::Measurement;
@@ -17,12 +17,20 @@ pub(super) fn judged(
     now: DateTime,
 ) -> Result<(Record, Vec<Message>), Message> {
     let record = Record::judged(now, size.name(), size.callout, size.limits.clone(), measurement, None);
-    judged_by(size, record, shared)
+    judged_by(size, record, false, shared)
 }
 
-/// The same of a value from a file, which has its own time and position.
-pub(super) fn judged_by(size: &Size<'_>, record: Record, shared: &Shared) -> Result<(Record, Vec<Message>), Message> {
+/// The same of a value from a file, which has its own time and position; the file may say that it was brought to 20 °C.
+pub(super) fn judged_by(
+    size: &Size<'_>,
+    record: Record,
+    is_corrected: bool,
+    shared: &Shared,
+) -> Result<(Record, Vec<Message>), Message> {
     let beside = shared.worth.beside(size.feature, shared.budget.as_deref())?;
+    if is_corrected && beside.warm.is_some() {
+        return Err(PlannedError::AlreadyCorrected.message());
+    }
     let planned = judge(size, record, &beside).map_err(|error| error.message())?;
     let mut said: Vec<Message> = planned.messages().collect();
     let Planned { record, said: remarks } = planned;

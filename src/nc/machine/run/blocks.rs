@@ -288,7 +288,7 @@ impl Run {
         hand_over(cycle, &result, &path, self.flow.unit(), &mut self.values)?;
         self.values.measured();
         self.around.stated(block, self.flow.unit(), &mut self.values)?;
-        if let Some(log) = Log::of(cycle, &result, &self.flow, settings)? {
+        if let Some(log) = Log::of(cycle, &result, &self.flow, settings, self.cycles.is_simulated())? {
             self.remarks.add_all(&place, log.other(&result).into_iter().collect());
             log.write(place.clone(), &mut self.prints, files, &mut self.remarks)?;
         }

@@ -57,12 +57,13 @@ impl Run {
             // Q113 holds the unit of the main program.
             values.set(Parameter::q(113), Value::Number(if is_inch { 1.0 } else { 0.0 }));
         }
+        let cycles = Cycles::new(contacts, settings);
         Self {
             flow: Flow::new(path, program, &settings.budget),
             values,
             tables: Tables::default(),
-            prints: Prints::new(settings.budget),
-            cycles: Cycles::new(contacts, settings),
+            prints: Prints::new(settings.budget, cycles.is_simulated()),
+            cycles,
             tools: Tools::new(settings.tool_table.clone()),
             way: Way::new(&settings.budget, notation),
             around: Around::new(notation),
