@@ -23,6 +23,7 @@ use crate::files;
 use crate::journal::chain::Hash;
 use crate::part::{Plan, Size};
 use crate::report::columns::names;
+use crate::report::csv::More;
 use crate::verdict::Status;
 use keeping::Keeping;
 pub(super) use print::Printer;
@@ -92,7 +93,8 @@ inch), first-row (a line) and sheet (of a workbook) are set the same way, and - 
 Columns of --format csv, and names in JSON:
   {}
 status is the diameter's; position tells the centre's, IN or OUT, where the control monitored it. \
-A decision rule, a budget and a temperature add the columns that they add in fitcheck report.
+The last six tell how a value was brought to 20 °C, here or before; a decision rule and a budget add the columns that they add \
+in fitcheck report.
 
 Examples:
   fitcheck import bores.csv
@@ -113,7 +115,7 @@ Files may have any size that a disk holds, but a log of points, a pipe and a .df
 {largest} MiB, and a sheet of a workbook unpacks to at most 512 MiB. \
 With --record, up to {MOST_ROWS} rows of a file are read.",
         formats.collect::<String>(),
-        names(&row::COLUMNS).join(","),
+        names(&row::COLUMNS).into_iter().chain(More::CORRECTED.names()).collect::<Vec<_>>().join(","),
     )
 }
 

@@ -388,7 +388,7 @@ fn q281_says_whether_there_is_a_log_and_where() {
         [&["427", "--time", "2026-03-14T06:55", "--set"][..], &block].concat()
     };
     let shown = fitcheck(&set("Q281=2"), "");
-    let log = "\nMeasuring log for touch probe cycle 427 Coordinate measuring\n\nDate: 14-03-2026\nTime: 6:55:00\n";
+    let log = "\nMeasuring log for touch probe cycle 427 Coordinate measuring\n\n# Simulated by Fitcheck - not measured\nDate: 14-03-2026\nTime: 6:55:00\n";
     assert!(shown.out.contains(log) && shown.out.ends_with("\nMeasuring log end\n"), "{}", shown.out);
     let (_, answer) = json(&set("Q281=2"), "");
     assert!(answer["log_text"].as_str().unwrap().ends_with("Measuring log end\n"));

@@ -20,7 +20,7 @@ fn when() -> DateTime {
 }
 
 fn heading(unit: Unit) -> Heading {
-    Heading { date_time: Some(when()), program: Some(r"TNC:\GEH35712\CHECK1.H".to_owned()), unit }
+    Heading { date_time: Some(when()), program: Some(r"TNC:\GEH35712\CHECK1.H".to_owned()), unit, is_simulated: false }
 }
 
 fn nm(length: i64) -> Value {

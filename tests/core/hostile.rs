@@ -196,8 +196,7 @@ fn nothing_behind_a_semicolon_a_tab_or_a_line_end_is_computed() {
         format!("id,callout,measured\n{id},25 H7,24.993\n").as_bytes(),
     )
     .unwrap();
-    let recorded =
-        ["check", "25 H7", "--measured", "24.993", "--record", "--journal", "j.sqlite", "--part", "p\n=1;+2"];
+    let recorded = ["check", "25 H7", "--measured", "24.993", "--record", "--journal", "j.sqlite", "--part", "p;=1;+2"];
     assert!(said(fitcheck(folder.path()).args(recorded)).contains("recorded"));
     let calls: [&[&str]; 6] = [
         &["import", "a.csv", "--format", "csv"],
@@ -279,7 +278,7 @@ fn a_dash_is_standard_output_wherever_a_file_is_written() {
         &["pair", "a.csv", "b.csv", "--clearance", "0.01..0.03", "-o", "-"],
         &["sql", "--dialect", "sqlite", "-o", "-"],
         &["table", "export", "--format", "csv", "-o", "-"],
-        &["table", "new", "H7", "-o", "-"],
+        &["table", "new", "--classes", "H7", "-o", "-"],
         &["plan", "convert", "p.toml", "-o", "-"],
         &["plan", "new", "-", "25 H7"],
     ];
@@ -293,7 +292,7 @@ fn a_dash_is_standard_output_wherever_a_file_is_written() {
         &["nc", "25 H7", "--x", "40", "--y", "30", "--z", "-8", "--control", "tnc7", "-o", "-"],
         &["run", "8255_nl.h", "--output-folder", "-"],
         &["cycle", "421", "--log-folder", "-"],
-        &["table", "new", "H7 h7", "-o", "-"],
+        &["table", "new", "--classes", "H7 h7", "-o", "-"],
     ];
     for call in refused {
         let said = said(fitcheck(folder.path()).args(call));

@@ -7,7 +7,7 @@ use assert_cmd::cargo::cargo_bin_cmd;
 use serde_json::Value;
 use tempfile::TempDir;
 
-const HEADER: &str = "station,number,time,who,part,serial,feature,callout,min_mm,max_mm,measured_mm,rule,u_um,status,origin,correction_of,hash";
+const HEADER: &str = "station,number,time,who,part,serial,feature,callout,min_mm,max_mm,measured_mm,rule,u_um,status,origin,correction_of,hash,simulated,as_measured_mm,correction_um,temperature_c,expansion_um_per_m_k,scale_temperature_c,scale_expansion_um_per_m_k,position,remeasure_reason";
 
 /// A folder with a home of its own, so that nothing of the user's is touched.
 struct Place(TempDir);

@@ -131,6 +131,7 @@ mod table_compare;
 mod table_edit;
 mod table_formats;
 mod tables;
+mod told_again;
 mod tool_monitoring;
 mod tool_table;
 mod twin;

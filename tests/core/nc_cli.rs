@@ -53,7 +53,8 @@ fn a_callout_becomes_a_folder_that_runs() {
     let window = "FIT STATUS: REWORK\nCHECKED FIT: 25 H7\nMINIMUM SIZE:  25.0000\nMAXIMUM SIZE:  25.0210\nMEASURED DIAMETER:  24.9980\n";
     assert_eq!(answer.out, window);
     let result = folder.path().join("nc_prog").join("fitcheck").join("FIT_F1.TXT");
-    assert_eq!(std::fs::read_to_string(result).unwrap(), window.replace('\n', "\r\n"));
+    let mark = "# Simulated by Fitcheck - not measured\n";
+    assert_eq!(std::fs::read_to_string(result).unwrap(), format!("{mark}{window}").replace('\n', "\r\n"));
 }
 
 #[test]

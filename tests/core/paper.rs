@@ -217,7 +217,10 @@ fn an_import_judges_by_the_rule_and_has_its_columns() {
     let (code, csv, said) = run(folder.path(), "import rows.csv --rule iso14253-2017 --u 1.2 --format csv");
     assert_eq!(code, Some(11), "{said}");
     let lines: Vec<&str> = csv.lines().collect();
-    assert!(lines[0].ends_with(",warnings,error,rule_name,u_um,k,zone_min_mm,zone_max_mm,conformity,proven"), "{csv}");
+    assert!(
+        lines[0].ends_with(",scale_expansion_um_per_m_k,rule_name,u_um,k,zone_min_mm,zone_max_mm,conformity,proven"),
+        "{csv}"
+    );
     assert!(
         lines[1].contains(",RE-MEASURE,") && lines[1].contains(",iso14253-2017,1.2,2,25.001974,25.019026,"),
         "{csv}"
@@ -232,9 +235,9 @@ fn an_import_judges_by_the_rule_and_has_its_columns() {
     // A row that cannot be used has no cells there.
     let (code, csv, _) = run(folder.path(), "import bad.csv --rule ilac-g8 --u 1 --format csv");
     assert_eq!(code, Some(1));
-    assert!(csv.lines().nth(1).unwrap().ends_with("x is not a number,,,,,,,"), "{csv}");
+    assert!(csv.lines().nth(1).unwrap().ends_with("x is not a number,,,,,,,,,,,,,,"), "{csv}");
     let (_, plain, _) = run(folder.path(), "import rows.csv --format csv");
-    assert!(plain.lines().next().unwrap().ends_with(",error"), "{plain}");
+    assert!(plain.lines().next().unwrap().ends_with(",error,simulated,as_measured_mm,correction_um,temperature_c,expansion_um_per_m_k,scale_temperature_c,scale_expansion_um_per_m_k"), "{plain}");
 }
 
 #[test]

@@ -19,6 +19,7 @@ fn point(deviation: &str) -> PointLog {
     PointLog {
         date_time: Some(jiff::civil::date(2024, 3, 14).at(8, 5, 9, 0)),
         program: Some(r"TNC:\PART1.H".to_owned()),
+        is_simulated: false,
         unit: Unit::Millimetre,
         nominal: [mm("35"), mm("-45.5"), mm("5")],
         normal: [0.0, 0.0, 2.0],
@@ -349,6 +350,7 @@ fn any_point() -> impl Strategy<Value = PointLog> {
                         .unwrap()
                 }),
                 program,
+                is_simulated: inch,
                 unit: if inch { Unit::Inch } else { Unit::Millimetre },
                 nominal,
                 normal,

@@ -59,6 +59,10 @@ impl Shop {
         let journal = journal.to_str().unwrap();
         let (_, _, said) = self.call(&[&["import", "--record", "--journal", journal][..], args].concat());
         let (_, list, _) = self.call(&["journal", "list", "--journal", journal, "--format", "json"]);
+        // Where nothing was judged there is no journal.
+        if said.contains("nothing was judged, so nothing was recorded") {
+            return Vec::new();
+        }
         let list: Vec<Value> = serde_json::from_str(&list).unwrap_or_else(|error| panic!("{args:?}: {error}: {said}"));
         list.into_iter().filter(|row| !row["measured_mm"].is_null()).collect()
     }
@@ -117,7 +121,7 @@ fn a_print_of_a_simulated_run_comes_back_simulated_through_its_mask_and_as_a_tab
     let table = std::fs::read_to_string(shop.path().join("table/print.txt")).unwrap();
     shop.put("once.csv", &table.lines().take(2).collect::<Vec<_>>().join("\n"));
     let (_, out, said) = shop.call(&["batch", "once.csv"]);
-    assert!(said.contains("1 row is simulated") || said.contains("simulated"), "{out}{said}");
+    assert!(said.contains("1 row says that nobody measured"), "{out}{said}");
     assert!(out.starts_with("# Simulated by Fitcheck"), "{out}");
     for format in ["tsv", "jsonl"] {
         assert_eq!(shop.call(&["batch", "once.csv", "--format", format]).0, Some(1), "{format}");
@@ -167,7 +171,7 @@ fn whatever_is_written_of_a_simulated_value_comes_back_simulated() {
         assert_ne!(code, Some(0), "{file}");
     }
     let (_, _, said) = shop.call(&["batch", "check.csv", "--prefix", "b_"]);
-    assert!(said.contains("simulated"), "{said}");
+    assert!(said.contains("1 row says that nobody measured"), "{said}");
 }
 
 #[test]
@@ -203,7 +207,7 @@ fn an_origin_in_four_languages_is_read_and_an_unknown_one_is_refused() {
     assert!(code == Some(1) && said.contains("these contacts are simulated"), "{said}");
 }
 
-/// 25.0235 mm at 32 °C is 25.020047 mm at 20 °C in aluminium.
+/// 6 K and 11.5 · 10⁻⁶/K: 25.025 mm are 25.023273 mm at 20 °C.
 const WARM: [&str; 4] = ["--temperature", "26", "--material", "11.5"];
 
 #[test]
@@ -211,7 +215,7 @@ fn no_file_of_fitcheck_is_corrected_a_second_time() {
     let shop = Shop::new();
     shop.put("raw.csv", "id,callout,measured\nA,25 H7,25.0250\n");
     let (code, ..) = shop.call(&[&["import", "raw.csv"][..], &WARM].concat());
-    assert_eq!(code, Some(11), "25.025 mm at 26 °C is 25.023275 mm");
+    assert_eq!(code, Some(11), "25.025 mm at 26 °C is 25.023273 mm");
     shop.call(&[&["import", "raw.csv", "--record", "--part", "P"][..], &WARM].concat());
     shop.print("journal.csv", &["journal", "export"]);
     shop.print("import.csv", &[&["import", "raw.csv", "--format", "csv"][..], &WARM].concat());
@@ -220,7 +224,7 @@ fn no_file_of_fitcheck_is_corrected_a_second_time() {
     for file in ["journal.csv", "import.csv", "again.csv", "report.csv"] {
         let text = std::fs::read_to_string(shop.path().join(file)).unwrap();
         let row = text.lines().last().unwrap();
-        assert!(row.contains("25.023275") && row.contains("25.025,"), "{file}: {text}");
+        assert!(row.contains("25.023273") && row.contains("25.025,"), "{file}: {text}");
         for command in ["import", "report"] {
             let output: &[&str] = if command == "report" { &["-o", "-", "--format", "csv"] } else { &[] };
             let (code, out, said) = shop.call(&[&[command, file][..], output, &WARM].concat());
@@ -242,7 +246,7 @@ fn no_file_of_fitcheck_is_corrected_a_second_time() {
     shop.print("plain.csv", &["journal", "export", "--journal", "other.sqlite"]);
     let (code, out, said) = shop.call(&[&["import", "plain.csv"][..], &WARM].concat());
     assert_eq!(code, Some(11), "{out}{said}");
-    assert!(out.contains("25.023275"), "{out}{said}");
+    assert!(out.contains("25.023273"), "{out}{said}");
 }
 
 #[test]

@@ -225,6 +225,7 @@ fn heading(unit: Unit) -> Heading {
         date_time: Some(jiff::civil::date(2026, 3, 14).at(6, 55, 4, 0)),
         program: Some(r"TNC:\CHECK1.H".to_owned()),
         unit,
+        is_simulated: false,
     }
 }
 

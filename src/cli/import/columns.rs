@@ -86,8 +86,8 @@ fn text(path: &Path, detected: &Detected, io: &mut Io<'_>) -> Result<(), CliErro
         let line = format!("{number:>4}  {name:<names$}  {held:<holds$}  {first}");
         writeln!(out, "{}", line.trim_end())?;
     }
-    writeln!(out, "\n{}", detected.mapping.to_toml())?;
-    Ok(())
+    writeln!(out)?;
+    Ok(out.write_all((detected.mapping.to_toml() + "\n").as_bytes())?)
 }
 
 fn csv(path: &Path, detected: &Detected, is_first: bool, io: &mut Io<'_>) -> Result<(), CliError> {

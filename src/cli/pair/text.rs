@@ -25,7 +25,8 @@ pub(super) fn write(answer: &Answer, out: &mut dyn Write) -> Result<()> {
     }
     if let Some((smallest, largest)) = answer.clearances() {
         let band = um(pairing.band);
-        writeln!(out, "clearances {}, in a band of {band} µm around the middle\n", range(smallest, largest))?;
+        writeln!(out, "clearances {}, in a band of {band} µm around the middle", range(smallest, largest))?;
+        writeln!(out)?;
         pairs(out, answer, &pairing.pairs)?;
     }
     leftovers(out, answer)?;
@@ -81,7 +82,8 @@ fn leftovers(out: &mut dyn Write, answer: &Answer) -> Result<()> {
         return Ok(());
     }
     let (hole_count, shaft_count) = (counted(pairing.holes.len(), "hole"), counted(pairing.shafts.len(), "shaft"));
-    writeln!(out, "\nleft over: {hole_count}, {shaft_count}")?;
+    writeln!(out)?;
+    writeln!(out, "left over: {hole_count}, {shaft_count}")?;
     let left = |what: &'static str, parts: &Parts, positions: &[usize]| -> Vec<[String; 4]> {
         let parts = positions.iter().filter_map(|&at| parts.sizes.get(at));
         let row = |part: &Size| [what.into(), name(part), mm(part.measured), simulated(part, "simulated").into()];
@@ -103,17 +105,15 @@ fn ground(out: &mut dyn Write, answer: &Answer, grinding: &Grinding) -> Result<(
     } else {
         String::new()
     };
+    writeln!(out)?;
     let Some(best) = &grinding.best else {
-        return writeln!(out, "\ngrinding saves none of them{bounded}");
+        return writeln!(out, "grinding saves none of them{bounded}");
     };
     let amount = um(best.amount);
     let count = best.pairs.len();
     let more = if count == 1 { "1 more pair".to_owned() } else { format!("{count} more pairs") };
-    writeln!(
-        out,
-        "\n{amount} µm off the leftover shafts, or out of the leftover holes, saves most: {more}{bounded}\n\
-         clearances after grinding:"
-    )?;
+    writeln!(out, "{amount} µm off the leftover shafts, or out of the leftover holes, saves most: {more}{bounded}")?;
+    writeln!(out, "clearances after grinding:")?;
     pairs(out, answer, &best.pairs)
 }
 
