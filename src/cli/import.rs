@@ -12,7 +12,7 @@ use jiff::civil::DateTime;
 use super::admitted::Admits as _;
 use super::judging::{Judge, JudgeArgs};
 use super::measured::{Hashing, Measured};
-use super::parts::PlanParts;
+use super::parts::{PlanParts, RepeatArgs};
 use super::progress::{Watched, Work};
 use super::record::RecordArgs;
 use super::said::CliWarning;
@@ -62,6 +62,9 @@ pub(super) struct Args {
 
     #[command(flatten)]
     tables: TableArgs,
+
+    #[command(flatten)]
+    repeats: RepeatArgs,
 
     #[command(flatten)]
     by: JudgeArgs,
@@ -143,7 +146,10 @@ impl Args {
         let mut import = Import {
             printer: Printer::new(self.format, judge.more_of(plan.as_ref()), io)?,
             judge: &judge,
-            tally: Tally { parts: plan.as_ref().map(PlanParts::of), ..Tally::default() },
+            tally: Tally {
+                parts: plan.as_ref().map(|plan| PlanParts::of(plan, self.repeats.repeats())),
+                ..Tally::default()
+            },
             keeping: recorder.map(|recorder| match &plan {
                 Some(plan) => Keeping::new(recorder.of_plan(&plan.head.part), io),
                 None => Keeping::new(recorder, io),
@@ -255,6 +261,7 @@ impl Import<'_> {
     /// Says which sizes of which parts have no value: in a sentence, and for machines as rows.
     fn missing(&mut self, plan: &Plan, path: &Path, io: &mut Io<'_>) {
         let Some(parts) = &self.tally.parts else { return };
+        parts.tell_contradictions(io);
         let sizes: Vec<Size<'_>> = plan.sizes().collect();
         for (who, walk) in parts.each() {
             let missing: Vec<&Size<'_>> = walk.missing().filter_map(|at| sizes.get(at)).collect();
@@ -343,7 +350,7 @@ impl Tally {
     fn count(&mut self, row: &Row) {
         self.bad |= row.error.is_some();
         match (&mut self.parts, &row.judged) {
-            (Some(parts), Some(record)) => parts.see(record, &row.labels),
+            (Some(parts), Some(record)) => parts.see(record, &row.labels, row.line),
             _ => self.worst = self.worst.max(row.part_status()),
         }
     }

@@ -11,6 +11,7 @@ use jiff::civil::DateTime;
 use super::args::one_of;
 use super::judging::JudgeArgs;
 use super::measured::Measured;
+use super::parts::RepeatArgs;
 use super::progress::Work;
 use super::{CliError, CliWarning, Io, Outcome, TableArgs};
 use crate::journal::Record;
@@ -72,6 +73,9 @@ pub(super) struct Args {
 
     #[command(flatten)]
     tables: TableArgs,
+
+    #[command(flatten)]
+    repeats: RepeatArgs,
 
     #[command(flatten)]
     by: JudgeArgs,
@@ -150,7 +154,7 @@ impl Args {
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
         if let Some(path) = &self.plan {
-            collected.parts = Some(Parts::read(path, &sources, io)?);
+            collected.parts = Some(Parts::read(path, &sources, self.repeats.repeats(), io)?);
         }
         let plan = collected.parts.as_ref().map(|parts| Arc::clone(&parts.plan));
         let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, judge, plan };
