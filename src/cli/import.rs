@@ -109,8 +109,8 @@ Examples:
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
 it is 1 if any row or file could not be used or judged, and 14 (judged, but look first: see fitcheck --help) instead of 0, 10 or 12 \
-if something stands against a verdict. With --plan it is that of the worst part, by the last value of \
-each feature, and 1 if none is worse than good but features of a part have no value. Features without \
+if something stands against a verdict. With --plan it is that of the worst part, by the value of \
+each feature that counts (the last one by its time; of values that contradict each other the worst one), and 1 if none is worse than good but features of a part have no value. Features without \
 a value are named at the end; in CSV and JSON each is a row with the plan as its file. \
 Files may have any size that a disk holds, but a log of points, a pipe and a .dfx that is read beside its .dfd have up to \
 {largest} MiB, and a sheet of a workbook unpacks to at most 512 MiB. \
