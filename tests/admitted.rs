@@ -83,3 +83,159 @@ fn the_help_says_the_rule() {
     assert_eq!(code, 0);
     assert!(out.contains("14 judged, but look first"), "{out}");
 }
+
+/// The hole 25 H7 is 25.000 … 25.021, the shaft 20 g6 is 19.980 … 19.993.
+const TWO: &str = "fitcheck_plan = 1\npart = \"Two\"\n[[feature]]\nname = \"BORE_A\"\ncallout = \"25 H7\"\n\
+                   [[feature]]\nname = \"SEAT\"\ncallout = \"20 g6\"\n";
+
+/// The exit code of every command that judges whole parts by [`TWO`], and what `import` says on standard error.
+#[track_caller]
+fn parts(rows: &str, more: &[&str], code: i32) -> String {
+    let files = [("two.csv", rows), ("p.toml", TWO)];
+    let import = of(&files, &[&["import", "--plan", "p.toml", "two.csv"], more].concat());
+    let report =
+        of(&files, &[&["report", "--plan", "p.toml", "two.csv", "-o", "-", "--format", "json"], more].concat());
+    assert_eq!((import.0, report.0), (code, code), "{rows}\n{}\n{}", import.2, report.2);
+    import.2
+}
+
+#[test]
+fn a_later_row_does_not_replace_scrap() {
+    let said = parts("name;measured\nBORE_A;25.030\nSEAT;19.99\nBORE_A;25.012\nSEAT;19.99\n", &[], 11);
+    let facts = "BORE_A has values that contradict each other: 25.030 SCRAP (two.csv:2), 25.012 GOOD (two.csv:4)";
+    assert!(said.contains(facts), "{said}");
+    assert_eq!(said.matches("--repeats last or --repeats worst").count(), 1, "{said}");
+    assert!(!said.contains("SEAT"), "values that agree are no contradiction: {said}");
+    // The other way round it is scrap as well.
+    parts("name;measured\nBORE_A;25.012\nSEAT;19.99\nBORE_A;25.030\nSEAT;19.99\n", &[], 11);
+}
+
+#[test]
+fn of_two_files_neither_is_the_later_one() {
+    let (scrap, good) = ("name;measured\nBORE_A;25.030\nSEAT;19.99\n", "name;measured\nBORE_A;25.012\nSEAT;19.99\n");
+    let files = [("a.csv", scrap), ("b.csv", good), ("p.toml", TWO)];
+    for order in [["a.csv", "b.csv"], ["b.csv", "a.csv"]] {
+        let (code, _, err) = of(&files, &[&["import", "--plan", "p.toml"][..], &order].concat());
+        assert_eq!(code, 11, "{err}");
+        assert!(err.contains("25.030 SCRAP (a.csv:2), 25.012 GOOD (b.csv:2)"), "{err}");
+    }
+}
+
+#[test]
+fn rework_without_a_time_is_not_replaced_either() {
+    // 24.998 of a hole is rework.
+    let rows = "name;measured\nBORE_A;24.998\nSEAT;19.99\nBORE_A;25.012\n";
+    let said = parts(rows, &[], 14);
+    assert!(said.contains("24.998 REWORK (two.csv:2), 25.012 GOOD (two.csv:4)"), "{said}");
+    assert!(!parts(rows, &["--repeats", "last"], 0).contains("contradict"));
+    assert!(!parts(rows, &["--repeats", "worst"], 10).contains("contradict"));
+}
+
+#[test]
+fn times_say_which_value_is_the_last_one() {
+    let rows = |first: &str, second: &str, values: [&str; 2]| {
+        let [one, two] = values;
+        format!(
+            "name;measured;time\nBORE_A;{one};2026-11-24T{first}\nSEAT;19.99;2026-11-24T08:00\nBORE_A;{two};2026-11-24T{second}\n"
+        )
+    };
+    // Reworked, and measured again.
+    parts(&rows("08:00", "09:00", ["24.998", "25.012"]), &[], 0);
+    // The order of the rows is another one.
+    parts(&rows("09:00", "08:00", ["24.998", "25.012"]), &[], 10);
+    parts(&rows("09:00", "08:00", ["25.012", "24.998"]), &[], 0);
+    // At the same time neither is the later one.
+    parts(&rows("08:00", "08:00", ["24.998", "25.012"]), &[], 14);
+    // A hole that is too large does not become smaller: somebody has to say what that was.
+    let scrap = rows("08:00", "09:00", ["25.030", "25.012"]);
+    assert!(parts(&scrap, &[], 11).contains("contradict"));
+    parts(&scrap, &["--repeats", "last"], 0);
+    // It became scrap when it was reworked: nothing contradicts that.
+    assert!(!parts(&rows("08:00", "09:00", ["24.998", "25.030"]), &[], 11).contains("contradict"));
+    // The last one by its time is chosen, not the last row.
+    parts(&rows("09:00", "08:00", ["25.030", "25.012"]), &["--repeats", "last"], 11);
+}
+
+#[test]
+fn serial_numbers_keep_parts_apart() {
+    let rows = "name;measured;serial\nBORE_A;25.030;1\nSEAT;19.99;1\nBORE_A;25.012;2\nSEAT;19.99;2\n";
+    assert!(!parts(rows, &[], 11).contains("contradict"));
+}
+
+#[test]
+fn a_watched_file_says_that_its_values_contradict_each_other() {
+    let rows = "name;measured\nBORE_A;24.998\nSEAT;19.99\nBORE_A;25.012\nSEAT;19.99\n";
+    let files = [("in/two.csv", rows), ("p.toml", TWO)];
+    let (code, out, err) = of(&files, &["watch", "in", "--plan", "p.toml", "--until-idle", "0.5"]);
+    assert_eq!(code, 14, "{out}\n{err}");
+    assert!(err.contains("BORE_A has values that contradict each other: 24.998 REWORK"), "{err}");
+}
+
+mod walks {
+    //! Any values of a size in any order.
+
+    use fitcheck::part::{Document, Plan, Repeats, Taken, Walk};
+    use fitcheck::tolerance::Sources;
+    use fitcheck::verdict::Status;
+    use jiff::civil::date;
+    use proptest::prelude::*;
+
+    fn plan() -> Plan {
+        let one = "fitcheck_plan = 1\npart = \"One\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n";
+        Document::read(one.as_bytes()).unwrap().plan(&Sources::default()).unwrap()
+    }
+
+    fn walk(values: &[Taken]) -> Walk {
+        let mut walk = Walk::new(&plan(), String::new());
+        values.iter().for_each(|value| walk.take(0, *value));
+        walk
+    }
+
+    fn taken() -> impl Strategy<Value = Taken> {
+        let status = prop::sample::select(Status::ALL.to_vec());
+        let when = prop::option::of((0..4_i8).prop_map(|hour| date(2026, 11, 24).at(hour, 0, 0, 0)));
+        let fields = (status, when, any::<bool>());
+        fields.prop_map(|(status, when, is_simulated)| Taken { status, is_simulated, when, is_settled: false })
+    }
+
+    proptest! {
+        #[test]
+        fn a_part_that_ever_had_a_scrap_value_is_never_good_without_a_choice(
+            values in prop::collection::vec(taken(), 1..8),
+        ) {
+            let walk = walk(&values);
+            let is_scrap = |taken: &Taken| taken.status == Status::Scrap && !taken.is_simulated;
+            if values.iter().any(is_scrap) {
+                prop_assert_eq!(walk.standing().said(), Some(Status::Scrap));
+            }
+        }
+
+        #[test]
+        fn without_times_the_order_does_not_matter(mut values in prop::collection::vec(taken(), 1..8)) {
+            values.iter_mut().for_each(|value| (value.when, value.is_simulated) = (None, false));
+            let there = walk(&values).standing();
+            values.reverse();
+            let back = walk(&values).standing();
+            prop_assert_eq!(there, back);
+            let worst = values.iter().map(|value| value.status).max();
+            prop_assert_eq!(there.worst, worst);
+            let agree = values.iter().all(|value| Some(value.status) == worst);
+            prop_assert_eq!(there.contradicted, usize::from(!agree));
+        }
+
+        #[test]
+        fn what_somebody_chooses_counts_and_contradicts_nothing(values in prop::collection::vec(taken(), 1..8)) {
+            let mut walk = walk(&values);
+            let newest = walk.steps()[0].newest().unwrap();
+            for place in (0..values.len()).filter(|place| *place != newest) {
+                walk.settle(0, place);
+            }
+            prop_assert_eq!(walk.steps()[0].counting(), Some(newest));
+            prop_assert_eq!(walk.standing().contradicted, 0);
+            // The same chosen beforehand.
+            let mut last = Walk::new(&plan(), String::new()).by(Repeats::Last);
+            values.iter().for_each(|value| last.take(0, *value));
+            prop_assert_eq!(last.steps()[0].counting(), Some(newest));
+        }
+    }
+}

@@ -12,7 +12,7 @@ use jiff::civil::DateTime;
 use super::admitted::Admits as _;
 use super::judging::{Judge, JudgeArgs};
 use super::measured::{Hashing, Measured};
-use super::parts::PlanParts;
+use super::parts::{PlanParts, RepeatArgs};
 use super::progress::{Watched, Work};
 use super::record::RecordArgs;
 use super::said::CliWarning;
@@ -65,6 +65,9 @@ pub(super) struct Args {
     tables: TableArgs,
 
     #[command(flatten)]
+    repeats: RepeatArgs,
+
+    #[command(flatten)]
     by: JudgeArgs,
 
     #[command(flatten)]
@@ -108,8 +111,8 @@ Examples:
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
 it is 1 if any row or file could not be used or judged, and 14 (judged, but look first: see fitcheck --help) instead of 0, 10 or 12 \
-if something stands against a verdict. With --plan it is that of the worst part, by the last value of \
-each feature, and 1 if none is worse than good but features of a part have no value. Features without \
+if something stands against a verdict. With --plan it is that of the worst part, by the value of \
+each feature that counts (the last one by its time; of values that contradict each other the worst one), and 1 if none is worse than good but features of a part have no value. Features without \
 a value are named at the end; in CSV and JSON each is a row with the plan as its file. \
 Files may have any size that a disk holds, but a log of points, a pipe and a .dfx that is read beside its .dfd have up to \
 {largest} MiB, and a sheet of a workbook unpacks to at most 512 MiB. \
@@ -145,7 +148,10 @@ impl Args {
         let mut import = Import {
             printer: Printer::new(self.format, judge.more_of(plan.as_ref()), io)?,
             judge: &judge,
-            tally: Tally { parts: plan.as_ref().map(PlanParts::of), ..Tally::default() },
+            tally: Tally {
+                parts: plan.as_ref().map(|plan| PlanParts::of(plan, self.repeats.repeats())),
+                ..Tally::default()
+            },
             keeping: recorder.map(|recorder| match &plan {
                 Some(plan) => Keeping::new(recorder.of_plan(&plan.head.part), io),
                 None => Keeping::new(recorder, io),
@@ -255,6 +261,7 @@ impl Import<'_> {
     /// Says which sizes of which parts have no value: in a sentence, and for machines as rows.
     fn missing(&mut self, plan: &Plan, path: &Path, io: &mut Io<'_>) {
         let Some(parts) = &self.tally.parts else { return };
+        parts.tell_contradictions(io);
         let sizes: Vec<Size<'_>> = plan.sizes().collect();
         for (who, walk) in parts.each() {
             let missing: Vec<&Size<'_>> = walk.missing().filter_map(|at| sizes.get(at)).collect();
@@ -343,7 +350,7 @@ impl Tally {
     fn count(&mut self, row: &Row) {
         self.bad |= row.error.is_some();
         match (&mut self.parts, &row.judged) {
-            (Some(parts), Some(record)) => parts.see(record, &row.labels),
+            (Some(parts), Some(record)) => parts.see(record, &row.labels, row.line),
             _ => self.worst = self.worst.max(row.part_status()),
         }
     }

@@ -2,14 +2,51 @@
 
 use std::collections::BTreeMap;
 
-use super::Outcome;
+use jiff::civil::DateTime;
+
+use super::args::one_of;
+use super::said::CliWarning;
+use super::{Io, Outcome};
 use crate::exchange::Labels;
 use crate::journal::Record;
-use crate::part::{Plan, Standing, Taken, Walk};
+use crate::length::{Length, Unit};
+use crate::part::{Plan, Repeats, Standing, Step, Taken, Walk};
+use crate::probing::Origin;
 use crate::verdict::Status;
 
 /// The most parts that are known one by one; the verdicts of more count all the same.
 const MOST: usize = 10_000;
+
+/// Which of several values of one feature counts.
+#[derive(Debug, Clone, Copy, clap::Args)]
+pub(super) struct RepeatArgs {
+    /// Which of the values of one feature of a part counts that contradict each other; without this the worst one, and the exit code says so
+    #[arg(long, value_name = "WHICH", value_parser = one_of(Repeats::CHOICES, |repeats| repeats.word()), requires = "plan")]
+    repeats: Option<Repeats>,
+}
+
+impl RepeatArgs {
+    pub(super) fn repeats(self) -> Repeats {
+        self.repeats.unwrap_or_default()
+    }
+}
+
+/// The last value of a size with some verdict: what is said of it where others contradict it.
+#[derive(Debug, Clone)]
+struct Noted {
+    measured: Length,
+    place: String,
+}
+
+/// The last value with each verdict, measured and simulated ones apart.
+type OfStatus = [[Option<Noted>; Status::ALL.len()]; 2];
+
+/// A part and what is said of the values of its sizes.
+#[derive(Debug)]
+struct Part {
+    walk: Walk,
+    noted: BTreeMap<usize, OfStatus>,
+}
 
 /// Every part of a run, by the name and the serial number that its file says.
 #[derive(Debug)]
@@ -18,44 +55,94 @@ pub(super) struct PlanParts {
     places: BTreeMap<String, usize>,
     /// A part of which nothing was measured.
     nothing: Walk,
-    walks: BTreeMap<(String, String), Walk>,
+    parts: BTreeMap<(String, String), Part>,
     /// The worst verdict of the parts beyond those.
     beyond: Option<Status>,
 }
 
 impl PlanParts {
     /// Of no value yet.
-    pub(super) fn of(plan: &Plan) -> Self {
+    pub(super) fn of(plan: &Plan, repeats: Repeats) -> Self {
         let places = plan.sizes().map(|size| size.name()).zip(0..).collect();
-        Self { places, nothing: Walk::new(plan, String::new()), walks: BTreeMap::new(), beyond: None }
+        let nothing = Walk::new(plan, String::new()).by(repeats);
+        Self { places, nothing, parts: BTreeMap::new(), beyond: None }
     }
 
-    /// A value of a part, as it was judged.
-    pub(super) fn see(&mut self, record: &Record, labels: &Labels) {
+    /// A value of a part from a line of its file, as it was judged. Without a time of its own its order is not known.
+    pub(super) fn see(&mut self, record: &Record, labels: &Labels, line: Option<usize>) {
+        self.see_at(record, labels, line, labels.time);
+    }
+
+    /// The same with the time at which it was measured.
+    pub(super) fn see_at(&mut self, record: &Record, labels: &Labels, line: Option<usize>, when: Option<DateTime>) {
         let Some(at) = self.places.get(&record.id).copied() else { return };
         let (status, is_simulated) = (record.verdict.status(), record.measurement.origin.is_simulated());
         let key = (labels.part.clone(), labels.serial.clone());
-        if MOST <= self.walks.len() && !self.walks.contains_key(&key) {
+        if MOST <= self.parts.len() && !self.parts.contains_key(&key) {
             self.beyond = self.beyond.max(Some(status));
             return;
         }
-        let walk = self.walks.entry(key).or_insert_with(|| self.nothing.clone());
-        walk.take(at, Taken { status, is_simulated });
+        let new = || Part { walk: self.nothing.clone(), noted: BTreeMap::new() };
+        let part = self.parts.entry(key).or_insert_with(new);
+        part.walk.take(at, Taken { status, is_simulated, when, is_settled: false });
+        let file = match &record.measurement.origin {
+            Origin::Imported { file } | Origin::ImportedSimulation { file } => file.as_ref(),
+            _ => "",
+        };
+        let place = line.map_or_else(|| file.to_owned(), |line| format!("{file}:{line}"));
+        let of_status = &mut part.noted.entry(at).or_default()[usize::from(is_simulated)];
+        if let Some((_, noted)) = Status::ALL.into_iter().zip(of_status).find(|(one, _)| *one == status) {
+            *noted = Some(Noted { measured: record.measurement.diameter, place });
+        }
+    }
+
+    /// The values that contradict each other: the part as far as it is known by name, the size, and the values with their verdicts and
+    /// places, the worst one first.
+    pub(super) fn contradictions(&self) -> impl Iterator<Item = CliWarning<'static>> {
+        let mut said = self.contradictions_of(|_| true).peekable();
+        let how = said.peek().is_some().then_some(CliWarning::WorstCounts);
+        said.chain(how)
+    }
+
+    /// Those of some parts, by name and serial number.
+    pub(super) fn contradictions_of(
+        &self,
+        is_it: impl Fn(&(String, String)) -> bool,
+    ) -> impl Iterator<Item = CliWarning<'static>> {
+        let names: BTreeMap<usize, &String> = self.places.iter().map(|(name, at)| (*at, name)).collect();
+        self.parts.iter().filter(move |(key, _)| is_it(key)).flat_map(move |(key, part)| {
+            let steps = (0..).zip(part.walk.steps()).filter(|(_, step)| !step.contradicting().is_empty());
+            let said: Vec<_> = steps
+                .map(|(at, step)| {
+                    let name = names.get(&at).map(|name| (*name).clone()).unwrap_or_default();
+                    let (who, values) = (who(key), part.values(at, step));
+                    if who.is_empty() {
+                        CliWarning::Contradiction { name, values }
+                    } else {
+                        CliWarning::ContradictionOf { who, name, values }
+                    }
+                })
+                .collect();
+            said
+        })
+    }
+
+    /// Says which values contradict each other.
+    pub(super) fn tell_contradictions(&self, io: &mut Io<'_>) {
+        for contradiction in self.contradictions() {
+            io.warn(&contradiction);
+        }
     }
 
     /// Each part: its name and serial number as far as they are known, and its walk. Without a value it is one part without any.
     pub(super) fn each(&self) -> impl Iterator<Item = (String, &Walk)> {
-        let nothing = self.walks.is_empty().then_some((String::new(), &self.nothing));
-        let who = |(part, serial): &(String, String)| match (part.as_str(), serial.as_str()) {
-            (text, "") | ("", text) => text.to_owned(),
-            (part, serial) => format!("{part} {serial}"),
-        };
-        self.walks.iter().map(move |(key, walk)| (who(key), walk)).chain(nothing)
+        let nothing = self.parts.is_empty().then_some((String::new(), &self.nothing));
+        self.parts.iter().map(move |(key, part)| (who(key), &part.walk)).chain(nothing)
     }
 
     /// How many parts are known one by one, and whether there are more.
     pub(super) fn count(&self) -> (usize, bool) {
-        (self.walks.len(), self.beyond.is_some())
+        (self.parts.len(), self.beyond.is_some())
     }
 
     /// The outcome of the run: the worst part, or a verdict of no part where that is worse. Without scrap, rework or doubt it is good where
@@ -72,5 +159,27 @@ impl PlanParts {
         };
         let is_simulated = standings.iter().any(|standing| 0 < standing.simulated);
         if is_simulated { judged.worse(Outcome::LookFirst) } else { judged }
+    }
+}
+
+impl Part {
+    /// `25.030 SCRAP (a.csv:2), 25.012 GOOD (a.csv:4)`
+    fn values(&self, at: usize, step: &Step) -> String {
+        let is_measured = step.taken.iter().any(|taken| !taken.is_simulated);
+        let Some([measured, simulated]) = self.noted.get(&at) else { return String::new() };
+        let of_status = Status::ALL.into_iter().zip(if is_measured { measured } else { simulated });
+        let said = of_status.rev().filter_map(|(status, noted)| {
+            let Noted { measured, place } = noted.as_ref()?;
+            Some(format!("{} {} ({place})", measured.exact(Unit::Millimetre, 3), status.word()))
+        });
+        said.collect::<Vec<_>>().join(", ")
+    }
+}
+
+/// A part by its name and serial number, as far as they are known.
+fn who((part, serial): &(String, String)) -> String {
+    match (part.as_str(), serial.as_str()) {
+        (text, "") | ("", text) => text.to_owned(),
+        (part, serial) => format!("{part} {serial}"),
     }
 }

@@ -11,6 +11,7 @@ use jiff::civil::DateTime;
 use super::args::one_of;
 use super::judging::JudgeArgs;
 use super::measured::Measured;
+use super::parts::RepeatArgs;
 use super::progress::Work;
 use super::{CliError, CliWarning, Io, Outcome, TableArgs};
 use crate::journal::Record;
@@ -74,6 +75,9 @@ pub(super) struct Args {
     tables: TableArgs,
 
     #[command(flatten)]
+    repeats: RepeatArgs,
+
+    #[command(flatten)]
     by: JudgeArgs,
 }
 
@@ -94,9 +98,10 @@ picture.
 
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
 error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. With
---plan it is that of the worst part, by the last value of each feature, and 1 if none is worse
-than good but a part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the
-place of 0, 10 and 12 if something stands against a verdict. CSV holds only the checks, with the
+--plan it is that of the worst part, by the value of each feature that counts (the last one by its
+time; of values that contradict each other the worst one), and 1 if none is worse than good but a
+part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the place of 0, 10 and
+12 if something stands against a verdict. CSV holds only the checks, with the
 name of the picture: standard error reports what it leaves out.";
 
 /// Why a `--check` is not a check.
@@ -150,7 +155,7 @@ impl Args {
         let now = self.time.unwrap_or_else(super::now);
         let mut collected = Collected::default();
         if let Some(path) = &self.plan {
-            collected.parts = Some(Parts::read(path, &sources, io)?);
+            collected.parts = Some(Parts::read(path, &sources, self.repeats.repeats(), io)?);
         }
         let plan = collected.parts.as_ref().map(|parts| Arc::clone(&parts.plan));
         let mut given = Given { files: Vec::new(), typed: Vec::new(), sources, now, judge, plan, are_corrected: false };

@@ -173,6 +173,12 @@ pub(super) enum CliWarning<'a> {
     PlanMissing { names: String },
     /// The same of one part among several.
     PlanMissingOf { who: String, names: String },
+    /// Values of one feature that contradict each other.
+    Contradiction { name: String, values: String },
+    /// The same of one part among several.
+    ContradictionOf { who: String, name: String, values: String },
+    /// Which one of them counts, and how to choose.
+    WorstCounts,
     /// A file whose content was taken before under another name: nothing of it is recorded again.
     SameContent { known: String },
     /// It is not known whether another program watches the same folder for the same journal.
@@ -238,6 +244,7 @@ impl Admits for CliWarning<'_> {
         match self {
             // What was measured counts twice, not at all, or by less than was asked for.
             Self::SameContent { .. } | Self::FileTwice | Self::ContactsLeft { .. } | Self::LimitsAlone => true,
+            Self::Contradiction { .. } | Self::ContradictionOf { .. } | Self::WorstCounts => true,
             // Bad data already.
             Self::StoppedUnrecorded
             | Self::PlanMissing { .. }

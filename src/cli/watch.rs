@@ -6,13 +6,14 @@ use std::time::{Duration, Instant};
 
 use super::import::{Printer, Row, Rows};
 use super::judging::{Judge, JudgeArgs};
+use super::parts::PlanParts;
 use super::record::{Stream, StreamArgs};
 use super::said::{CliWarning, about, warning};
 use super::{CliError, CliRemark, Format, Io, Outcome, TableArgs};
 use crate::control::mask::Mask;
 use crate::journal::entry::{FileRole, UsedFile};
 use crate::message::{Located, Message, Say as _};
-use crate::part::Plan;
+use crate::part::{Plan, Repeats};
 use crate::tolerance::Sources;
 use crate::verdict::Status;
 use crate::watch::{Alone, Batch, EVERY, Judging, Known, Look, Waiting, Watcher};
@@ -79,6 +80,10 @@ struct Run<'a> {
     printer: Printer,
     worst: Option<Status>,
     is_bad: bool,
+    /// The parts of the plan: without a serial number each file is one.
+    parts: Option<PlanParts>,
+    /// What was told of values that contradict each other.
+    contradictions: BTreeSet<String>,
 }
 
 impl Args {
@@ -113,8 +118,10 @@ impl Args {
         io.tell(CliRemark::Watching { folder: self.folder.display().to_string(), known: known.len() });
         let printer = Printer::new(self.format, judge.more_of(plan.as_ref()), io)?;
         let (plan, is_bad) = (plan.as_ref(), false);
-        let mut run =
-            Run { plan, sources: &sources, masks: &masks, judge: &judge, journal, printer, worst: None, is_bad };
+        let (sources, masks, judge) = (&sources, masks.as_slice(), &judge);
+        let parts = plan.map(|plan| PlanParts::of(plan, Repeats::Open));
+        let (worst, contradictions) = (None, BTreeSet::new());
+        let mut run = Run { plan, sources, masks, judge, journal, printer, worst, is_bad, parts, contradictions };
         let mut watcher = Watcher::new(&self.folder, known);
         leave_own(&mut watcher, run.journal.file(), alone.as_ref().ok().and_then(Option::as_ref));
         run.watch(&mut watcher, idle, io)?;
@@ -210,6 +217,30 @@ impl Run<'_> {
         }
     }
 
+    /// Tells once which values of a file contradict each other, or those of the same part in a file before.
+    fn contradictions(&mut self, file: &str, rows: &[Row], io: &mut Io<'_>) {
+        let Some(parts) = &mut self.parts else { return };
+        let mut keys = BTreeSet::new();
+        for (row, record) in rows.iter().filter_map(|row| Some((row, row.judged.as_deref()?))) {
+            let mut labels = row.labels.clone();
+            if labels.serial.is_empty() && labels.part.is_empty() {
+                file.clone_into(&mut labels.part);
+            }
+            // Files are taken in the order in which they were written: the time at which they came is an order, too.
+            parts.see_at(record, &labels, row.line, Some(record.time));
+            keys.insert((labels.part, labels.serial));
+        }
+        for contradiction in parts.contradictions_of(|key| keys.contains(key)) {
+            let what = match &contradiction {
+                CliWarning::ContradictionOf { who, name, .. } => format!("{who}: {name}"),
+                other => other.to_string(),
+            };
+            if self.contradictions.insert(what) {
+                io.warn(&contradiction);
+            }
+        }
+    }
+
     /// Records what is ready, all of it or none, and then shows it.
     fn take(&mut self, watcher: &mut Watcher, mut ready: Vec<Batch>, io: &mut Io<'_>) -> Result<(), CliError> {
         let mut all: Vec<Vec<Row>> = Vec::new();
@@ -249,6 +280,7 @@ impl Run<'_> {
                 self.worst = self.worst.max(row.part_status());
                 self.printer.row(row, io)?;
             }
+            self.contradictions(&batch.name, rows, io);
             if noted.is_ok() && rows.iter().any(|row| row.error.is_some()) {
                 io.warn_about(&batch.name, &CliWarning::SeeNote { note: crate::watch::NOTE_ENDING });
             }

@@ -48,6 +48,8 @@ pub struct Labels {
     pub serial: String,
     /// Who measured; empty where the file does not say.
     pub who: String,
+    /// When it was measured, where the file says so: other records have the time of import.
+    pub time: Option<DateTime>,
     /// The batch; empty where the file has none.
     pub batch: String,
     /// The machine that made the part; empty where the file does not say.

@@ -210,7 +210,16 @@ pub fn import_each(file_name: &str, bytes: &[u8], sources: &Sources, now: DateTi
 
 /// The same from a file that is read piece by piece, where its format allows it.
 pub fn import_from(file_name: &str, body: &mut dyn Body, given: Given<'_>, take: &mut dyn FnMut(Item)) {
-    let mut sink = Sink::up_to(given.most_rows, take).telling(given.units);
+    let now = given.now;
+    let mut take = |mut item: Item| {
+        match &mut item {
+            Item::Record { record, labels, .. } => labels.time = Some(record.time).filter(|time| *time != now),
+            Item::Unjudged(unjudged) => unjudged.labels.time = Some(unjudged.time).filter(|time| *time != now),
+            Item::Error(_) | Item::Warning(_) | Item::Contacts(_) => {}
+        }
+        take(item);
+    };
+    let mut sink = Sink::up_to(given.most_rows, &mut take).telling(given.units);
     let read = Source::new(file_name, body, given).and_then(|mut source| {
         if source.is_blank() {
             return Err(ImportErrorKind::Empty);

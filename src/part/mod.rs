@@ -14,6 +14,7 @@
 //! | `csv`, `file` | plans as CSV, and as TOML |
 //! | `find` | which feature a value is of |
 //! | `walk` | one part on its way through a plan |
+//! | `repeats` | which of several values of a size counts |
 //! | `standing` | what that makes of each feature |
 //! | `workpiece` | a plan as a simulated part |
 //! | `simulated` | a feature measured by its cycle on it |
@@ -33,6 +34,7 @@ mod kind;
 mod measured_by;
 mod names;
 mod plan;
+mod repeats;
 mod simulated;
 mod standing;
 mod values;
@@ -48,6 +50,7 @@ pub use find::{By, Clues, Finder, NotFound};
 pub(crate) use kind::band_text;
 pub use kind::{Direction, Kind, Towards, WidthAxis};
 pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, Head, MOST_FEATURES, Material, Plan, PlanFeature, Size};
+pub use repeats::Repeats;
 pub use standing::{FeatureStanding, standings};
 pub use walk::{Standing, Step, Taken, Walk};
 

@@ -1,6 +1,9 @@
 //! The walk through a part: which feature is next, what was measured, what was left out and why, and what that makes of the part.
 
+use jiff::civil::DateTime;
+
 use super::plan::Plan;
+use super::repeats::{Counting, Repeats, counting};
 use crate::message::Say;
 use crate::verdict::Status;
 
@@ -11,6 +14,10 @@ pub struct Taken {
     pub status: Status,
     /// Whether nobody measured it.
     pub is_simulated: bool,
+    /// When it was measured, where that is known.
+    pub when: Option<DateTime>,
+    /// Whether it counts no more, because somebody measured again or chose another one.
+    pub is_settled: bool,
 }
 
 /// One size of a part: its values in the order in which they came, or why it was left out.
@@ -18,15 +25,41 @@ pub struct Taken {
 pub struct Step {
     /// Its values, all of which are kept: [`Self::counts`] says which one counts.
     pub taken: Vec<Taken>,
+    /// Which one of those counts that contradict each other.
+    repeats: Repeats,
     /// Why it was left out; a value that comes later counts.
     pub skipped: Option<String>,
 }
 
 impl Step {
-    /// The place of the value that counts: the last one that somebody measured, and the last simulated one where nobody did.
+    /// The values of which one counts: those that somebody measured, and simulated ones where nobody did.
+    fn live(&self) -> impl Iterator<Item = (usize, Taken)> {
+        let nobody = self.taken.iter().all(|taken| taken.is_simulated);
+        let of_somebody = move || self.taken.iter().filter(move |taken| nobody || !taken.is_simulated);
+        // What somebody chose may have been taken out since.
+        let none_left = of_somebody().all(|taken| taken.is_settled);
+        let is_live = move |taken: &Taken| (nobody || !taken.is_simulated) && (none_left || !taken.is_settled);
+        (0..).zip(self.taken.iter().copied()).filter(move |(_, taken)| is_live(taken))
+    }
+
+    /// The place of the newest of them.
+    pub fn newest(&self) -> Option<usize> {
+        counting(self.live(), Repeats::Last).map(|counting| counting.at)
+    }
+
+    fn decided(&self) -> Option<Counting> {
+        counting(self.live(), self.repeats)
+    }
+
+    /// The place of the value that counts.
     pub fn counting(&self) -> Option<usize> {
-        let measured = self.taken.iter().rposition(|taken| !taken.is_simulated);
-        measured.or_else(|| self.taken.len().checked_sub(1))
+        self.decided().map(|counting| counting.at)
+    }
+
+    /// The places of the values that contradict each other, in the order in which they came; none where one of them counts without doubt.
+    pub fn contradicting(&self) -> Vec<usize> {
+        let is_open = self.decided().is_some_and(|counting| counting.is_contradicted);
+        if is_open { self.live().map(|(at, _)| at).collect() } else { Vec::new() }
     }
 
     /// The value that counts.
@@ -64,6 +97,9 @@ pub struct Standing {
     /// How many of the values that count were simulated.
     #[say(skip)]
     pub simulated: usize,
+    /// How many sizes have values that contradict each other.
+    #[say(skip)]
+    pub contradicted: usize,
 }
 
 impl Standing {
@@ -97,6 +133,20 @@ impl Walk {
     /// Its sizes, as [`Plan::sizes`] has them.
     pub fn steps(&self) -> &[Step] {
         &self.steps
+    }
+
+    /// The same where repeated values are to be counted in another way.
+    #[must_use]
+    pub fn by(mut self, repeats: Repeats) -> Self {
+        self.steps.iter_mut().for_each(|step| step.repeats = repeats);
+        self
+    }
+
+    /// Somebody chose: this value of a size counts no more.
+    pub fn settle(&mut self, at: usize, place: usize) {
+        if let Some(taken) = self.steps.get_mut(at).and_then(|step| step.taken.get_mut(place)) {
+            taken.is_settled = true;
+        }
     }
 
     /// Takes a value of a size.
@@ -138,6 +188,7 @@ impl Walk {
                 (Some(taken), _) => {
                     standing.measured += 1;
                     standing.simulated += usize::from(taken.is_simulated);
+                    standing.contradicted += usize::from(!step.contradicting().is_empty());
                     standing.worst = standing.worst.max(Some(taken.status));
                 }
                 (None, Some(_)) => standing.skipped += 1,

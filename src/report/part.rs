@@ -2,10 +2,12 @@
 
 use std::sync::Arc;
 
+use jiff::civil::DateTime;
+
 use super::image::Image;
 use crate::journal::Record;
 use crate::message::Message;
-use crate::part::{FeatureStanding, Plan, Standing, Step, Taken, Walk, standings};
+use crate::part::{FeatureStanding, Plan, Repeats, Standing, Step, Taken, Walk, standings};
 use crate::verdict::Status;
 
 /// A part with its values, as a report shows it.
@@ -14,8 +16,8 @@ pub struct PartSheet {
     /// What it was measured by.
     pub plan: Arc<Plan>,
     walk: Walk,
-    /// The value of every size that counts, as [`Plan::sizes`] has them.
-    values: Vec<Option<Arc<Record>>>,
+    /// The values of every size, as [`Plan::sizes`] has them: with their places those of which one may count.
+    values: Vec<Vec<(usize, Taken, Arc<Record>)>>,
     /// Its picture, or why there is none; `None` where the plan names none.
     pub picture: Option<Result<Image, Message>>,
 }
@@ -24,18 +26,38 @@ impl PartSheet {
     /// A part of which nothing is measured yet.
     pub fn new(plan: &Arc<Plan>, serial: &str) -> Self {
         let walk = Walk::new(plan, serial.to_owned());
-        let values = vec![None; walk.steps().len()];
+        let values = vec![Vec::new(); walk.steps().len()];
         Self { plan: Arc::clone(plan), walk, values, picture: None }
     }
 
-    /// Takes a value of a size, by its place in the plan; the last one that was measured counts.
-    pub fn take(&mut self, at: usize, record: Arc<Record>) {
-        let is_simulated = record.measurement.origin.is_simulated();
-        self.walk.take(at, Taken { status: record.verdict.status(), is_simulated });
-        let is_last = |step: &Step| step.counting().is_some_and(|counts| counts + 1 == step.taken.len());
-        let counts = self.walk.steps().get(at).is_some_and(is_last);
-        if let Some(value) = self.values.get_mut(at).filter(|_| counts) {
-            *value = Some(record);
+    /// A part as it was walked through, with all values of each size.
+    pub fn of_walk(plan: &Arc<Plan>, walk: Walk, values: Vec<Vec<Arc<Record>>>) -> Self {
+        let of_size = |(step, records): (&Step, Vec<Arc<Record>>)| {
+            (0..).zip(step.taken.clone()).zip(records).map(|((at, taken), record)| (at, taken, record)).collect()
+        };
+        let values = walk.steps().iter().zip(values).map(of_size).collect();
+        Self { plan: Arc::clone(plan), walk, values, picture: None }
+    }
+
+    /// A part of which several values of a size are counted in this way.
+    #[must_use]
+    pub fn by(self, repeats: Repeats) -> Self {
+        Self { walk: self.walk.by(repeats), ..self }
+    }
+
+    /// Takes a value of a size, by its place in the plan, and when it was measured, where its file says so.
+    pub fn take(&mut self, at: usize, record: Arc<Record>, when: Option<DateTime>) {
+        let (status, is_simulated) = (record.verdict.status(), record.measurement.origin.is_simulated());
+        let place = self.walk.steps().get(at).map_or(0, |step| step.taken.len());
+        let taken = Taken { status, is_simulated, when, is_settled: false };
+        self.walk.take(at, taken);
+        if let Some(values) = self.values.get_mut(at) {
+            // Of values with the same verdict only the last one counts, and the latest.
+            let is_of_kind = |other: &Taken| (other.status, other.is_simulated) == (status, is_simulated);
+            let of_kind = values.iter().filter(|(_, other, _)| is_of_kind(other));
+            let latest = of_kind.max_by_key(|(place, other, _)| (other.when, *place)).map(|(place, ..)| *place);
+            values.retain(|(place, other, _)| !is_of_kind(other) || Some(*place) == latest);
+            values.push((place, taken, record));
         }
     }
 
@@ -66,13 +88,20 @@ impl PartSheet {
 
     /// Every size: its name, what was measured of it, and the value that counts.
     pub fn sizes(&self) -> impl Iterator<Item = (crate::part::Size<'_>, &Step, Option<&Arc<Record>>)> {
-        let values = self.walk.steps().iter().zip(&self.values);
-        self.plan.sizes().zip(values).map(|(size, (step, value))| (size, step, value.as_ref()))
+        self.plan.sizes().zip(self.counting()).map(|(size, (step, value))| (size, step, value))
     }
 
     /// The values that count, in the order of the plan.
     pub fn records(&self) -> impl Iterator<Item = &Arc<Record>> {
-        self.values.iter().flatten()
+        self.counting().filter_map(|(_, value)| value)
+    }
+
+    fn counting(&self) -> impl Iterator<Item = (&Step, Option<&Arc<Record>>)> {
+        self.walk.steps().iter().zip(&self.values).map(|(step, values)| {
+            let counting = step.counting();
+            let value = values.iter().find(|(place, ..)| Some(*place) == counting);
+            (step, value.map(|(.., record)| record))
+        })
     }
 
     /// The names of the sizes with neither a value nor a reason.

@@ -176,9 +176,9 @@ fn the_time_has_whole_seconds() {
 fn a_value_that_looks_like_another_quantity_is_warned_of() {
     for (measured, code, doubt) in [
         ("635", 11, "25.4 times the nominal size: was it converted from inch twice?"),
-        ("0.984252", 10, "the nominal size divided by 25.4: is it in inch?"),
+        ("0.984252", 14, "the nominal size divided by 25.4: is it in inch?"),
         ("50", 11, "twice the nominal size: was a diameter taken for a radius?"),
-        ("12.5", 10, "half the nominal size: is it a radius?"),
+        ("12.5", 14, "half the nominal size: is it a radius?"),
     ] {
         let answer = run(&["25 H7", "--measured", measured]);
         let first = answer.err.lines().next().map(str::to_owned);

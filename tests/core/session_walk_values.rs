@@ -394,3 +394,58 @@ fn a_file_of_many_values_is_taken_by_a_large_plan() {
     let (_, entries) = kept(&import(&mut session, &format!("name;measured\n{values}")));
     assert_eq!((entries.len(), standing(&session).as_str()), (3_000, "1000 measured, 0 missing, 0 skipped"));
 }
+
+/// What the part is, and of which sizes values contradict each other.
+fn decided(session: &Session) -> (Option<Status>, Option<&str>) {
+    let walking = session.parts().walking();
+    (walking.status(), walking.contradicted().map(|(at, _)| walking.name(at)))
+}
+
+#[test]
+fn two_values_of_a_size_in_one_file_are_a_question_and_not_good() {
+    let mut session = walking();
+    // 25 H7 is 25.000 … 25.021, 20 g6 is 19.980 … 19.993.
+    import(&mut session, "name;measured\nA;25.030\nB;25.01\nC;19.99\nA;25.012\n");
+    assert_eq!(decided(&session), (Some(Status::Scrap), Some("A")));
+    assert!(all_noticed(&session).contains("A: values contradict each other"), "{}", all_noticed(&session));
+    // Somebody chooses.
+    act(&mut session, Action::CountNewest);
+    assert_eq!(decided(&session), (Some(Status::Good), None));
+    assert!(noticed(&session).contains("the last value counts, as chosen"), "{}", noticed(&session));
+}
+
+#[test]
+fn a_file_does_not_replace_a_scrap_that_was_measured() {
+    let mut session = walking();
+    take(&mut session, "25.030");
+    import(&mut session, "name;measured\nA;25.012\nB;25.01\nC;19.99\n");
+    assert_eq!(decided(&session), (Some(Status::Scrap), Some("A")));
+    // Measured again by the person who goes back to it, the new value counts.
+    send(&mut session, WalkCommand::Go(0));
+    take(&mut session, "25.012");
+    assert_eq!(decided(&session), (Some(Status::Good), None));
+    // A value that a file brings while somebody is at the size is not settled by what is typed then.
+    let mut session = walking();
+    send(&mut session, WalkCommand::Go(0));
+    import(&mut session, "name;measured\nA;25.030\nB;25.01\nC;19.99\n");
+    take(&mut session, "25.012");
+    assert_eq!(decided(&session), (Some(Status::Scrap), Some("A")));
+}
+
+#[test]
+fn a_later_time_replaces_rework_and_never_scrap() {
+    let rows = |first: &str, second: &str| {
+        let rest = "B;25.01;2026-11-24T08:00\nC;19.99;2026-11-24T08:00\n";
+        format!("name;measured;time\nA;{second};2026-11-24T09:00\nA;{first};2026-11-24T08:00\n{rest}")
+    };
+    for (first, second, expected) in [
+        ("24.998", "25.012", (Some(Status::Good), None)),
+        ("25.012", "24.998", (Some(Status::Rework), None)),
+        ("25.030", "25.012", (Some(Status::Scrap), Some("A"))),
+        ("25.012", "25.030", (Some(Status::Scrap), None)),
+    ] {
+        let mut session = walking();
+        import(&mut session, &rows(first, second));
+        assert_eq!(decided(&session), expected, "{first}, then {second}");
+    }
+}

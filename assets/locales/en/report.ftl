@@ -118,8 +118,8 @@ report-picture-beside = { $count ->
    *[other] { $count } features have no balloon on it
 }
 report-part-older = { $count ->
-    [one] One earlier value is not listed: the last value of a size is used
-   *[other] { $count } earlier values are not listed: the last value of a size is used
+    [one] One more value is not listed: of each size the one that counts is
+   *[other] { $count } more values are not listed: of each size the one that counts is
 }
 report-more-parts = { $count ->
     [one] One more part is not shown in full; its values are in the list

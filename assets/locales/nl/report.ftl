@@ -118,8 +118,8 @@ report-picture-beside = { $count ->
    *[other] { $count } kenmerken hebben er geen ballon op
 }
 report-part-older = { $count ->
-    [one] Eén eerdere waarde staat niet in de lijst: de laatste van een maat telt
-   *[other] { $count } eerdere waarden staan niet in de lijst: de laatste van een maat telt
+    [one] Eén andere waarde staat niet in de lijst: van elke maat staat er de waarde die telt
+   *[other] { $count } andere waarden staan niet in de lijst: van elke maat staat er de waarde die telt
 }
 report-more-parts = { $count ->
     [one] Nog één onderdeel staat er niet als geheel in; zijn waarden staan in de lijst

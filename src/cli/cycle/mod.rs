@@ -183,9 +183,6 @@ impl Args {
         let (result, tools) = self.monitored(result, io)?;
         let ball_radius = prober.ball_radius();
         let log = self.log.keep(self.cycle, &result, &source, language, io)?;
-        if log.other.is_some() {
-            io.look_first();
-        }
         let run = Run {
             cycle: self.cycle,
             language,

@@ -10,7 +10,7 @@ use crate::exchange::Labels;
 use crate::files;
 use crate::journal::Record;
 use crate::message::{Message, Say as _};
-use crate::part::Plan;
+use crate::part::{Plan, Repeats};
 use crate::report::image::{Image, is_plain_name};
 use crate::report::part::PartSheet;
 use crate::tolerance::Sources;
@@ -26,6 +26,7 @@ type Key = (String, String);
 #[derive(Debug)]
 pub(super) struct Parts {
     pub(super) plan: Arc<Plan>,
+    repeats: Repeats,
     picture: Option<Result<Image, Message>>,
     /// What all of them make of the exit code.
     all: PlanParts,
@@ -38,31 +39,36 @@ pub(super) struct Parts {
 
 impl Parts {
     /// By a plan, with the picture beside it.
-    pub(super) fn read(path: &Path, sources: &Sources, io: &mut Io<'_>) -> Result<Self, CliError> {
+    pub(super) fn read(path: &Path, sources: &Sources, repeats: Repeats, io: &mut Io<'_>) -> Result<Self, CliError> {
         let plan = Arc::new(super::super::plan::read_plan(path, sources, io)?);
         let name = Some(plan.head.picture.as_str()).filter(|name| !name.is_empty());
         let picture = name.map(|name| image(path, name));
         let places = plan.sizes().map(|size| size.name()).zip(0..).collect();
-        let all = PlanParts::of(&plan);
-        Ok(Self { plan, picture, all, places, sheets: Vec::new(), others: BTreeSet::new() })
+        let all = PlanParts::of(&plan, repeats);
+        Ok(Self { plan, repeats, picture, all, places, sheets: Vec::new(), others: BTreeSet::new() })
     }
 
     /// A value of a part.
-    pub(super) fn see(&mut self, record: &Record, labels: &Labels) {
-        self.all.see(record, labels);
+    pub(super) fn see(&mut self, record: &Record, labels: &Labels, line: usize) {
+        self.all.see(record, labels, Some(line));
         let Some(at) = self.places.get(&record.id).copied() else { return };
         let key = (labels.part.clone(), labels.serial.clone());
         if let Some((_, sheet)) = self.sheets.iter_mut().find(|(known, _)| *known == key) {
-            return sheet.take(at, Arc::new(record.clone()));
+            return sheet.take(at, Arc::new(record.clone()), labels.time);
         }
         if MOST <= self.sheets.len() {
             self.others.insert(key);
             return;
         }
-        let mut sheet = PartSheet::new(&self.plan, &labels.serial);
+        let mut sheet = PartSheet::new(&self.plan, &labels.serial).by(self.repeats);
         sheet.picture.clone_from(&self.picture);
-        sheet.take(at, Arc::new(record.clone()));
+        sheet.take(at, Arc::new(record.clone()), labels.time);
         self.sheets.push((key, sheet));
+    }
+
+    /// The values that contradict each other.
+    pub(super) fn contradictions(&self) -> Vec<Message> {
+        self.all.contradictions().map(|said| said.message()).collect()
     }
 
     /// Why the picture is not shown.

@@ -138,7 +138,7 @@ impl Collected {
                         self.note(line(at), remark.message(), io);
                     }
                     self.see(&record, io);
-                    self.parts.iter_mut().for_each(|parts| parts.see(&record, &labels));
+                    self.parts.iter_mut().for_each(|parts| parts.see(&record, &labels, at));
                 }
                 Err(error) => self.refuse(line(at), error.message(), io),
             },
@@ -162,6 +162,11 @@ impl Collected {
         }
         let name = Some(parts.plan.head.part.clone()).filter(|name| !name.is_empty());
         self.outcome = Some(parts.outcome(self.worst_typed));
+        for contradiction in parts.contradictions() {
+            io.look_first();
+            io.tell(warning(&contradiction));
+            self.notes.push(contradiction);
+        }
         let (sheets, more) = parts.end(io);
         self.notes.extend(more);
         (sheets, name)

@@ -168,10 +168,11 @@ impl Args {
             return Ok(Outcome::BadData);
         }
         recorded?;
+        let Some(status) = machine.status() else { return Ok(Outcome::Done) };
         if machine.remarks().iter().any(|(_, remark)| remark.stands_against()) {
             io.look_first();
         }
-        Ok(machine.status().map_or(Outcome::Done, Outcome::Judged))
+        Ok(Outcome::Judged(status))
     }
 
     /// Runs it, and prints what is to be said of it.

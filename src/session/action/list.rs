@@ -335,6 +335,8 @@ actions! {
     SimulateValue;
     /// Asks once more for the size that is shown.
     SizeAgain;
+    /// Of the values of a size that contradict each other the last one counts.
+    CountNewest;
     /// Asks why the size is left out.
     SkipSize;
     /// Leaves it out for the reason in its field.

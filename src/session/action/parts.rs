@@ -216,6 +216,11 @@ pub(super) fn again() -> Row {
         .when(|session| is_walk(session) && session.parts().walking().shown().is_some())
 }
 
+pub(super) fn count_newest() -> Row {
+    of_walk("walk-page-count-newest", WalkCommand::CountNewest)
+        .when(|session| is_walk(session) && session.parts().walking().contradicted().is_some())
+}
+
 pub(super) fn skip() -> Row {
     of_walk("walk-page-skip", WalkCommand::AskSkip(true)).key(Shortcut::plain(Key::Function(7))).when(is_asked)
 }

@@ -397,6 +397,7 @@ pub(super) fn row(action: Action) -> Row {
         Action::TakeMeantValue => parts::take_meant(),
         Action::SimulateValue => parts::simulate(),
         Action::SizeAgain => parts::again(),
+        Action::CountNewest => parts::count_newest(),
         Action::SkipSize => parts::skip(),
         Action::SkipFor => parts::skip_for(),
         Action::LeaveSkip => parts::leave_skip(),

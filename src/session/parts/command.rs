@@ -133,6 +133,8 @@ pub enum WalkCommand {
     Again,
     /// Asks why the size is left out, or not.
     AskSkip(bool),
+    /// Of the values of a size that contradict each other the newest one counts.
+    CountNewest,
     /// Leaves the size out for a reason.
     Skip(String),
     /// Ends the part and counts up; where something is missing, that is said first and a second time ends it.

@@ -59,10 +59,19 @@ impl Walking {
             let skipped = self.named(|step| step.counts().is_none() && step.skipped.is_some());
             reasons.push(Message::new("walk-page-left-out").text("names", skipped));
         }
+        if 0 < standing.contradicted {
+            reasons.push(self.contradicted_said());
+        }
         if 0 < standing.simulated {
             reasons.push(Message::new("walk-page-simulated").count("count", standing.simulated));
         }
         Whole { status, is_simulated: self.is_decided_by_simulation(), reasons }
+    }
+
+    /// That values of sizes contradict each other.
+    pub(super) fn contradicted_said(&self) -> Message {
+        let names = self.named(|step| !step.contradicting().is_empty());
+        Message::new("walk-page-contradicted").text("names", names)
     }
 
     /// The names of the sizes of which something is true.

@@ -55,6 +55,11 @@ impl PartsPage {
                     return vec![Effect::Focus(PartsField::Value.into())];
                 }
             }
+            WalkCommand::CountNewest => {
+                if let Some(name) = self.walking.count_newest() {
+                    shared.tell(Message::new("walk-page-newest-counts").text("name", name));
+                }
+            }
             WalkCommand::AskSkip(is_open) => {
                 self.walking.quiet();
                 self.walking.is_skipping = is_open && self.walking.at().is_some();
@@ -115,6 +120,7 @@ impl PartsPage {
             }
         }
         self.clear_value();
+        self.walking.settle_seen(at);
         self.keep_own(vec![(at, record, remarks)], shared);
         self.walking.go_on();
     }
@@ -208,11 +214,17 @@ impl PartsPage {
         if let Some((count, why)) = &sent.refused {
             shared.tell(Message::new("walk-page-refused").count("count", *count).message("why", why.clone()));
         }
+        let before = self.walking.standing().contradicted;
         for (id, value) in (first.0..).map(crate::journal::query::RecordId).zip(values) {
-            let Arriving { at, record, remarks, .. } = value;
+            let Arriving { at, record, remarks, labels, .. } = value;
+            // Of what was measured here the time is known, of what a file holds where that says it.
+            let when = labels.map_or(Some(record.time), |labels| labels.time);
             if let Some(at) = at {
-                self.walking.take(at, Value { record, id: Some(id), number: None, remarks });
+                self.walking.take(at, Value { record, id: Some(id), number: None, remarks, when, is_settled: false });
             }
+        }
+        if before < self.walking.standing().contradicted {
+            shared.tell(self.walking.contradicted_said());
         }
         sent
     }

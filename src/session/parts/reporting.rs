@@ -15,16 +15,9 @@ impl PartsPage {
     /// The report; `None` before a part is begun.
     pub(in crate::session) fn report(&self, now: DateTime) -> Option<Report> {
         let plan = self.walking.plan()?;
-        let mut sheet = PartSheet::new(plan, self.walking.serial());
-        for at in 0..self.walking.count() {
-            for value in self.walking.values(at) {
-                sheet.take(at, Arc::clone(&value.record));
-            }
-            let reason = self.walking.walk().steps().get(at).and_then(|step| step.skipped.clone());
-            if let Some(reason) = reason {
-                sheet.skip(at, &reason);
-            }
-        }
+        let values = (0..self.walking.count()).map(|at| self.walking.values(at));
+        let values = values.map(|values| values.iter().map(|value| Arc::clone(&value.record)).collect());
+        let mut sheet = PartSheet::of_walk(plan, self.walking.walk().clone(), values.collect());
         sheet.picture = (!plan.head.picture.is_empty()).then(|| self.image());
         let records: Vec<Arc<Record>> = sheet.records().map(Arc::clone).collect();
         let part = Some(plan.head.part.clone()).filter(|part| !part.is_empty());

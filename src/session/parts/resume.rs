@@ -221,7 +221,14 @@ fn value(sizes: &Sizes<'_>, number: u64, entry: &Entry, is_before: bool) -> Opti
     let name = &entry.about.feature;
     let place = sizes.place(name, record, is_before);
     let record = if record.id.is_empty() { record.called(name) } else { Arc::clone(record) };
-    let value = Value { record, id: None, number: Some(number), remarks: Vec::new() };
+    let value = Value {
+        when: Some(record.time),
+        record,
+        id: None,
+        number: Some(number),
+        remarks: Vec::new(),
+        is_settled: false,
+    };
     Some(place.map(|at| (at, value)))
 }
 

@@ -4,12 +4,15 @@ use std::collections::BTreeMap;
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use jiff::civil::DateTime;
+
 use super::planned::Planned;
 use crate::journal::Record;
 use crate::journal::query::RecordId;
 use crate::length::Length;
 use crate::message::Message;
 use crate::part::{Plan, Size, Standing, Step, Taken, Walk};
+use crate::probing::Origin;
 use crate::session::Question;
 use crate::verdict::Status;
 
@@ -24,6 +27,10 @@ pub struct Value {
     pub number: Option<u64>,
     /// What was taken from a gauge besides the number, and what is to be said of the value.
     pub remarks: Vec<Message>,
+    /// When it was measured, where that is known.
+    pub when: Option<DateTime>,
+    /// Whether it counts no more, because somebody measured again or chose another one.
+    pub is_settled: bool,
 }
 
 /// A size as the list shows it.
@@ -59,6 +66,8 @@ pub struct Walking {
     at: Option<usize>,
     /// Whether somebody chose that size: no value that comes from elsewhere moves on from it.
     is_chosen: bool,
+    /// How many values it had then: one that is typed now takes their place.
+    seen: usize,
     /// The size that was asked for when the text in the field of the value was typed.
     typed_at: Option<usize>,
     /// The size that is looked at: the one whose value came last, or the one that was chosen since.
@@ -242,7 +251,12 @@ impl Walking {
     pub(super) fn take(&mut self, at: usize, value: Value) {
         let status = value.record.verdict.status();
         let is_simulated = value.record.measurement.origin.is_simulated();
-        self.walk.take(at, Taken { status, is_simulated });
+        let (when, is_settled) = (value.when, value.is_settled);
+        self.walk.take(at, Taken { status, is_simulated, when, is_settled });
+        if value.record.measurement.origin == Origin::Typed {
+            // Who types a value of a size that has a typed one has gone back to it.
+            self.settle(at, |_, before| before.record.measurement.origin == Origin::Typed);
+        }
         if let Some(values) = self.values.get_mut(at) {
             values.push(value);
             self.shown = Some(at);
@@ -303,8 +317,43 @@ impl Walking {
     pub(super) fn go_on(&mut self) {
         let from = self.at.map_or(0, |at| at + 1);
         self.at = self.walk.next(from);
-        self.is_chosen = false;
+        (self.is_chosen, self.seen) = (false, 0);
         self.look += 1;
+    }
+
+    /// Values of a size count no more.
+    fn settle(&mut self, at: usize, is_it: impl Fn(usize, &Value) -> bool) {
+        let values = self.values.get_mut(at).into_iter().flatten();
+        for (place, value) in (0..).zip(values).filter(|(place, value)| is_it(*place, value)) {
+            value.is_settled = true;
+            self.walk.settle(at, place);
+        }
+    }
+
+    /// A value is typed for a size that somebody has gone back to: it takes the place of those that it had then.
+    pub(super) fn settle_seen(&mut self, at: usize) {
+        let seen = self.seen;
+        self.settle(at, |place, _| place < seen);
+    }
+
+    /// The values of a size of which one counts, and nobody has said which one: of the size that is looked at, or the first one that has
+    /// such values.
+    pub fn contradicted(&self) -> Option<(usize, Vec<&Value>)> {
+        let of = |at: usize| {
+            let places = self.walk.steps().get(at)?.contradicting();
+            let values: Vec<&Value> = places.into_iter().filter_map(|place| self.values(at).get(place)).collect();
+            (!values.is_empty()).then_some((at, values))
+        };
+        self.shown.and_then(of).or_else(|| (0..self.count()).find_map(of))
+    }
+
+    /// Of the values that contradict each other the newest one counts; the name of their size.
+    pub(super) fn count_newest(&mut self) -> Option<String> {
+        let (at, _) = self.contradicted()?;
+        let newest = self.walk.steps().get(at)?.newest()?;
+        self.settle(at, |place, _| place != newest);
+        self.shown = Some(at);
+        Some(self.name(at).to_owned())
     }
 
     /// The size that is asked for is one that is open, if any is; one that was chosen, or about which something is asked, stays.
@@ -320,7 +369,7 @@ impl Walking {
     pub(super) fn go(&mut self, at: usize) {
         if at < self.count() {
             self.at = Some(at);
-            self.is_chosen = true;
+            (self.is_chosen, self.seen) = (true, self.values(at).len());
             self.look += 1;
             self.quiet();
             // Its own verdict is shown, or none.

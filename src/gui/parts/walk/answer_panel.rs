@@ -180,6 +180,10 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let walking = session.parts().walking();
     actions_ui(ui, view, walking);
+    let contradicted = walking.contradicted();
+    if let Some((at, values)) = &contradicted {
+        contradicted_ui(ui, view, walking.name(*at), values);
+    }
     if walking.question().is_none() {
         lines_below_ui(ui, &headline_card(view, walking));
     }
@@ -195,7 +199,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
             quiet(ui, view.words.say(remark));
         }
         let count = walking.values(at).len();
-        if 1 < count {
+        if 1 < count && contradicted.is_none() {
             quiet(ui, view.words.say(&Message::new("walk-page-last-counts").count("count", count)));
         }
     }
@@ -207,6 +211,19 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         let id = if *session.recording().keeping() == Keeping::Off { "walk-page-off" } else { "walk-page-nowhere" };
         quiet(ui, view.text(id));
     }
+}
+
+/// Values of a size that contradict each other, and what can be done about it besides measuring again.
+fn contradicted_ui(ui: &mut Ui, view: &mut View<'_>, name: &str, values: &[&Value]) {
+    let words = view.words;
+    let said = |value: &&Value| {
+        let record = &value.record;
+        let mm = Digits::of(record).mm(words, record.measurement.diameter, 3);
+        format!("{mm} {}", words.told(&record.verdict.status()))
+    };
+    let values = values.iter().map(said).collect::<Vec<_>>().join(", ");
+    problem(ui, words.say(&Message::new("walk-page-contradicting").text("name", name).text("values", values)));
+    view.field_button(ui, Action::CountNewest);
 }
 
 /// The buttons, above everything whose height changes.
