@@ -86,6 +86,8 @@ impl Row {
             part: cells.text(Column::Plan).to_owned(),
             serial: cells.text(Column::Part).to_owned(),
             place: [x?, y?, z?],
+            // The table has no column for it.
+            is_axis_assumed: true,
             ..Labels::default()
         };
         let characteristic = Characteristic {
