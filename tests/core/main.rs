@@ -123,6 +123,7 @@ mod session_verdicts;
 mod session_walk;
 mod session_walk_values;
 mod session_workpiece;
+mod skipped;
 mod sources;
 mod sql;
 mod start_cli;
