@@ -4,6 +4,7 @@ use jiff::civil::DateTime;
 
 use super::claim::Claim;
 use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
+use super::no_place::NoPlace;
 use super::quantity::Quantity;
 use crate::journal::Record;
 use crate::length::Length;
@@ -58,6 +59,10 @@ pub struct Labels {
     pub gauge: String,
     /// Where the feature should lie, or else where it was found, as far as the file says: X, Y, Z.
     pub place: [Option<Length>; 3],
+    /// Why the place that the file has is none for a measuring cycle; there is no place then.
+    pub no_place: Option<NoPlace>,
+    /// Whether the file has a place and cannot say along which axis the feature lies.
+    pub is_axis_assumed: bool,
     /// Which of the two sides of a pocket or boss it is, from 0, where the file says so.
     pub side: Option<usize>,
     /// What the file says was measured: a diameter, a coordinate, another quantity.

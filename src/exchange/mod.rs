@@ -8,6 +8,7 @@
 //! | `by_plan` | values judged by a plan: each finds its feature |
 //! | `characteristic` | what files of other tools declare: a name, a nominal size, limits; its values judged by them |
 //! | `error`, `warning` | errors and warnings, with their places |
+//! | `no_place` | why the place of a feature is no position for a cycle |
 //! | `logs` | HEIDENHAIN measuring logs as records |
 //! | `plans` | part plans from files of other tools |
 //! | `point_log` | logs of points as deviations along the normal |
@@ -57,6 +58,7 @@ mod logs;
 mod lookup;
 mod mapping;
 mod measurements;
+pub mod no_place;
 mod own;
 #[cfg(feature = "parquet")]
 pub mod parquet;

@@ -62,12 +62,17 @@ fn document(declared: Vec<(usize, Characteristic)>, sources: &Sources) -> Docume
     let part =
         declared.iter().map(|(_, characteristic)| characteristic.labels.part.as_str()).find(|part| !part.is_empty());
     document.draft.set(HeadField::Part, part.unwrap_or_default().to_owned());
+    let mut has_told_axes = false;
     for (line, characteristic) in declared {
         let mut remark = |what| document.remarks.push(Located { what, place: Place::line(line) });
         let left = match &characteristic.what {
             What::Size => {
                 let row = row(&characteristic, line, sources, &mut remark);
                 document.draft.rows.push(row);
+                let labels = &characteristic.labels;
+                if labels.is_axis_assumed && labels.place != [None; 3] && !std::mem::replace(&mut has_told_axes, true) {
+                    document.remarks.push(Located { what: PlanRemark::AxesAssumed, place: Place::line(line) });
+                }
                 continue;
             }
             What::Quantity(quantity) => WhyUnjudged::Quantity { quantity: *quantity },
@@ -119,6 +124,9 @@ fn row(characteristic: &Characteristic, line: usize, sources: &Sources, remark: 
         if let Some(length) = length {
             set(column, length.to_string());
         }
+    }
+    if let Some(why) = &characteristic.labels.no_place {
+        remark(PlanRemark::PlaceLeft { name: characteristic.id(), why: why.message() });
     }
     // The standard uncertainty is half the expanded one, k = 2: of an odd number of nanometres it would be rounded.
     match characteristic.expanded.map(|expanded| (expanded, Length::from_nanometres(expanded.nanometres() / 2))) {

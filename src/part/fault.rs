@@ -390,6 +390,15 @@ pub enum PlanRemark {
         /// The class with its nominal size.
         class: String,
     },
+    /// The file has places, and nothing says along which axes its holes and shafts lie. Told once for a file.
+    AxesAssumed,
+    /// A place that no cycle here can be sent to: the feature has no position.
+    PlaceLeft {
+        /// The characteristic.
+        name: String,
+        /// Why.
+        why: Message,
+    },
     /// An expanded uncertainty with an odd number of nanometres: half of it is no whole number.
     UncertaintyLeft {
         /// The characteristic.

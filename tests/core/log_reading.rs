@@ -302,3 +302,29 @@ fn a_value_before_bytes_of_zero_may_be_half_a_number() {
     assert!(read(all.as_bytes()).iter().all(Result::is_ok));
     assert!(read(all.replace("12.0259\0", "12.0\x00259\0").as_bytes()).iter().all(Result::is_err));
 }
+
+const ON_ONE_LINE: &str = "Measuring log for Probing Cycle 421 Hole Measuring\n\nDate: 02-11-2026\nTime: 8:12:40\nMeasuring program: TNC:\\PARTS\\A1.H\n\n\
+    Nominal values:\nCenter in reference axis: 40.0000\nCenter in minor axis: 30.0000\nDiameter: 25.0000\n\n\
+    Given limit values:\nMaximum limit for center in reference axis: 40.1000\nMinimum limit for center in reference axis: 39.9000\n\
+    Maximum limit for center in minor axis: 30.1000\nMinimum limit for center in minor axis: 29.9000\n\
+    Maximum dimension for hole: 25.0210\nMinimum dimension for hole: 25.0000\n\n\
+    Actual values:\nCenter in reference axis: 40.0310\nCenter in minor axis: 29.9860\nDiameter: 25.0123\n\n\
+    Deviations:\nCenter in reference axis: 0.0310\nCenter in minor axis: -0.0140\nDiameter: 0.0123\n\n\
+    Further measuring results: Measuring height: -5.0000\n\nEnd of measuring log\n";
+
+#[test]
+fn a_figure_on_the_line_of_its_heading_does_not_hide_the_deviations() {
+    let [found] = &read(ON_ONE_LINE.as_bytes())[..] else { panic!() };
+    let found = found.as_ref().unwrap();
+    let warnings: Vec<String> = found.warnings.iter().map(ToString::to_string).collect();
+    assert_eq!(warnings, ["line 1: no line gives the unit: millimetres assumed"]);
+    assert_eq!(found.figures[2].deviation.unwrap().to_string(), "0.0123");
+    assert_eq!((found.further[0].label.as_str(), found.further[0].value.as_str()), ("Measuring height", "-5.0000"));
+    // So one that contradicts is found.
+    let wrong = ON_ONE_LINE.replace("Diameter: 0.0123", "Diameter: 0.0223");
+    let [Err(error)] = &read(wrong.as_bytes())[..] else { panic!() };
+    assert_eq!(
+        error.to_string(),
+        "line 28, column 11: deviation 0.0223 is not actual minus nominal value, 25.0123 - 25.0000"
+    );
+}

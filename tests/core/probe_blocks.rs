@@ -337,3 +337,23 @@ proptest! {
         }
     }
 }
+
+#[test]
+fn a_block_of_iso_is_read_as_a_program_reads_it() {
+    let words = "Q273=+40 Q274=+30 Q262=+25 Q330=+0";
+    let settings = |text: &str| -> Vec<String> {
+        read(text).unwrap().settings.iter().map(|found| format!("{}={}", found.key, found.text)).collect()
+    };
+    let expected: Vec<String> = words.split(' ').map(str::to_owned).collect();
+    for text in [
+        format!("N50 G421 {words}*"),
+        format!("N50 G421 {words} *"),
+        format!("N50 G421 {words}\n*"),
+        format!("N50 G421\n{}*", words.replace(' ', "\n")),
+        format!("N50 G421\n{}\n*\nN60 M30*", words.replace(' ', "\n")),
+        format!("N50 G421 {words}\nN60 M30 *"),
+    ] {
+        assert_eq!(settings(&text), expected, "{text}");
+    }
+    assert_eq!(settings(&format!("N50 G421 Q273=+40*\nQ274=+30*")), ["Q273=+40"]);
+}

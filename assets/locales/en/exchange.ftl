@@ -64,6 +64,10 @@ exchange-other-log = { $feature ->
        *[shaft] this is the log of a hole, and these are the shafts: are the files swapped?
     }
 exchange-not-a-size = { $what }: this is not a size that can be paired
+exchange-no-place-axis = it lies along { $axis }, and cycles 421 and 422 probe along Z
+exchange-no-place-no-axis = the file does not say along which axis it lies
+exchange-no-place-kind = { $kind }: cycles 421 and 422 probe circles and cylinders
+exchange-no-place-system = it is checked in coordinate system { $system }, and the coordinates count in that of the file
 exchange-contacts-not-sizes = rows of two or three numbers are contacts: name the columns in the first line, such as id;measured
 exchange-too-many-rows = only the first { $most } rows were read: split the file
 exchange-unjudged-no-callout = not judged: no callout given

@@ -55,6 +55,7 @@ program-and-with-or = AND and OR in one condition need brackets that say which c
 program-letter-twice = { $letters } is given twice
 program-second-unit = another unit is said before
 program-acts-in-unit = units are passed over, but this block measures, calls or sets a variable
+program-shifts-in-unit = units are passed over, but this block may shift the zero point
 program-alone = { $found } without { $missing }
 program-axis-twice = an axis is given twice
 program-too-deep = brackets and functions are nested more than { $most } deep

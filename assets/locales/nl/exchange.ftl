@@ -64,6 +64,10 @@ exchange-other-log = { $feature ->
        *[shaft] dit is het meetprotocol van een boring, en dit zijn de assen: zijn de bestanden verwisseld?
     }
 exchange-not-a-size = { $what }: dit is geen maat die kan worden gepaard
+exchange-no-place-axis = het ligt langs { $axis }, en cyclus 421 en 422 tasten langs Z
+exchange-no-place-no-axis = het bestand zegt niet langs welke as het ligt
+exchange-no-place-kind = { $kind }: cyclus 421 en 422 tasten cirkels en cilinders
+exchange-no-place-system = het wordt gecontroleerd in coördinatensysteem { $system }, en de coördinaten tellen in dat van het bestand
 exchange-contacts-not-sizes = rijen van twee of drie getallen zijn meetpunten: benoem de kolommen in de eerste regel, bijvoorbeeld id;gemeten
 exchange-too-many-rows = alleen de eerste { $most } rijen zijn gelezen: splits het bestand
 exchange-unjudged-no-callout = niet beoordeeld: geen passing opgegeven

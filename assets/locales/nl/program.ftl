@@ -55,6 +55,7 @@ program-and-with-or = AND en OR in één voorwaarde hebben haakjes nodig die zeg
 program-letter-twice = { $letters } is twee keer opgegeven
 program-second-unit = er is al een andere eenheid genoemd
 program-acts-in-unit = units worden overgeslagen, maar deze NC-regel meet, roept aan of stelt een variabele in
+program-shifts-in-unit = units worden overgeslagen, maar deze NC-regel kan het nulpunt verschuiven
 program-alone = { $found } zonder { $missing }
 program-axis-twice = een as is twee keer opgegeven
 program-too-deep = haakjes en functies zijn meer dan { $most } diep genest

@@ -89,7 +89,7 @@ pub(super) struct Args {
     record: RecordArgs,
     #[command(flatten)]
     tools: ToolArgs,
-    /// Skip unknown blocks instead of stopping
+    /// Skip unknown blocks instead of stopping; what they may have set is undefined from there on
     #[arg(long)]
     skip_unknown: bool,
     /// Measure along Z with the first probe where no TOOL CALL comes before a cycle, instead of stopping

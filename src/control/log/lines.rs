@@ -195,6 +195,14 @@ impl Chunk {
                         open = Some((line, label));
                         continue;
                     }
+                    if let Line::Label { label, value } = classify(value)
+                        && is_number(value)
+                    {
+                        // A heading and its first figure on one line.
+                        let pair = Pair { line, column: column(value), label, given: value };
+                        sections.push(Section { line, pairs: vec![pair] });
+                        continue;
+                    }
                     Pair { line, column: column(value), label, given: value }
                 }
                 Line::Value => {

@@ -115,6 +115,8 @@ enum State {
     Open,
     /// After the last line of the block.
     Behind,
+    /// In a block of ISO: lines of it follow up to its `*`.
+    Iso,
 }
 
 #[derive(Debug, Default)]
@@ -137,6 +139,10 @@ impl Reader {
             self.setting(segment.code, line)?;
             self.follow(segment);
             return Ok(());
+        }
+        let first = segment.code.split_whitespace().next().unwrap_or_default();
+        if self.state == State::Iso && (first.contains('=') || first.starts_with('*')) {
+            return self.words(segment.code, line);
         }
         self.outside(segment, line)
     }
@@ -163,10 +169,18 @@ impl Reader {
             self.follow(segment);
             return Ok(());
         };
-        for word in words.split_whitespace().filter(|word| *word != "*") {
+        self.words(words, line)
+    }
+
+    /// The words of a line; a `*` ends a block of ISO, and lathe controls have one line for each.
+    fn words(&mut self, words: &str, line: usize) -> Result<(), ProbeBlockError> {
+        let words = words.trim_end();
+        let bare = words.trim_end_matches('*');
+        for word in bare.split_whitespace() {
             self.word(word, line)?;
         }
-        self.state = State::Outside;
+        let is_milling = self.block.as_ref().is_some_and(|block| block.cycle.control == Control::Milling);
+        self.state = if is_milling && bare == words { State::Iso } else { State::Outside };
         Ok(())
     }
 
@@ -270,6 +284,7 @@ fn body(code: &str) -> &str {
 /// other block.
 fn head(body: &str) -> Result<Option<(&'static Cycle, Option<&str>)>, ProbeBlockFault> {
     let (first, rest) = body.split_once(char::is_whitespace).unwrap_or((body, ""));
+    let (first, rest) = first.strip_suffix('*').map_or((first, rest), |first| (first, "*"));
     if first.strip_prefix(['G', 'g']).is_some_and(|number| !number.is_empty()) {
         return Ok(cycle_named(first).map(|cycle| (cycle, Some(rest))));
     }

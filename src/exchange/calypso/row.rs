@@ -88,6 +88,8 @@ impl Row {
             serial: cells.text(Column::Part).to_owned(),
             place: [x?, y?, z?],
             quantity: is_diameter.then_some(Quantity::Diameter),
+            // The table has no column for it.
+            is_axis_assumed: true,
             ..Labels::default()
         };
         let characteristic = Characteristic {

@@ -5,6 +5,7 @@ use super::units::{NotALength, Number, Of, Units};
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, What};
 use crate::exchange::error::ImportErrorKind;
+use crate::exchange::no_place::NoPlace;
 use crate::exchange::quantity::Quantity;
 use crate::length::Length;
 use crate::tolerance::{Feature, ToleranceClass};
@@ -115,7 +116,14 @@ impl Definitions {
         let name = names.into_iter().map(String::as_str).chain(feature_item.map(|item| item.name.as_str()));
         let name = name.chain([nominal.name.as_str()]).find(|name| !name.is_empty()).unwrap_or_default();
         let feature = feature_item.map(|item| item.nominal.as_str()).filter(|id| !id.is_empty());
-        self.of_nominal(nominal, feature.unwrap_or(&nominal.feature), (name, &item.designator))
+        let mut resolved = self.of_nominal(nominal, feature.unwrap_or(&nominal.feature), (name, &item.designator))?;
+        let system = feature_item.map_or("", |item| item.system.as_str());
+        if !system.is_empty() && !self.common_systems.contains(system) {
+            let labels = &mut resolved.characteristic.labels;
+            labels.place = [None; 3];
+            labels.no_place.get_or_insert_with(|| NoPlace::System { system: system.to_owned() });
+        }
+        Ok(resolved)
     }
 
     /// The characteristic of a nominal that no item refers to.
@@ -135,12 +143,14 @@ impl Definitions {
         let mut lengths = Lengths { units, rounded: Vec::new() };
         let feature_nominal = self.feature_nominals.get(feature);
         let declared = feature_nominal.and_then(|nominal| self.feature_kinds.get(&nominal.definition));
-        let place = match feature_nominal.and_then(|nominal| nominal.place.as_ref()) {
-            Some(place) => coordinates(units, place),
-            None => [None; 3],
+        let (place, no_place) = match feature_nominal.and_then(|nominal| nominal.place.as_ref()) {
+            Some(Ok(place)) => (coordinates(units, place), None),
+            Some(Err(why)) => ([None; 3], Some(why.clone())),
+            None => ([None; 3], None),
         };
         let name = if name.is_empty() { definition.name() } else { name };
-        let labels = Labels { number: number.to_owned(), part: self.part().to_owned(), place, ..Labels::default() };
+        let labels =
+            Labels { number: number.to_owned(), part: self.part().to_owned(), place, no_place, ..Labels::default() };
         let mut characteristic = Characteristic {
             name: name.to_owned(),
             what: What::Other(in_words(&definition.kind)),

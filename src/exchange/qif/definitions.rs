@@ -3,8 +3,9 @@
 //! Each thing has a number, and refers to others by theirs. The parts that a file may have at most, and that are kept, are
 //! bounded: definitions are for a drawing, not for a production.
 
-use std::collections::{BTreeMap, HashMap};
+use std::collections::{BTreeMap, HashMap, HashSet};
 
+use super::axis::{Placed, is_common, placed};
 use super::units::{Number, Units};
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind, shorten};
 use crate::exchange::xml::{Element, Fault, Start, Xml, fault};
@@ -38,11 +39,15 @@ const OF_FEATURE: &[&str] = &[
     "Diameter",
     "FeatureDefinitionId",
     "Location",
+    "Normal",
     "Axis",
     "AxisPoint",
+    "Direction",
     "FeatureNominalId",
     "FeatureName",
+    "CoordinateSystemId",
 ];
+const OF_SYSTEM: &[&str] = &["NominalTransform", "Rotation", "XDirection", "YDirection", "ZDirection", "Origin"];
 const OF_UNITS: &[&str] = &[
     "PrimaryUnits",
     "OtherUnits",
@@ -111,8 +116,8 @@ pub(super) struct FeatureDefinition {
 #[derive(Debug, Clone)]
 pub(super) struct FeatureNominal {
     pub(super) definition: String,
-    /// X, Y and Z as one text.
-    pub(super) place: Option<Number>,
+    /// X, Y and Z as one text, or why no cycle can be sent there.
+    pub(super) place: Option<Placed>,
 }
 
 /// A feature of the part.
@@ -120,6 +125,8 @@ pub(super) struct FeatureNominal {
 pub(super) struct FeatureItem {
     pub(super) nominal: String,
     pub(super) name: String,
+    /// The number of the coordinate system that it is checked in; empty for that of the file.
+    pub(super) system: String,
 }
 
 /// Who measured, and when.
@@ -157,6 +164,8 @@ pub(super) struct Definitions {
     pub(super) feature_kinds: HashMap<String, FeatureDefinition>,
     pub(super) feature_nominals: HashMap<String, FeatureNominal>,
     pub(super) feature_items: HashMap<String, FeatureItem>,
+    /// Coordinate systems that are known to be that of the file's coordinates.
+    pub(super) common_systems: HashSet<String>,
     /// Largest and smallest value of tolerances that several characteristics share.
     pub(super) tolerances: HashMap<String, (Option<Number>, Option<Number>)>,
     /// The serial numbers of the parts that were measured.
@@ -231,6 +240,7 @@ impl Definitions {
                     self.units = Some(Units::of(&element).map_err(|kind| fault(at, kind))?);
                 }
                 "Product" => self.product(xml)?,
+                "CoordinateSystems" => self.systems(xml)?,
                 "Features" => self.features(xml)?,
                 "Characteristics" => self.characteristics(xml)?,
                 "Results" => {
@@ -262,6 +272,22 @@ impl Definitions {
         Ok(())
     }
 
+    fn systems(&mut self, xml: &mut Xml<'_>) -> Result<(), Fault> {
+        while let Some(list) = xml.child()? {
+            if list.name != "CoordinateSystemDefinitions" {
+                xml.skip()?;
+                continue;
+            }
+            while let Some(start) = xml.child()? {
+                let element = xml.element(start, OF_SYSTEM)?;
+                if is_common(&element) && self.common_systems.len() < MOST {
+                    self.common_systems.insert(id(&element));
+                }
+            }
+        }
+        Ok(())
+    }
+
     fn features(&mut self, xml: &mut Xml<'_>) -> Result<(), Fault> {
         while let Some(list) = xml.child()? {
             while let Some(start) = xml.child()? {
@@ -279,15 +305,15 @@ impl Definitions {
                     }
                     "FeatureNominals" => {
                         let element = xml.element(start, OF_FEATURE)?;
-                        let place = element.child("Location").or_else(|| element.at(&["Axis", "AxisPoint"]));
                         let definition = key(element.text_at(&["FeatureDefinitionId"]));
-                        let new = FeatureNominal { definition, place: place.and_then(Number::of) };
+                        let new = FeatureNominal { definition, place: placed(&element) };
                         keep(&mut self.feature_nominals, &mut self.warnings, &element, new)?;
                     }
                     "FeatureItems" => {
                         let element = xml.element(start, OF_FEATURE)?;
                         let nominal = key(element.text_at(&["FeatureNominalId"]));
-                        let new = FeatureItem { nominal, name: name(element.text_at(&["FeatureName"])) };
+                        let system = key(element.text_at(&["CoordinateSystemId"]));
+                        let new = FeatureItem { nominal, name: name(element.text_at(&["FeatureName"])), system };
                         keep(&mut self.feature_items, &mut self.warnings, &element, new)?;
                     }
                     _ => xml.skip()?,

@@ -2,12 +2,13 @@
 //!
 //! A file is read twice: first what is declared in it, which is kept (`definitions`), then its values, which are not
 //! (`results`). What stands behind the values, such as serial numbers, belongs to them all the same. `characteristics` puts
-//! together what the definitions say of a value, `units` makes lengths of its numbers.
+//! together what the definitions say of a value, `units` makes lengths of its numbers, `axis` says which features have a place to probe.
 //!
 //! Names of elements count without their prefix, whatever namespace that stands for. The numbers of things are taken as they
 //! are: whether they go beyond `idMax` changes nothing. The status of a whole part is not compared, because it is also that of
 //! characteristics which are no sizes.
 
+mod axis;
 mod characteristics;
 mod definitions;
 mod results;
@@ -189,6 +190,7 @@ impl Reader<'_, '_> {
         measured.serial.clone_into(&mut labels.serial);
         labels.who.clone_from(&measured.trace.who);
         if labels.place == [None; 3]
+            && labels.no_place.is_none()
             && let Some((place, units)) = measured.place.zip(self.definitions.units.as_ref())
         {
             labels.place = characteristics::coordinates(units, place);

@@ -3,6 +3,7 @@
 use std::collections::HashMap;
 use std::ops::ControlFlow;
 
+use super::axis::{Placed, placed};
 use super::definitions::{Definitions, MOST, OF_TRACE, Trace, miscounted};
 use super::units::Number;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind, shorten};
@@ -20,6 +21,8 @@ const OF_MEASUREMENT: &[&str] = &[
     "Value",
 ];
 
+const OF_FEATURE: &[&str] = &["FeatureItemId", "Location", "Normal", "Axis", "AxisPoint", "Direction"];
+
 /// The most measured features of one part.
 const MOST_FEATURES: usize = 5 * MOST;
 
@@ -30,7 +33,7 @@ pub(super) struct Measured<'r> {
     pub(super) element: &'r Element,
     /// The number of the feature that it was measured at.
     pub(super) feature_item: Option<&'r str>,
-    /// Where that was found.
+    /// Where that was found, if a cycle could be sent there.
     pub(super) place: Option<&'r Number>,
     pub(super) serial: &'r str,
     pub(super) trace: &'r Trace,
@@ -60,7 +63,7 @@ impl From<Fault> for End {
 /// A feature as it was measured.
 struct MeasuredFeature {
     item: String,
-    place: Option<Number>,
+    place: Option<Placed>,
 }
 
 /// Reads all values of a file.
@@ -99,7 +102,7 @@ fn of_one_part(xml: &mut Xml<'_>, definitions: &Definitions, part: &str, take: T
             "InspectionTraceability" => part.trace = Trace::of(&xml.element(start, OF_TRACE)?),
             "MeasuredFeatures" => {
                 while let Some(start) = xml.child()? {
-                    part.keep(&xml.element(start, &["FeatureItemId", "Location", "Axis", "AxisPoint"])?)?;
+                    part.keep(&xml.element(start, OF_FEATURE)?)?;
                 }
             }
             "MeasuredCharacteristics" => {
@@ -132,9 +135,8 @@ impl Part<'_> {
             let kind = ImportErrorKind::QifTooMany { what: feature.start.name.clone(), most: MOST_FEATURES };
             return Err(fault(feature.start.at, kind));
         }
-        let place = feature.child("Location").or_else(|| feature.at(&["Axis", "AxisPoint"]));
         let item = shorten(feature.text_at(&["FeatureItemId"]));
-        let new = MeasuredFeature { item, place: place.and_then(Number::of) };
+        let new = MeasuredFeature { item, place: placed(feature) };
         self.features.insert(shorten(feature.start.attribute("id")), new);
         Ok(())
     }
@@ -168,7 +170,7 @@ impl Part<'_> {
             kind: element.start.name.trim_end_matches("CharacteristicMeasurement"),
             element,
             feature_item: feature.map(|feature| feature.item.as_str()),
-            place: feature.and_then(|feature| feature.place.as_ref()),
+            place: feature.and_then(|feature| feature.place.as_ref()?.as_ref().ok()),
             serial: self.definitions.serials.get(part).map_or("", String::as_str),
             trace: &self.trace,
         }

@@ -16,8 +16,7 @@ use crate::message::Say;
 use crate::nc::program::{
     Axis, AxisWord, CycleBlock, CycleName, CycleValue, Frame, MachineFunction, Mode, Notation, Operand, Unit,
 };
-use crate::probing::cycle::{Control, Plane};
-use crate::probing::cycles::cycles_of;
+use crate::probing::cycle::Plane;
 
 /// Millimetres in an inch.
 pub(super) const INCH: f64 = 25.4;
@@ -31,6 +30,8 @@ pub(super) fn millimetres(unit: Option<Unit>) -> f64 {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Say)]
 #[say(prefix = "machine-change")]
 pub enum Change {
+    /// Whatever a block has made of it that was not run.
+    NotKnown,
     /// A row of a datum table, which only the control has.
     DatumTable,
     /// Cycle 10.
@@ -43,6 +44,8 @@ pub enum Change {
     AxisScaling,
     /// PLANE, cycle 19.
     Tilt,
+    /// Cycle 800, until cycle 801.
+    Turning,
 }
 
 /// What a program has set up.
@@ -294,6 +297,10 @@ impl Around {
                 self.set(Change::Tilt, false, made);
                 self.turned.clear();
             }
+            Frame::NotFollowed => {
+                self.lose_system(|| made);
+                return Ok(Some(Remark::NotFollowed));
+            }
         }
         Ok(None)
     }
@@ -304,6 +311,26 @@ impl Around {
             self.turned.extend([Axis::A, Axis::B, Axis::C]);
         }
         self.set(Change::Tilt, is_in_force, made);
+    }
+
+    /// A block was not run that may have set a datum, a rotation or whatever else: nothing ends that, because a preset or datum table
+    /// may be what it has written.
+    pub(super) fn lose_system(&mut self, made: impl FnOnce() -> Made) {
+        self.changes.entry(Change::NotKnown).or_insert_with(made);
+    }
+
+    /// Cycle 800 turns the system for turning, 801 ends that.
+    pub(super) fn turning(&mut self, number: u32, made: Made) {
+        match number {
+            800 => self.set(Change::Turning, true, made),
+            801 => self.set(Change::Turning, false, made),
+            _ => {}
+        }
+    }
+
+    /// The values of GLOBAL DEF are not known any more.
+    pub(super) fn lose_globals(&mut self) {
+        self.globals.clear();
     }
 
     fn set(&mut self, change: Change, is_in_force: bool, made: Made) {
@@ -342,7 +369,7 @@ impl Around {
         // A preset that is not named may be any.
         self.stops += u64::from(number.is_none());
         self.zero = [0.0; 3];
-        self.changes.retain(|change, _| *change == Change::Tilt);
+        self.changes.retain(|change, _| matches!(change, Change::Tilt | Change::NotKnown | Change::Turning));
         self.preset = number.or(self.preset);
         Ok(number.filter(|_| is_other).map(|number| Remark::OtherPreset { number: number.to_string() }))
     }
@@ -388,11 +415,16 @@ impl Around {
         assumed.into_iter().chain(spindle).chain(turned).chain(self.tool.odd()).collect()
     }
 
-    /// The parameters of a cycle that nothing here runs, as a program may read them afterwards.
+    /// The parameters of a cycle, as a program may read them afterwards.
     ///
     /// A value from a GLOBAL DEF of a program in another unit may be a length or not: it is undefined then.
-    pub(super) fn stated(&self, block: &CycleBlock, unit: Option<Unit>, values: &mut Values) -> Result<(), FaultKind> {
-        let is_probing = cycles_of(Control::Milling).any(|cycle| cycle.code == block.number);
+    pub(super) fn stated(
+        &self,
+        block: &CycleBlock,
+        is_probing: bool,
+        unit: Option<Unit>,
+        values: &mut Values,
+    ) -> Result<(), FaultKind> {
         for line in &block.lines {
             // A word is not a parameter that a program could read.
             let CycleName::Parameter(parameter) = line.parameter else { continue };

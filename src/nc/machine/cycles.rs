@@ -11,7 +11,7 @@ use crate::control::cycle_status::variable;
 use crate::control::probe_table::ProbeTable;
 use crate::control::variables::{Parameter, Value};
 use crate::length::Length;
-use crate::nc::program::{CycleBlock, CycleValue, Operand, Tool, Unit};
+use crate::nc::program::{CycleBlock, CycleName, CycleValue, Operand, Tool, Unit};
 use crate::probing::TouchProbe;
 use crate::probing::cycle::{self, Control, Cycle, CycleError, CycleResult, Inputs, Key, Move, Phase, Range};
 use crate::probing::cycles::cycles_of;
@@ -199,11 +199,25 @@ fn with_lines(
         let unknown = || FaultKind::NoCycleParameter { cycle: cycle.code, parameter: name() };
         let declared = cycle.parameter_named(&line.parameter.to_string()).ok_or_else(unknown)?;
         if inputs.is_given(declared.key) {
-            return Err(FaultKind::CycleParameterTwice { cycle: cycle.code, parameter: name() });
+            return Err(twice(cycle, asked.block, declared, name()));
         }
         inputs = inputs.with(declared.key, input(cycle, declared, &line.value, asked.unit, values)?);
     }
     Ok(inputs)
+}
+
+/// That a parameter stands twice. Where the one of the next number is missing, it is the one that is meant: a widely used
+/// post-processor writes `Q288` for both limits of 425 (nc-programs, section 6).
+fn twice(cycle: &'static Cycle, block: &CycleBlock, declared: &cycle::Parameter, parameter: CycleName) -> FaultKind {
+    let next = if let Key::Q(number) = declared.key { cycle.parameter(Key::Q(number + 1)) } else { None };
+    let is_missing = |other: &&cycle::Parameter| {
+        let other = other.key.to_string();
+        !block.lines.iter().any(|line| line.parameter.to_string() == other)
+    };
+    match next.filter(is_missing) {
+        Some(other) => FaultKind::CycleParameterFor { cycle: cycle.code, parameter, other: other.key.to_string() },
+        None => FaultKind::CycleParameterTwice { cycle: cycle.code, parameter },
+    }
 }
 
 /// A value in the kind that the parameter declares; the cycle checks the range.
@@ -291,8 +305,8 @@ pub(super) fn hand_over(
     Ok(())
 }
 
-/// The parameters of results.
-const RESULTS: std::ops::RangeInclusive<u16> = 150..=166;
+/// The parameters of results and of the markers.
+const RESULTS: std::ops::RangeInclusive<u16> = 150..=183;
 
 /// The cycle of a number: programs call only those of their own control.
 pub(super) fn cycle_of(number: &str, control: Control) -> Result<&'static Cycle, FaultKind> {

@@ -127,6 +127,33 @@ pub enum FaultKind {
     },
     /// A parameter without a value.
     Undefined(#[say(name = "parameter")] Parameter),
+    /// A parameter that a block may have set which was not run.
+    Lost {
+        /// The parameter.
+        parameter: Parameter,
+        /// The line of the block, from 1.
+        line: usize,
+        /// Its text.
+        text: String,
+    },
+    /// A file that a block may have written or removed which was not run.
+    FileUnknown {
+        /// The file.
+        path: NcPath,
+        /// The line of the block, from 1.
+        line: usize,
+        /// Its text.
+        text: String,
+    },
+    /// A tool whose values a block may have changed which was not run.
+    ToolsUnknown {
+        /// The line of the block, from 1.
+        line: usize,
+        /// Its text.
+        text: String,
+    },
+    /// An unknown block that decides what runs next, or hands values to another program.
+    NotSkipped,
     /// A parameter that does not exist on a control.
     NoParameter(#[say(name = "parameter")] Parameter),
     /// A variable that does not exist on a lathe control.
@@ -303,6 +330,15 @@ pub enum FaultKind {
         cycle: &'static str,
         /// The parameter.
         parameter: CycleName,
+    },
+    /// A parameter that is given twice, while the one behind it in the cycle is not given.
+    CycleParameterFor {
+        /// The cycle.
+        cycle: &'static str,
+        /// The parameter.
+        parameter: CycleName,
+        /// The one that is missing.
+        other: String,
     },
     /// The program ends within a subprogram: its `LBL 0` is missing.
     OpenSubprogram {

@@ -3,12 +3,17 @@
 use std::collections::BTreeMap;
 use std::sync::Arc;
 
+use super::around::Made;
 use super::budget::{Budget, UsedUp};
 use super::fault::{BlockPlace, Counted, FaultKind};
 use super::path::NcPath;
 use super::values::{Values, whole};
+use crate::control::text::cut;
 use crate::control::variables::Family;
 use crate::nc::program::{Body, Operand, Program, Target, Unit};
+
+/// How much of a block's text a later message repeats: names of files are looked for in it.
+const LONGEST_TEXT: usize = 512;
 
 /// A program that runs, and where it is.
 #[derive(Debug)]
@@ -84,6 +89,13 @@ impl Flow {
     /// A block of the program that runs.
     pub(super) fn place_of(&self, block: usize) -> BlockPlace {
         BlockPlace { program: self.frame.path.clone(), block }
+    }
+
+    /// A block of the program that runs, as a later message names it.
+    pub(super) fn made(&self, at: usize) -> Made {
+        let program = &self.frame.program;
+        let line = program.blocks().get(at).map_or(0, |block| block.lines.start + 1);
+        Made { line, text: cut(program.text_of(at).next().unwrap_or_default().trim(), LONGEST_TEXT) }
     }
 
     pub(super) fn calls(&self) -> &[Call] {

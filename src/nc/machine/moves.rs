@@ -68,6 +68,11 @@ impl Way {
         Some([x?, y?, z?])
     }
 
+    /// A block that was not run may have moved all axes.
+    pub(super) const fn lose(&mut self) {
+        self.position = [None; 3];
+    }
+
     /// `L`: axes that are not named stay; radius compensation does not move the ball's centre.
     pub(super) fn travel(
         &mut self,

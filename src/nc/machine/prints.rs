@@ -169,7 +169,11 @@ pub(super) fn rendered(
     // The masks of NC-Solution 8255 have such a line; nothing of it is lost.
     warnings.retain(|warning| warning.what != MaskWarningKind::NoSemicolon);
     let refused = |error| FaultKind::Render { mask: mask.clone(), error: Box::new(error) };
-    let output = read.render(values.all(), context).map_err(refused)?;
+    let output = read.render(values.all(), context).map_err(|error| {
+        // What a mask asks for may be undefined because the block that sets it was not run.
+        let unknown = read.parameters().into_iter().find_map(|parameter| values.check_known(parameter).err());
+        unknown.unwrap_or_else(|| refused(error))
+    })?;
     values.printed(read.parameters());
     let mut remarks = Remark::read(mask, &warnings);
     remarks.extend(Remark::read(mask, read.other_languages(context.language).as_slice()));

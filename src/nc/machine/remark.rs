@@ -19,6 +19,12 @@ use crate::probing::simulated::{Collision, Mover};
 pub enum Remark {
     /// An unknown block was skipped.
     Skipped,
+    /// A measuring cycle that nothing here runs was skipped: what it measures is undefined.
+    MeasurementSkipped,
+    /// The same for one that may set a datum, too.
+    DatumSkipped,
+    /// A block that may change the system of coordinates was not run: nothing is measured behind it.
+    NotFollowed,
     /// FN 18 asks for what only a control knows; its parameter is undefined from here on.
     NoSystemData {
         /// The parameter.

@@ -2,6 +2,9 @@
 //!
 //! The rules of Q330 are in `control::tool_table::monitor`.
 
+use std::sync::Arc;
+
+use super::around::Made;
 use super::fault::{BlockPlace, FaultKind};
 use super::remark::{Remark, Remarks};
 use super::values::Values;
@@ -26,11 +29,13 @@ pub(super) struct Tools {
     changes: Vec<ToolChanged>,
     /// The row of the tool that was called last, until a cycle has asked for it.
     called: Option<usize>,
+    /// A block that was not run may have changed the table.
+    lost: Option<Arc<Made>>,
 }
 
 impl Tools {
     pub(super) const fn new(table: Option<ToolTable>) -> Self {
-        Self { table, changes: Vec::new(), called: None }
+        Self { table, changes: Vec::new(), called: None, lost: None }
     }
 
     pub(super) const fn table(&self) -> Option<&ToolTable> {
@@ -39,6 +44,13 @@ impl Tools {
 
     pub(super) fn changes(&self) -> &[ToolChanged] {
         &self.changes
+    }
+
+    /// A block that was not run may have changed the table.
+    pub(super) fn lose(&mut self, by: impl FnOnce() -> Arc<Made>) {
+        if self.table.is_some() {
+            self.lost.get_or_insert_with(by);
+        }
     }
 
     /// TOOL CALL: remarks about a tool that the table lacks, or has several times.
@@ -91,6 +103,12 @@ impl Tools {
         remarks: &mut Remarks,
     ) -> Result<(), FaultKind> {
         let Some(table) = &mut self.table else { return Ok(()) };
+        if let Some(lost) = &self.lost
+            && table.clone().monitor(cycle, result)?.is_some()
+        {
+            let Made { line, text } = lost.as_ref().clone();
+            return Err(FaultKind::ToolsUnknown { line, text });
+        }
         let Some(Monitored { change, same_name }) = table.monitor(cycle, result)? else { return Ok(()) };
         if let Some((tool, more)) = same_name {
             remarks.add(place.clone(), Remark::SameName { tool, more });

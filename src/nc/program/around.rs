@@ -83,4 +83,6 @@ pub enum Frame {
     NoTilt,
     /// `PLANE RESET TURN`, `PLANE RESET MOVE`: the rotary axes go back to zero.
     TurnedBack,
+    /// A change that is not followed here: system data that are written, another kinematics, a cycle of the machine's builder.
+    NotFollowed,
 }

@@ -53,6 +53,8 @@ pub enum BlockFault {
     SecondUnit,
     /// A measurement or an assignment among the blocks of a unit, which are passed over.
     ActsInUnit,
+    /// A block of a unit that may shift the zero point.
+    ShiftsInUnit,
     /// A branch without the block that ends or begins it.
     Alone {
         /// The word found.

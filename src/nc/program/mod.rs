@@ -9,6 +9,7 @@
 //! | `source`, `lines`, `cursor` | the text while it is read; parts of lines; the place in a block's text that moves forward |
 //! | `formula`, `text_formula` | formulas, read |
 //! | `labels`, `numbering` | where the labels are; block numbers that do not rise |
+//! | `unread` | what a block that is not understood may do |
 //! | `weight` | how much text becomes trees in memory |
 //! | `words` | words of the language, for reading and writing |
 //! | `error`, `fault` | errors and warnings |
@@ -36,6 +37,7 @@ mod numbering;
 mod read;
 mod source;
 mod text_formula;
+mod unread;
 mod warnings;
 mod weight;
 mod words;
@@ -52,6 +54,7 @@ pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
 pub use expression::{Expression, NumberFunction, Operation, Test, TextExpression};
 pub use fault::{BlockFault, Wanted};
 pub use notation::Notation;
+pub use unread::Unread;
 
 use crate::control::text;
 

@@ -5,7 +5,8 @@
 //! nothing is our interpretation: 0 may be a real coordinate.
 //!
 //! The manual asks for Q261 between Q276 and Q275, which this cycle does not have. What it can mean is the nominal value
-//! of the measured axis between Q289 and Q288: a remark says where it is not. The manual also says that deviations are
+//! of the measured axis between Q289 and Q288: a remark says where it is not. CAM systems write there where the probe stands before the
+//! approach (`docs/SOURCES.md`): the face of a perfect workpiece then lies in the middle of the limits. The manual also says that deviations are
 //! stored in Q parameters and names none for them: the deviation is a result without a parameter.
 
 use super::judged;
@@ -68,7 +69,7 @@ pub(super) const CYCLE: Cycle = Cycle {
         REVERSED,
         INCIDENCE_ANGLE,
     ],
-    surface: |inputs| Surface::Face(Face::plane(point(inputs), direction(inputs).map(|part| -part))),
+    surface: |inputs| Surface::Face(Face::plane(face(inputs), direction(inputs).map(|part| -part))),
     run,
     subject: |inputs| {
         ["X", "Y", "Z"]
@@ -90,14 +91,35 @@ fn point(inputs: &Inputs) -> [f64; 3] {
     [inputs.mm(263), inputs.mm(264), inputs.mm(261)]
 }
 
+/// Where the face should be: at the programmed point; in the middle of the limits where that point is not between them, and they lie
+/// ahead of it.
+fn face(inputs: &Inputs) -> [f64; 3] {
+    let limits = limits(inputs, 289, 288).ok().flatten();
+    let Some((minimum, maximum)) = limits.filter(|_| judged::is_outside(programmed(inputs), limits)) else {
+        return point(inputs);
+    };
+    let middle = minimum.midpoint(maximum);
+    let is_ahead = if inputs.whole(267) < 0 { middle < programmed(inputs) } else { programmed(inputs) < middle };
+    if !is_ahead {
+        return point(inputs);
+    }
+    let [x, y, z] = point(inputs);
+    let middle = middle.to_mm_f64();
+    match inputs.whole(272) {
+        1 => [middle, y, z],
+        2 => [x, middle, z],
+        _ => [x, y, middle],
+    }
+}
+
 /// The unit vector of the approach.
 fn direction(inputs: &Inputs) -> [f64; 3] {
     let sign = if inputs.whole(267) < 0 { -1.0 } else { 1.0 };
     [1, 2, 3].map(|axis| if inputs.whole(272) == axis { sign } else { 0.0 })
 }
 
-/// The nominal value of the measured axis.
-fn nominal(inputs: &Inputs) -> Length {
+/// The programmed value of the measured axis.
+fn programmed(inputs: &Inputs) -> Length {
     inputs.length(Key::Q(match inputs.whole(272) {
         1 => 263,
         2 => 264,
@@ -135,11 +157,16 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         _ => contact.z,
     })?;
     let checks: Vec<_> = judged::size(FoundName::COORDINATE, measured, limits, Feature::Shaft).into_iter().collect();
-    let nominal = nominal(inputs);
+    let programmed = programmed(inputs);
     let mut remarks = Vec::new();
-    if judged::is_outside(nominal, limits) {
-        remarks.push(Remark::NominalCoordinateOutsideLimits { nominal });
-    }
+    // Where the point is only where the probe stands before the approach, the deviation counts from the middle of the limits.
+    let nominal = match limits.filter(|_| judged::is_outside(programmed, limits)) {
+        Some((minimum, maximum)) => {
+            remarks.push(Remark::NominalCoordinateOutsideLimits { nominal: programmed });
+            minimum.midpoint(maximum)
+        }
+        None => programmed,
+    };
     if !checks.is_empty() {
         remarks.extend([Remark::OutsideDimension, Remark::DeviationWithoutParameter]);
     }

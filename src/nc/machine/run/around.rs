@@ -1,10 +1,9 @@
 //! Blocks that set something up for the measurements behind them.
 
-use super::super::around::Made;
 use super::super::fault::FaultKind;
 use super::super::remark::Remark;
 use super::Run;
-use crate::nc::program::{Body, Frame};
+use crate::nc::program::{Body, CycleBlock, Frame};
 
 impl Run {
     /// Does what such a block says; others do nothing here.
@@ -15,14 +14,14 @@ impl Run {
                 self.around.select(path);
             }
             Body::CycleDefinition(cycle) => {
-                self.around.pass_over(&format!("CYCL DEF {}", cycle.number));
-                self.around.stated(cycle, self.flow.unit(), &mut self.values)?;
+                self.around.stated(cycle, false, self.flow.unit(), &mut self.values)?;
+                self.machining(at, cycle);
             }
             Body::GlobalDefinition(cycle) => self.around.define(cycle, self.flow.unit(), &self.values)?,
             Body::Mode(mode) => self.around.set_mode(*mode),
             Body::Frame(frame) => self.change(at, frame)?,
             Body::SystemRead { to } => {
-                let given = self.values.undefine(*to, self.is_main());
+                let given = self.values.lose_system(*to, || self.flow.made(at), self.is_main());
                 let remark = given.is_none().then_some(Remark::NoSystemData { parameter: *to });
                 self.note_given(at, *to, given);
                 self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
@@ -32,12 +31,27 @@ impl Run {
         Ok(())
     }
 
+    /// `CYCL DEF` of a cycle that machines: those of the machine's builder may do anything.
+    fn machining(&mut self, at: usize, cycle: &CycleBlock) {
+        let number = cycle.number.parse().ok().filter(|number: &u32| {
+            // Machining, turning and grinding; below them are the control's oldest.
+            *number <= 39 || matches!(number, 200..=299 | 800..=899 | 1000..=1099)
+        });
+        match number {
+            Some(number) => {
+                self.around.pass_over(&format!("CYCL DEF {}", cycle.number));
+                self.around.turning(number, self.flow.made(at));
+            }
+            None => {
+                self.lose_all(at);
+                self.remark(at, Remark::NotFollowed);
+            }
+        }
+    }
+
     /// A change of the system that coordinates count in.
     fn change(&mut self, at: usize, frame: &Frame) -> Result<(), FaultKind> {
-        let program = self.flow.program();
-        let line = program.blocks().get(at).map_or(0, |block| block.lines.start + 1);
-        let text = program.text_of(at).next().unwrap_or_default().trim().to_owned();
-        let remark = self.around.change(frame, Made { line, text }, self.flow.unit(), &self.values)?;
+        let remark = self.around.change(frame, self.flow.made(at), self.flow.unit(), &self.values)?;
         self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
         Ok(())
     }

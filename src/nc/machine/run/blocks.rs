@@ -20,6 +20,9 @@ use crate::message::Say as _;
 use crate::nc::program::{Axis, Block, Body, CycleBlock, MachineFunction, PassedOver, TextOperand, Tool};
 use crate::probing::cycle::{Control, LogTarget, Plane};
 
+/// M functions that change the datum: M104 makes the one active that was set last, M142 deletes shifts, rotations and the like.
+const RESETS: [u32; 2] = [104, 142];
+
 impl Run {
     /// Runs the next block.
     pub(super) fn step(&mut self, files: &mut Files, settings: &Settings) -> Result<Step, Fault> {
@@ -83,8 +86,9 @@ impl Run {
         self.blocks += 1;
         self.flow.pass(at, &block.body)?;
         if block.may_be_skipped && settings.block_skip {
-            if matches!(block.body, Body::Probe(_)) {
+            if let Body::Probe(cycle) = &block.body {
                 self.remark(at, Remark::CycleSkipped);
+                self.lose_measured(at, cycle);
             }
             return Ok(Step::Went);
         }
@@ -138,6 +142,9 @@ impl Run {
                 return Ok(self.machine_functions(at, &movement.machine, settings));
             }
             Body::PassedOver(PassedOver { words, goes, machine }) => {
+                if words == "FN 17" {
+                    self.tools.lose(|| Arc::new(self.flow.made(at)));
+                }
                 self.around.pass_over(words);
                 self.around.turn(&goes.axes, &self.values);
                 self.way.jump(goes, self.flow.unit(), &self.around, &self.values)?;
@@ -159,7 +166,7 @@ impl Run {
             }
             Body::Probe(cycle) => return self.probe(at, cycle, files, settings),
             // An unknown block stops the run, or is skipped if the user has chosen so.
-            Body::Other if settings.skip_unknown => self.remark(at, Remark::Skipped),
+            Body::Other if settings.skip_unknown => self.skip(at, files)?,
             Body::Other => return Err(FaultKind::UnknownBlock),
         }
         Ok(Step::Went)
@@ -200,6 +207,7 @@ impl Run {
 
     fn call_program(&mut self, at: usize, path: NcPath, files: &mut Files) -> Result<(), FaultKind> {
         self.flow.check_depth()?;
+        self.check_file(&path)?;
         let (program, remarks) = files.program(&path, self.tables.changed())?;
         self.remarks.add_all(&self.flow.place_of(at), remarks);
         self.flow.call_program(at, path, program);
@@ -240,6 +248,7 @@ impl Run {
         }
         let path = if is("SCREEN:") { None } else { Some(self.path_of(output)?) };
         let mask = self.path_of(mask)?;
+        self.check_file(&mask)?;
         let call_path = self.flow.path().to_string();
         let context = Context { language: settings.language, time: settings.time, call_path: &call_path };
         let (output, remarks) = rendered(&mask, &context, &self.values, files)?;
@@ -260,10 +269,7 @@ impl Run {
         settings: &Settings,
     ) -> Result<Step, FaultKind> {
         let cycle = match cycle_of(&block.number, self.flow.program().notation().control()) {
-            Err(_unknown) if settings.skip_unknown => {
-                self.remark(at, Remark::Skipped);
-                return Ok(Step::Went);
-            }
+            Err(_unknown) if settings.skip_unknown => return self.skip_cycle(at, block).map(|()| Step::Went),
             cycle => cycle?,
         };
         self.cycles.check_count()?;
@@ -287,7 +293,7 @@ impl Run {
         self.remarks.add_all(&place, Remark::of_cycle(cycle, &result));
         hand_over(cycle, &result, &path, self.flow.unit(), &mut self.values)?;
         self.values.measured();
-        self.around.stated(block, self.flow.unit(), &mut self.values)?;
+        self.around.stated(block, true, self.flow.unit(), &mut self.values)?;
         if let Some(log) = Log::of(cycle, &result, &self.flow, settings, self.cycles.is_simulated())? {
             self.remarks.add_all(&place, log.other(&result).into_iter().collect());
             log.write(place.clone(), &mut self.prints, files, &mut self.remarks)?;
@@ -308,6 +314,11 @@ impl Run {
     /// M0, M1, M2 and M30 act at once, some are remembered; the others have no effect here.
     fn machine_functions(&mut self, at: usize, functions: &[MachineFunction], settings: &Settings) -> Step {
         self.around.machine_functions(functions);
+        let is_milling = self.flow.program().notation().control() == Control::Milling;
+        if is_milling && functions.iter().any(|function| RESETS.contains(&function.number)) {
+            self.around.lose_system(|| self.flow.made(at));
+            self.remark(at, Remark::NotFollowed);
+        }
         let mut step = Step::Went;
         for function in functions {
             match function.number {

@@ -39,6 +39,7 @@ impl Run {
     /// FN 26: closes the table that is still open.
     fn open_table(&mut self, at: usize, path: &TextOperand, files: &mut Files) -> Result<(), FaultKind> {
         let path = self.path_of(path)?;
+        self.check_file(&path)?;
         if self.tables.path() == Some(&path) {
             return Ok(());
         }

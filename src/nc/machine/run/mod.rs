@@ -1,17 +1,18 @@
 //! The machine as its users see it: set up, run block by block, asked what it has done.
 //!
 //! `blocks` has what each block does; `data` parameters and tables, `around` what sets something up, `lathe` what only lathe
-//! controls have.
+//! controls have, `skipped` what is unknown behind blocks that are not run.
 
 mod around;
 mod blocks;
 mod data;
 mod lathe;
+mod skipped;
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::around::Around;
+use super::around::{Around, Made};
 use super::budget::Settings;
 use super::contacts::Contacts;
 use super::cycles::{CycleRun, Cycles};
@@ -30,7 +31,7 @@ use super::values::Values;
 use crate::control::tool_table::ToolTable;
 use crate::control::variables::{Parameter, Value, Variables};
 use crate::message::Message;
-use crate::nc::program::{Notation, Program, Unit};
+use crate::nc::program::{Notation, Program, Unit, Unread};
 use crate::verdict::Status;
 
 /// The state of a run: what a restart clears.
@@ -45,6 +46,10 @@ struct Run {
     way: Way,
     around: Around,
     remarks: Remarks,
+    /// What unknown blocks that were skipped may do, by their place.
+    unread: BTreeMap<BlockPlace, Arc<Unread>>,
+    /// Skipped blocks that copy, move or delete files.
+    unknown_files: Vec<Made>,
     blocks: u64,
 }
 
@@ -68,6 +73,8 @@ impl Run {
             way: Way::new(&settings.budget, notation),
             around: Around::new(notation),
             remarks: Remarks::new(&settings.budget),
+            unread: BTreeMap::new(),
+            unknown_files: Vec::new(),
             blocks: 0,
         }
     }

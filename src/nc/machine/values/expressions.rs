@@ -21,7 +21,7 @@ impl Values {
             Expression::ToNumber(parameter) => self.to_number(*parameter),
             Expression::Position { source, wanted, from } => self.find(*source, *wanted, *from),
             Expression::TextLength(parameter) => match self.variables.get(*parameter) {
-                None => Ok(-1.0),
+                None => self.check_defined(*parameter).map(|()| -1.0),
                 Some(_) => Ok(count(self.text(*parameter)?)),
             },
             Expression::Compare { source, other } => {
@@ -62,8 +62,14 @@ impl Values {
     /// Whether a jump is made.
     pub(in crate::nc::machine) fn holds(&self, condition: &Condition) -> Result<bool, FaultKind> {
         match condition {
-            Condition::IsDefined(parameter) => Ok(self.variables.get(*parameter).is_some()),
-            Condition::IsUndefined(parameter) => Ok(self.variables.get(*parameter).is_none()),
+            Condition::IsDefined(parameter) => {
+                self.check_defined(*parameter)?;
+                Ok(self.variables.get(*parameter).is_some())
+            }
+            Condition::IsUndefined(parameter) => {
+                self.check_defined(*parameter)?;
+                Ok(self.variables.get(*parameter).is_none())
+            }
             Condition::Compare(left, relation, right) => {
                 Ok(compare(self.operand(*left)?, *relation, self.operand(*right)?))
             }

@@ -5,9 +5,11 @@
 //! | `expressions` | formulas that give a number, and the conditions of jumps |
 //! | `texts` | formulas that give a text |
 //! | `given` | values that were given before the run |
+//! | `lost` | what blocks may have set that were not run |
 
 mod expressions;
 mod given;
+mod lost;
 mod texts;
 
 use std::cell::Cell;
@@ -22,6 +24,7 @@ use crate::message::Arg;
 use crate::nc::program::{Expression, Operand, TextExpression, TextOperand};
 use expressions::reads;
 use given::Given;
+use lost::Lost;
 use texts::text_reads;
 
 /// The range of values on a control: 10^10 either way.
@@ -38,6 +41,7 @@ pub(super) struct Values {
     /// The parameters that the last block has set.
     changed: Vec<Parameter>,
     given: Given,
+    lost: Lost,
     /// The local parameters of the calling programs, the outermost first.
     locals: Vec<Vec<(Parameter, Value)>>,
     /// The most characters of a text.
@@ -56,6 +60,7 @@ impl Values {
             variables: Variables::new(),
             changed: Vec::new(),
             given: Given::default(),
+            lost: Lost::default(),
             locals: Vec::new(),
             longest: settings.budget.text,
             time: settings.time,
@@ -90,12 +95,14 @@ impl Values {
 
     /// Sets a parameter that the machine itself provides.
     pub(super) fn set(&mut self, parameter: Parameter, value: Value) {
+        self.lost.known(parameter);
         self.variables.set(parameter, value);
     }
 
     /// Takes the values of Q parameters away.
     pub(super) fn forget(&mut self, numbers: std::ops::RangeInclusive<u16>) {
         for number in numbers {
+            self.lost.known(Parameter::q(number));
             self.variables.unset(Parameter::q(number));
         }
     }
@@ -133,7 +140,7 @@ impl Values {
             Some(Value::Number(number)) => Ok(*number),
             Some(Value::Length(length)) => Ok(length.to_mm_f64()),
             Some(Value::Text(_)) => Err(FaultKind::NotNumber(parameter)),
-            None => Err(FaultKind::Undefined(parameter)),
+            None => Err(self.missing(parameter)),
         }
     }
 
@@ -143,7 +150,7 @@ impl Values {
         match self.variables.get(parameter) {
             Some(Value::Text(text)) => Ok(text),
             Some(Value::Number(_) | Value::Length(_)) => Err(FaultKind::NotText(parameter)),
-            None => Err(FaultKind::Undefined(parameter)),
+            None => Err(self.missing(parameter)),
         }
     }
 
@@ -223,6 +230,7 @@ impl Values {
         }
         check_whole(parameter, &value)?;
         self.given.overwritten(parameter);
+        self.lost.known(parameter);
         self.variables.set(parameter, value);
         self.changed.push(parameter);
         Ok(())
@@ -277,11 +285,16 @@ impl Values {
     pub(super) fn undefine(&mut self, parameter: Parameter, is_main: bool) -> Option<Value> {
         let given = self.given(parameter, is_main, || false);
         if given.is_none() {
-            self.given.overwritten(parameter);
-            self.variables.unset(parameter);
-            self.changed.push(parameter);
+            self.lost.known(parameter);
+            self.unset(parameter);
         }
         given
+    }
+
+    fn unset(&mut self, parameter: Parameter) {
+        self.given.overwritten(parameter);
+        self.variables.unset(parameter);
+        self.changed.push(parameter);
     }
 
     /// The value that was given before the run, if it takes the place of this assignment: the first one in the main

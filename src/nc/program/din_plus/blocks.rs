@@ -276,6 +276,7 @@ impl<'a> Reader<'a> {
                 | Body::CallProgram(_),
             )) => return self.refuse(line, start, BlockFault::ActsInUnit),
             // What is not understood may measure, too.
+            None if shifts(code) => return self.refuse(line, start, BlockFault::ShiftsInUnit),
             None if code.starts_with(['#', 'L', 'I']) || code.contains("G7") => {
                 return self.refuse(line, start, BlockFault::ActsInUnit);
             }
@@ -341,6 +342,16 @@ impl<'a> Reader<'a> {
 /// Whether a line of data begins a subprogram.
 fn is_subprogram(code: &str) -> bool {
     Cursor::of(code, Notation::DinPlus).take_word("SUBPROGRAM")
+}
+
+/// Whether a block has a G function that shifts, turns or mirrors the system, or chooses another workpiece: their numbers are general
+/// knowledge.
+fn shifts(code: &str) -> bool {
+    code.match_indices('G').any(|(at, _)| {
+        let behind = code.get(at + 1..).unwrap_or_default();
+        let number: String = behind.chars().take_while(char::is_ascii_digit).collect();
+        number.parse().is_ok_and(|number: u32| matches!(number, 49 | 51 | 53..=59 | 99 | 120 | 121 | 152))
+    })
 }
 
 /// A fault in the words of lathe controls.

@@ -42,3 +42,8 @@ pub(super) fn read(source: Source<'_>) -> Vec<Block> {
 pub(super) fn comment(line: &str) -> Option<&str> {
     pieces::piece(line, 0, pieces::front(line).end).0.comment
 }
+
+/// Where the code of a line begins: behind its number and skip mark, in bytes.
+pub(super) fn front_end(line: &str) -> usize {
+    pieces::front(line).end
+}

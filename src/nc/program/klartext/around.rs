@@ -25,7 +25,7 @@ enum End {
 }
 
 /// Paths by their first word.
-const PATHS: [(&str, End); 18] = [
+const PATHS: [(&str, End); 17] = [
     ("LN", End::Written),
     ("LP", End::Computed),
     ("CC", End::Here),
@@ -42,7 +42,6 @@ const PATHS: [(&str, End); 18] = [
     ("FC", End::Computed),
     ("FPOL", End::Here),
     ("FSELECT", End::Here),
-    ("POLARKIN", End::Here),
     ("SPL", End::Computed),
 ];
 
@@ -102,6 +101,9 @@ const FUNCTIONS: [&str; 16] = [
     "MONITORING",
 ];
 
+/// The last of the control's own cycles whose lines are blocks of their own: 39, a contour on a cylinder.
+const MOST_DOTTED: u32 = 39;
+
 /// A block around a measurement, if it is one.
 pub(super) fn around(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
     if cursor.take_words(&["FUNCTION", "MODE"]) {
@@ -109,9 +111,18 @@ pub(super) fn around(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
     }
     if cursor.take_word("FUNCTION") {
         let name = FUNCTIONS.into_iter().find(|name| cursor.take_prefix(name));
-        // FUNCTION COUNT REPEAT LBL jumps.
-        let jumps = cursor.take_rest().split_whitespace().any(|word| word.eq_ignore_ascii_case("LBL"));
-        return Ok(name.filter(|_| !jumps).map(|name| still(&format!("FUNCTION {name}"))));
+        let rest = cursor.take_rest();
+        let has = |wanted: &str| rest.split_whitespace().any(|word| word.eq_ignore_ascii_case(wanted));
+        // FUNCTION COUNT REPEAT LBL jumps; with parallel axes other axes move than those that are named.
+        return Ok(name.filter(|_| !has("LBL")).map(|name| match name {
+            "PARAXMODE" if !has("OFF") => Body::Frame(Frame::NotFollowed),
+            _ => still(&format!("FUNCTION {name}")),
+        }));
+    }
+    if cursor.take_word("POLARKIN") {
+        let ends = cursor.take_word("OFF");
+        cursor.take_rest();
+        return Ok(Some(if ends { still("POLARKIN") } else { Body::Frame(Frame::NotFollowed) }));
     }
     if cursor.take_word("PLANE") {
         return plane(cursor).map(|frame| Some(Body::Frame(frame)));
@@ -378,7 +389,12 @@ pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
         }
         _ => {
             cursor.take_rest();
-            return Ok(Some(still(&format!("CYCL DEF {number}"))));
+            // Above those of the control are cycles of the machine's builder.
+            return Ok(Some(if number.parse::<u32>().is_ok_and(|number| number <= MOST_DOTTED) {
+                still(&format!("CYCL DEF {number}"))
+            } else {
+                Body::CycleDefinition(CycleBlock { number, name: String::new(), lines: Vec::new() })
+            }));
         }
     };
     cursor.end()?;

@@ -1,5 +1,6 @@
 //! Blocks that begin with `FN`, and assignments.
 
+use super::super::around::Frame;
 use super::super::block::{Body, Columns, Condition, Operand};
 use super::super::cursor::{Cursor, Read};
 use super::super::expression::{Expression, NumberFunction, Operation};
@@ -34,10 +35,11 @@ pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
             Ok(Body::TableOpen(cursor.path(None)?))
         }
         // Not 37: what EXPORT hands to the calling program may be a limit, and how it does is on no page that we found.
-        15 | 17 | 19 | 20 | 29 | 38 => {
+        15 | 19 | 20 | 29 | 38 => {
             cursor.take_rest();
             Ok(still(&format!("FN {number}")))
         }
+        17 => system_write(cursor),
         18 => system_read(cursor),
         27 => table_write(cursor),
         28 => table_read(cursor),
@@ -190,6 +192,19 @@ fn system_read(cursor: &mut Cursor<'_>) -> Read<Body> {
     cursor.expect('=', "=")?;
     cursor.take_rest();
     Ok(Body::SystemRead { to })
+}
+
+/// `SYSWRITE ID50 NR1 IDXQ2 = Q1601`: presets, datum tables and rotations can be written, too. Only data of tools and pockets are known
+/// to leave the system alone, and how the probe approaches.
+fn system_write(cursor: &mut Cursor<'_>) -> Read<Body> {
+    cursor.take_word("SYSWRITE");
+    cursor.take_prefix("ID");
+    let group = cursor.whole(u32::MAX)?;
+    cursor.take_rest();
+    Ok(match group {
+        Some(50..=52 | 990) => still("FN 17"),
+        _ => Body::Frame(Frame::NotFollowed),
+    })
 }
 
 fn table_write(cursor: &mut Cursor<'_>) -> Read<Body> {
