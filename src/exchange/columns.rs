@@ -10,9 +10,9 @@ use super::cells::{
 };
 use super::delimited::{Item, Rows, SEPARATORS};
 use super::error::{ImportErrorKind, ImportWarningKind, Role};
+use super::evidence::Evidence;
 use super::own::OwnColumns;
 use super::quantity::{Free, QuantityColumn};
-use super::stated::Stated;
 use super::units;
 use super::words::{self, Rank};
 use crate::length::Unit;
@@ -69,7 +69,7 @@ pub(super) struct Columns {
     /// What a file of Fitcheck says of its values.
     pub(super) own: OwnColumns,
     /// What is said of how a value came about.
-    pub(super) stated: Stated,
+    pub(super) evidence: Evidence,
     /// What is said of a value besides its name.
     pub(super) labels: LabelColumns,
     /// The line of the first row, where the user has said it.
@@ -278,8 +278,8 @@ impl Sample {
         let column = |at: usize| -> Result<LengthColumn, ImportErrorKind> {
             Ok(LengthColumn { at, unit: unit_of(header.get(at).unwrap_or_default())? })
         };
-        let stated = Stated::of(header, measured_at);
-        let used: Vec<usize> = [id, tolerance, nominal, simulated, stated.origin, Some(measured_at)]
+        let evidence = Evidence::of(header, measured_at);
+        let used: Vec<usize> = [id, tolerance, nominal, simulated, evidence.origin, Some(measured_at)]
             .into_iter()
             .flatten()
             .chain(time.iter().copied())
@@ -305,7 +305,7 @@ impl Sample {
             behind: None,
             decimals: None,
             own,
-            stated,
+            evidence,
             labels,
             first: None,
         })
@@ -372,7 +372,7 @@ impl Sample {
             behind: None,
             decimals: None,
             own: OwnColumns::default(),
-            stated: Stated::default(),
+            evidence: Evidence::default(),
             labels: LabelColumns::default(),
             first: None,
         })

@@ -5,7 +5,7 @@
 
 use super::delimited::{Item, LONGEST_ROW, Rows, SEPARATORS};
 use super::error::Role;
-use super::stated::{self, marks_simulation};
+use super::evidence::{self, marks_simulation};
 use super::words;
 use crate::control::text;
 use crate::message::{Located, Place, Say};
@@ -233,7 +233,7 @@ fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, Located
         return Err(Located::in_line(line, cells));
     }
     if let Some((at, text)) = places.simulated.and_then(|at| Some((at, *row.get(at)?))) {
-        match stated::yes_or_no(text).or_else(|| stated::is_simulated(text)) {
+        match evidence::yes_or_no(text).or_else(|| evidence::is_simulated(text)) {
             Some(false) => {}
             Some(true) => return Err(at_cell(line, at, ContactsError::Simulated)),
             None => return Err(at_cell(line, at, ContactsError::Origin { given: super::error::shorten(text) })),

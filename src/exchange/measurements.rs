@@ -13,13 +13,13 @@ use super::claim::Claim;
 use super::columns::{self, Columns, Sample};
 use super::delimited::{Item, LONGEST_ROW, Rows, without_separator_line};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
+use super::evidence::marks_simulation;
 use super::imported::{Sink, Unjudged, WhyUnjudged};
 use super::mapping::Mapping;
 use super::pieces::Pieces;
 use super::rules::{Cell, Found, Refused, Rules};
 use super::sizes::{Size, SizesOf};
 use super::source::{Context, Source, WHOLE};
-use super::stated::marks_simulation;
 use super::{Format, Labels};
 use crate::journal::Record;
 use crate::length::Length;
@@ -370,7 +370,7 @@ impl<'a> Reader<'a, '_, '_> {
             who: label(columns.who),
             claims: columns.status.and_then(|at| Claim::of_word(text(at))).into_iter().collect(),
             place,
-            is_corrected: self.columns.stated.is_corrected(cells),
+            is_corrected: self.columns.evidence.is_corrected(cells),
             ..Labels::default()
         }
     }

@@ -7,10 +7,10 @@ use csv::StringRecord;
 use super::cells;
 use super::columns::{Columns, LengthColumn};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten, shorten_cell};
+use super::evidence;
 use super::imported::{Asked, WhyUnjudged};
 use super::lookup::Lookup;
 use super::quantity::{self, Quantity};
-use super::stated;
 use crate::length::Length;
 use crate::message::Say as _;
 use crate::tolerance::{Callout, CalloutError, Feature, Limits, Sources, ToleranceClass};
@@ -268,11 +268,11 @@ impl Rules<'_> {
     /// Whether the row says that nobody measured.
     fn is_simulated<'c>(&self, cells: &'c StringRecord) -> Result<bool, Refused<'c>> {
         let text = self.columns.simulated.and_then(|at| cells.get(at)).unwrap_or_default().trim();
-        let stated = stated::yes_or_no(text).or_else(|| stated::is_simulated(text));
+        let evidence = evidence::yes_or_no(text).or_else(|| evidence::is_simulated(text));
         let unknown =
             || (Cell { at: self.columns.simulated, text }, ImportErrorKind::Simulated { given: shorten(text) });
-        let is_simulated = stated.ok_or_else(unknown)?;
-        Ok(self.columns.stated.is_simulated(cells)? || is_simulated)
+        let is_simulated = evidence.ok_or_else(unknown)?;
+        Ok(self.columns.evidence.is_simulated(cells)? || is_simulated)
     }
 }
 

@@ -12,10 +12,10 @@ use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
 use crate::exchange::error::{ImportErrorKind, shorten};
+use crate::exchange::evidence::marks_simulation;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::rules::{Found, Rules};
-use crate::exchange::stated::marks_simulation;
 use crate::length::{Length, Unit, Window};
 use crate::message::Say;
 use crate::tolerance::{Bounds, Sources, ToleranceClass};
@@ -117,11 +117,11 @@ impl<'a> Court<'a> {
             measured: (columns.measured.at, columns.measured.unit),
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
             // Simulated rows are counted where each is read as a whole.
-            tolerance: columns.tolerance.filter(|_| !columns.stated.are_simulated),
+            tolerance: columns.tolerance.filter(|_| !columns.evidence.are_simulated),
             aside: columns
                 .simulated
                 .into_iter()
-                .chain(columns.stated.origin)
+                .chain(columns.evidence.origin)
                 .chain(columns.own.deciding().into_iter().flatten())
                 .collect(),
             quantities: &columns.quantities,
@@ -356,7 +356,7 @@ impl Judge<'_> {
         let (has_commas, sources) = (self.court.fast.has_commas, self.court.sources);
         let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
         if self.court.fast.has_comments && cells::is_comment(&cells) {
-            if marks_simulation(&cells) && !columns.stated.are_simulated {
+            if marks_simulation(&cells) && !columns.evidence.are_simulated {
                 return Self::refuse(row, None, &ImportErrorKind::SimulatedBelow, tally, take);
             }
             if rules.hides_measurement(&cells) {

@@ -94,7 +94,7 @@ impl Layout {
         let is_utf8 = matches!(decoded, Cow::Borrowed(_)) || above.is_ascii();
         let skip = mark + if let Cow::Borrowed(_) = decoded { above.len() } else { above.chars().count() };
         let above = [if mark == 0 { &[] } else { MARK }, above.as_bytes()].concat();
-        columns.stated.are_simulated =
+        columns.evidence.are_simulated =
             above.split(|byte| matches!(byte, b'\n' | b'\r')).any(|line| is_mark(&utf8(line)));
         let comments = mark + above_header..mark + above_header + if has_header { header_start } else { length };
         if has_header {
@@ -160,7 +160,7 @@ impl Layout {
         columns.measured.at == at
             || columns.tolerance == Some(at)
             || columns.simulated == Some(at)
-            || columns.stated.origin == Some(at)
+            || columns.evidence.origin == Some(at)
             || columns.own.deciding().contains(&Some(at))
             || columns.nominal.is_some_and(|nominal| nominal.at == at)
             || columns.quantities.iter().any(|column| column.at == at)
@@ -168,7 +168,7 @@ impl Layout {
 
     /// Whether the mark of a simulation stands above its rows.
     pub const fn are_simulated(&self) -> bool {
-        self.columns.stated.are_simulated
+        self.columns.evidence.are_simulated
     }
 
     /// The separator of its cells.

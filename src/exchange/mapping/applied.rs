@@ -5,9 +5,9 @@ use super::{Column, Mapping, is_named};
 use crate::exchange::cells;
 use crate::exchange::columns::{self, Columns, LabelColumns, LengthColumn, Sample, unit_of};
 use crate::exchange::error::{ImportErrorKind, Role, shorten};
+use crate::exchange::evidence::Evidence;
 use crate::exchange::own::OwnColumns;
 use crate::exchange::quantity::QuantityColumn;
-use crate::exchange::stated::Stated;
 use crate::exchange::words;
 
 /// What a mapping says of the columns of a file, and what is detected beside it.
@@ -190,24 +190,24 @@ impl Said<'_> {
             behind: None,
             decimals: None,
             own: if self.names.is_empty() { OwnColumns::default() } else { OwnColumns::of(&self.names) },
-            stated: self.stated(measured),
+            evidence: self.evidence(measured),
             labels,
             first: self.mapping.first_row,
         })
     }
 
     /// What the names say of how a value came about; of its origin only where no other column is said to tell it.
-    fn stated(&self, measured: usize) -> Stated {
-        let mut stated = Stated::of(&self.names, measured);
-        stated.origin = stated.origin.filter(|at| self.of(Role::Simulated).is_none() && !self.is_used(*at));
-        stated
+    fn evidence(&self, measured: usize) -> Evidence {
+        let mut evidence = Evidence::of(&self.names, measured);
+        evidence.origin = evidence.origin.filter(|at| self.of(Role::Simulated).is_none() && !self.is_used(*at));
+        evidence
     }
 
     /// The names of the columns that are not used.
     fn ignored(&self, columns: &Columns) -> Vec<String> {
         let roles = roles(columns);
         let is_ignored = |at: &usize| {
-            let is_own = columns.own.of_correction().chain(columns.stated.origin).any(|own| own == *at);
+            let is_own = columns.own.of_correction().chain(columns.evidence.origin).any(|own| own == *at);
             let is_named = self.names.is_empty() || self.names.get(*at).is_some_and(|name| !name.trim().is_empty());
             roles.get(*at).is_some_and(Option::is_none) && !is_own && is_named
         };

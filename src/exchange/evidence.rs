@@ -10,7 +10,7 @@ use crate::control::simulated::is_mark;
 
 /// Where they are.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
-pub(super) struct Stated {
+pub(super) struct Evidence {
     /// A column that says where a value comes from: `simulated, cycle 421`, `typed`.
     pub(super) origin: Option<usize>,
     /// A column that says whether a value was brought to 20 °C.
@@ -21,7 +21,7 @@ pub(super) struct Stated {
     pub(super) are_simulated: bool,
 }
 
-impl Stated {
+impl Evidence {
     /// The columns of a header beside that of the measured values.
     pub(super) fn of(header: &StringRecord, measured: usize) -> Self {
         let at =
