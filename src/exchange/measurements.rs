@@ -19,6 +19,7 @@ use super::pieces::Pieces;
 use super::rules::{Cell, Found, Refused, Rules};
 use super::sizes::{Size, SizesOf};
 use super::source::{Context, Source, WHOLE};
+use super::stated;
 use super::{Format, Labels};
 use crate::journal::Record;
 use crate::length::Length;
@@ -63,6 +64,8 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
     let context = source.context.clone();
     let (mapping, detects) = (source.given.mapping, Mapping::default());
     let has_plan = source.given.has_plan;
+    // What is stated behind the last row holds for the first one as well.
+    let unit_lines = stated::unit_lines(&mut source.pieces(LINE_ENDS)?)?;
     let mut pieces = source.pieces(LINE_ENDS)?;
     let head = head(&mut pieces)?;
     let (text, first_line, separator) = without_separator_line(&head);
@@ -70,6 +73,7 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
     let mut sample = Sample::of(text, first_line, mapping.separator().or(separator));
     let separator = sample.separator;
     let columns = mapping.columns(&mut sample)?;
+    stated::agree(&columns, &unit_lines)?;
     // The first rows are read once more with the rest.
     drop(sample);
     let mut reader = Reader { source: &context, columns: &columns, separator, has_plan, sink, is_open: false, sizes };
@@ -202,6 +206,9 @@ impl<'a> Reader<'a, '_, '_> {
 
     fn warn_of_columns(&mut self, first_line: usize) {
         let line = self.columns.header.unwrap_or(first_line);
+        if let Some((line, reason)) = self.columns.stated.told(self.columns) {
+            self.warn(line, reason);
+        }
         if self.columns.own.are_corrected() {
             self.warn(line, ImportWarningKind::Corrected);
         }
@@ -228,10 +235,14 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     fn row(&mut self, line: usize, cells: &StringRecord) {
-        if cells::is_blank(cells) {
+        if cells::is_blank(cells) || self.columns.stated.is_row_of_units(cells) {
             return;
         }
+        let stray = || stated::stray(self.columns, line, cells);
         if cells::is_comment(cells) {
+            if let Some(reason) = stray() {
+                return self.refuse(line, Cell { at: None, text: cells.get(0).unwrap_or_default() }, reason);
+            }
             let rules = self.rules();
             let hides = match &self.sizes {
                 Some(sizes) => rules.hides_size(cells, sizes.feature),
@@ -248,6 +259,7 @@ impl<'a> Reader<'a, '_, '_> {
         }
         match self.columns.header {
             Some(header) if line == header && self.columns.names_known => return,
+            _ if self.columns.stated.told(self.columns).is_some_and(|(told, _)| told == line) => return,
             Some(header) if line <= header => return self.warn(line, ImportWarningKind::not_used(cells)),
             _ if self.columns.first.is_some_and(|first| line < first) => {
                 return self.warn(line, ImportWarningKind::not_used(cells));
@@ -256,7 +268,7 @@ impl<'a> Reader<'a, '_, '_> {
         }
         let read = if self.sizes.is_some() { self.size(line, cells) } else { self.measurement(line, cells) };
         if let Err((cell, reason)) = read {
-            self.refuse(line, cell, reason);
+            self.refuse(line, cell, stray().unwrap_or(reason));
         }
     }
 
@@ -323,7 +335,7 @@ impl<'a> Reader<'a, '_, '_> {
         let place = columns.place.map(|column| {
             let column = column.filter(|column| !text(column.at).is_empty())?;
             let given = shorten(text(column.at));
-            let length = Length::parse_in(&given, column.unit).ok();
+            let length = Length::parse_in(&given, self.columns.stated.of_place(column, cells)).ok();
             if length.is_none() {
                 let place = Place::in_line(line, column.at + 1);
                 self.sink.warn(place, Some(line), ImportWarningKind::Place { given });

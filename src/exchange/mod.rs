@@ -23,6 +23,7 @@
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
 //! | `sizes` | what was measured alone, of holes or of shafts |
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
+//! | `stated` | what a file states about units beside the names of its columns |
 //! | `mapping` | which column is which as the user says |
 //! | `lookup` | callouts that are read, and limits that are looked up, once for many rows |
 //! | `own` | what a CSV of Fitcheck says of its values beside them |
@@ -66,6 +67,7 @@ mod rules;
 mod sizes;
 mod source;
 pub mod sql;
+mod stated;
 pub mod tables;
 mod units;
 mod warning;

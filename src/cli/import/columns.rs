@@ -86,7 +86,11 @@ fn text(path: &Path, detected: &Detected, io: &mut Io<'_>) -> Result<(), CliErro
         let line = format!("{number:>4}  {name:<names$}  {held:<holds$}  {first}");
         writeln!(out, "{}", line.trim_end())?;
     }
-    writeln!(out, "\n{}", detected.mapping.to_toml())?;
+    writeln!(out)?;
+    if let Some(from) = &detected.unit_from {
+        writeln!(out, "# unit: {from}")?;
+    }
+    writeln!(out, "{}", detected.mapping.to_toml())?;
     Ok(())
 }
 
@@ -109,5 +113,6 @@ fn as_json(path: &Path, detected: &Detected) -> Json {
         "file": path.display().to_string(),
         "columns": columns.collect::<Vec<_>>(),
         "mapping": detected.mapping.to_toml(),
+        "unit_from": detected.unit_from,
     })
 }

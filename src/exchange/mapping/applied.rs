@@ -6,6 +6,7 @@ use crate::exchange::cells;
 use crate::exchange::columns::{self, Columns, LabelColumns, LengthColumn, Sample, unit_of};
 use crate::exchange::error::{ImportErrorKind, Role, shorten};
 use crate::exchange::own::OwnColumns;
+use crate::exchange::stated::{self, Stated};
 use crate::exchange::words;
 
 /// What a mapping says of the columns of a file, and what is detected beside it.
@@ -33,6 +34,7 @@ impl Mapping {
         let header = sample.header.or(unknown).and_then(|at| sample.rows.get(at)).cloned();
         let names = header.as_ref().map(|(_, names)| names.clone()).unwrap_or_default();
         let said = self.said(&names, width)?;
+        (sample.given, sample.has_place_unit) = (self.unit(), self.place_unit().is_some());
         sample.measured = said.iter().find(|(role, _)| *role == Role::Measured).and_then(|(_, at)| *at);
         let detected = sample.columns();
         let is_used = |at: usize| said.iter().any(|(_, of)| *of == Some(at));
@@ -50,6 +52,7 @@ impl Mapping {
         columns.ignored = said.ignored(&columns);
         sample.look_at_values(&mut columns);
         columns.decimal_sign = self.decimal().or(columns.decimal_sign);
+        stated::decide(sample, &mut columns)?;
         Ok(columns)
     }
 
@@ -79,6 +82,7 @@ impl Mapping {
         if let Some(first) = first {
             sample.above = first;
         }
+        sample.find_units_row();
     }
 
     /// The columns that are said, from 0; `None` for a role that no column has.
@@ -178,6 +182,7 @@ impl Said<'_> {
             own: if self.names.is_empty() { OwnColumns::default() } else { OwnColumns::of(&self.names) },
             labels,
             first: self.mapping.first_row,
+            stated: Stated::default(),
         })
     }
 
