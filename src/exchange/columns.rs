@@ -13,6 +13,7 @@ use super::error::{ImportErrorKind, ImportWarningKind, Role};
 use super::evidence::Evidence;
 use super::own::OwnColumns;
 use super::quantity::{Free, QuantityColumn};
+use super::stated::{self, Stated};
 use super::units;
 use super::words::{self, Rank};
 use crate::length::Unit;
@@ -74,6 +75,8 @@ pub(super) struct Columns {
     pub(super) labels: LabelColumns,
     /// The line of the first row, where the user has said it.
     pub(super) first: Option<usize>,
+    /// What is stated of units beside the names of the columns.
+    pub(super) stated: Stated,
 }
 
 /// The columns of [`Labels`](super::Labels).
@@ -143,6 +146,13 @@ pub(super) struct Sample {
     is_last_open: bool,
     /// The column of measured values, where the user has said it.
     pub(super) measured: Option<usize>,
+    /// Comments that may state a unit.
+    pub(super) comments: Vec<(usize, StringRecord)>,
+    /// The row of units below the header.
+    pub(super) units_row: Option<usize>,
+    /// The unit of sizes, where the user has said it, and whether that of places is said.
+    pub(super) given: Option<Unit>,
+    pub(super) has_place_unit: bool,
 }
 
 impl Sample {
@@ -152,20 +162,14 @@ impl Sample {
         let samples = tried.iter().map(|&separator| Self::split(text, first_line, separator));
         // The first of equals: the separators are in order of trust.
         let best = samples.reduce(|best, other| if best.sense() < other.sense() { other } else { best });
-        best.unwrap_or(Self {
-            separator: b';',
-            rows: Vec::new(),
-            header: None,
-            above: 0,
-            is_last_open: false,
-            measured: None,
-        })
+        best.unwrap_or_else(|| Self::of_rows(Vec::new(), Vec::new(), b';'))
     }
 
     fn split(text: &str, first_line: usize, separator: u8) -> Self {
+        let mut comments = Vec::new();
         let rows = Rows::new(text, first_line, separator).filter_map(|item| match item {
-            Item::Row { line, cells } if !is_blank(&cells) && !is_comment(&cells) => Some((line, cells)),
-            Item::Row { .. } | Item::OpenQuote { .. } | Item::TooLong { .. } => None,
+            Item::Row { line, cells } => row(line, cells, &mut comments),
+            Item::OpenQuote { .. } | Item::TooLong { .. } => None,
         });
         let mut bytes = 0;
         let mut is_enough = |(_, cells): &(usize, StringRecord)| {
@@ -181,21 +185,53 @@ impl Sample {
             sample.push(row);
         }
         let is_last_open = !text.ends_with(['\n', '\r']) && rows.next().is_none();
-        Self { is_last_open, ..Self::of_rows(sample, separator) }
+        Self { is_last_open, ..Self::of_rows(sample, comments, separator) }
     }
 
     /// The first rows of a file that has cells as such, without those that are blank or comments.
     pub(super) fn of_cells(rows: impl Iterator<Item = (usize, StringRecord)>) -> Self {
-        let rows = rows.filter(|(_, cells)| !is_blank(cells) && !is_comment(cells));
-        Self::of_rows(rows.take(SAMPLE).collect(), NO_SEPARATOR)
+        let mut comments = Vec::new();
+        let rows = rows.filter_map(|(line, cells)| row(line, cells, &mut comments)).take(SAMPLE).collect();
+        Self::of_rows(rows, comments, NO_SEPARATOR)
     }
 
-    fn of_rows(rows: Vec<(usize, StringRecord)>, separator: u8) -> Self {
+    fn of_rows(rows: Vec<(usize, StringRecord)>, comments: Vec<(usize, StringRecord)>, separator: u8) -> Self {
         let header = header(&rows);
         // Unknown names are not a measurement either.
         let unknown = rows.first().is_some_and(|(_, cells)| may_be_names(cells));
         let above = header.map_or(usize::from(unknown), |header| header + 1);
-        Self { separator, rows, header, above, is_last_open: false, measured: None }
+        let mut sample = Self {
+            separator,
+            rows,
+            header,
+            above,
+            is_last_open: false,
+            measured: None,
+            comments,
+            units_row: None,
+            given: None,
+            has_place_unit: false,
+        };
+        sample.find_units_row();
+        sample
+    }
+
+    /// Finds the row of units below the header: no measurement.
+    pub(super) fn find_units_row(&mut self) {
+        let at = self.header.map_or(self.above, |header| header + 1);
+        let header = at.checked_sub(1).and_then(|header| self.rows.get(header));
+        let is_one = |((_, header), (_, cells)): &(&(usize, StringRecord), &(usize, StringRecord))| {
+            stated::is_row_of_units(header, cells)
+        };
+        self.units_row = header.zip(self.rows.get(at)).filter(is_one).map(|_| at);
+        if self.units_row.is_some() {
+            self.above = self.above.max(at + 1);
+        }
+    }
+
+    /// Whether a column has no cells below the header.
+    pub(super) fn is_empty(&self, at: usize) -> bool {
+        self.cells(at).next().is_none()
     }
 
     /// How many columns the header names, how many rows hold a callout and a number, and how many rows have cells.
@@ -230,6 +266,7 @@ impl Sample {
             columns
         };
         self.look_at_values(&mut columns);
+        stated::decide(self, &mut columns)?;
         Ok(columns)
     }
 
@@ -308,6 +345,7 @@ impl Sample {
             evidence,
             labels,
             first: None,
+            stated: Stated::default(),
         })
     }
 
@@ -375,6 +413,7 @@ impl Sample {
             evidence: Evidence::default(),
             labels: LabelColumns::default(),
             first: None,
+            stated: Stated::default(),
         })
     }
 
@@ -462,6 +501,20 @@ fn free(header: &StringRecord, roles: &Roles, at: usize) -> Free {
         }
         _ => Free::No,
     }
+}
+
+/// A row of a sample; a comment is none, and kept apart.
+fn row(line: usize, cells: StringRecord, comments: &mut Vec<(usize, StringRecord)>) -> Option<(usize, StringRecord)> {
+    if is_blank(&cells) {
+        return None;
+    }
+    if is_comment(&cells) {
+        if stated::may_state(&cells) {
+            comments.push((line, cells));
+        }
+        return None;
+    }
+    Some((line, cells))
 }
 
 /// Whether a text is a list of contacts: a header x, y or rows of two or three numbers, and no callout.

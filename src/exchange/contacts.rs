@@ -6,6 +6,7 @@
 use super::delimited::{Item, LONGEST_ROW, Rows, SEPARATORS};
 use super::error::Role;
 use super::evidence::{self, marks_simulation};
+use super::stated;
 use super::words;
 use crate::control::text;
 use crate::message::{Located, Place, Say};
@@ -76,6 +77,11 @@ pub enum ContactsError {
         /// What was found.
         given: String,
     },
+    /// Another unit than millimetres, in a comment, in a row of units or in a column of them.
+    OtherUnit {
+        /// What was given.
+        given: String,
+    },
     /// A quotation mark that is not closed.
     OpenQuote,
     /// A row that is too long.
@@ -113,7 +119,7 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
     let separator = separator(&text);
     let mut read = Contacts { contacts: Vec::new(), has_heights: false, ignored: Vec::new() };
     let mut places: Option<Places> = None;
-    let mut decimal_sign = None;
+    let (mut decimal_sign, mut unit) = (None, None);
     for item in Rows::new(&text, 1, separator) {
         let (line, cells) = match item {
             Item::Row { line, cells } => (line, cells),
@@ -136,15 +142,23 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
             if 2 <= more.iter().copied().chain([first.trim()]).filter(|cell| number(cell).is_some()).count() {
                 return Err(at_cell(line, 0, ContactsError::Comment));
             }
+            in_mm(&row, line)?;
             continue;
         }
         if !is_header(&row) {
             same_sign(&row, line, &mut decimal_sign)?;
         }
         match places {
-            Some(places) => read.contacts.push(contact(&row, places, line)?),
+            Some(_) if read.contacts.is_empty() && stated::are_units(row.iter().copied()) => in_mm(&row, line)?,
+            Some(places) => {
+                if let Some(cell) = unit.and_then(|at| row.get(at)) {
+                    in_mm(&[*cell], line)?;
+                }
+                read.contacts.push(contact(&row, places, line)?);
+            }
             None if is_header(&row) => {
                 places = Some(header(&row, line, &mut read.ignored)?);
+                unit = row.iter().position(|name| stated::names_units(name));
             }
             None => {
                 let found = Places {
@@ -164,6 +178,13 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
         return Err(Located { what: ContactsError::FileEmpty, place: Place::default() });
     }
     Ok(read)
+}
+
+/// Refuses cells that state another unit than millimetres.
+fn in_mm(row: &[&str], line: usize) -> Result<(), Located<ContactsError>> {
+    let refused =
+        |given: String| Located::in_line(line, ContactsError::OtherUnit { given: super::error::shorten(&given) });
+    stated::not_mm(row.iter().copied()).map_or(Ok(()), |given| Err(refused(given)))
 }
 
 /// Refuses point and comma as decimal signs in one file: one of them is a slip, and nobody can tell which.

@@ -182,7 +182,7 @@ impl<'a> Reader<'a> {
 }
 
 /// The lines of a text from a byte on, with their numbers, beginnings and ends; a line includes its line end.
-fn lines(text: &str, mut from: usize, mut number: usize) -> impl Iterator<Item = (usize, usize, usize)> {
+pub(super) fn lines(text: &str, mut from: usize, mut number: usize) -> impl Iterator<Item = (usize, usize, usize)> {
     let bytes = text.as_bytes();
     std::iter::from_fn(move || {
         let rest = bytes.get(from..).filter(|rest| !rest.is_empty())?;

@@ -331,6 +331,69 @@ pub enum ImportErrorKind {
         /// What was given.
         unit: String,
     },
+    /// A title, comment or column that states a unit which is not read.
+    UnitStated {
+        /// Where.
+        line: usize,
+        /// What was given.
+        unit: String,
+        /// The text of the line.
+        text: String,
+    },
+    /// A title or comment that names a unit, and does not say that values are in it.
+    UnitMentioned {
+        /// Where.
+        line: usize,
+        /// The unit.
+        unit: String,
+        /// The text of the line.
+        text: String,
+    },
+    /// Two statements of units that contradict each other.
+    UnitsDiffer {
+        /// The first unit.
+        unit: String,
+        /// What says so.
+        at: String,
+        /// The other one.
+        other: String,
+        /// What says so.
+        other_at: String,
+    },
+    /// A line behind the first row that states another unit than rows were read by.
+    UnitLate {
+        /// Where.
+        line: usize,
+        /// What it states.
+        unit: String,
+        /// Its text.
+        text: String,
+        /// The unit of the rows.
+        read: String,
+    },
+    /// The file states another unit than the user says.
+    UnitGiven {
+        /// What the user says.
+        given: String,
+        /// What the file states.
+        unit: String,
+        /// Its text there.
+        text: String,
+    },
+    /// One column of lengths is in inch, and another one says nothing.
+    UnitHalf {
+        /// The one in inch.
+        column: String,
+        /// The other one.
+        open: String,
+    },
+    /// A row whose unit is missing, where a column states it.
+    UnitMissing,
+    /// A callout with a size or deviations of its own, in mm by its nature, in a row of inches.
+    CalloutUnit {
+        /// What was given.
+        given: String,
+    },
     /// A required cell is missing.
     RowShort {
         /// How many cells there are.

@@ -20,6 +20,7 @@ use super::pieces::Pieces;
 use super::rules::{Cell, Found, Refused, Rules};
 use super::sizes::{Size, SizesOf};
 use super::source::{Context, Source, WHOLE};
+use super::stated;
 use super::{Format, Labels};
 use crate::journal::Record;
 use crate::length::Length;
@@ -64,6 +65,8 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
     let context = source.context.clone();
     let (mapping, detects) = (source.given.mapping, Mapping::default());
     let has_plan = source.given.has_plan;
+    // What is stated behind the last row holds for the first one as well.
+    let unit_lines = stated::unit_lines(&mut source.pieces(LINE_ENDS)?)?;
     let mut pieces = source.pieces(LINE_ENDS)?;
     let head = head(&mut pieces)?;
     let (text, first_line, separator) = without_separator_line(&head);
@@ -71,6 +74,7 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
     let mut sample = Sample::of(text, first_line, mapping.separator().or(separator));
     let separator = sample.separator;
     let columns = mapping.columns(&mut sample)?;
+    stated::agree(&columns, &unit_lines)?;
     // The first rows are read once more with the rest.
     drop(sample);
     let mut reader = Reader {
@@ -217,6 +221,9 @@ impl<'a> Reader<'a, '_, '_> {
 
     fn warn_of_columns(&mut self, first_line: usize) {
         let line = self.columns.header.unwrap_or(first_line);
+        if let Some((line, reason)) = self.columns.stated.told(self.columns) {
+            self.warn(line, reason);
+        }
         if self.columns.own.are_corrected() {
             self.warn(line, ImportWarningKind::Corrected);
         }
@@ -246,14 +253,18 @@ impl<'a> Reader<'a, '_, '_> {
     }
 
     fn row(&mut self, line: usize, cells: &StringRecord) {
-        if cells::is_blank(cells) {
+        if cells::is_blank(cells) || self.columns.stated.is_row_of_units(cells) {
             return;
         }
         if marks_simulation(cells) {
             self.is_simulated = true;
             return;
         }
+        let stray = || stated::stray(self.columns, line, cells);
         if cells::is_comment(cells) {
+            if let Some(reason) = stray() {
+                return self.refuse(line, Cell { at: None, text: cells.get(0).unwrap_or_default() }, reason);
+            }
             let rules = self.rules();
             let hides = match &self.sizes {
                 Some(sizes) => rules.hides_size(cells, sizes.feature),
@@ -270,6 +281,7 @@ impl<'a> Reader<'a, '_, '_> {
         }
         match self.columns.header {
             Some(header) if line == header && self.columns.names_known => return,
+            _ if self.columns.stated.told(self.columns).is_some_and(|(told, _)| told == line) => return,
             Some(header) if line <= header => return self.warn(line, ImportWarningKind::not_used(cells)),
             _ if self.columns.first.is_some_and(|first| line < first) => {
                 return self.warn(line, ImportWarningKind::not_used(cells));
@@ -278,7 +290,7 @@ impl<'a> Reader<'a, '_, '_> {
         }
         let read = if self.sizes.is_some() { self.size(line, cells) } else { self.measurement(line, cells) };
         if let Err((cell, reason)) = read {
-            self.refuse(line, cell, reason);
+            self.refuse(line, cell, stray().unwrap_or(reason));
         }
     }
 
@@ -356,7 +368,7 @@ impl<'a> Reader<'a, '_, '_> {
         let place = columns.place.map(|column| {
             let column = column.filter(|column| !text(column.at).is_empty())?;
             let given = shorten(text(column.at));
-            let length = Length::parse_in(&given, column.unit).ok();
+            let length = Length::parse_in(&given, self.columns.stated.of_place(column, cells)).ok();
             if length.is_none() {
                 let place = Place::in_line(line, column.at + 1);
                 self.sink.warn(place, Some(line), ImportWarningKind::Place { given });

@@ -26,6 +26,7 @@
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
 //! | `rivals` | which of several columns is the measured value, the nominal size, the callout: one, or none in silence |
 //! | `quantity` | what a row says that was measured of its feature |
+//! | `stated` | what a file states about units beside the names of its columns |
 //! | `mapping` | which column is which as the user says |
 //! | `lookup` | callouts that are read, and limits that are looked up, once for many rows |
 //! | `own` | what a CSV of Fitcheck says of its values beside them |
@@ -73,6 +74,7 @@ mod rules;
 mod sizes;
 mod source;
 pub mod sql;
+mod stated;
 pub mod tables;
 mod units;
 mod warning;

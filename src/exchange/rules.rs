@@ -98,7 +98,7 @@ impl Rules<'_> {
     /// What a row without a callout says that its value should be.
     fn said<'c>(&self, cells: &'c StringRecord) -> Result<Asked, Refused<'c>> {
         let nominal = self.columns.nominal.filter(|column| !is_blank(cells, column.at));
-        let nominal = nominal.map(|column| length(cells, column, ImportErrorKind::Nominal)).transpose()?;
+        let nominal = nominal.map(|column| self.length(cells, column, ImportErrorKind::Nominal)).transpose()?;
         let [minimum, maximum] = self.columns.own.limits(cells);
         Ok(Asked { nominal: nominal.map(|(_, nominal)| nominal), minimum, maximum })
     }
@@ -190,7 +190,7 @@ impl Rules<'_> {
     }
 
     fn any_measured<'c>(&self, cells: &'c StringRecord) -> Result<Length, Refused<'c>> {
-        let (cell, measured) = length(cells, self.columns.measured, ImportErrorKind::Measured)?;
+        let (cell, measured) = self.length(cells, self.columns.measured, ImportErrorKind::Measured)?;
         let given = || shorten(cell.text);
         if let Some(sign) = self.columns.decimal_sign
             && cell.text.contains(if sign == '.' { ',' } else { '.' })
@@ -210,6 +210,20 @@ impl Rules<'_> {
         Ok(measured)
     }
 
+    /// A length of a row, in the unit that is stated for it.
+    fn length<'c>(
+        &self,
+        cells: &'c StringRecord,
+        column: LengthColumn,
+        reason: fn(crate::length::LengthError) -> ImportErrorKind,
+    ) -> Result<(Cell<'c>, Length), Refused<'c>> {
+        let column = self.columns.stated.in_row(column, cells)?;
+        let text = cells.get(column.at).unwrap_or_default().trim();
+        let cell = Cell { at: Some(column.at), text };
+        let length = Length::parse_in(&shorten_cell(text), column.unit).map_err(|error| (cell, reason(error)))?;
+        Ok((cell, length))
+    }
+
     /// The callout of a row and its cell; `None` where the cell is empty or there is no such column.
     fn callout<'c>(
         &self,
@@ -226,10 +240,14 @@ impl Rules<'_> {
         let given = shorten_cell(text);
         let nominal = match self.columns.nominal {
             Some(column) if begins_with_letter || !is_blank(cells, column.at) => {
-                Some(length(cells, column, ImportErrorKind::Nominal)?)
+                Some(self.length(cells, column, ImportErrorKind::Nominal)?)
             }
             _ => None,
         };
+        let is_class = begins_with_letter && nominal.is_some();
+        if !is_class && self.columns.stated.is_inch(cells) {
+            return Err((cell, ImportErrorKind::CalloutUnit { given: given.into_owned() }));
+        }
         let read = match nominal {
             Some((_, nominal)) if begins_with_letter => {
                 given.parse().map_err(CalloutError::from).and_then(|class| Callout::new(nominal, class))
@@ -284,15 +302,4 @@ fn uncommented(cells: &StringRecord) -> StringRecord {
 
 fn is_blank(cells: &StringRecord, at: usize) -> bool {
     cells.get(at).is_none_or(|cell| cell.trim().is_empty())
-}
-
-fn length(
-    cells: &StringRecord,
-    column: LengthColumn,
-    reason: fn(crate::length::LengthError) -> ImportErrorKind,
-) -> Result<(Cell<'_>, Length), Refused<'_>> {
-    let text = cells.get(column.at).unwrap_or_default().trim();
-    let cell = Cell { at: Some(column.at), text };
-    let length = Length::parse_in(&shorten_cell(text), column.unit).map_err(|error| (cell, reason(error)))?;
-    Ok((cell, length))
 }

@@ -187,12 +187,12 @@ fn is_full_unit(word: &str) -> bool {
 }
 
 /// Whether a unit is one at the end only, because the word means something else: "in the machine".
-fn is_also_a_word(word: &str) -> bool {
+pub(super) fn is_also_a_word(word: &str) -> bool {
     matches!(word.to_lowercase().as_str(), "in" | "um")
 }
 
 /// Units of length that are not read.
-fn is_foreign(word: &str) -> bool {
+pub(super) fn is_foreign(word: &str) -> bool {
     matches!(
         word,
         "m" | "cm"

@@ -160,6 +160,13 @@ pub enum ImportWarningKind {
         /// The expanded uncertainty.
         expanded: Length,
     },
+    /// Lengths in another unit than mm, as a line of the file states.
+    UnitRead {
+        /// The unit.
+        unit: String,
+        /// The line's text.
+        text: String,
+    },
     /// Lengths without a unit are taken for millimetres.
     UnitAssumed,
     /// A length with figures beyond the nanometre, which is rounded.

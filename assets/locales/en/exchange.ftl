@@ -41,6 +41,14 @@ exchange-role-quantity = what was measured
 exchange-no-column = { $role } should be in column { $given }, but the file has { $columns }
 exchange-column-twice = column { $column } cannot be both { $first } and { $second }
 exchange-unit = unknown unit { $unit }: use mm, µm or inch
+exchange-unit-stated = line { $line } states the unit { $unit }, which is not read (“{ $text }”): use mm, µm or inch, or choose the unit of sizes (--columns unit=mm)
+exchange-unit-mentioned = line { $line } mentions { $unit } (“{ $text }”), and nothing says whether the values are in it: choose the unit of sizes (--columns unit=mm, um or inch)
+exchange-units-differ = “{ $at }” says { $unit }, “{ $other-at }” says { $other }: correct one of them
+exchange-unit-late = line { $line } states { $unit } (“{ $text }”), but the rows above it are read in { $read }: state the unit above the first row, or correct that line
+exchange-unit-given = the unit chosen is { $given }, but the file says { $unit } (“{ $text }”): choose { $unit }, or correct the file
+exchange-unit-half = column { $column } is in inch, and column { $open } does not say its unit: write it beside both names, or choose the unit of sizes (--columns unit=inch)
+exchange-unit-missing = the unit of this row is missing: write mm, µm or inch, or choose the unit of sizes (--columns unit=mm)
+exchange-callout-unit = { $given }: the row is in inch, and a callout with a size or deviations is in mm: put the nominal size in a column of its own beside the class
 exchange-row-short = expected { $expected } cells, found { $found }
 exchange-row-long = expected { $expected } cells, found { $found }: is the separator also used as decimal sign or within a text?
 exchange-row-too-long = the row is longer than { $most } KiB
@@ -99,6 +107,7 @@ contacts-cells = expected { $wanted } cells, found { $cells }: { $given }
 contacts-not-a-number = { $name } is { $given }, not a number of millimetres
 contacts-row-too-long = the row is longer than { $most } KiB
 contacts-comment = a line that begins with # is a comment, but this one holds coordinates: take the # away, or the whole line
+contacts-other-unit = contacts are in mm, but this line states { $given }: convert them to mm
 contacts-too-many = the file has more than { $most } contacts
 contacts-simulated = these contacts are simulated: nothing is measured by them; take a workpiece file instead
 contacts-origin = { $given } says neither measured nor simulated: write measured or simulated, or take the column away
@@ -160,6 +169,7 @@ exchange-warning-found-by-place = matched by location to { $name } of the plan
 exchange-format-aqdef = Q-DAS AQDEF, in one file or as .dfd and .dfx
 exchange-format-calypso = CALYPSO tables of characteristics such as NAME_chr.txt
 exchange-warning-unit-assumed = no unit given: lengths without a unit are read as mm
+exchange-warning-unit-read = lengths are read in { $unit }, as the file states: { $text }
 exchange-warning-rounded = { $given } has digits beyond the nanometre: it is rounded to the nearest nanometre
 exchange-warning-rounded-values = { $count ->
         [one] 1 measured value has digits beyond the nanometre, from this line on: it is rounded to the nearest nanometre

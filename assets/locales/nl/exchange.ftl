@@ -41,6 +41,14 @@ exchange-role-quantity = wat gemeten is
 exchange-no-column = { $role } zou in kolom { $given } staan, en het bestand heeft { $columns }
 exchange-column-twice = kolom { $column } kan niet tegelijk { $first } en { $second } zijn
 exchange-unit = onbekende eenheid { $unit }: gebruik mm, µm of inch
+exchange-unit-stated = regel { $line } noemt de eenheid { $unit }, die niet wordt gelezen (“{ $text }”): gebruik mm, µm of inch, of kies de eenheid van de maten (--columns unit=mm)
+exchange-unit-mentioned = regel { $line } noemt { $unit } (“{ $text }”), maar niets zegt of de waarden daarin staan: kies de eenheid van de maten (--columns unit=mm, um of inch)
+exchange-units-differ = “{ $at }” zegt { $unit }, “{ $other-at }” zegt { $other }: verbeter een van beide
+exchange-unit-late = regel { $line } noemt { $unit } (“{ $text }”), maar de rijen erboven zijn gelezen in { $read }: zet de eenheid boven de eerste rij of verbeter die regel
+exchange-unit-given = de gekozen eenheid is { $given }, maar het bestand zegt { $unit } (“{ $text }”): kies { $unit } of verbeter het bestand
+exchange-unit-half = kolom { $column } is in inch en kolom { $open } noemt geen eenheid: zet die bij beide namen of kies de eenheid van de maten (--columns unit=inch)
+exchange-unit-missing = de eenheid van deze rij ontbreekt: vul mm, µm of inch in of kies de eenheid van de maten (--columns unit=mm)
+exchange-callout-unit = { $given }: de rij is in inch en een passing met een maat of afwijkingen is in mm: zet de nominale maat in een eigen kolom naast de klasse
 exchange-row-short = { $expected } cellen verwacht, { $found } gevonden
 exchange-row-long = { $expected } cellen verwacht, { $found } gevonden: is het scheidingsteken ook decimaalteken, of staat het in een tekst?
 exchange-row-too-long = de rij is langer dan { $most } KiB
@@ -99,6 +107,7 @@ contacts-cells = { $wanted } cellen verwacht, { $cells } gevonden: { $given }
 contacts-not-a-number = { $name } is { $given }, geen getal in millimeters
 contacts-row-too-long = de rij is langer dan { $most } KiB
 contacts-comment = een regel die met # begint is commentaar, maar hier staan coördinaten in: haal de # weg, of de hele regel
+contacts-other-unit = contactpunten staan in mm, maar deze regel noemt { $given }: reken ze om naar mm
 contacts-too-many = het bestand heeft meer dan { $most } meetpunten
 contacts-simulated = deze meetpunten zijn gesimuleerd: daarmee wordt niets gemeten; neem in plaats daarvan een werkstukbestand
 contacts-origin = { $given } zegt niet of er gemeten of gesimuleerd is: schrijf gemeten of gesimuleerd, of haal de kolom weg
@@ -160,6 +169,7 @@ exchange-warning-found-by-place = op plaats gevonden: { $name } van het plan
 exchange-format-aqdef = AQDEF van Q-DAS, in één bestand of als .dfd en .dfx
 exchange-format-calypso = tabellen met kenmerken van CALYPSO, zoals NAAM_chr.txt
 exchange-warning-unit-assumed = geen eenheid gegeven: lengten zonder eenheid zijn gelezen als mm
+exchange-warning-unit-read = lengten zijn gelezen in { $unit }, zoals het bestand zegt: { $text }
 exchange-warning-rounded = { $given } heeft cijfers voorbij de nanometer: afgerond op de dichtstbijzijnde
 exchange-warning-rounded-values = { $count ->
         [one] 1 gemeten waarde heeft cijfers voorbij de nanometer, vanaf deze regel: afgerond op de dichtstbijzijnde

@@ -87,6 +87,9 @@ fn text(path: &Path, detected: &Detected, io: &mut Io<'_>) -> Result<(), CliErro
         writeln!(out, "{}", line.trim_end())?;
     }
     writeln!(out)?;
+    if let Some(from) = &detected.unit_from {
+        writeln!(out, "# unit: {from}")?;
+    }
     Ok(out.write_all((detected.mapping.to_toml() + "\n").as_bytes())?)
 }
 
@@ -109,5 +112,6 @@ fn as_json(path: &Path, detected: &Detected) -> Json {
         "file": path.display().to_string(),
         "columns": columns.collect::<Vec<_>>(),
         "mapping": detected.mapping.to_toml(),
+        "unit_from": detected.unit_from,
     })
 }

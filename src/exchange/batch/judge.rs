@@ -16,6 +16,7 @@ use crate::exchange::evidence::marks_simulation;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::rules::{Found, Rules};
+use crate::exchange::stated;
 use crate::length::{Length, Unit, Window};
 use crate::message::Say;
 use crate::tolerance::{Bounds, Sources, ToleranceClass};
@@ -93,6 +94,10 @@ struct Fast<'a> {
     measured: (usize, Unit),
     nominal: Option<(usize, Unit)>,
     tolerance: Option<usize>,
+    /// The only column that states the unit of each row.
+    unit: Option<usize>,
+    /// Whether lengths are in inch by a statement: a callout with a size of its own is doubtful.
+    is_inch: bool,
     /// Columns in which a row may say that nobody measured, or that the size alone does not decide.
     aside: Vec<usize>,
     /// Columns that say what was measured: with one of its words of a size a row is plain.
@@ -113,11 +118,15 @@ impl<'a> Court<'a> {
     pub fn new(layout: &'a Layout, sources: &'a Sources) -> Self {
         let columns = &layout.columns;
         let has_commas = layout.has_commas();
+        let plain = columns.stated.plain();
+        let (unit, is_inch) = plain.unwrap_or_default();
         let fast = Fast {
             measured: (columns.measured.at, columns.measured.unit),
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
-            // Simulated rows are counted where each is read as a whole.
-            tolerance: columns.tolerance.filter(|_| !columns.evidence.are_simulated),
+            // Without a column of callouts no row is fast; simulated rows are counted where each is read as a whole.
+            tolerance: columns.tolerance.filter(|_| plain.is_some() && !columns.evidence.are_simulated),
+            unit,
+            is_inch,
             aside: columns
                 .simulated
                 .into_iter()
@@ -292,7 +301,12 @@ impl Judge<'_> {
         {
             return None;
         }
-        let (measured, sign) = number(row, fast.measured)?;
+        let said = match fast.unit {
+            Some(at) => Some(stated::plain_unit(row.cell(at)?)?),
+            None => None,
+        };
+        let in_unit = |(at, unit): (usize, Unit)| (at, said.unwrap_or(unit));
+        let (measured, sign) = number(row, in_unit(fast.measured))?;
         if measured <= Length::ZERO || sign.is_some() && sign == fast.foreign_sign || sign.is_none() && fast.has_commas
         {
             return None;
@@ -305,13 +319,14 @@ impl Judge<'_> {
         let letters = callout.bytes().iter().position(u8::is_ascii_alphabetic)?;
         let (size, class) = callout.split(letters);
         let nominal = match (letters, fast.nominal) {
-            (0, Some(own)) => number(row, own)?.0,
+            (0, Some(own)) => number(row, in_unit(own))?.0,
             (0, None) => return None,
+            _ if fast.is_inch || said == Some(Unit::Inch) => return None,
             (_, own) => {
                 let nominal = size.without_spaces_behind().number(Unit::Millimetre)?.0;
                 if let Some(own) = own
                     && !row.part(own.0)?.plain()?.bytes().is_empty()
-                    && number(row, own)?.0 != nominal
+                    && number(row, in_unit(own))?.0 != nominal
                 {
                     return None;
                 }
@@ -353,6 +368,10 @@ impl Judge<'_> {
             return if is_line { take.line(whole) } else { take.refused(row, "") };
         }
         let columns = &self.court.layout.columns;
+        if columns.stated.is_row_of_units(&cells) {
+            return take.refused(row, "");
+        }
+        let stray = || stated::stray(columns, usize::MAX, &cells);
         let (has_commas, sources) = (self.court.fast.has_commas, self.court.sources);
         let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
         if self.court.fast.has_comments && cells::is_comment(&cells) {
@@ -361,6 +380,9 @@ impl Judge<'_> {
             }
             if rules.hides_measurement(&cells) {
                 return Self::refuse(row, None, &ImportErrorKind::Comment, tally, take);
+            }
+            if let Some(reason) = stray() {
+                return Self::refuse(row, None, &reason, tally, take);
             }
             tally.comments += 1;
             return take.line(whole);
@@ -387,7 +409,7 @@ impl Judge<'_> {
                 }
                 None => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
             },
-            Err((cell, reason)) => Self::refuse(row, cell.at, &reason, tally, take),
+            Err((cell, reason)) => Self::refuse(row, cell.at, &stray().unwrap_or(reason), tally, take),
         }
     }
 

@@ -101,6 +101,9 @@ impl Layout {
             // It is used after all.
             warnings.retain(|(at, _)| Some(*at) != columns.header);
         }
+        let told = columns.stated.told(&columns);
+        warnings.retain(|(at, _)| told.as_ref().is_none_or(|(told, _)| told != at));
+        warnings.extend(told);
         warnings.extend(skipped(&columns, first_line));
         Ok(Self {
             columns,
@@ -131,7 +134,7 @@ impl Layout {
         known_format(&head, "")?;
         let text = utf8(sample);
         let columns = Sample::of(&text, 1, Some(b',')).columns()?;
-        let warnings = skipped(&columns, 1).collect();
+        let warnings = columns.stated.told(&columns).into_iter().chain(skipped(&columns, 1)).collect();
         Ok(Self {
             columns: Columns { count: names.len(), ..columns },
             separator: b',',
@@ -162,6 +165,7 @@ impl Layout {
             || columns.simulated == Some(at)
             || columns.evidence.origin == Some(at)
             || columns.own.deciding().contains(&Some(at))
+            || columns.stated.columns.contains(&at)
             || columns.nominal.is_some_and(|nominal| nominal.at == at)
             || columns.quantities.iter().any(|column| column.at == at)
     }

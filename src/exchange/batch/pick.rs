@@ -15,7 +15,7 @@ use crate::exchange::imported::{Imported, Sink, WhyUnjudged};
 use crate::exchange::lookup::Lookup;
 use crate::exchange::rules::Rules;
 use crate::exchange::source::Context;
-use crate::exchange::{cells, measurements};
+use crate::exchange::{cells, measurements, stated};
 use crate::message::{Message, Say as _};
 use crate::tolerance::Sources;
 
@@ -85,10 +85,11 @@ impl Picker<'_> {
 
     /// Why a row of cells has no verdict.
     fn why(&self, cells: &StringRecord) -> Message {
-        if cells::is_comment(cells) {
-            return ImportErrorKind::Comment.message();
-        }
         let court = self.court;
+        let stray = || stated::stray(&court.layout().columns, usize::MAX, cells);
+        if cells::is_comment(cells) {
+            return stray().unwrap_or(ImportErrorKind::Comment).message();
+        }
         let rules = Rules {
             columns: &court.layout().columns,
             has_commas: court.layout().has_commas(),
@@ -97,7 +98,7 @@ impl Picker<'_> {
             has_plan: false,
         };
         match rules.read(cells) {
-            Err((_, reason)) => reason.message(),
+            Err((_, reason)) => stray().unwrap_or(reason).message(),
             Ok(_) => WhyUnjudged::NoCallout.message(),
         }
     }

@@ -8,6 +8,7 @@ use crate::exchange::error::{ImportErrorKind, Role, shorten};
 use crate::exchange::evidence::Evidence;
 use crate::exchange::own::OwnColumns;
 use crate::exchange::quantity::QuantityColumn;
+use crate::exchange::stated::{self, Stated};
 use crate::exchange::words;
 
 /// What a mapping says of the columns of a file, and what is detected beside it.
@@ -35,6 +36,7 @@ impl Mapping {
         let header = sample.header.or(unknown).and_then(|at| sample.rows.get(at)).cloned();
         let names = header.as_ref().map(|(_, names)| names.clone()).unwrap_or_default();
         let said = self.said(&names, width)?;
+        (sample.given, sample.has_place_unit) = (self.unit(), self.place_unit().is_some());
         sample.measured = said.iter().find(|(role, _)| *role == Role::Measured).and_then(|(_, at)| *at);
         let detected = sample.columns();
         let is_used = |at: usize| said.iter().any(|(_, of)| *of == Some(at));
@@ -53,6 +55,7 @@ impl Mapping {
         columns.ignored = said.ignored(&columns);
         sample.look_at_values(&mut columns);
         columns.decimal_sign = self.decimal().or(columns.decimal_sign);
+        stated::decide(sample, &mut columns)?;
         Ok(columns)
     }
 
@@ -82,6 +85,7 @@ impl Mapping {
         if let Some(first) = first {
             sample.above = first;
         }
+        sample.find_units_row();
     }
 
     /// The columns that are said, from 0; `None` for a role that no column has.
@@ -193,6 +197,7 @@ impl Said<'_> {
             evidence: self.evidence(measured),
             labels,
             first: self.mapping.first_row,
+            stated: Stated::default(),
         })
     }
 

@@ -30,6 +30,8 @@ pub struct Detected {
     pub skipped: Vec<String>,
     /// Whether Fitcheck wrote the file: what is skipped of it is known.
     pub is_own: bool,
+    /// What says the unit of measured values, as it stands in the file; `None` where nothing does.
+    pub unit_from: Option<String>,
 }
 
 impl Detected {
@@ -38,7 +40,9 @@ impl Detected {
         let names = sample.rows.iter().find(|(line, _)| is_header(*line)).map(|(_, cells)| cells);
         let names: Vec<String> = names.into_iter().flatten().map(|name| name.trim().to_owned()).collect();
         let is_row = |line: usize| {
-            columns.header.is_none_or(|header| header < line) && columns.first.is_none_or(|first| first <= line)
+            columns.header.is_none_or(|header| header < line)
+                && columns.first.is_none_or(|first| first <= line)
+                && columns.stated.first() <= line
         };
         let rows: Vec<(usize, Vec<String>)> = sample
             .rows
@@ -66,7 +70,9 @@ impl Detected {
                 .collect(),
         };
         let is_own = columns.own != OwnColumns::default();
-        Self { mapping, names, roles, rows, header: columns.header, skipped: columns.ignored.clone(), is_own }
+        let (header, skipped) = (columns.header, columns.ignored.clone());
+        let unit_from = columns.stated.source(columns, &names);
+        Self { mapping, names, roles, rows, header, skipped, is_own, unit_from }
     }
 
     /// The word of what a column holds, from 0.

@@ -23,6 +23,7 @@ use super::mapping::Mapping;
 use super::measurements::Cells;
 use super::sizes::SizesOf;
 use super::source::{Beginning, Body, Context, Source};
+use super::stated;
 use crate::message::Place;
 use hidden::Hidden;
 use package::Seen;
@@ -120,7 +121,7 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
     let has_plan = source.given.has_plan;
     let (mut workbook, seen) = open(source)?;
     let names = names(&workbook);
-    let Chosen { sheet: chosen, columns, units } = choose(&mut workbook, &names, mapping.unwrap_or(&detects))?;
+    let Chosen { sheet: chosen, columns, units, count } = choose(&mut workbook, &names, mapping.unwrap_or(&detects))?;
     let left = names.iter().filter(|name| **name != chosen).map(|name| shorten(name)).collect::<Vec<_>>().join(", ");
     if !left.is_empty() {
         let kind = ImportWarningKind::SheetsLeft { sheet: shorten(&chosen), left: shorten(&left) };
@@ -136,8 +137,22 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
     if let Some(columns) = hidden.and_then(|hidden| hidden.columns(columns.count)) {
         sink.warn(Place::line(1), None, ImportWarningKind::ColumnsHidden { columns });
     }
+    if SAMPLE <= count {
+        agree(&mut rows(&mut workbook, &chosen, &units)?, &columns)?;
+    }
     let mut rows = rows(&mut workbook, &chosen, &units)?;
     read_rows(&mut rows, (&context, &columns, &chosen, has_plan), sink, sizes)
+}
+
+/// Refuses a sheet with a row behind its first ones that states another unit.
+fn agree(rows: &mut Rows<'_, BufReader<&mut dyn Body>>, columns: &Columns) -> Result<(), ImportErrorKind> {
+    // What is wrong with a row is told where it is read.
+    while let Ok(Some((line, cells))) = calm(|| rows.next()) {
+        if let Some(reason) = stated::stray_row(columns, line, &cells) {
+            return Err(reason);
+        }
+    }
+    Ok(())
 }
 
 fn is_hidden(workbook: &Workbook<'_>, name: &str) -> bool {
@@ -157,6 +172,8 @@ struct Chosen {
     sheet: String,
     columns: Columns,
     units: UnitsShown,
+    /// How many rows were looked at.
+    count: usize,
 }
 
 /// The first sheet with callouts and measured values; else the first one with measured values.
@@ -170,6 +187,7 @@ fn choose(workbook: &mut Workbook<'_>, names: &[String], mapping: &Mapping) -> R
     for name in names.iter().filter(|name| mapping.sheet().is_none_or(|sheet| sheet == name.as_str())) {
         let mut units = UnitsShown::default();
         let (sample, sampled) = sample(workbook, name, &mut units);
+        let count = sample.len();
         let columns = match sampled {
             Err(error) if sample.is_empty() => Err(error),
             // Where there are rows before a fault, they tell.
@@ -178,7 +196,7 @@ fn choose(workbook: &mut Workbook<'_>, names: &[String], mapping: &Mapping) -> R
         match columns {
             Ok(columns) => {
                 let is_best = columns.tolerance.is_some();
-                let chosen = Chosen { sheet: name.clone(), columns, units };
+                let chosen = Chosen { sheet: name.clone(), columns, units, count };
                 if is_best {
                     return Ok(chosen);
                 }

@@ -81,7 +81,9 @@ impl<'x, R: Read + Seek> Rows<'x, R> {
                 (DataRef::Empty, Some(formula)) => format!("{FORMULA}{}", of_formula(formula)),
                 (value, _) => text(value),
             };
-            let is_number = matches!(cell.value, DataRef::Int(_) | DataRef::Float(_));
+            // A number that was typed as text stands before the unit of its format, too.
+            let is_number = matches!(cell.value, DataRef::Int(_) | DataRef::Float(_))
+                || Length::parse_in(&text, Unit::Millimetre).is_ok();
             let text = match self.units.of(row, at).filter(|_| is_number) {
                 Some(unit) => with_unit(&text, unit),
                 None => text,

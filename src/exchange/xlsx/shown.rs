@@ -29,11 +29,22 @@ pub(super) fn unit(code: &str) -> Option<String> {
 /// The texts of the sections, with [`FIGURES`] where their number stands.
 fn sections(code: &str) -> Vec<String> {
     let mut sections = vec![String::new()];
-    let mut signs = code.chars();
+    let code = code.replace("General", "0").replace("GENERAL", "0").replace("general", "0");
+    let mut signs = code.chars().peekable();
     while let Some(sign) = signs.next() {
         let Some(text) = sections.last_mut() else { break };
         match sign {
             '"' => text.extend(signs.by_ref().take_while(|&sign| sign != '"')),
+            '@' => text.push_str(FIGURES),
+            // Some programs write letters that stand for themselves without quotation marks.
+            'a'..='z' | 'A'..='Z' => {
+                let mut letters = String::from(sign);
+                while let Some(letter) = signs.next_if(char::is_ascii_alphabetic) {
+                    letters.push(letter);
+                }
+                let is_date = letters.chars().all(|letter| "ymdhsYMDHS".contains(letter));
+                text.push_str(if is_date { " " } else { &letters });
+            }
             '\\' => text.extend(signs.next()),
             // A blank as wide as a sign, and a sign that fills the cell.
             '_' | '*' => {
@@ -83,6 +94,17 @@ mod tests {
             ("\"measured in \"0.000", None),
             ("\"\u{d8} in mm \"0.000", Some("mm")),
             ("#,##0.000 [$in]", Some("in")),
+            ("General\" in\"", Some("in")),
+            ("General\" mm\"", Some("mm")),
+            ("@\" in\"", Some("in")),
+            ("#,##0.0000\\\"", Some("\"")),
+            ("0.0000 in", Some("in")),
+            ("0.0000 inch", Some("inch")),
+            ("0.00E+00", None),
+            ("yyyy-mm-dd", None),
+            ("mm:ss.0", None),
+            ("General", None),
+            ("@", None),
             ("0.000\" mm\";-0.000\" mm\"", Some("mm")),
             ("[<1]0.0\" \u{b5}m\";0.000\" mm\"", Some("\u{b5}m, mm")),
             ("\"", None),

@@ -1,0 +1,793 @@
+//! What a file states about the unit of its lengths beside the names of its columns: the one place that decides, for every reader of
+//! columns and for `batch`.
+//!
+//! | where | what is done |
+//! |---|---|
+//! | a title above the header, a comment above the first row | the unit of every length that says no other one |
+//! | a row of units below the header | the unit of each column |
+//! | a column of units | the unit of each row, nominal size and measured value alike |
+//! | a title or comment behind rows | must say what was read before |
+//! | what the user says | must be what the file says |
+//!
+//! Two statements that contradict each other, and one that is not understood, are refused.
+
+use csv::StringRecord;
+
+use super::cells;
+use super::columns::{Columns, LengthColumn, Sample, name_of};
+use super::delimited::{SEPARATORS, lines};
+use super::error::{ImportErrorKind, ImportWarningKind, shorten};
+use super::pieces::Pieces;
+use super::rules::{Cell, Refused};
+use super::words::{self, Rank};
+use super::{Role, units};
+use crate::length::Unit;
+
+/// The most lines below the header that are kept because they may state a unit.
+const MOST_LATE: usize = 1_000;
+
+/// Names of what states a unit, in small letters.
+const KEYS: &str = "unit|units|uom|u o m|unit of measure|units of measure|unit of measurement|units of measurement|measurement unit|\
+    measurement units|measuring unit|measuring units|measure unit|length unit|length units|linear unit|linear units|unit of length|\
+    units of length|dimension unit|dimension units|dimensional units|size unit|value unit|measured unit|nominal unit|actual unit|\
+    unit measured|unit nominal|unit actual|unit value|unit measure|einheit|einheiten|maßeinheit|masseinheit|maßeinheiten|\
+    masseinheiten|messeinheit|messeinheiten|längeneinheit|laengeneinheit|einheit der maße|eenheid|eenheden|maateenheid|meeteenheid|\
+    lengte eenheid|lengteeenheid|unità|unita|unità di misura|unita di misura|u m|udm|unité|unidad";
+
+/// Words that say such a name within a longer one.
+const KEY_WORDS: [&str; 14] = [
+    "unit",
+    "units",
+    "uom",
+    "einheit",
+    "einheiten",
+    "maßeinheit",
+    "masseinheit",
+    "messeinheit",
+    "eenheid",
+    "eenheden",
+    "meeteenheid",
+    "unità",
+    "unita",
+    "unité",
+];
+
+/// Words before a unit that say that values are in it.
+const LINKS: &str = "in|are|is|all|values|value|units|unit|dimensions|dimension|sizes|measurements|lengths|einheit|einheiten|sind|ist|\
+    werte|messwerte|maße|masse|angaben|alle|längen|eenheid|eenheden|zijn|is|waarden|maten|afmetingen|unità|unita|sono|valori|misure|\
+    quote|dimensioni|tutte|tutti";
+
+/// Words that turn a sentence round.
+const NOT: [&str; 6] = ["not", "nicht", "niet", "non", "kein", "geen"];
+
+/// Units of what is not a length.
+const OTHER: &str = "c|°c|ºc|℃|f|°f|k|degc|celsius|deg|degree|degrees|°|º|grad|grado|gradi|graden|rad|gon|n|kn|%|s|sec|min|h|ms|kg|g|bar|\
+    mpa|gpa|pa|psi|v|a|hz|rpm|pcs|stk|stück|stuks|pz|ea|n/a|none|text|-|–|—";
+
+/// What one word is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Word {
+    Length(Unit),
+    /// A unit of length that is not read.
+    Foreign,
+    /// A unit of something else.
+    Other,
+    Unknown,
+}
+
+fn word(text: &str) -> Word {
+    let text = text.trim().trim_matches(['[', ']', '(', ')', '{', '}', '<', '>', ',', ';']).trim();
+    let small = text.to_lowercase();
+    if let Some(unit) = units::known(text) {
+        return Word::Length(unit);
+    }
+    let is_other = OTHER.split('|').any(|other| other == small.trim_end_matches('.'));
+    match small.as_str() {
+        _ if is_other && !text.is_empty() => Word::Other,
+        "metric" | "metrisch" | "metriek" | "metrico" => Word::Length(Unit::Millimetre),
+        small if units::is_foreign(small.trim_end_matches('.')) => Word::Foreign,
+        _ => Word::Unknown,
+    }
+}
+
+/// What was stated: a unit, or what cannot be read as one.
+type Said = Result<Unit, String>;
+
+/// A unit that a line names, and whether it says that values are in it.
+type Mention = (Said, bool);
+
+/// Whether a text names what states a unit: with its whole name, or among other words.
+fn key(text: &str) -> Option<Rank> {
+    let bare = words::bare(text);
+    if KEYS.split('|').any(|key| key == bare) {
+        return Some(Rank::Exact);
+    }
+    let is_key = bare.split(' ').any(|part| KEY_WORDS.contains(&part)) && !bare.contains(|c: char| c.is_ascii_digit());
+    is_key.then_some(Rank::Contained)
+}
+
+/// The unit behind a key; `None` where it says nothing of lengths.
+fn value(text: &str) -> Result<Option<Unit>, String> {
+    let mut found = None;
+    for part in text.split([',', '/', '|', '+', ';', ' ']).map(str::trim).filter(|part| !part.is_empty()) {
+        match word(part) {
+            Word::Length(unit) if found.is_none_or(|found| found == unit) => found = Some(unit),
+            Word::Other => {}
+            Word::Length(_) | Word::Foreign | Word::Unknown => return Err(text.trim().to_owned()),
+        }
+    }
+    Ok(found)
+}
+
+fn begins_with_figure(text: &str) -> bool {
+    text.trim_start_matches(['+', '-', '\u{2212}', '.']).starts_with(|c: char| c.is_ascii_digit())
+}
+
+/// What a line that is no row says of units.
+fn mentions<'c>(cells: impl Iterator<Item = &'c str>) -> Vec<Mention> {
+    let marks = ['#', '!', '%', '*', '/', '\''];
+    let cells: Vec<&str> = cells.map(str::trim).collect();
+    let roles: Vec<_> = cells.iter().map(|cell| words::role(cell)).collect();
+    let has_measured = roles.iter().any(|role| matches!(role, Some((Role::Measured, rank)) if *rank != Rank::Weak));
+    // A commented header states the units of its own columns.
+    let is_header = has_measured && 2 <= roles.iter().flatten().count();
+    let fields: Vec<&str> = cells
+        .iter()
+        .flat_map(|cell| cell.split([':', '=']))
+        .map(|field| field.trim_start_matches(marks).trim())
+        .filter(|field| !field.is_empty())
+        .collect();
+    let mut found = Vec::new();
+    let mut at = 0;
+    while let Some(&field) = fields.get(at) {
+        let (before, behind) = (at.checked_sub(1).and_then(|at| fields.get(at)), fields.get(at + 1));
+        at += 1;
+        if let Some(rank) = key(field)
+            && let Some(text) = behind
+            && word(field) == Word::Unknown
+        {
+            let is_foreign = || text.split_whitespace().any(|part| word(part) == Word::Foreign);
+            match value(text) {
+                Ok(unit) => found.extend(unit.map(|unit| (Ok(unit), true))),
+                Err(text) if rank == Rank::Exact || is_foreign() => found.push((Err(text), true)),
+                Err(_) => continue,
+            }
+            at += 1;
+        } else if !is_header {
+            found.extend(of_field(field, before.copied(), behind.copied()));
+        }
+    }
+    if is_header {
+        let is_size = |role: &Option<(Role, Rank)>| matches!(role, Some((Role::Measured | Role::Nominal, _)));
+        for (cell, _) in cells.iter().zip(&roles).filter(|(_, role)| is_size(role)) {
+            match of_name(cell.trim_start_matches(marks)) {
+                Ok(unit) => found.extend(unit.map(|unit| (Ok(unit), true))),
+                Err(unknown) => found.push((Err(unknown), true)),
+            }
+        }
+    }
+    found
+}
+
+/// Whether a comment says anything of units.
+pub(super) fn may_state(cells: &StringRecord) -> bool {
+    !mentions(cells.iter()).is_empty()
+}
+
+/// What a text without a key says.
+fn of_field(field: &str, before: Option<&str>, behind: Option<&str>) -> Option<Mention> {
+    let is_link = |text: &str| LINKS.split('|').any(|link| link == text);
+    let has_link = |text: &str| text.to_lowercase().split_whitespace().any(is_link);
+    // "Tip [mm];3" is a size of its own.
+    let is_of_number = before.is_some_and(begins_with_figure) || behind.is_some_and(begins_with_figure);
+    let said = |text: &str| match word(text) {
+        Word::Length(unit) => Some(Ok(unit)),
+        Word::Foreign => Some(Err(text.trim_matches(['[', ']', '(', ')']).to_owned())),
+        Word::Other | Word::Unknown => None,
+    };
+    if let Some(unit) = said(field) {
+        let is_clear = before.is_none_or(has_link) && 1 < field.chars().count() && !units::is_also_a_word(field);
+        return (!is_of_number).then_some((unit, is_clear));
+    }
+    let is_negated = field.to_lowercase().split_whitespace().any(|part| NOT.contains(&part));
+    let bracket = field.strip_suffix([')', ']']).and_then(|field| field.rsplit_once(['(', '[']));
+    if let Some((_, inside)) = bracket.filter(|(_, inside)| 1 < inside.chars().count() || word(inside) != Word::Foreign)
+        && let Some(unit) = said(inside)
+    {
+        return (!is_of_number).then_some((unit, !is_negated));
+    }
+    let tokens: Vec<&str> = field.split_whitespace().map(|token| token.trim_matches(['.', ',', '!', '?'])).collect();
+    for (at, token) in tokens.iter().enumerate() {
+        let previous = at.checked_sub(1).and_then(|at| tokens.get(at)).map(|token| token.to_lowercase());
+        let previous = previous.as_deref();
+        if previous.is_some_and(begins_with_figure) {
+            continue;
+        }
+        let is_last = at + 1 == tokens.len();
+        let is_linked = previous.is_some_and(is_link);
+        let is_before_key = tokens.get(at + 1).is_some_and(|next| key(next).is_some());
+        match (word(token), said(token)) {
+            (Word::Length(_), Some(unit)) => {
+                let is_sign = units::is_also_a_word(token) || !token.contains(char::is_alphabetic);
+                if !is_sign {
+                    return Some((unit, (is_linked || is_before_key) && !is_negated));
+                }
+                if is_last && previous == Some("in") {
+                    return Some((unit, !is_negated));
+                }
+            }
+            (Word::Foreign, Some(unit))
+                if is_linked && (1 < token.chars().count() || is_last && previous == Some("in")) =>
+            {
+                return Some((unit, !is_negated));
+            }
+            _ => {}
+        }
+    }
+    None
+}
+
+/// The unit that the name of a column says; a name that is nothing but a unit says it too.
+fn of_name(name: &str) -> Result<Option<Unit>, String> {
+    Ok(units::unit(name)?.or_else(|| units::known(name.trim()).filter(|_| !units::is_also_a_word(name.trim()))))
+}
+
+/// Whether the row below a header gives the units of its columns.
+pub(super) fn is_row_of_units(header: &StringRecord, cells: &StringRecord) -> bool {
+    let is_unit = |(at, cell): (usize, &str)| {
+        matches!(word(cell), Word::Length(_) | Word::Foreign) && header.get(at).is_none_or(|name| key(name).is_none())
+    };
+    !cells.iter().any(|cell| cell.contains(|c: char| c.is_ascii_digit())) && cells.iter().enumerate().any(is_unit)
+}
+
+/// What a file states.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct Stated {
+    /// The columns whose cells state the unit of their rows.
+    pub(super) columns: Vec<usize>,
+    /// Those of them that state the unit of a temperature, as far as was seen.
+    others: Vec<usize>,
+    /// The unit of all lengths, by a statement or by the user.
+    file: Option<Unit>,
+    /// The line and the text of that statement.
+    from: Option<(usize, String)>,
+    /// Whether the user said it.
+    is_given: bool,
+    /// The row of units with its line.
+    row: Option<(usize, StringRecord)>,
+    /// The columns that state their own unit, by name or in the row of units.
+    own: Vec<(usize, Unit)>,
+    /// The only unit of the first rows, where a column states them.
+    sampled: Option<Unit>,
+    /// The letters of the header, to know it where it is repeated.
+    header: String,
+    /// The line of the first row.
+    first: usize,
+}
+
+/// A line without what separates its words.
+fn squeezed<'c>(cells: impl Iterator<Item = &'c str>) -> String {
+    cells.flat_map(str::chars).filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
+}
+
+fn joined(cells: &StringRecord) -> String {
+    let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
+    shorten(&text)
+}
+
+/// The sign of a unit.
+pub(super) const fn sign(unit: Unit) -> &'static str {
+    match unit {
+        Unit::Millimetre => "mm",
+        Unit::Micrometre => "\u{b5}m",
+        Unit::Inch => "inch",
+    }
+}
+
+fn differ((unit, at): (Unit, &str), (other, other_at): (Unit, &str)) -> ImportErrorKind {
+    ImportErrorKind::UnitsDiffer {
+        unit: sign(unit).to_owned(),
+        at: shorten(at),
+        other: sign(other).to_owned(),
+        other_at: shorten(other_at),
+    }
+}
+
+/// Decides the units of the columns of a file by its first rows.
+///
+/// # Errors
+/// What contradicts, or is not understood.
+pub(super) fn decide(sample: &Sample, columns: &mut Columns) -> Result<(), ImportErrorKind> {
+    let is_header = |line: usize| columns.header == Some(line);
+    let header = sample.rows.iter().find(|(line, _)| is_header(*line)).map(|(_, cells)| cells);
+    let names = header.filter(|names| columns.names_known || names.len() == columns.count);
+    let name = |at: usize| names.and_then(|names| names.get(at)).unwrap_or_default();
+    let data = sample.rows.get(sample.above..).unwrap_or_default();
+    let mut stated = Stated {
+        row: sample.units_row.and_then(|at| sample.rows.get(at)).cloned(),
+        header: header.map(|names| squeezed(names.iter())).unwrap_or_default(),
+        first: data.first().map_or(usize::MAX, |(line, _)| *line),
+        is_given: sample.given.is_some(),
+        ..Stated::default()
+    };
+    let is_used = used(columns);
+    let free: Vec<usize> = (0..columns.count).filter(|at| !is_used.contains(at)).collect();
+    // What stands above the rows: titles, comments, and names of columns in which nothing stands.
+    let is_row_of_units = |line: usize| stated.row.as_ref().is_some_and(|(row, _)| *row == line);
+    let above = sample.rows.iter().take(sample.above).filter(|(line, cells)| {
+        !is_row_of_units(*line) && !(is_header(*line) && names.is_some_and(|names| names == cells))
+    });
+    let comments = sample.comments.iter().filter(|(line, _)| *line < stated.first);
+    let mut said: Vec<(usize, String, Mention)> = Vec::new();
+    for (line, cells) in above.chain(comments) {
+        said.extend(mentions(cells.iter()).into_iter().map(|mention| (*line, joined(cells), mention)));
+    }
+    for at in free.iter().copied().filter(|at| sample.is_empty(*at)) {
+        let line = columns.header.unwrap_or_default();
+        said.extend(mentions([name(at)].into_iter()).into_iter().map(|mention| (line, shorten(name(at)), mention)));
+    }
+    for (line, text, (unit, _)) in said.iter().filter(|(.., (_, is_clear))| *is_clear) {
+        match (unit, sample.given, &stated.from) {
+            (Ok(unit), Some(given), _) if *unit != given => return Err(given_differs(given, sign(*unit), text)),
+            (Ok(unit), _, Some((_, before))) if stated.file != Some(*unit) => {
+                let first = stated.file.unwrap_or(Unit::Millimetre);
+                return Err(differ((first, before), (*unit, text)));
+            }
+            (Ok(unit), ..) => {
+                stated.file = Some(*unit);
+                stated.from.get_or_insert((*line, text.clone()));
+            }
+            (Err(unknown), Some(given), _) => {
+                if unknown.split_whitespace().any(|part| word(part) == Word::Foreign) {
+                    return Err(given_differs(given, unknown, text));
+                }
+            }
+            (Err(unknown), None, _) => {
+                let unit = shorten(unknown);
+                return Err(ImportErrorKind::UnitStated { line: *line, unit, text: text.clone() });
+            }
+        }
+    }
+    stated.file = stated.file.or(sample.given);
+    own_units(&mut stated, sample, columns, &name)?;
+    unit_columns(&mut stated, sample, &free, &name);
+    halves(&stated, columns, &name)?;
+    let own = |at: usize| stated.own.iter().find(|(own, _)| *own == at).map(|(_, unit)| *unit);
+    let unit = |at: usize| own(at).or(stated.file).unwrap_or(Unit::Millimetre);
+    columns.measured.unit = unit(columns.measured.at);
+    if let Some(nominal) = &mut columns.nominal {
+        nominal.unit = unit(nominal.at);
+    }
+    if stated.from.is_some() && !sample.has_place_unit {
+        for place in columns.labels.place.iter_mut().flatten() {
+            place.unit = unit(place.at);
+        }
+    }
+    let is_stated = |ignored: &String| stated.columns.iter().any(|at| *ignored == name_of(*at, name(*at)));
+    columns.ignored.retain(|ignored| !is_stated(ignored));
+    columns.stated = stated;
+    let decided = columns.stated.decided(columns);
+    for (line, text, (unit, _)) in said.iter().filter(|(.., (_, is_clear))| !is_clear) {
+        if sample.given.is_none() && decided.is_none_or(|decided| unit.as_ref() != Ok(&decided)) {
+            let unit = unit.as_ref().map_or_else(Clone::clone, |unit| sign(*unit).to_owned());
+            return Err(ImportErrorKind::UnitMentioned { line: *line, unit: shorten(&unit), text: text.clone() });
+        }
+    }
+    for (line, cells) in sample.comments.iter().chain(data) {
+        if let Some(reason) = stray_row(columns, *line, cells) {
+            return Err(reason);
+        }
+    }
+    in_place_of_a_value(data, columns)
+}
+
+/// Units where measured values should be, which is no row of units below the header.
+fn in_place_of_a_value(data: &[(usize, StringRecord)], columns: &Columns) -> Result<(), ImportErrorKind> {
+    for (line, cells) in data {
+        let cell = cells.get(columns.measured.at).unwrap_or_default();
+        let unit = match word(cell) {
+            Word::Length(unit) if unit != columns.measured.unit => sign(unit),
+            Word::Foreign => cell.trim(),
+            _ => continue,
+        };
+        return Err(late(columns, *line, unit, &joined(cells)));
+    }
+    Ok(())
+}
+
+fn given_differs(given: Unit, unit: &str, text: &str) -> ImportErrorKind {
+    ImportErrorKind::UnitGiven { given: sign(given).to_owned(), unit: shorten(unit), text: shorten(text) }
+}
+
+fn has_figure(cells: &StringRecord) -> bool {
+    cells.iter().any(|cell| cell.contains(|c: char| c.is_ascii_digit()))
+}
+
+/// The columns that hold something else.
+fn used(columns: &Columns) -> Vec<usize> {
+    let labels = &columns.labels;
+    // Without names, what stands before a callout is taken for a name.
+    let id = columns.id.filter(|_| columns.header.is_some());
+    let one = [id, columns.tolerance, columns.nominal.map(|column| column.at), Some(columns.measured.at)];
+    let more = [columns.simulated, labels.status].into_iter().chain(columns.own.deciding());
+    let all = one.into_iter().chain(more).flatten().chain(columns.time.iter().copied());
+    all.chain(columns.own.of_correction()).chain(labels.iter()).collect()
+}
+
+/// The units that measured values and nominal sizes state by their names or in the row of units.
+fn own_units<'n>(
+    stated: &mut Stated,
+    sample: &Sample,
+    columns: &Columns,
+    name: &impl Fn(usize) -> &'n str,
+) -> Result<(), ImportErrorKind> {
+    let sizes = [Some(columns.measured.at), columns.nominal.map(|column| column.at)];
+    let places = columns.labels.place.iter().flatten().map(|column| column.at);
+    for (at, is_size) in sizes.into_iter().flatten().map(|at| (at, true)).chain(places.map(|at| (at, false))) {
+        let by_name = match of_name(name(at)) {
+            Ok(unit) => unit,
+            Err(unknown) => match sample.given.filter(|_| is_size) {
+                Some(given) if unknown.split([',', ' ']).any(|part| word(part) == Word::Foreign) => {
+                    return Err(given_differs(given, &unknown, name(at)));
+                }
+                _ => None,
+            },
+        };
+        let cell = stated.row.as_ref().and_then(|(_, cells)| cells.get(at)).unwrap_or_default().trim();
+        let by_row = match word(cell) {
+            Word::Length(unit) => Some(unit),
+            Word::Foreign | Word::Other | Word::Unknown if cell.chars().any(char::is_alphanumeric) => {
+                return Err(ImportErrorKind::Unit { unit: shorten(cell) });
+            }
+            _ => None,
+        };
+        if let Some((by_name, by_row)) = by_name.zip(by_row)
+            && by_name != by_row
+        {
+            return Err(differ((by_name, name(at)), (by_row, cell)));
+        }
+        let Some(own) = by_name.or(by_row) else { continue };
+        let text = if by_name.is_some() { name(at) } else { cell };
+        match (sample.given, stated.file, &stated.from) {
+            (Some(given), ..) if is_size && given != own => return Err(given_differs(given, sign(own), text)),
+            (_, Some(file), Some((_, from))) if is_size && file != own => {
+                return Err(differ((file, from), (own, text)));
+            }
+            _ => stated.own.push((at, own)),
+        }
+    }
+    Ok(())
+}
+
+/// The columns that state the unit of each row: by their names, or by what stands in them.
+fn unit_columns<'n>(stated: &mut Stated, sample: &Sample, free: &[usize], name: &impl Fn(usize) -> &'n str) {
+    let is_temperature = |cell: &str| word(cell) == Word::Other;
+    let mut units = Vec::new();
+    for &at in free {
+        let filled: Vec<&str> = sample.cells(at).collect();
+        let lengths = filled.iter().filter(|cell| matches!(word(cell), Word::Length(_) | Word::Foreign)).count();
+        let is_stated = match key(name(at)) {
+            // A name alone, as of a title that stands beside the names, has no rows.
+            Some(Rank::Exact) => !filled.is_empty() || mentions([name(at)].into_iter()).is_empty(),
+            _ => 0 < lengths && filled.len() < lengths * 2,
+        };
+        if !is_stated {
+            continue;
+        }
+        stated.columns.push(at);
+        if !filled.is_empty() && filled.iter().all(|cell| is_temperature(cell)) {
+            stated.others.push(at);
+        }
+        units.extend(filled.iter().filter_map(|cell| units::known(cell)));
+    }
+    let first = units.first().copied();
+    stated.sampled = first.filter(|first| units.iter().all(|unit| unit == first));
+    // A column of temperatures beside no other one leaves lengths as they are.
+    if stated.columns == stated.others {
+        stated.columns.clear();
+    }
+}
+
+/// Refuses a file of which one column says inch and another one of lengths says nothing: it may be in inch as well, or not.
+fn halves<'n>(stated: &Stated, columns: &Columns, name: &impl Fn(usize) -> &'n str) -> Result<(), ImportErrorKind> {
+    if stated.file.is_some() || !stated.columns.is_empty() {
+        return Ok(());
+    }
+    let own = |at: usize| stated.own.iter().find(|(own, _)| *own == at).map(|(_, unit)| *unit);
+    let in_row = |at: usize| {
+        let cell = stated.row.as_ref().and_then(|(_, cells)| cells.get(at)).unwrap_or_default();
+        word(cell) == Word::Length(Unit::Inch)
+    };
+    let says_inch = |at: &usize| in_row(*at) || units::unit(name(*at)) == Ok(Some(Unit::Inch));
+    let half = |inch: usize, open: usize| ImportErrorKind::UnitHalf {
+        column: name_of(inch, name(inch)),
+        open: name_of(open, name(open)),
+    };
+    let measured = columns.measured.at;
+    if own(measured).is_none()
+        && let Some(inch) = (0..columns.count).find(says_inch)
+    {
+        return Err(half(inch, measured));
+    }
+    match columns.nominal.filter(|nominal| own(nominal.at).is_none()) {
+        Some(nominal) if own(measured) == Some(Unit::Inch) => Err(half(measured, nominal.at)),
+        _ => Ok(()),
+    }
+}
+
+fn late(columns: &Columns, line: usize, unit: &str, text: &str) -> ImportErrorKind {
+    let read = columns.stated.decided(columns).map_or("-", sign).to_owned();
+    ImportErrorKind::UnitLate { line, unit: shorten(unit), text: shorten(text), read }
+}
+
+/// Why a line that is no row contradicts the units that rows are read by.
+pub(super) fn stray(columns: &Columns, line: usize, cells: &StringRecord) -> Option<ImportErrorKind> {
+    stray_of(columns, line, || cells.iter(), || joined(cells))
+}
+
+/// The same of a row of a sheet, which may be one with values.
+pub(super) fn stray_row(columns: &Columns, line: usize, cells: &StringRecord) -> Option<ImportErrorKind> {
+    let may_be = columns.stated.first < line && (cells::is_comment(cells) || !has_figure(cells));
+    may_be.then(|| stray(columns, line, cells)).flatten()
+}
+
+fn stray_of<'c, C: Iterator<Item = &'c str>>(
+    columns: &Columns,
+    line: usize,
+    cells: impl Fn() -> C,
+    text: impl Fn() -> String,
+) -> Option<ImportErrorKind> {
+    let stated = &columns.stated;
+    let mentions = mentions(cells());
+    if mentions.is_empty() || stated.row.as_ref().is_some_and(|(row, _)| *row == line) {
+        return None;
+    }
+    if stated.header == squeezed(cells()) {
+        return None;
+    }
+    let decided = stated.decided(columns);
+    for (unit, is_clear) in mentions {
+        match unit {
+            Ok(unit) if decided == Some(unit) => {}
+            Ok(unit) if is_clear || !stated.is_given => return Some(late(columns, line, sign(unit), &text())),
+            Err(unknown) if !stated.is_given => return Some(late(columns, line, &unknown, &text())),
+            Ok(_) | Err(_) => {}
+        }
+    }
+    None
+}
+
+/// The lines of a text that may state a unit and are no rows: comments, and those without any figure.
+pub(super) fn unit_lines(pieces: &mut Pieces<'_>) -> Result<Vec<(usize, String)>, ImportErrorKind> {
+    let mut found = Vec::new();
+    let mut next = 1;
+    while let Some(piece) = pieces.next()? {
+        let mut last = next;
+        for (line, from, to) in lines(&piece, 0, next) {
+            last = line + 1;
+            let text = piece.get(from..to).unwrap_or_default();
+            let may_be = || !text.bytes().any(|byte| byte.is_ascii_digit());
+            let is_comment = text.trim_start_matches([' ', '\t', '"']).starts_with('#');
+            if (is_comment || may_be()) && found.len() < MOST_LATE && !mentions(split(text)).is_empty() {
+                found.push((line, text.trim().to_owned()));
+            }
+        }
+        next = last;
+    }
+    Ok(found)
+}
+
+/// The cells of a line, whatever separates them.
+fn split(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| u8::try_from(c).is_ok_and(|byte| SEPARATORS.contains(&byte)))
+        .map(|cell| cell.trim().trim_matches('"'))
+}
+
+/// Refuses a file with a line behind its first row that states another unit.
+pub(super) fn agree(columns: &Columns, lines: &[(usize, String)]) -> Result<(), ImportErrorKind> {
+    let behind = lines.iter().filter(|(line, _)| columns.stated.first < *line);
+    let mut reasons = behind.filter_map(|(line, text)| stray_of(columns, *line, || split(text), || shorten(text)));
+    reasons.next().map_or(Ok(()), Err)
+}
+
+impl Stated {
+    /// The unit of the first rows; `None` where they have several.
+    fn decided(&self, columns: &Columns) -> Option<Unit> {
+        if self.columns.is_empty() { Some(columns.measured.unit) } else { self.file.or(self.sampled) }
+    }
+
+    /// Whether a row gives the units of the columns.
+    pub(super) fn is_row_of_units(&self, cells: &StringRecord) -> bool {
+        self.row.as_ref().is_some_and(|(_, row)| row == cells)
+    }
+
+    /// The line of the first row.
+    pub(super) const fn first(&self) -> usize {
+        self.first
+    }
+
+    /// The unit that the cells of a row state.
+    fn of_row<'c>(&self, cells: &'c StringRecord) -> Result<Option<Unit>, Refused<'c>> {
+        let mut found: Option<(Unit, &str)> = None;
+        for &at in &self.columns {
+            let text = cells.get(at).unwrap_or_default().trim();
+            let cell = Cell { at: Some(at), text };
+            let is_other = self.others.contains(&at);
+            let unit = match word(text) {
+                Word::Length(unit) => unit,
+                Word::Other if is_other => continue,
+                _ if text.is_empty() && (is_other || self.is_given) => continue,
+                _ if text.is_empty() => return Err((cell, ImportErrorKind::UnitMissing)),
+                _ => return Err((cell, ImportErrorKind::Unit { unit: shorten(text) })),
+            };
+            let before = found.or_else(|| Some((self.file?, self.from.as_ref().map_or("--columns", |(_, text)| text))));
+            if let Some((before, text_before)) = before.filter(|(before, _)| *before != unit) {
+                return Err((cell, differ((before, text_before), (unit, text))));
+            }
+            found = Some((unit, text));
+        }
+        Ok(found.map(|(unit, _)| unit))
+    }
+
+    /// A column of sizes as a row has it.
+    pub(super) fn in_row<'c>(
+        &self,
+        column: LengthColumn,
+        cells: &'c StringRecord,
+    ) -> Result<LengthColumn, Refused<'c>> {
+        if self.columns.is_empty() {
+            return Ok(column);
+        }
+        let Some(unit) = self.of_row(cells)? else { return Ok(column) };
+        let text = cells.get(column.at).unwrap_or_default().trim();
+        let cell = Cell { at: Some(column.at), text };
+        if let Some((_, own)) = self.own.iter().find(|(own, own_unit)| *own == column.at && *own_unit != unit) {
+            return Err((cell, differ((*own, &name_of(column.at, "")), (unit, sign(unit)))));
+        }
+        if let Some(own) = behind_number(text).filter(|own| *own != unit) {
+            return Err((cell, differ((own, text), (unit, sign(unit)))));
+        }
+        Ok(LengthColumn { unit, ..column })
+    }
+
+    /// The unit of a coordinate in a row.
+    pub(super) fn of_place(&self, column: LengthColumn, cells: &StringRecord) -> Unit {
+        let has_own = self.own.iter().any(|(own, _)| *own == column.at);
+        let of_row = || self.of_row(cells).ok().flatten();
+        if self.columns.is_empty() || has_own { column.unit } else { of_row().unwrap_or(column.unit) }
+    }
+
+    /// Whether a statement says that all lengths of a row are in inch: a callout with a size, which is in mm, would be doubtful.
+    pub(super) fn is_inch(&self, cells: &StringRecord) -> bool {
+        !self.is_given
+            && (self.file == Some(Unit::Inch) || self.of_row(cells).is_ok_and(|unit| unit == Some(Unit::Inch)))
+    }
+
+    /// Whether rows are judged by the units of their columns, or by the only column of units; `None` where each row is looked at closely.
+    pub(super) fn plain(&self) -> Option<(Option<usize>, bool)> {
+        let is_inch = !self.is_given && self.file == Some(Unit::Inch);
+        match self.columns.as_slice() {
+            [] => Some((None, is_inch)),
+            [at] if self.own.is_empty() && self.file.is_none() && self.others.is_empty() => Some((Some(*at), is_inch)),
+            _ => None,
+        }
+    }
+
+    /// What is said of a unit that is not mm and that no name of a column says, with its line.
+    pub(super) fn told(&self, columns: &Columns) -> Option<(usize, ImportWarningKind)> {
+        let unit = columns.measured.unit;
+        if unit == Unit::Millimetre {
+            return None;
+        }
+        let of_row = |(line, cells): &(usize, StringRecord)| {
+            let is_stated = cells.get(columns.measured.at).is_some_and(|cell| units::known(cell).is_some());
+            is_stated.then(|| (*line, joined(cells)))
+        };
+        let (line, text) = self.from.clone().or_else(|| self.row.as_ref().and_then(of_row))?;
+        Some((line, ImportWarningKind::UnitRead { unit: sign(unit).to_owned(), text }))
+    }
+
+    /// What says the unit of measured values, as the file has it; `None` where nothing does.
+    pub(super) fn source(&self, columns: &Columns, names: &[String]) -> Option<String> {
+        let name = |at: usize| name_of(at, names.get(at).map_or("", String::as_str));
+        if let Some(at) = self.columns.first() {
+            return Some(name(*at));
+        }
+        let measured = columns.measured.at;
+        if let Some((_, text)) = &self.from {
+            return Some(text.clone());
+        }
+        self.own.iter().find(|(at, _)| *at == measured)?;
+        let in_row = |(_, cells): &(usize, StringRecord)| {
+            let cell = cells.get(measured).unwrap_or_default();
+            (!cells::is_blank(cells) && units::known(cell).is_some()).then(|| joined(cells))
+        };
+        self.row.as_ref().and_then(in_row).or_else(|| Some(name(measured)))
+    }
+}
+
+/// The unit behind the number of a cell.
+fn behind_number(text: &str) -> Option<Unit> {
+    let unit = text.trim_start_matches(|c: char| c.is_ascii_digit() || " .,+-\u{2212}".contains(c));
+    units::known(unit).filter(|_| unit.len() < text.len())
+}
+
+/// What a line of contacts, which are in mm, says against that: another unit, or one that is not known.
+pub(super) fn not_mm<'c>(cells: impl Iterator<Item = &'c str>) -> Option<String> {
+    mentions(cells).into_iter().find_map(|(unit, _)| match unit {
+        Ok(Unit::Millimetre) => None,
+        Ok(unit) => Some(sign(unit).to_owned()),
+        Err(unknown) => Some(unknown),
+    })
+}
+
+/// Whether all cells of a row are units or nothing.
+pub(super) fn are_units<'c>(mut cells: impl Iterator<Item = &'c str>) -> bool {
+    cells.all(|cell| cell.trim().is_empty() || matches!(word(cell), Word::Length(_) | Word::Foreign))
+}
+
+/// Whether a column of this name states units.
+pub(super) fn names_units(name: &str) -> bool {
+    key(name) == Some(Rank::Exact)
+}
+
+/// The unit of a cell in most of its spellings, as bytes.
+#[inline]
+pub(super) fn plain_unit(cell: &[u8]) -> Option<Unit> {
+    match cell {
+        b"mm" | b"MM" => Some(Unit::Millimetre),
+        b"um" | b"\xc2\xb5m" | b"\xce\xbcm" => Some(Unit::Micrometre),
+        b"in" | b"inch" | b"INCH" | b"Inch" | b"IN" => Some(Unit::Inch),
+        _ => None,
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn lines_state_units_or_name_them_or_say_nothing() {
+        let clear = |unit: Unit| vec![(Ok(unit), true)];
+        let unclear = |unit: Unit| vec![(Ok(unit), false)];
+        let no = |text: &str| vec![(Err(text.to_owned()), true)];
+        let (mm, um, inch) = (Unit::Millimetre, Unit::Micrometre, Unit::Inch);
+        for (line, expected) in [
+            ("# unit: inch", clear(inch)),
+            ("Unit:;inch", clear(inch)),
+            ("units=INCH", clear(inch)),
+            ("All values in inch", clear(inch)),
+            ("Maße in mm", clear(mm)),
+            ("Alle Werte in Zoll", clear(inch)),
+            ("Alle maten in duim", clear(inch)),
+            ("Tutte le misure in pollici", clear(inch)),
+            ("Einheit;µm", clear(um)),
+            ("Messprotokoll [mm]", clear(mm)),
+            ("inch", clear(inch)),
+            ("(inch)", clear(inch)),
+            ("Values: inches", clear(inch)),
+            ("inch units", clear(inch)),
+            ("values in in", clear(inch)),
+            ("Dimensions in cm", no("cm")),
+            ("Unit: furlong", no("furlong")),
+            ("Unit: 0.001 mm", no("0.001 mm")),
+            ("# measured in mils", no("mils")),
+            ("Part;4711;Units;inch;Operator;JJ", clear(inch)),
+            ("Zoll;12345", Vec::new()),
+            ("Werkzeug Zoll", unclear(inch)),
+            ("values are not in inch", unclear(inch)),
+            ("Temperature;20.1 C;Probe;3 mm", Vec::new()),
+            ("Temperature unit;°C", Vec::new()),
+            ("Unit;°C", Vec::new()),
+            ("Unit;", Vec::new()),
+            ("Tip [mm];3", Vec::new()),
+            ("Part Name;Plate 4711;Drawing;D-200", Vec::new()),
+            ("in the machine", Vec::new()),
+            ("checked by;JJ", Vec::new()),
+            ("# id;callout;measured [inch]", clear(inch)),
+            ("# id;callout;measured;deviation [µm]", Vec::new()),
+        ] {
+            assert_eq!(mentions(split(line)), expected, "{line}");
+        }
+    }
+}
