@@ -275,6 +275,6 @@ pub(super) fn save_with(
 
 /// The local date and time to the second: what a person reads, and what every control prints.
 pub(super) fn now() -> jiff::civil::DateTime {
-    let now = jiff::Zoned::now().datetime();
+    let now = files::now().datetime();
     now.with().subsec_nanosecond(0).build().unwrap_or(now)
 }

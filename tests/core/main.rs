@@ -142,3 +142,4 @@ mod watching;
 mod watching_again;
 mod workpieces;
 mod xlsx;
+mod zones;
