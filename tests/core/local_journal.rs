@@ -866,6 +866,66 @@ fn an_emptied_journal_is_not_whole_and_is_set_aside() {
     assert!(matches!(journal.remarks(), [StoreRemark::SetAside { .. }, ..]), "{:?}", remarks(&journal));
 }
 
+/// The smallest number in the top page of a table, made one less: the entry that has it is looked for in the next page then.
+fn hide_by_an_interior_key(path: &Path, table: &str) -> u64 {
+    let connection = Connection::open(path).unwrap();
+    connection.execute_batch("PRAGMA wal_checkpoint(TRUNCATE)").unwrap();
+    let root: usize = connection
+        .query_row("SELECT rootpage FROM sqlite_schema WHERE name = ?1", [table], |row| row.get::<_, i64>(0))
+        .unwrap()
+        .try_into()
+        .unwrap();
+    let size: usize =
+        connection.pragma_query_value(None, "page_size", |row| row.get::<_, i64>(0)).unwrap().try_into().unwrap();
+    drop(connection);
+    let mut bytes = std::fs::read(path).unwrap();
+    let page = (root - 1) * size;
+    assert_eq!(bytes[page], 5, "an interior page of a table");
+    // The first cell: the number of a page, and a number of seven bits a byte.
+    let cell = page + usize::from(u16::from_be_bytes([bytes[page + 12], bytes[page + 13]]));
+    let mut at = cell + 4;
+    let mut number = u64::from(bytes[at] & 0x7f);
+    while bytes[at] & 0x80 != 0 {
+        at += 1;
+        number = number << 7 | u64::from(bytes[at] & 0x7f);
+    }
+    assert_ne!(bytes[at] & 0x7f, 0);
+    bytes[at] -= 1;
+    fitcheck::files::write(path, &bytes).unwrap();
+    number
+}
+
+#[test]
+fn one_changed_key_in_an_interior_page_that_hides_an_entry_is_named() {
+    let place = Place::with(700);
+    place.open().tidy().unwrap();
+    let hidden = hide_by_an_interior_key(&place.path(), "entry");
+    let reader = Reader::open(&place.path()).unwrap();
+    assert_eq!(reader.entries(1, usize::MAX).unwrap().len(), 701, "a look at all of them shows it");
+    assert_eq!(reader.rows(&[hidden]).unwrap(), [], "and no question does");
+    let found = place.verify();
+    assert!(matches!(found.findings[..], [Finding::Pages { .. }]), "{found:?}");
+    assert!(!found.is_whole());
+    let copy = place.folder.path().join("copy.sqlite");
+    // A copy is made by a look at all of them: it has them in order again.
+    backup(&place.path(), &copy).unwrap();
+    assert_eq!(Reader::open(&copy).unwrap().rows(&[hidden]).unwrap().len(), 1);
+}
+
+#[test]
+fn one_changed_key_in_what_questions_look_at_is_named() {
+    for table in ["find", "words_data"] {
+        let place = Place::with(3_000);
+        place.open().tidy().unwrap();
+        hide_by_an_interior_key(&place.path(), table);
+        let found = place.verify();
+        assert!(
+            matches!(found.findings[..], [Finding::Pages { .. } | Finding::Index { .. }, ..]),
+            "{table}: {found:?}"
+        );
+    }
+}
+
 #[test]
 fn an_index_that_hides_an_entry_is_named() {
     let place = Place::with(700);

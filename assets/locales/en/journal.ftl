@@ -60,6 +60,7 @@ store-moved = { $path } was moved or set aside meanwhile: nothing was recorded
 store-other-target = entry { $number } is another one than the one that was to be corrected: nothing was recorded
 store-corrected = entry { $number } was corrected or withdrawn by entry { $by } already: correct that one, unless it is a withdrawal
 store-finding-no-beginning = the journal has no first entry that tells its chain
+store-finding-pages = the pages of the journal do not agree, and questions may miss entries that are in it: { $reason }
 store-finding-index = an index of questions does not agree with its table: { $reason }
 store-no-entry = { $path } has no entry { $number }: the last one is { $last }
 store-backup = the copy of { $path } did not come out whole, and was taken away

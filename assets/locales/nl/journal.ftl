@@ -60,6 +60,7 @@ store-moved = { $path } is intussen verplaatst of opzij gezet: er is niets vastg
 store-other-target = vermelding { $number } is een andere dan die gecorrigeerd moest worden: er is niets vastgelegd
 store-corrected = vermelding { $number } is al gecorrigeerd of ingetrokken door vermelding { $by }: corrigeer die, tenzij het een intrekking is
 store-finding-no-beginning = het logboek heeft geen eerste vermelding die zegt welke keten het is
+store-finding-pages = de pagina's van het logboek kloppen niet met elkaar, en vragen kunnen vermeldingen missen die erin staan: { $reason }
 store-finding-index = een index voor vragen klopt niet met zijn tabel: { $reason }
 store-no-entry = { $path } heeft geen vermelding { $number }: de laatste is { $last }
 store-backup = de kopie van { $path } is niet heel geworden, en is weggehaald
