@@ -191,6 +191,11 @@ pub fn tell(message: &str) -> ExitCode {
     ExitCode::FAILURE
 }
 
+/// Prints a remark on the process's own standard error, from where the streams are not at hand.
+pub(super) fn tell_at_once<T: Say>(what: &T) {
+    Listener(&mut std::io::stderr().lock()).tell(remark(what));
+}
+
 /// A closed pipe is not an error, and must never end a subcommand before its verdict.
 pub(super) fn heard_or_not(written: std::io::Result<()>) -> Result<(), CliError> {
     match written {

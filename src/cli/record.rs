@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
+use super::io::tell_at_once;
 use super::journal::{server, warn_of_zone};
 use super::said::Recorded;
 use super::{CliError, Io};
@@ -280,12 +281,16 @@ impl Recorder {
 /// Adds entries to a journal, all of them or none, and says so.
 pub(super) fn keep(file: &Path, about: &About, entries: &[Entry], io: &mut Io<'_>) -> Result<(), CliError> {
     warn_of_zone(io);
-    let mut journal = Journal::open(file, &Opening::new(&about.station, about.time.clone())).map_err(refused)?;
+    let mut journal = Journal::open(file, &opening(about)).map_err(refused)?;
     let kept = journal.append(entries);
     journal.keep_head();
     tell_remarks(&journal, io);
     tell_kept(file, &kept.map_err(refused)?, io);
     Ok(())
+}
+
+fn opening(about: &About) -> Opening {
+    Opening { waits: tell_at_once, ..Opening::new(&about.station, about.time.clone()) }
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "map_err hands over the error")]
@@ -318,7 +323,7 @@ impl StreamArgs {
         warn_of_zone(io);
         let (part, serial) = (self.part.as_ref(), self.serial.as_ref());
         let about = about(self.station.as_ref(), [self.who.as_ref(), part, serial, None, self.remark.as_ref()]);
-        let opening = Opening::new(&about.station, about.time.clone());
+        let opening = opening(&about);
         let place = self.journal.place()?;
         let recorder = Recorder { place, about, plan: None, is_file_first: true, entries: Vec::new() };
         let recorder = match plan {
