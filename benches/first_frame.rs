@@ -20,6 +20,7 @@ fn setup() -> Setup {
         home: None,
         files: Vec::new(),
         records: Records::nowhere(),
+        told: Vec::new(),
     }
 }
 

@@ -44,6 +44,7 @@ fn empty(size: Vec2) -> Harness<'static, App> {
         home: None,
         files: Vec::new(),
         records: Records::nowhere(),
+        told: Vec::new(),
     };
     Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup))
 }

@@ -49,6 +49,7 @@ fn window(folder: &Path, plan: PathBuf) -> Harness<'static, App> {
         home: None,
         files: vec![(Purpose::OpenPlan, plan)],
         records,
+        told: Vec::new(),
     };
     let size = vec2(1280.0, 800.0);
     let mut window = Harness::builder().with_size(size).with_max_steps(16).build_eframe(|cc| App::new(cc, setup));

@@ -12,6 +12,7 @@ mod straight;
 mod tables;
 mod unfinished;
 mod whole;
+mod zone;
 
 use std::io::{Read as _, Write};
 use std::path::{Path, PathBuf};
@@ -23,6 +24,7 @@ pub use folders::Folders;
 pub use listing::{Entry, Listing, MOST_ENTRIES, list, list_up_to};
 pub use stopping::Stop;
 pub use tables::{OwnTables, OwnTablesError, read_tables};
+pub use zone::{ZoneError, now, zone, zone_name, zone_or_unknown};
 
 use crate::message::Say;
 

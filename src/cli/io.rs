@@ -276,6 +276,11 @@ pub fn tell(message: &str) -> ExitCode {
     ExitCode::FAILURE
 }
 
+/// Prints a remark on the process's own standard error, from where the streams are not at hand.
+pub(super) fn tell_at_once<T: Say>(what: &T) {
+    Listener(&mut std::io::stderr().lock()).tell(remark(what));
+}
+
 /// A closed pipe is not an error, and must never end a subcommand before its verdict.
 pub(super) fn heard_or_not(written: std::io::Result<()>) -> Result<(), CliError> {
     match written {
@@ -360,6 +365,6 @@ pub(super) fn save_with(
 
 /// The local date and time to the second: what a person reads, and what every control prints.
 pub(super) fn now() -> jiff::civil::DateTime {
-    let now = jiff::Zoned::now().datetime();
+    let now = files::now().datetime();
     now.with().subsec_nanosecond(0).build().unwrap_or(now)
 }

@@ -76,6 +76,7 @@ use std::process::ExitCode;
 
 use clap::Parser;
 
+use crate::files::{self, ZoneError};
 use crate::report::figure::Figure;
 use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
@@ -206,6 +207,10 @@ impl Cli {
 
     /// Runs the subcommand on the process's own streams.
     pub fn run_here(&self) -> ExitCode {
+        // Days, entries and prints would have the times of another zone.
+        if let Err(error @ ZoneError::NotUnderstood { .. }) = files::zone() {
+            Self::wrong_usage(&error);
+        }
         ExitCode::from(Io::standard(|io| self.run(io)))
     }
 }

@@ -3,7 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use super::journal::server;
+use super::io::tell_at_once;
+use super::journal::{server, warn_of_zone};
 use super::said::Recorded;
 use super::{CliError, Io};
 use crate::exchange::Labels;
@@ -279,12 +280,17 @@ impl Recorder {
 
 /// Adds entries to a journal, all of them or none, and says so.
 pub(super) fn keep(file: &Path, about: &About, entries: &[Entry], io: &mut Io<'_>) -> Result<(), CliError> {
-    let mut journal = Journal::open(file, &Opening::new(&about.station, about.time.clone())).map_err(refused)?;
+    warn_of_zone(io);
+    let mut journal = Journal::open(file, &opening(about)).map_err(refused)?;
     let kept = journal.append(entries);
     journal.keep_head();
     tell_remarks(&journal, io);
     tell_kept(file, &kept.map_err(refused)?, io);
     Ok(())
+}
+
+fn opening(about: &About) -> Opening {
+    Opening { waits: tell_at_once, ..Opening::new(&about.station, about.time.clone()) }
 }
 
 #[expect(clippy::needless_pass_by_value, reason = "map_err hands over the error")]
@@ -314,9 +320,10 @@ fn tell_kept(file: &Path, kept: &[Kept], io: &mut Io<'_>) {
 impl StreamArgs {
     /// Opens the journal; `plan` is the part of a plan that names the features.
     pub(super) fn stream(&self, plan: Option<&str>, io: &mut Io<'_>) -> Result<Stream, CliError> {
+        warn_of_zone(io);
         let (part, serial) = (self.part.as_ref(), self.serial.as_ref());
         let about = about(self.station.as_ref(), [self.who.as_ref(), part, serial, None, self.remark.as_ref()]);
-        let opening = Opening::new(&about.station, about.time.clone());
+        let opening = opening(&about);
         let place = self.journal.place()?;
         let recorder = Recorder { place, about, plan: None, is_file_first: true, entries: Vec::new() };
         let recorder = match plan {

@@ -3,8 +3,8 @@
 use std::path::{Path, PathBuf};
 
 use jiff::civil::DateTime;
-use jiff::tz::TimeZone;
 
+use super::zone::zone_or_unknown;
 use super::{FileError, system};
 
 /// The most entries of a folder that are read: more do not help anyone to choose.
@@ -64,6 +64,7 @@ pub fn list(folder: &Path) -> Result<Listing, FileError> {
 pub fn list_up_to(folder: &Path, most: usize) -> Result<Listing, FileError> {
     let mut listing = Listing { folder: absolute(folder)?, entries: Vec::new(), has_more: false };
     let entries = std::fs::read_dir(&listing.folder).map_err(|error| system(folder, &error))?;
+    let zone = zone_or_unknown();
     for entry in entries {
         if listing.entries.len() == most {
             listing.has_more = true;
@@ -79,7 +80,7 @@ pub fn list_up_to(folder: &Path, most: usize) -> Result<Listing, FileError> {
             name: entry.file_name().to_string_lossy().into_owned(),
             is_folder: metadata.as_ref().is_some_and(std::fs::Metadata::is_dir),
             bytes: metadata.as_ref().map_or(0, std::fs::Metadata::len),
-            changed: changed.map(|changed| changed.to_zoned(TimeZone::system()).datetime()),
+            changed: changed.map(|changed| changed.to_zoned(zone.clone()).datetime()),
             path,
         });
     }

@@ -13,6 +13,8 @@ use super::store::Store;
 use super::theme;
 use super::view::View;
 use super::{budget, check, cycles, dialogs, field, fit, keys, pairing, parts, program, records, tables, top_bar};
+use crate::files;
+use crate::message::{Message, Say as _};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Session, Theme};
 use crate::words::{Language, Words};
 
@@ -35,6 +37,8 @@ pub struct Setup {
     pub files: Vec<(Purpose, PathBuf)>,
     /// Where checks are recorded.
     pub records: Records,
+    /// What is told at once.
+    pub told: Vec<Message>,
 }
 
 impl Setup {
@@ -46,10 +50,11 @@ impl Setup {
             language,
             words: Words::new,
             errands: Errands::OnThread,
-            clock: || jiff::Zoned::now().datetime(),
+            clock: || files::now().datetime(),
             home: etcetera::home_dir().ok(),
             files: Vec::new(),
             records: Records::of_user(),
+            told: files::zone().err().map(|error| error.message()).into_iter().collect(),
         }
     }
 }
@@ -81,6 +86,9 @@ impl App {
             None => (Session::new(setup.language), Vec::new()),
         };
         if let Some(told) = told {
+            session.tell(told);
+        }
+        for told in setup.told {
             session.tell(told);
         }
         match store.materials() {

@@ -21,7 +21,7 @@ pub struct Moment {
     pub utc_ms: i64,
     /// How far local time was ahead of UTC, minutes.
     pub offset_min: i32,
-    /// The name of the time zone, such as `Europe/Amsterdam`; empty where it is not known.
+    /// The name of the time zone, such as `Europe/Amsterdam`, or its rule or offset; empty where it is not known.
     pub zone: String,
 }
 

@@ -123,6 +123,14 @@ pub enum StoreError {
         #[say(with = printed)]
         last: u64,
     },
+    /// An entry that must be there is not found by its number.
+    Hidden {
+        /// The journal.
+        path: PathBuf,
+        /// The entry's number.
+        #[say(with = printed)]
+        number: u64,
+    },
     /// The entry cannot be written as bytes.
     #[say(transparent)]
     Body(BodyError),
@@ -229,6 +237,11 @@ pub enum StoreRemark {
         /// The last entry of the one that was there.
         #[say(with = printed)]
         known: u64,
+    },
+    /// Another program writes to it, and this one waits for its turn.
+    Waits {
+        /// The journal.
+        path: PathBuf,
     },
     /// What is known of it elsewhere could not be read or kept.
     NoAnchor {

@@ -7,8 +7,8 @@ use crate::journal::entry::Moment;
 
 /// The time now, as an entry keeps it.
 pub fn moment() -> Moment {
-    let now = jiff::Zoned::now();
-    let zone = now.time_zone().iana_name().unwrap_or_default().to_owned();
+    let now = files::now();
+    let zone = files::zone_name(&now);
     Moment { utc_ms: now.timestamp().as_millisecond(), offset_min: now.offset().seconds() / 60, zone }
 }
 

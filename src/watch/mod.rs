@@ -175,7 +175,7 @@ impl Watcher {
 
     /// Leaves a journal alone, with all that belongs to it.
     pub fn leave_journal(&mut self, journal: &Path) {
-        for ending in ["", "-wal", "-shm", "-journal"] {
+        for ending in ["", "-wal", "-shm", "-journal", "-lock"] {
             let mut name = journal.file_name().unwrap_or_default().to_owned();
             name.push(ending);
             self.leave(&journal.with_file_name(name));

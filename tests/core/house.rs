@@ -257,6 +257,13 @@ fn no_cycle_is_named_outside_its_own_file() {
     assert_eq!(found, Vec::<String>::new());
 }
 
+/// Elsewhere a zone that nobody knows would be UTC in silence.
+#[test]
+fn the_time_zone_is_asked_for_in_one_place() {
+    let others = files(|name| name != "files/zone.rs");
+    none_names(&others, &["Zoned::now", "TimeZone::system", "TimeZone::try_system", "TimeZone::get", "in_tz("]);
+}
+
 /// What a person reads on a terminal goes through one writer, which tames it.
 #[test]
 fn nothing_is_written_around_the_writer_for_people() {

@@ -2,7 +2,9 @@
 
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
-use std::time::Duration;
+use std::sync::Mutex;
+use std::sync::atomic::{AtomicBool, AtomicU64, Ordering};
+use std::time::{Duration, Instant};
 
 use fitcheck::journal::Record;
 use fitcheck::journal::ask::Question;
@@ -290,7 +292,7 @@ fn a_journal_that_is_gone_is_told_once_and_named_by_the_new_one() {
 #[test]
 fn two_writers_at_once_make_one_chain() {
     let place = Place::with(0);
-    let opening = Opening { patience: Duration::from_secs(10), ..place.opening() };
+    let opening = Opening { patience: Duration::from_mins(1), ..place.opening() };
     std::thread::scope(|scope| {
         for who in 0..4 {
             let (path, opening) = (place.path(), opening.clone());
@@ -317,6 +319,83 @@ fn a_writer_that_waits_too_long_says_that_another_program_holds_the_file() {
     assert_eq!(Reader::open(&place.path()).unwrap().head().unwrap().number, 2);
     other.execute_batch("COMMIT").unwrap();
     journal.append(&[good("A")]).unwrap();
+}
+
+/// What waiting programs told.
+static TOLD: Mutex<Vec<StoreRemark>> = Mutex::new(Vec::new());
+
+/// The place in the queue of those who write.
+fn queue(place: &Place) -> std::fs::File {
+    let path = place.path().with_file_name("journal.sqlite-lock");
+    std::fs::File::options().append(true).open(path).unwrap()
+}
+
+#[test]
+fn a_program_waits_as_long_as_the_one_before_it_writes_and_tells_so_after_some_seconds() {
+    let place = Place::with(1);
+    let patience = Duration::from_secs(2);
+    let opening = Opening { patience, waits: |remark| TOLD.lock().unwrap().push(remark.clone()), ..place.opening() };
+    let mut journal = Journal::open(&place.path(), &opening).unwrap();
+    let queue = queue(&place);
+    queue.lock().unwrap();
+    let (begun, waited) = (Instant::now(), AtomicBool::new(false));
+    std::thread::scope(|scope| {
+        scope.spawn(|| {
+            // An older program, which does not know the queue; it is slow, and adds one entry after the other.
+            let other = Connection::open(place.path()).unwrap();
+            let mut number = 2;
+            while begun.elapsed() < 2 * patience + patience / 2 {
+                number += 1;
+                other.execute("INSERT INTO entry VALUES (?1, x'00', zeroblob(32))", [number]).unwrap();
+                assert!(!waited.load(Ordering::Relaxed), "nobody comes before its turn");
+                std::thread::sleep(Duration::from_millis(20));
+            }
+            queue.unlock().unwrap();
+        });
+        let kept = journal.append(&[good("A")]);
+        waited.store(true, Ordering::Relaxed);
+        kept.unwrap();
+    });
+    assert!(2 * patience < begun.elapsed(), "longer than it is patient where nothing happens");
+    assert_eq!(*TOLD.lock().unwrap(), [StoreRemark::Waits { path: place.path() }], "once");
+}
+
+#[test]
+fn a_program_that_holds_the_queue_and_writes_nothing_is_given_up_and_nothing_is_recorded() {
+    let place = Place::with(1);
+    let mut journal = place.open();
+    let queue = queue(&place);
+    queue.lock().unwrap();
+    assert_eq!(journal.append(&[good("A")]), Err(StoreError::Locked { path: place.path() }));
+    assert_eq!(place.try_open().unwrap_err(), StoreError::Locked { path: place.path() });
+    queue.unlock().unwrap();
+    journal.append(&[good("A")]).unwrap();
+    assert_eq!(place.entries().len(), 3);
+}
+
+#[test]
+fn a_program_that_records_all_the_time_lets_others_have_their_turn() {
+    let place = Place::with(1);
+    let opening = Opening { patience: Duration::from_mins(1), ..place.opening() };
+    let (busy, is_over) = (AtomicU64::new(0), AtomicBool::new(false));
+    std::thread::scope(|scope| {
+        for _ in 0..3 {
+            scope.spawn(|| {
+                let mut journal = Journal::open(&place.path(), &opening).unwrap();
+                while !is_over.load(Ordering::Relaxed) {
+                    journal.append(&[good("busy")]).unwrap();
+                    busy.fetch_add(1, Ordering::Relaxed);
+                }
+            });
+        }
+        for _ in 0..20 {
+            let mut journal = Journal::open(&place.path(), &opening).unwrap();
+            journal.append(&[good("now and then")]).unwrap();
+        }
+        is_over.store(true, Ordering::Relaxed);
+    });
+    println!("{} entries of others to twenty of its own", busy.load(Ordering::Relaxed));
+    assert!(place.verify().is_whole());
 }
 
 #[test]
@@ -864,6 +943,71 @@ fn an_emptied_journal_is_not_whole_and_is_set_aside() {
     assert_eq!(place.verify().findings, [Finding::NoBeginning]);
     let journal = place.open();
     assert!(matches!(journal.remarks(), [StoreRemark::SetAside { .. }, ..]), "{:?}", remarks(&journal));
+}
+
+/// The smallest number in the top page of a table, made one less: the entry that has it is looked for in the next page then.
+fn hide_by_an_interior_key(path: &Path, table: &str) -> u64 {
+    let connection = Connection::open(path).unwrap();
+    connection.execute_batch("PRAGMA wal_checkpoint(TRUNCATE)").unwrap();
+    let root: usize = connection
+        .query_row("SELECT rootpage FROM sqlite_schema WHERE name = ?1", [table], |row| row.get::<_, i64>(0))
+        .unwrap()
+        .try_into()
+        .unwrap();
+    let size: usize =
+        connection.pragma_query_value(None, "page_size", |row| row.get::<_, i64>(0)).unwrap().try_into().unwrap();
+    drop(connection);
+    let mut bytes = std::fs::read(path).unwrap();
+    let page = (root - 1) * size;
+    assert_eq!(bytes[page], 5, "an interior page of a table");
+    // The first cell: the number of a page, and a number of seven bits a byte.
+    let cell = page + usize::from(u16::from_be_bytes([bytes[page + 12], bytes[page + 13]]));
+    let mut at = cell + 4;
+    let mut number = u64::from(bytes[at] & 0x7f);
+    while bytes[at] & 0x80 != 0 {
+        at += 1;
+        number = number << 7 | u64::from(bytes[at] & 0x7f);
+    }
+    assert_ne!(bytes[at] & 0x7f, 0);
+    bytes[at] -= 1;
+    fitcheck::files::write(path, &bytes).unwrap();
+    number
+}
+
+#[test]
+fn one_changed_key_in_an_interior_page_that_hides_an_entry_is_named() {
+    let place = Place::with(700);
+    place.open().tidy().unwrap();
+    let hidden = hide_by_an_interior_key(&place.path(), "entry");
+    let reader = Reader::open(&place.path()).unwrap();
+    assert_eq!(reader.entries(1, usize::MAX).unwrap().len(), 701, "a look at all of them shows it");
+    let error = StoreError::Hidden { path: place.path(), number: hidden };
+    assert_eq!(reader.rows(&[hidden]), Err(error), "a look at it by its number does not");
+    let found = place.verify();
+    assert!(matches!(found.findings[..], [Finding::Pages { .. }]), "{found:?}");
+    assert!(!found.is_whole());
+    let copy = place.folder.path().join("copy.sqlite");
+    // A copy is made by a look at all of them: it has them in order again.
+    backup(&place.path(), &copy).unwrap();
+    assert_eq!(
+        Reader::open(&copy).unwrap().rows(&[hidden, 702]).unwrap().len(),
+        1,
+        "what is behind the last is not there"
+    );
+}
+
+#[test]
+fn one_changed_key_in_what_questions_look_at_is_named() {
+    for table in ["find", "words_data"] {
+        let place = Place::with(3_000);
+        place.open().tidy().unwrap();
+        hide_by_an_interior_key(&place.path(), table);
+        let found = place.verify();
+        assert!(
+            matches!(found.findings[..], [Finding::Pages { .. } | Finding::Index { .. }, ..]),
+            "{table}: {found:?}"
+        );
+    }
 }
 
 #[test]

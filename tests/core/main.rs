@@ -146,3 +146,4 @@ mod watching;
 mod watching_again;
 mod workpieces;
 mod xlsx;
+mod zones;

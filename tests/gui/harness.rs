@@ -77,6 +77,7 @@ impl Window {
             home: self.home,
             files: self.files,
             records: self.records,
+            told: Vec::new(),
         };
         let mut harness = Harness::builder()
             .with_size(self.size)

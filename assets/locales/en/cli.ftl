@@ -241,3 +241,7 @@ cli-warning-see-note = not everything could be used: the file beside it ending i
 cli-not-seconds = { $given } is not a time in seconds
 cli-warning-same-content = the same content was imported before as { $known }: nothing is recorded again
 cli-warning-not-alone = cannot tell whether another program watches this folder for the same journal: { $reason }
+
+## The time zone of this computer
+zone-not-understood = TZ is set to "{ $given }", which is not a time zone: set it to a name such as Europe/Amsterdam or to UTC, or remove it
+zone-unknown = the time zone of this computer is not known, so times are in UTC: set TZ to a name such as Europe/Amsterdam

@@ -241,3 +241,7 @@ cli-warning-see-note = niet alles was bruikbaar: het bestand ernaast dat op { $n
 cli-not-seconds = { $given } is geen tijd in seconden
 cli-warning-same-content = dezelfde inhoud is eerder overgenomen als { $known }: er wordt niets opnieuw vastgelegd
 cli-warning-not-alone = het is niet bekend of een ander programma deze map voor hetzelfde logboek bewaakt: { $reason }
+
+## De tijdzone van deze computer
+zone-not-understood = TZ staat op "{ $given }", en dat is geen tijdzone: geef een naam als Europe/Amsterdam of UTC, of verwijder de variabele
+zone-unknown = de tijdzone van deze computer is niet bekend, dus zijn tijden in UTC: zet TZ op een naam als Europe/Amsterdam

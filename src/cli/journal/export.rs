@@ -61,7 +61,7 @@ const FORMATS: [&str; 2] = ["csv", "json"];
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let question = self.question.read()?;
+        let question = self.question.read(io)?;
         let from = match self.journal.place()? {
             Place::File(file) => {
                 let reader = Reader::open(&file).said()?;

@@ -47,7 +47,7 @@ pub(super) struct Args {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let question = self.question.read()?;
+        let question = self.question.read(io)?;
         // One more than is listed tells that there are more.
         let most = self.limit.saturating_add(1);
         let mut rows = match self.journal.place()? {

@@ -28,10 +28,10 @@ mod text;
 mod verify;
 
 use jiff::Timestamp;
-use jiff::tz::TimeZone;
 
 use super::record::JournalArgs;
 use super::{CliError, CliRemark, Format, Io, Outcome, Refused, heard_or_not, save_with};
+use crate::files;
 use crate::journal::ask::{Here, Question};
 
 /// The journal: list, show, export, verify, correct, back up, send
@@ -79,16 +79,27 @@ struct QuestionArgs {
 }
 
 impl QuestionArgs {
-    fn read(&self) -> Result<Question, CliError> {
+    fn read(&self, io: &mut Io<'_>) -> Result<Question, CliError> {
         let words: Vec<String> = self.question.iter().map(|word| as_given(word)).collect();
         let text = words.join(" ");
-        Question::read(&text, &here()).about(&text)
+        let question = Question::read(&text, &here()).about(&text)?;
+        if question.from_ms.or(question.before_ms).is_some() {
+            warn_of_zone(io);
+        }
+        Ok(question)
     }
 }
 
 /// Now, in the time zone of this computer.
 fn here() -> Here {
-    Here { now: Timestamp::now(), zone: TimeZone::system() }
+    Here { now: Timestamp::now(), zone: files::zone_or_unknown() }
+}
+
+/// Tells that nobody knows the time zone of this computer, where days or the time of an entry depend on it.
+pub(super) fn warn_of_zone(io: &mut Io<'_>) {
+    if let Err(error) = files::zone() {
+        io.warn(&error);
+    }
 }
 
 /// An argument as a word of a question: the shell has taken its quotation marks away.

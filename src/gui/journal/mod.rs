@@ -136,7 +136,14 @@ impl Records {
     pub fn of_user() -> Self {
         let journals = Arc::new(Local::of_user());
         let usual = Local::usual();
-        Self { journals, usual, station: computer(), moment, zone: TimeZone::system(), always_threads: false }
+        Self {
+            journals,
+            usual,
+            station: computer(),
+            moment,
+            zone: crate::files::zone_or_unknown(),
+            always_threads: false,
+        }
     }
 
     /// No records, unless the state file names a journal.

@@ -1,13 +1,14 @@
 //! The journal of a station: one SQLite file, to which entries are only added.
 //!
 //! When [`Journal::append`] returns, its entries are on the disk: write-ahead log, `synchronous=FULL`, read back at every open. Any
-//! number of programs may add to one file at once; readers never wait. `journal.sqlite` has `-wal` and `-shm` beside it while it is in
-//! use, and these belong to it: a copy is made by [`backup`].
+//! number of programs may add to one file at once, one after the other; readers never wait. `journal.sqlite` has `-wal` and `-shm` beside it
+//! while it is in use, and these belong to it: a copy is made by [`backup`]. `-lock` is empty and stays.
 //!
 //! | file | what |
 //! |---|---|
 //! | here | adding entries |
 //! | `opening` | what is looked at before a file is used; what a connection is set to |
+//! | `turn` | whose turn it is to write, where several programs add to one file |
 //! | `schema` | the tables, and what keeps entries as they are |
 //! | `finding` | what an entry is found by, and questions as conditions on it |
 //! | `index` | what entries are found by, some hundreds of entries later |
@@ -26,6 +27,7 @@ mod index;
 mod opening;
 mod reader;
 mod schema;
+mod turn;
 mod verify;
 mod words;
 
@@ -33,11 +35,12 @@ use std::path::{Path, PathBuf};
 use std::time::Duration;
 
 use etcetera::BaseStrategy as _;
-use rusqlite::{Connection, OptionalExtension as _, TransactionBehavior, params};
+use rusqlite::{Connection, OptionalExtension as _, params};
 
 pub use self::anchor::{Anchor, Anchors};
 pub use self::backup::backup;
 pub use self::reader::{Interrupt, Reader, Row};
+use self::turn::Turn;
 pub use self::verify::{Finding, Verified, verify};
 use super::error::{StoreError, StoreRemark};
 use crate::journal::body;
@@ -61,14 +64,17 @@ pub struct Opening {
     pub time: Moment,
     /// Where the last entries of journals are kept besides; `None` keeps and compares none.
     pub anchors: Option<PathBuf>,
-    /// How long another program is waited for.
+    /// How long another program is waited for that holds the journal and writes nothing.
     pub patience: Duration,
+    /// Tells what is waited for, after some seconds.
+    pub waits: fn(&StoreRemark),
 }
 
 impl Opening {
-    /// With the user's own file of last entries, and ten seconds of patience.
+    /// With the user's own file of last entries, and a minute of patience; nobody is told of waiting.
     pub fn new(station: impl Into<String>, time: Moment) -> Self {
-        Self { station: station.into(), time, anchors: Anchors::of_user(), patience: Duration::from_secs(10) }
+        let (anchors, patience) = (Anchors::of_user(), Duration::from_mins(1));
+        Self { station: station.into(), time, anchors, patience, waits: |_remark| {} }
     }
 }
 
@@ -122,13 +128,19 @@ impl Journal {
 
     fn open_whole(path: &Path, opening: &Opening, known: Option<&Anchor>) -> Result<Self, StoreError> {
         let mut remarks = Vec::new();
+        match opening::look(path) {
+            // Somebody is just making it.
+            Ok(_) | Err(StoreError::Locked { .. }) => {}
+            Err(error) => return Err(error),
+        }
+        opening::make_folder(path)?;
+        let turn = Turn::of(path, opening)?;
         let state = opening::look(path)?;
         let mut connection = opening::to_write(path, opening.patience)?;
         let failed = |error: rusqlite::Error| StoreError::of(path, &error);
         match state {
             opening::State::Empty => {
-                let transaction =
-                    connection.transaction_with_behavior(TransactionBehavior::Immediate).map_err(failed)?;
+                let transaction = turn.begin(&connection, path, opening)?;
                 // Another program may have been first.
                 if opening::version(&transaction).map_err(failed)? == (0, 0) {
                     schema::make(&transaction).map_err(failed)?;
@@ -175,12 +187,13 @@ impl Journal {
         if file_id(&self.path) != self.file {
             return Err(StoreError::Moved { path: self.path.clone() });
         }
-        let Self { path, connection, chain, .. } = self;
+        let Self { path, connection, chain, opening, .. } = self;
         // Written as bytes before the file is locked.
         let bodies: Vec<Vec<u8>> =
             entries.iter().map(body::write).collect::<Result<_, _>>().map_err(StoreError::Body)?;
         let failed = |error: rusqlite::Error| StoreError::of(path, &error);
-        let transaction = connection.transaction_with_behavior(TransactionBehavior::Immediate).map_err(failed)?;
+        let turn = Turn::of(path, opening)?;
+        let transaction = turn.begin(connection, path, opening)?;
         let mut head = head_of(&transaction).map_err(failed)?;
         for correction in entries.iter().filter_map(Entry::corrects) {
             may_correct(&transaction, path, correction)?;
@@ -220,6 +233,7 @@ impl Journal {
     /// # Errors
     /// [`StoreError`] where the file cannot be written to; nothing is lost.
     pub fn tidy(&self) -> Result<(), StoreError> {
+        let _turn = Turn::of(&self.path, &self.opening)?;
         let all = || index::bring_all_up(&self.connection, reader::integer(head_of(&self.connection)?.number));
         all().map_err(|error: rusqlite::Error| StoreError::of(&self.path, &error))
     }
@@ -270,8 +284,11 @@ impl Drop for Journal {
             return;
         }
         self.keep_head();
-        // Costs nothing where nothing has changed; what it says is of no use to anybody any more.
-        let _optimized = self.connection.execute_batch("PRAGMA optimize");
+        // Costs nothing where nothing has changed; what it says is of no use to anybody any more, and nobody is waited for.
+        let _optimized = self
+            .connection
+            .busy_timeout(Duration::ZERO)
+            .and_then(|()| self.connection.execute_batch("PRAGMA optimize"));
     }
 }
 

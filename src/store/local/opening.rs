@@ -10,7 +10,7 @@ use super::schema::{APPLICATION, VERSION};
 use crate::store::error::StoreError;
 
 /// How long a reader waits where a journal is just being made, or its log is played in after a fall.
-const PATIENCE: Duration = Duration::from_secs(10);
+const PATIENCE: Duration = Duration::from_mins(1);
 
 /// The smallest page of a file of SQLite, bytes.
 const SMALLEST: u64 = 512;
@@ -106,13 +106,17 @@ fn is_bare(connection: &Connection) -> rusqlite::Result<bool> {
     Ok(tables == 0)
 }
 
-/// A connection that adds entries, and makes the file and its folder where there is none.
-pub(super) fn to_write(path: &Path, patience: Duration) -> Result<Connection, StoreError> {
+/// Makes the folder of a journal where there is none.
+pub(super) fn make_folder(path: &Path) -> Result<(), StoreError> {
     let folder = path.parent().filter(|folder| !folder.as_os_str().is_empty());
     if let Some(folder) = folder {
         std::fs::create_dir_all(folder).map_err(|error| StoreError::system(path, &error))?;
     }
-    not_on_a_network(path, folder.unwrap_or_else(|| Path::new(".")))?;
+    not_on_a_network(path, folder.unwrap_or_else(|| Path::new(".")))
+}
+
+/// A connection that adds entries, and makes the file where there is none.
+pub(super) fn to_write(path: &Path, patience: Duration) -> Result<Connection, StoreError> {
     let flags = OpenFlags::SQLITE_OPEN_READ_WRITE | OpenFlags::SQLITE_OPEN_CREATE | OpenFlags::SQLITE_OPEN_NO_MUTEX;
     let failed = |error: rusqlite::Error| match StoreError::of(path, &error) {
         error @ StoreError::CannotOpen { .. } => told_by_the_system(path).unwrap_or(error),

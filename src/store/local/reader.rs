@@ -156,24 +156,32 @@ impl Reader {
         read().map_err(|error| self.failed(&error))
     }
 
-    /// Entries by their numbers, in the order that is given; a number that is not there is left out.
+    /// Entries by their numbers, in the order that is given; a number behind the last one is left out.
     ///
     /// # Errors
-    /// As for [`Self::head`].
+    /// [`StoreError::Hidden`] where one before the last is not found, and as for [`Self::head`].
     pub fn rows(&self, numbers: &[u64]) -> Result<Vec<Row>, StoreError> {
-        let read = || -> rusqlite::Result<Vec<Row>> {
+        let read = || -> rusqlite::Result<Result<Vec<Row>, u64>> {
             let transaction = self.connection.unchecked_transaction()?;
             let mut entries = transaction.prepare_cached("SELECT number, body, hash FROM entry WHERE number = ?1")?;
+            let last = head_of(&transaction)?.number;
             let corrections = Corrections::of(&transaction)?;
             let mut rows = Vec::with_capacity(numbers.len());
             for number in numbers {
-                let Some(kept) = entries.query_row([integer(*number)], kept).optional()? else { continue };
+                let Some(kept) = entries.query_row([integer(*number)], kept).optional()? else {
+                    // What was listed, or has a number between others, is not left out without a word.
+                    if (1..=last).contains(number) {
+                        return Ok(Err(*number));
+                    }
+                    continue;
+                };
                 let corrected_by = corrections.newest(*number)?;
                 rows.push(Row { entry: body::read(&kept.body), kept, corrected_by });
             }
-            Ok(rows)
+            Ok(Ok(rows))
         };
-        read().map_err(|error| self.failed(&error))
+        let hidden = |number| StoreError::Hidden { path: self.path.clone(), number };
+        read().map_err(|error| self.failed(&error))?.map_err(hidden)
     }
 
     /// Ends a running call from another thread.

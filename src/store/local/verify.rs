@@ -1,6 +1,10 @@
 //! Whether every entry of a journal is the one that was written, and is found as it says.
 //!
-//! One thread reads and hashes, another one compares what entries are found by, a third looks at the indexes: each takes about as long.
+//! One thread reads and hashes, another one compares what entries are found by, a third looks at the indexes, a fourth at the pages of
+//! the entries: each takes about as long.
+//!
+//! The entries are read one after the other, and questions look each of them up by its number. A number in the pages above that was
+//! changed lets the first pass and misleads the second, so the pages are looked at, too.
 
 use std::collections::HashMap;
 use std::ops::ControlFlow;
@@ -8,7 +12,7 @@ use std::path::Path;
 use std::sync::mpsc::{Receiver, SyncSender, sync_channel};
 use std::thread;
 
-use rusqlite::{Connection, OptionalExtension as _};
+use rusqlite::{Connection, InterruptHandle, OptionalExtension as _};
 
 use super::{finding, index, opening, reader, schema};
 use crate::journal::body;
@@ -54,6 +58,11 @@ pub enum Finding {
     },
     /// There is no first entry that tells its chain.
     NoBeginning,
+    /// The pages of a table lead to another entry than they say, or to none: what is in the file is hidden from questions.
+    Pages {
+        /// What the database says.
+        reason: String,
+    },
     /// An index of questions does not agree with its table.
     Index {
         /// What the database says.
@@ -84,26 +93,29 @@ pub fn verify(
     let chain = chain_of(&connection, path, &mut findings)?;
     let mut inspection = Inspection::new(chain, known);
     let (sender, receiver) = sync_channel(AHEAD);
-    let checked = opening::to_read(path)?;
-    let no_more = checked.get_interrupt_handle();
-    let (not_found, index) = thread::scope(|scope| {
+    let (checked, paged) = (opening::to_read(path)?, opening::to_read(path)?);
+    let no_more = [checked.get_interrupt_handle(), paged.get_interrupt_handle()];
+    let (not_found, index, pages) = thread::scope(|scope| {
         let thread = |name: &str| thread::Builder::new().name(name.to_owned());
         let no_thread = |error: std::io::Error| StoreError::system(path, &error);
         let comparing =
             thread("compare").spawn_scoped(scope, move || compared(&finds, &receiver)).map_err(no_thread)?;
         let checking = thread("indexes").spawn_scoped(scope, move || indexes(&checked)).map_err(no_thread)?;
+        let paging = thread("pages").spawn_scoped(scope, move || pages(&paged)).map_err(no_thread)?;
         let walked = walk(&connection, &mut inspection, &sender, progress).map_err(failed);
         drop(sender);
         if !matches!(walked, Ok(ControlFlow::Continue(()))) {
-            no_more.interrupt();
+            no_more.iter().for_each(InterruptHandle::interrupt);
         }
         let not_found = comparing.join().map_err(|_panicked| StoreError::Interrupted)?.map_err(failed);
         let index = checking.join().map_err(|_panicked| StoreError::Interrupted)?.map_err(failed);
+        let pages = paging.join().map_err(|_panicked| StoreError::Interrupted)?.map_err(failed);
         if walked?.is_break() {
             return Err(StoreError::Interrupted);
         }
-        Ok((not_found?, index?))
+        Ok((not_found?, index?, pages?))
     })?;
+    findings.extend(pages.map(|reason| Finding::Pages { reason }));
     findings.extend(index.map(|reason| Finding::Index { reason }));
     findings.extend((0 < not_found).then_some(Finding::NotFound { entries: not_found }));
     Ok(Verified { chain, inspected: inspection.finish(), findings })
@@ -179,10 +191,27 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
     Ok(wrong.saturating_add(reader::natural(more)))
 }
 
-/// What is wrong with the indexes of questions, by the database's own look at them; entries are looked at by their hashes.
+/// What is wrong with the table of questions and its indexes, and with the pages of the words, by the database's own look at them.
 fn indexes(connection: &Connection) -> rusqlite::Result<Option<String>> {
-    let said: String = connection.query_row("PRAGMA integrity_check('find')", [], |row| row.get(0))?;
-    Ok((said != "ok").then_some(said))
+    first_of(
+        connection,
+        &["PRAGMA integrity_check('find')", "PRAGMA quick_check('words_data')", "PRAGMA quick_check('words_idx')"],
+    )
+}
+
+/// What is wrong with the pages that lead to entries by their numbers; what the entries say is looked at by their hashes.
+fn pages(connection: &Connection) -> rusqlite::Result<Option<String>> {
+    first_of(connection, &["PRAGMA quick_check('entry')"])
+}
+
+fn first_of(connection: &Connection, looks: &[&str]) -> rusqlite::Result<Option<String>> {
+    for look in looks {
+        let said: String = connection.query_row(look, [], |row| row.get(0))?;
+        if said != "ok" {
+            return Ok(Some(said));
+        }
+    }
+    Ok(None)
 }
 
 /// The classes of callouts that were met: a shop has few.
