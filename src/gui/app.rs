@@ -7,6 +7,7 @@ use eframe::egui::{Context, Event, ThemePreference, Ui, ViewportCommand};
 use jiff::civil::DateTime;
 
 use super::effects::{Beside, Errands, Runner};
+use super::in_turn::InTurn;
 use super::journal::Records;
 use super::keeping::Keeper;
 use super::store::Store;
@@ -79,6 +80,7 @@ impl App {
     /// The window in the state that the last one left.
     pub fn new(cc: &eframe::CreationContext<'_>, setup: Setup) -> Self {
         theme::install(&cc.egui_ctx);
+        cc.egui_ctx.add_plugin(InTurn::default());
         let mut store = setup.store;
         let (saved, told) = store.load();
         let (mut session, effects) = match saved {

@@ -15,6 +15,7 @@
 //! | `who` | who is measuring |
 //! | `tools` | the tool table on the pages that measure |
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
+//! | `in_turn` | keys that come faster than frames |
 //! | `picture` | pictures of parts become dots |
 //! | `columns` | three columns, and how they fold |
 //! | `class_chooser`, `field`, `keypad`, `limits`, `long_list`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
@@ -33,6 +34,7 @@ mod effects;
 mod field;
 mod fit;
 mod folder_list;
+mod in_turn;
 pub mod journal;
 mod keeping;
 mod keypad;

@@ -1,9 +1,10 @@
 //! The one place where a window for tests is built, and where image thresholds are decided.
 
 use std::path::PathBuf;
+use std::time::Duration;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers, Theme, Vec2, vec2};
+use eframe::egui::{Event, Key, Modifiers, Theme, Vec2, ViewportId, vec2};
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use egui_kittest::{Harness, SnapshotOptions};
 use fitcheck::gui::journal::Records;
@@ -108,6 +109,50 @@ pub fn type_into(harness: &mut Harness<'_, App>, name: &str, text: &str) {
         harness.get_by_role_and_label(Role::TextInput, name).type_text(text);
     }
     harness.run();
+}
+
+/// Types as a scanner or a gauge does, all within one frame: `⇥` `⇤` `⏎` `⎋` `↓` `↑` are keys, and so is everything else, which types
+/// a sign.
+pub fn scan(window: &mut Harness<'_, App>, typed: &str) {
+    let events: Vec<Event> = typed.chars().flat_map(events_of).collect();
+    window.input_mut().events.extend(events);
+    settle(window);
+}
+
+/// What the system tells of a key: pressed, what it types, released.
+fn events_of(sign: char) -> Vec<Event> {
+    const SHIFT: Modifiers = Modifiers::SHIFT;
+    let (key, modifiers, types) = match sign {
+        '⇥' => (Some(Key::Tab), Modifiers::NONE, false),
+        '⇤' => (Some(Key::Tab), SHIFT, false),
+        '⏎' => (Some(Key::Enter), Modifiers::NONE, false),
+        '⎋' => (Some(Key::Escape), Modifiers::NONE, false),
+        '↓' => (Some(Key::ArrowDown), Modifiers::NONE, false),
+        '↑' => (Some(Key::ArrowUp), Modifiers::NONE, false),
+        sign => {
+            let modifiers = if sign.is_uppercase() { SHIFT } else { Modifiers::NONE };
+            (Key::from_name(&sign.to_uppercase().to_string()), modifiers, true)
+        }
+    };
+    let of_key = |pressed| {
+        let key = key?;
+        Some(Event::Key { key, physical_key: None, pressed, repeat: false, modifiers })
+    };
+    let held = (modifiers != Modifiers::NONE).then_some(Event::ModifiersChanged(modifiers));
+    let left = held.is_some().then_some(Event::ModifiersChanged(Modifiers::NONE));
+    let text = types.then(|| Event::Text(sign.to_string()));
+    held.into_iter().chain(of_key(true)).chain(text).chain(of_key(false)).chain(left).collect()
+}
+
+/// Draws until nothing asks for another frame at once.
+pub fn settle(window: &mut Harness<'_, App>) {
+    for _ in 0..1_000 {
+        window.step();
+        if window.output().viewport_output[&ViewportId::ROOT].repaint_delay != Duration::ZERO {
+            return;
+        }
+    }
+    panic!("the window never comes to rest");
 }
 
 /// Types a callout and a measured value and presses Enter.

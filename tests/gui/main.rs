@@ -9,6 +9,7 @@ mod columns_page;
 mod cycle_page;
 mod dialogs;
 mod fake_journal;
+mod fast_keys;
 mod fit_page;
 mod harness;
 mod history;
