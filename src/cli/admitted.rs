@@ -12,6 +12,7 @@ use crate::control::probe_block::Unused;
 use crate::control::table::TableWarning;
 use crate::exchange::ImportWarningKind;
 use crate::files::FileError;
+use crate::files::ZoneError;
 use crate::journal::entry::CheckRemark;
 use crate::message::{Located, Say};
 use crate::nc::program::ProgramWarning;
@@ -45,6 +46,7 @@ macro_rules! explains {
 }
 
 explains! {
+    ZoneError: "The time zone of this computer: an entry without one says so itself.",
     ThermalDoubt: "Told where the temperature was said to be meant; elsewhere it is refused.",
     ZoneDoubt: "Told where the zone was said to be meant; elsewhere it is refused.",
     Caveat: "How well a diameter is known: the rules count it.",

@@ -278,7 +278,8 @@ pub fn tell(message: &str) -> ExitCode {
 
 /// Prints a remark on the process's own standard error, from where the streams are not at hand.
 pub(super) fn tell_at_once<T: Say>(what: &T) {
-    Listener(&mut std::io::stderr().lock()).tell(remark(what));
+    let (mut err, mut wants_a_look) = (std::io::stderr().lock(), false);
+    Listener { err: &mut err, wants_a_look: &mut wants_a_look }.tell(remark(what));
 }
 
 /// A closed pipe is not an error, and must never end a subcommand before its verdict.

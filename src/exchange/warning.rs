@@ -296,6 +296,7 @@ impl ImportWarningKind {
             | Self::FoundByPlace { .. }
             | Self::ClassUnknown { .. }
             | Self::UncertaintyNotUsed { .. }
+            | Self::UnitRead { .. }
             | Self::UnitAssumed
             | Self::Rounded { .. }
             | Self::RoundedValues { .. }
