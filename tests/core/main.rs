@@ -137,6 +137,7 @@ mod tables;
 mod told_again;
 mod tool_monitoring;
 mod tool_table;
+mod truth;
 mod twin;
 mod verdicts;
 mod wall_cycles;
