@@ -192,6 +192,9 @@ pub enum ImportWarningKind {
         sheet: String,
         /// The others.
         left: String,
+        /// Whether one of them looks as if something measured were in it, and nobody has chosen a sheet.
+        #[say(skip)]
+        may_hold_rows: bool,
     },
     /// A sheet that the user does not see.
     SheetHidden {
@@ -268,13 +271,13 @@ impl ImportWarningKind {
             | Self::PlanDiffersNominal { .. }
             | Self::StatusDiffers { .. }
             | Self::QuantityUnknown { .. }
-            | Self::SheetsLeft { .. }
             | Self::SheetHidden { .. }
             | Self::RowsHidden { .. }
             | Self::ColumnsHidden { .. }
             | Self::QifCount { .. }
             | Self::QifTwice { .. }
             | Self::CutOff { .. } => true,
+            Self::SheetsLeft { may_hold_rows, .. } => *may_hold_rows,
             Self::Aqdef(warning) => warning.stands_against(),
             Self::Calypso(warning) => warning.stands_against(),
             // Lines that are no measurement, what a file lacks and what explains how a row was read.

@@ -2,6 +2,7 @@
 
 #![cfg(test)]
 
+mod admitted;
 mod any_size;
 mod aqdef;
 mod around;

@@ -119,6 +119,8 @@ fn the_first_sheet_with_measurements_is_read() {
     let [unjudged] = imported.unjudged.as_slice() else { panic!() };
     assert_eq!((unjudged.line, unjudged.id.as_str(), &unjudged.why), (9, "B7", &WhyUnjudged::NoCallout));
     assert_eq!(warnings(&imported), ["line 1: sheet Measurements is read; other sheets are not: Notes, Chart"]);
+    // Neither of them looks as if something measured were in it.
+    assert!(!imported.warnings[0].what.kind.stands_against());
 }
 
 #[test]
@@ -371,6 +373,7 @@ fn a_sheet_that_is_seen_comes_before_a_hidden_one_and_a_hidden_one_is_told() {
     let imported = read(&state(" state=\"hidden\"", ""));
     assert_eq!(records(&imported), ["2 A 25 H7 25.05 SCRAP 2030-01-01T00:00:00"]);
     assert_eq!(warnings(&imported), ["line 1: sheet T is read; other sheets are not: S"]);
+    assert!(imported.warnings[0].what.kind.stands_against(), "S has a measured value, too");
     let imported = read(&state(" state=\"hidden\"", " state=\"veryHidden\""));
     assert_eq!(records(&imported), ["2 A 25 H7 25.01 GOOD 2030-01-01T00:00:00"]);
     assert_eq!(warnings(&imported)[1], "line 1: sheet S is read, and it is hidden in the workbook");

@@ -625,6 +625,10 @@ rows-simulated = { $count ->
     [one] 1 row says that nobody measured
    *[other] { $number } rows say that nobody measured
 }
+rows-status-differs = { $count ->
+    [one] 1 row has another status in its file
+   *[other] { $number } rows have another status in their file
+}
 rows-several-lines = { $count ->
     [one] 1 row runs over several lines
    *[other] { $number } rows run over several lines

@@ -625,6 +625,10 @@ rows-simulated = { $count ->
     [one] 1 rij zegt dat er niets is gemeten
    *[other] { $number } rijen zeggen dat er niets is gemeten
 }
+rows-status-differs = { $count ->
+    [one] 1 rij heeft in het bestand een andere status
+   *[other] { $number } rijen hebben in het bestand een andere status
+}
 rows-several-lines = { $count ->
     [one] 1 rij loopt over meer regels
    *[other] { $number } rijen lopen over meer regels

@@ -84,6 +84,11 @@ pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
             "value may be another quantity or another part's",
             "values may be another quantity or another part's",
         ),
+        (
+            tally.notes(Kind::StatusDiffers).count,
+            "row has another status in its file",
+            "rows have another status in their file",
+        ),
         (tally.simulated, "row says that nobody measured", "rows say that nobody measured"),
         (tally.notes(Kind::SeveralLines).count, "row runs over several lines", "rows run over several lines"),
         (

@@ -152,6 +152,12 @@ impl Index {
         Rows { end: start, broken: None }
     }
 
+    /// Finds the ends of the row that begins at a place and ends with the text; whether there is a whole one.
+    pub(super) fn find_row(&mut self, text: &[u8], start: usize, separator: u8) -> bool {
+        self.count = 0;
+        self.quoted_row(text, start, separator, true).is_ok()
+    }
+
     /// Finds the ends of one row and where the next one begins; else why the row is not whole.
     fn quoted_row(&mut self, text: &[u8], start: usize, separator: u8, is_all: bool) -> Result<usize, Option<Broken>> {
         let (mut is_open, mut is_first, mut lines) = (false, true, 0);

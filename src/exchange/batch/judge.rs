@@ -4,13 +4,14 @@ use std::fmt;
 
 use super::LONGEST_ROW;
 use super::cut::Block;
-use super::index::{Broken, Index};
+use super::index::{Broken, Index, line_end};
 use super::known::{Classes, Figures, Steps};
 use super::layout::{Layout, utf8};
 use super::row::{Part, Row};
 use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
+use crate::exchange::claim::Claim;
 use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::evidence::marks_simulation;
 use crate::exchange::imported::WhyUnjudged;
@@ -98,6 +99,8 @@ struct Fast<'a> {
     unit: Option<usize>,
     /// Whether lengths are in inch by a statement: a callout with a size of its own is doubtful.
     is_inch: bool,
+    /// What the file says of a row's status.
+    status: Option<usize>,
     /// Columns in which a row may say that nobody measured, or that the size alone does not decide.
     aside: Vec<usize>,
     /// Columns that say what was measured: with one of its words of a size a row is plain.
@@ -125,6 +128,7 @@ impl<'a> Court<'a> {
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
             // Without a column of callouts no row is fast; simulated rows are counted where each is read as a whole.
             tolerance: columns.tolerance.filter(|_| plain.is_some() && !columns.evidence.are_simulated),
+            status: columns.labels.status,
             unit,
             is_inch,
             aside: columns
@@ -161,6 +165,7 @@ impl<'a> Court<'a> {
             counts: Vec::new(),
             others: Counts::default(),
             index: Index::default(),
+            claims: Vec::new(),
         }
     }
 }
@@ -175,6 +180,8 @@ pub struct Judge<'a> {
     /// The verdicts of callouts without a class.
     others: Counts,
     index: Index,
+    /// What the words in the column of the status claim, as they were met.
+    claims: Vec<(Vec<u8>, Option<Claim>)>,
 }
 
 /// How many rows are good, rework, to be measured again, scrap: in the order of [`Status::ALL`].
@@ -217,6 +224,10 @@ impl Judge<'_> {
             let row = Row::new(text, start, ends);
             start = row.next();
             let lines = if block.index.is_some() && !self.court.layout.is_typed { row.lines() } else { 1 };
+            if 1 < lines && self.hides_rows(&row) {
+                self.torn(&row, &mut tally, take);
+                continue;
+            }
             take.at(tally.lines);
             if is_utf8 || std::str::from_utf8(row.bytes()).is_ok() {
                 self.row(&row, &mut tally, take);
@@ -232,6 +243,42 @@ impl Judge<'_> {
         }
         self.index = own;
         tally
+    }
+
+    /// Whether a line within the quotation marks of a row would be a row of this stream: the mark is one too many then, or one is missing.
+    #[cold]
+    fn hides_rows(&self, row: &Row<'_>) -> bool {
+        let (columns, separator) = (&self.court.layout.columns, self.court.layout.separator);
+        let (has_commas, sources) = (self.court.fast.has_commas, self.court.sources);
+        let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
+        let mut index = Index::default();
+        lines_of(row).skip(1).any(|(start, text)| {
+            let is_whole = index.find_row(text, start, separator);
+            let ends = index.rows().next().filter(|_| is_whole);
+            let cells = ends.map(|ends| Row::new(text, start, ends).record());
+            cells.is_some_and(|cells| rules.read(&cells).is_ok_and(|found| found.asked.is_some()))
+        })
+    }
+
+    /// A row with such lines: a quotation mark is open on its first line, and each other line is a row of its own, as `import` reads them.
+    #[cold]
+    fn torn(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
+        let separator = self.court.layout.separator;
+        let mut index = Index::default();
+        for (start, text) in lines_of(row) {
+            take.at(tally.lines);
+            let line = text.get(start..).unwrap_or_default();
+            let is_whole = row.start < start && index.find_row(text, start, separator);
+            match index.rows().next().filter(|_| is_whole) {
+                None => Self::broken(Broken::OpenQuote, line, tally, take),
+                Some(_) if std::str::from_utf8(line).is_err() => {
+                    tally.not_utf8 += 1;
+                    self.other_text(&utf8(line), tally, take);
+                }
+                Some(ends) => self.row(&Row::new(text, start, ends), tally, take),
+            }
+            tally.lines += 1;
+        }
     }
 
     /// A row whose bytes are not those of the stream any more.
@@ -273,8 +320,28 @@ impl Judge<'_> {
         if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
             tally.note(Kind::Doubt, None, || doubt.message());
         }
+        if let Some(at) = self.court.fast.status {
+            self.compare(row.cell(at).unwrap_or_default(), judged.status, tally);
+        }
         take.class(class);
         take.judged(row, judged);
+    }
+
+    /// Compares a verdict with what the file says of the status.
+    fn compare(&mut self, cell: &[u8], status: Status, tally: &mut Tally) {
+        let known = self.claims.iter().position(|(word, _)| word == cell);
+        let at = known.unwrap_or_else(|| {
+            // A column with ever new words claims nothing that is known here.
+            self.claims.truncate(MOST_CLAIMS);
+            let text = utf8(cell);
+            self.claims.push((cell.to_vec(), Claim::of_word(text.trim().trim_matches('"').trim())));
+            self.claims.len() - 1
+        });
+        let claim = self.claims.get(at).and_then(|(_, claim)| claim.as_ref());
+        if let Some(warning) = claim.and_then(|claim| claim.differs(status)) {
+            tally.against += 1;
+            tally.note(Kind::StatusDiffers, None, || warning.message());
+        }
     }
 
     /// Room for the verdicts of a class, and its own.
@@ -444,6 +511,23 @@ impl Judge<'_> {
         take.broken(&shown, &reason);
     }
 }
+
+/// The lines of a row, each with its beginning and with the text up to its end.
+fn lines_of<'t>(row: &Row<'t>) -> impl Iterator<Item = (usize, &'t [u8])> {
+    let (text, end) = (row.text, row.next());
+    let mut start = row.start;
+    std::iter::from_fn(move || {
+        let rest = text.get(start..end).filter(|rest| !rest.is_empty())?;
+        let at = memchr::memchr2(b'\n', b'\r', rest);
+        let next = at.map_or(end, |at| start + at + line_end(rest, at).max(1));
+        let line = (start, text.get(..next)?);
+        start = next;
+        Some(line)
+    })
+}
+
+/// So many words of a status are remembered.
+const MOST_CLAIMS: usize = 15;
 
 /// How much of a broken line is kept, in bytes.
 const BEGINNING: usize = 200;

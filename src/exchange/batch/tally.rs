@@ -12,6 +12,8 @@ pub enum Kind {
     Refused,
     /// Its measured value may be another quantity or another part's.
     Doubt,
+    /// Its file says another status.
+    StatusDiffers,
     /// It runs over several lines.
     SeveralLines,
     /// It is the last one and may be cut off.
@@ -20,7 +22,7 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind, the most important first.
-    pub const ALL: [Self; 4] = [Self::Refused, Self::Doubt, Self::SeveralLines, Self::CutOff];
+    pub const ALL: [Self; 5] = [Self::Refused, Self::Doubt, Self::StatusDiffers, Self::SeveralLines, Self::CutOff];
 }
 
 /// Something to be said of a row.

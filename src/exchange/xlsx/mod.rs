@@ -15,6 +15,7 @@ use calamine::{Reader as _, SheetVisible, Xlsx};
 use csv::StringRecord;
 
 use super::Format;
+use super::cells;
 use super::columns::{Columns, SAMPLE, Sample};
 use super::error::{ImportError, ImportErrorKind, ImportWarningKind, shorten};
 use super::guarded::guarded;
@@ -122,9 +123,13 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
     let (mut workbook, seen) = open(source)?;
     let names = names(&workbook);
     let Chosen { sheet: chosen, columns, units, count } = choose(&mut workbook, &names, mapping.unwrap_or(&detects))?;
-    let left = names.iter().filter(|name| **name != chosen).map(|name| shorten(name)).collect::<Vec<_>>().join(", ");
-    if !left.is_empty() {
-        let kind = ImportWarningKind::SheetsLeft { sheet: shorten(&chosen), left: shorten(&left) };
+    let others: Vec<&String> = names.iter().filter(|name| **name != chosen).collect();
+    if !others.is_empty() {
+        // Who names a sheet has left the others.
+        let is_named = mapping.is_some_and(|mapping| mapping.sheet().is_some());
+        let may_hold_rows = !is_named && others.iter().any(|name| may_hold_rows(&mut workbook, name));
+        let left = others.iter().map(|name| shorten(name)).collect::<Vec<_>>().join(", ");
+        let kind = ImportWarningKind::SheetsLeft { sheet: shorten(&chosen), left: shorten(&left), may_hold_rows };
         sink.warn(Place::line(1), None, kind);
     }
     if is_hidden(&workbook, &chosen) {
@@ -153,6 +158,24 @@ fn agree(rows: &mut Rows<'_, BufReader<&mut dyn Body>>, columns: &Columns) -> Re
         }
     }
     Ok(())
+}
+
+/// Whether a sheet looks as if something measured were in it: its columns are found, or a row of it has a callout and a value. What cannot
+/// be read may hold anything.
+fn may_hold_rows(workbook: &mut Workbook<'_>, name: &str) -> bool {
+    let units = UnitsShown::default();
+    let sampled = rows(workbook, name, &units).and_then(|mut rows| {
+        let mut sample = Vec::new();
+        while sample.len() < SAMPLE
+            && let Some(row) = calm(|| rows.next())?
+        {
+            sample.push(row);
+        }
+        Ok(sample)
+    });
+    let Ok(sample) = sampled else { return true };
+    sample.iter().any(|(_, cells)| cells::is_data(cells))
+        || Mapping::default().columns(&mut Sample::of_cells(sample.into_iter())).is_ok()
 }
 
 fn is_hidden(workbook: &Workbook<'_>, name: &str) -> bool {

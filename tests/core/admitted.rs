@@ -239,3 +239,47 @@ mod walks {
         }
     }
 }
+
+#[test]
+fn batch_compares_the_status_of_the_file_too() {
+    let rows = "id;callout;measured;result\nA;25 H7;25.012;OK\nB;25 H7;25.011;NOK\nC;25 H7;25.010;\"nok\"\n";
+    let (code, _, err) = of(&[("a.csv", rows)], &["batch", "a.csv"]);
+    assert_eq!(code, 14, "{err}");
+    assert!(err.contains("a.csv:3: warning: the file says NOK, but the limits say GOOD"), "{err}");
+    assert!(err.contains("2 rows have another status in their file"), "{err}");
+    assert_eq!(of(&[("a.csv", &rows.to_uppercase().replace("NOK", "OK"))], &["batch", "a.csv"]).0, 0);
+}
+
+#[test]
+fn rows_within_quotation_marks_are_rows_for_batch_as_for_import() {
+    let rows =
+        "id;callout;measured;remark\nA;25 H7;25.012;\"ok\nB;25 H7;25.030;bad\nC;25 H7;25.010;x\"\nD;25 H7;25.011;y\n";
+    let import = of(&[("a.csv", rows)], &["import", "a.csv", "--format", "csv"]);
+    let batch = of(&[("a.csv", rows)], &["batch", "a.csv"]);
+    assert_eq!((import.0, batch.0), (1, 1), "{}{}", import.2, batch.2);
+    let status = |out: &str, id: &str| {
+        let row = out.lines().find(|line| line.split([';', ',']).any(|cell| cell == id)).unwrap_or_default().to_owned();
+        ["GOOD", "SCRAP"].into_iter().find(|word| row.contains(word)).unwrap_or("none")
+    };
+    for (id, expected) in [("A", "none"), ("B", "SCRAP"), ("C", "GOOD"), ("D", "GOOD")] {
+        assert_eq!(status(&batch.1, id), expected, "{}", batch.1);
+        if id != "A" {
+            assert_eq!(status(&import.1, id), expected, "{}", import.1);
+        }
+    }
+    let reason = "a quotation mark is not closed on this line";
+    assert!(import.1.contains(reason) && batch.2.contains(reason), "{}{}", import.2, batch.2);
+    // A remark of several lines that are no rows is a remark.
+    let remark = "id;callout;measured;remark\nA;25 H7;25.012;\"ok\nsee the drawing\"\nD;25 H7;25.011;y\n";
+    assert_eq!(of(&[("a.csv", remark)], &["batch", "a.csv"]).0, 0);
+}
+
+#[test]
+fn a_file_with_the_bytes_of_another_is_not_recorded_and_said() {
+    let rows = "id;callout;measured\nA;25 H7;25.012\n";
+    let (code, out, err) = of(&[("in/a.csv", rows), ("in/b.csv", rows)], &["watch", "in", "--until-idle", "0.5"]);
+    assert_eq!(code, 14, "{out}\n{err}");
+    assert!(out.contains("1 row: 1 GOOD"), "{out}");
+    assert!(err.contains("b.csv") && err.contains("a.csv"), "{err}");
+    assert_eq!(of(&[("in/a.csv", rows)], &["watch", "in", "--until-idle", "0.5"]).0, 0);
+}
