@@ -111,7 +111,7 @@ impl Place {
 }
 
 /// The user's own journal.
-fn own() -> Result<PathBuf, CliError> {
+pub(super) fn own() -> Result<PathBuf, CliError> {
     Ok(local::folder().ok_or(CliError::NoJournalFolder)?.join(local::FILE))
 }
 

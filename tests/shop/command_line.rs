@@ -72,6 +72,54 @@ fn what_a_station_has_recorded_is_sent_listed_and_verified() {
 }
 
 #[test]
+fn verify_says_what_it_verified_and_misses_what_this_station_has_sent() {
+    let Some(shop) = Shop::empty("FITCHECK_TEST_PG") else { return };
+    let home = tempfile::tempdir().unwrap();
+    let address = shop.address.as_str();
+    let call = |args: &[&str]| run(home.path(), args);
+    let verify = || call(&["journal", "verify", "--journal", address]);
+    assert_eq!(call(&["journal", "init-shop", address]).0, 0);
+    let (code, out, _) = verify();
+    assert_eq!(
+        (code, out.contains("nothing was verified: the server has no entry of any journal")),
+        (1, true),
+        "{out}"
+    );
+    assert_eq!(call(&[&CHECK[..], &["--station", "Mill 3"]].concat()).0, 0);
+    let (code, out, _) = verify();
+    assert_eq!((code, out.contains("ends with entry 2, and the server has 0 entries of it")), (1, true), "{out}");
+    assert_eq!(call(&["journal", "send", address]).0, 0);
+    let (code, out, err) = verify();
+    assert_eq!(code, 0, "{out}{err}");
+    assert!(out.contains("2 entries are as they were written"), "{out}");
+    assert!(out.contains("entry 2 is the one that is known here"), "{out}");
+    assert!(out.contains("1 journal with 2 entries looked at, 1 beside an entry that is known here"), "{out}");
+    assert!(
+        out.contains("functions, triggers, policies, grants, views and indexes are as init-shop makes them"),
+        "{out}"
+    );
+    let (code, json, _) = call(&["journal", "verify", "--journal", address, "--format", "json"]);
+    let json: serde_json::Value = serde_json::from_str(&json).unwrap();
+    assert_eq!((code, &json["complete"], &json["chains"][0]["known_here"]), (0, &true.into(), &2.into()), "{json}");
+    // Somebody with all rights removes the newest entry, and then the whole journal.
+    let remove = |which: &str| {
+        shop.run(&format!(
+            "ALTER TABLE fitcheck.entry DISABLE TRIGGER entry_keeps; DELETE FROM fitcheck.entry WHERE {which}; \
+             ALTER TABLE fitcheck.entry ENABLE ALWAYS TRIGGER entry_keeps"
+        ));
+    };
+    remove("number = 2");
+    // Not even what the station knows of its own file is there any more.
+    std::fs::remove_file(home.path().join(".config/fitcheck/journal-heads.txt")).unwrap();
+    let (code, out, _) = verify();
+    assert_eq!((code, out.contains("entry 2 is known elsewhere")), (1, true), "{out}");
+    remove("true");
+    let (code, out, _) = verify();
+    assert_eq!((code, out.contains("of which entry 2 is known elsewhere, is not there")), (1, true), "{out}");
+    assert!(out.contains("nothing was verified"), "{out}");
+}
+
+#[test]
 fn what_cannot_be_sent_is_recorded_here_and_no_password_is_told() {
     let home = tempfile::tempdir().unwrap();
     let address = "postgres://mill3:s3cret@127.0.0.1:1/checks";

@@ -15,5 +15,6 @@ mod relay;
 mod rights;
 mod schemas;
 mod sending;
+mod structure;
 mod tls;
 mod view;

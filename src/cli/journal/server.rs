@@ -1,19 +1,21 @@
 //! The server of a shop, asked from the command line.
 
 use std::ops::ControlFlow;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 
 use serde_json::json;
 
 use super::verify::bar;
 use super::{CliError, CliRemark, Io, Refused as _};
+use crate::cli::record::own;
 use crate::journal::ask::Question;
 use crate::journal::chain::{ChainId, Head};
 use crate::journal::inspection::Break;
 use crate::message::{Message, Say as _};
-use crate::store::local::{Reader, Row};
+use crate::store::StoreRemark;
+use crate::store::local::{Anchors, Reader, Row};
 use crate::store::shop::{
-    self, Access, Clock, Patience, Places, ShopAddress, ShopChain, ShopReader, ShopVerified, Stop,
+    self, Access, Clock, Elsewhere, Patience, Places, ShopAddress, ShopChain, ShopReader, ShopVerified, Stop,
 };
 
 /// The server with its password, and what is said of places that had none to give.
@@ -50,6 +52,7 @@ pub(in crate::cli) fn send(address: &str, file: &Path, station: &str, io: &mut I
     });
     bar.finish_and_clear();
     let sent = sent.said()?;
+    keep_heads(&access, [(reader.chain(), sent.head)], io);
     let (entries, number, server) = (count(sent.entries), sent.head.number, access.address.to_string());
     io.tell(CliRemark::Sent { entries, number, server });
     Ok(())
@@ -108,7 +111,30 @@ impl Pages {
     }
 }
 
-/// Looks at every chain; whether all is as it was written.
+/// Keeps what the server has now, so that it is missed when it is gone.
+fn keep_heads(access: &Access, heads: impl IntoIterator<Item = (ChainId, Head)>, io: &mut Io<'_>) {
+    let Some(path) = Anchors::of_servers() else { return };
+    for (chain, head) in heads {
+        if 0 < head.number
+            && let Err(reason) = Anchors::keep_of_server(&path, &access.address.server(), chain, head)
+        {
+            return io.warn(&StoreRemark::NoAnchor { path, reason });
+        }
+    }
+}
+
+/// What this computer knows of chains: those that the server had, and the journal of this station.
+fn heads_here(access: &Access, io: &mut Io<'_>) -> (Vec<(ChainId, Head)>, Vec<(ChainId, Head)>) {
+    let mut read = |path: Option<PathBuf>| {
+        let path = path?;
+        Anchors::read(&path).map_err(|reason| io.warn(&StoreRemark::NoAnchor { path, reason })).ok()
+    };
+    let sent = read(Anchors::of_servers()).map(|anchors| anchors.of_server(&access.address.server()));
+    let own = own().ok().and_then(|file| read(Anchors::of_user())?.at(&file));
+    (sent.unwrap_or_default(), own.map(|anchor| (anchor.chain, anchor.head)).into_iter().collect())
+}
+
+/// Looks at every chain, and at what the server is made of; whether there was something to look at, and all is as it was written.
 pub(in crate::cli) fn verify(
     address: &str,
     known: &[(ChainId, Head)],
@@ -116,9 +142,11 @@ pub(in crate::cli) fn verify(
     io: &mut Io<'_>,
 ) -> Result<bool, CliError> {
     let access = access(address, io)?;
-    // What this computer has seen of a chain may not be sent yet, so only what is given is compared.
+    let (mut sent, own) = heads_here(&access, io);
+    sent.extend(known);
     let bar = bar();
-    let found = shop::verify(&access, known, Patience::default(), &mut |done, all| {
+    let elsewhere = Elsewhere { sent: &sent, own: &own };
+    let found = shop::verify_beside(&access, elsewhere, Patience::default(), &mut |done, all| {
         bar.set_length(all);
         bar.set_position(done);
         ControlFlow::Continue(())
@@ -130,18 +158,35 @@ pub(in crate::cli) fn verify(
     } else {
         print(&found, io)?;
     }
-    Ok(found.is_whole())
+    if found.is_whole() {
+        keep_heads(&access, found.chains.iter().map(|one| (one.chain, one.inspected.head)), io);
+    }
+    Ok(found.is_whole() && found.is_complete())
+}
+
+/// `1 entry`, `2 entries`.
+fn entries(number: u64) -> String {
+    if number == 1 { "1 entry".to_owned() } else { format!("{number} entries") }
 }
 
 fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
-    for ShopChain { chain, station, inspected, clock, .. } in &found.chains {
+    for ShopChain { chain, station, login, inspected, clock, compared, renamed } in &found.chains {
         let Head { number, hash } = inspected.head;
         if inspected.breaks.is_empty() {
-            let entries = inspected.entries;
-            writeln!(
-                io.people(),
-                "{station} ({chain}): {entries} entries are as they were written; the last one is {number}:{hash}"
-            )?;
+            let are = if inspected.entries == 1 { "is as it was written" } else { "are as they were written" };
+            let entries = entries(inspected.entries);
+            let compared = compared.map_or("no entry of it is known here".to_owned(), |number| {
+                format!("entry {number} is the one that is known here")
+            });
+            let last = format!("the last one is {number}:{hash}");
+            writeln!(io.people(), "{station} ({chain}): {entries} {are}; {last}; {compared}")?;
+        }
+        if login.is_none() {
+            writeln!(io.people(), "{station} ({chain}): the server does not know which login it belongs to")?;
+        }
+        if 0 < *renamed {
+            let entries = entries(*renamed);
+            writeln!(io.people(), "{station} ({chain}): {entries} listed under another station than was recorded")?;
         }
         if let Some(Clock { newest_ms, least_ms, .. }) = clock {
             let (newest, least) = (seconds(*newest_ms), seconds(*least_ms));
@@ -158,8 +203,39 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
     for (chain, Head { number, .. }) in &found.missing {
         writeln!(io.people(), "the chain {chain}, of which entry {number} is known elsewhere, is not there")?;
     }
+    for (chain, Head { number, .. }, there) in &found.behind {
+        let there = entries(*there);
+        writeln!(
+            io.people(),
+            "this station's own journal ({chain}) ends with entry {number}, and the server has {there} of it: the rest was not \
+             sent yet (run fitcheck journal send), or was removed there"
+        )?;
+    }
     for finding in &found.findings {
         writeln!(io.people(), "{finding}")?;
+    }
+    let (journals, beside) = (found.chains.len(), found.chains.iter().filter(|one| one.compared.is_some()).count());
+    if journals == 0 {
+        writeln!(io.people(), "nothing was verified: the server has no entry of any journal")?;
+    } else {
+        let (journals, entries) = (
+            if journals == 1 { "1 journal".to_owned() } else { format!("{journals} journals") },
+            entries(found.entries()),
+        );
+        writeln!(io.people(), "{journals} with {entries} looked at, {beside} beside an entry that is known here")?;
+    }
+    match &found.not_compared {
+        Some(why) => writeln!(
+            io.people(),
+            "functions, triggers, policies, grants, views and indexes were not compared with those of init-shop: {why}"
+        )?,
+        None if found.findings.is_empty() => {
+            writeln!(
+                io.people(),
+                "functions, triggers, policies, grants, views and indexes are as init-shop makes them"
+            )?;
+        }
+        None => {}
     }
     Ok(())
 }
@@ -180,6 +256,8 @@ fn print_json(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
             "login": one.login,
             "clock": one.clock.as_ref().map(|clock| json!({"newest_ms": clock.newest_ms, "least_ms": clock.least_ms})),
             "entries": one.inspected.entries,
+            "known_here": one.compared,
+            "renamed": one.renamed,
             "head": {"number": one.inspected.head.number, "hash": one.inspected.head.hash.to_string()},
             "first_bad": one.inspected.breaks.first().map(Break::number),
             "break_count": one.inspected.count,
@@ -188,8 +266,12 @@ fn print_json(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
     };
     io.json(&json!({
         "whole": found.is_whole(),
+        "complete": found.is_complete(),
+        "entries": found.entries(),
         "chains": found.chains.iter().map(chain).collect::<Vec<_>>(),
         "missing": found.missing.iter().map(|(chain, _)| chain.to_string()).collect::<Vec<_>>(),
+        "behind": found.behind.iter().map(|(chain, _, there)| json!({"chain": chain.to_string(), "entries": there})).collect::<Vec<_>>(),
+        "not_compared": found.not_compared.as_ref().map(ToString::to_string),
         "findings": found.findings.iter().map(ToString::to_string).collect::<Vec<_>>(),
     }))
 }

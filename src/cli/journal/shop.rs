@@ -30,7 +30,7 @@ pub(super) struct SendArgs {
     /// The server, as the user of this station
     #[arg(value_name = "ADDRESS")]
     address: String,
-    /// What the station is called there; default: the name of the computer
+    /// What the station is called there, where an entry does not say it; default: the name of the computer
     #[arg(long, value_name = "NAME")]
     station: Option<String>,
     #[command(flatten)]

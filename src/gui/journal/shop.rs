@@ -4,7 +4,7 @@ use std::path::Path;
 
 use crate::message::{Message, Say};
 use crate::session::{Command, RecordsCommand};
-use crate::store::local::Reader;
+use crate::store::local::{Anchors, Reader};
 use crate::store::shop::{
     Doing, Password, Patience, Places, Sender, Sending, ShopAddress, ShopError, Status, keep_in_keyring,
 };
@@ -60,6 +60,7 @@ fn begin(
     let source = Reader::open(file).map_err(|error| error.message())?;
     // Before anything that the sender tells.
     tell(RecordsCommand::Server(Ok(address.to_string())).into());
+    let (chain, server) = (source.chain(), address.server());
     let mut to_keep = given.clone().map(|password| (address.clone(), password));
     let sending = Sending {
         source: Box::new(source),
@@ -72,6 +73,12 @@ fn begin(
     };
     let heard = move |status: &Status| {
         tell(RecordsCommand::Sent { unsent: status.unsent, trouble: trouble(status) }.into());
+        if status.doing == Doing::Resting
+            && let (Some(head), Some(path)) = (status.server, Anchors::of_servers())
+            && let Err(reason) = Anchors::keep_of_server(&path, &server, chain, head)
+        {
+            log::warn!("{}: {reason}", path.display());
+        }
         // A password that the server has taken.
         if status.doing == Doing::Resting
             && status.problem.is_none()

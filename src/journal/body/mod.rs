@@ -140,6 +140,19 @@ pub fn write(entry: &Entry) -> Result<Vec<u8>, BodyError> {
     Ok(bytes)
 }
 
+/// The station that wrote an entry; `None` where the bytes do not say it.
+pub fn station(bytes: &[u8]) -> Option<String> {
+    #[derive(Deserialize)]
+    struct Body {
+        about: About,
+    }
+    #[derive(Deserialize)]
+    struct About {
+        station: String,
+    }
+    serde_json::from_slice(bytes).ok().map(|body: Body| body.about.station)
+}
+
 /// The entry in bytes.
 ///
 /// # Errors

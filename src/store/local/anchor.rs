@@ -2,7 +2,8 @@
 //! older copy was put back.
 //!
 //! A small text file, one journal a line: chain, number, hash and file. A later line for a file counts; the line of a chain goes when the
-//! chain goes on. It may be behind the journal; ahead of it is the alarm.
+//! chain goes on. It may be behind the journal; ahead of it is the alarm. Another such file has the last entry of each journal that a server
+//! is known to have, with the server in place of the file.
 
 use std::path::{Path, PathBuf};
 
@@ -39,6 +40,12 @@ impl Anchors {
         Some(folders.config_dir().join("fitcheck").join("journal-heads.txt"))
     }
 
+    /// Where the last entries are that servers have, of journals that this user has sent.
+    pub fn of_servers() -> Option<PathBuf> {
+        let folders = etcetera::choose_base_strategy().ok()?;
+        Some(folders.config_dir().join("fitcheck").join("server-heads.txt"))
+    }
+
     /// Reads a file of them; none where there is no file.
     ///
     /// # Errors
@@ -64,8 +71,30 @@ impl Anchors {
         self.0.iter().filter(|anchor| anchor.chain == chain).map(|anchor| anchor.head).collect()
     }
 
+    /// The last entries of chains that a server had.
+    pub fn of_server(&self, server: &str) -> Vec<(ChainId, Head)> {
+        let of_it = self.0.iter().filter(|anchor| anchor.file == Path::new(server));
+        of_it.map(|anchor| (anchor.chain, anchor.head)).collect()
+    }
+
+    /// Keeps the last entry of a chain that a server has, unless a later one is kept already.
+    ///
+    /// # Errors
+    /// What the system says.
+    pub fn keep_of_server(path: &Path, server: &str, chain: ChainId, head: Head) -> Result<(), String> {
+        Self::keep_one(path, Anchor { file: PathBuf::from(server), chain, head }, |other| {
+            other.chain == chain && other.file == Path::new(server)
+        })
+    }
+
     /// Keeps the last entry of a journal, unless a later one of the same chain is kept already.
     pub(super) fn keep(path: &Path, anchor: &Anchor) -> Result<(), String> {
+        let chain = anchor.chain;
+        Self::keep_one(path, Anchor { file: whole(&anchor.file), ..anchor.clone() }, |other| other.chain == chain)
+    }
+
+    /// Keeps one in place of those that it follows.
+    fn keep_one(path: &Path, anchor: Anchor, follows: impl Fn(&Anchor) -> bool) -> Result<(), String> {
         let folder = path.parent().unwrap_or(path);
         std::fs::create_dir_all(folder).map_err(|error| error.to_string())?;
         // Two programs with two journals must not take each other's line away.
@@ -73,12 +102,11 @@ impl Anchors {
         let lock = lock.map_err(|error| error.to_string())?;
         lock.lock().map_err(|error| error.to_string())?;
         let mut anchors = Self::read(path)?;
-        let anchor = Anchor { file: whole(&anchor.file), ..anchor.clone() };
-        let is_later = |other: &Anchor| other.chain == anchor.chain && anchor.head.number < other.head.number;
+        let is_later = |other: &Anchor| follows(other) && anchor.head.number < other.head.number;
         if anchors.0.iter().any(is_later) || anchors.0.last() == Some(&anchor) {
             return Ok(());
         }
-        anchors.0.retain(|other| other.chain != anchor.chain);
+        anchors.0.retain(|other| !follows(other));
         anchors.0.push(anchor);
         let lines = anchors
             .0

@@ -106,6 +106,11 @@ impl ShopAddress {
         &self.database
     }
 
+    /// Which server and database it is, whoever asks.
+    pub fn server(&self) -> String {
+        format!("{}:{}/{}", self.host(), self.port(), self.database())
+    }
+
     /// The first host as a password file names it.
     pub fn host(&self) -> String {
         match (self.config.get_hosts().first(), self.config.get_hostaddrs().first()) {

@@ -12,6 +12,7 @@
 //! | `schema`, `roles.sql`, `tables.sql`, `view.sql` | what the database has, and how it comes to a newer version |
 //! | `source`, `send`, `sender` | a journal, sent once or in the background |
 //! | `verify`, `clock` | whether the chains on the server are whole; how clocks differ |
+//! | `structure` | whether functions, policies, grants and the like are what `init` makes |
 //! | `reading` | questions about the checks of all stations |
 //! | `error` | why the server could not be asked |
 
@@ -26,6 +27,7 @@ mod send;
 mod sender;
 mod server;
 mod source;
+mod structure;
 mod tls;
 mod verify;
 
@@ -39,4 +41,5 @@ pub use send::{LONGEST_BODY, Sent, send_once};
 pub use sender::{Doing, Sender, Sending, Status};
 pub use server::{Patience, Stop};
 pub use source::Source;
-pub use verify::{ShopChain, ShopFinding, ShopVerified, verify};
+pub use structure::Thing;
+pub use verify::{Elsewhere, ShopChain, ShopFinding, ShopVerified, verify, verify_beside};

@@ -9,6 +9,7 @@ use super::password::Access;
 use super::schema::{self, value};
 use super::server::{Patience, Server, Stop};
 use super::source::Source;
+use crate::journal::body;
 use crate::journal::chain::{ChainId, Head};
 use crate::journal::entry::Kept;
 
@@ -146,11 +147,16 @@ impl Sending {
             // An older copy of the database was put back just now: begin again from what it has.
             return Err(ShopError::Lost { reason: format!("entry {} is no longer there", before.number) });
         }
+        // The name that was recorded, whoever sends it: a journal may be sent from another computer.
+        let stations: Vec<String> = entries
+            .iter()
+            .map(|kept| body::station(&kept.body).map_or_else(|| station.clone(), |own| shorter(&own)))
+            .collect();
         let bodies: Vec<&str> = entries.iter().map(|kept| str::from_utf8(&kept.body).unwrap_or_default()).collect();
         let insert = "INSERT INTO fitcheck.entry (chain, number, station, hash, body) SELECT $1, added.* FROM \
-                      (SELECT number, $2::text, hash, body FROM unnest($3::bigint[], $4::bytea[], $5::text[]) \
-                      AS given(number, hash, body) ORDER BY number) AS added ON CONFLICT DO NOTHING";
-        let added = server.ask(client.execute(insert, &[&chain, station, &numbers, &hashes, &bodies]))?;
+                      (SELECT number, station, hash, body FROM unnest($2::text[], $3::bigint[], $4::bytea[], $5::text[]) \
+                      AS given(station, number, hash, body) ORDER BY number) AS added ON CONFLICT DO NOTHING";
+        let added = server.ask(client.execute(insert, &[&chain, &stations, &numbers, &hashes, &bodies]))?;
         let known = there.iter().filter(|row| value::<i64>(row, 0).is_ok_and(|number| number != first)).count();
         if added.saturating_add(count(known)) != count(entries.len()) {
             return Err(ShopError::Busy { reason: "another program sends the same entries".to_owned() });

@@ -7,8 +7,10 @@ use super::clock::{self, Clock};
 use super::error::{ShopError, hash_of};
 use super::password::Access;
 use super::schema::{self, value};
-use super::send::{count, natural};
+use super::send::{count, head, natural};
 use super::server::{Patience, Server, Stop};
+use super::structure::{self, Compared, Thing};
+use crate::journal::body;
 use crate::journal::chain::{ChainId, Hash, Head};
 use crate::journal::inspection::{Inspected, Inspection};
 use crate::message::Say;
@@ -29,6 +31,19 @@ pub struct ShopChain {
     pub inspected: Inspected,
     /// How far the station's clock is from the server's, by its newest entries; `None` where none of them has a time.
     pub clock: Option<Clock>,
+    /// The last of the entries that are known elsewhere and were compared; `None` where none is.
+    pub compared: Option<u64>,
+    /// How many entries are listed under another station than the one that was recorded.
+    pub renamed: u64,
+}
+
+/// What is known elsewhere of chains.
+#[derive(Debug, Clone, Copy, Default)]
+pub struct Elsewhere<'a> {
+    /// Entries that were there: sent by this station, or known from a backup or a recording.
+    pub sent: &'a [(ChainId, Head)],
+    /// Entries of this station that may not be sent yet.
+    pub own: &'a [(ChainId, Head)],
 }
 
 /// What was found on a server.
@@ -38,12 +53,26 @@ pub struct ShopVerified {
     pub chains: Vec<ShopChain>,
     /// Chains that are known elsewhere and not there at all, with their heads.
     pub missing: Vec<(ChainId, Head)>,
+    /// Chains of this station whose last entries are not there, with their last entry here and there: not sent yet, or cut off.
+    pub behind: Vec<(ChainId, Head, u64)>,
+    /// Why functions, policies, grants, views and indexes were not looked at; `None` where they were.
+    pub not_compared: Option<ShopError>,
     /// What is wrong around them.
     pub findings: Vec<ShopFinding>,
 }
 
 impl ShopVerified {
-    /// Whether nothing is wrong.
+    /// Whether there was something to look at, and everything was looked at.
+    pub const fn is_complete(&self) -> bool {
+        !self.chains.is_empty() && self.not_compared.is_none() && self.behind.is_empty()
+    }
+
+    /// How many entries were looked at.
+    pub fn entries(&self) -> u64 {
+        self.chains.iter().map(|chain| chain.inspected.entries).sum()
+    }
+
+    /// Whether nothing is wrong in what was looked at.
     pub fn is_whole(&self) -> bool {
         self.missing.is_empty()
             && self.findings.is_empty()
@@ -65,6 +94,27 @@ pub enum ShopFinding {
         /// The table.
         name: String,
     },
+    /// Something is not what `init` makes.
+    Changed {
+        /// What it is.
+        kind: Thing,
+        /// Its name.
+        name: String,
+    },
+    /// Something that `init` makes is not there.
+    Gone {
+        /// What it is.
+        kind: Thing,
+        /// Its name.
+        name: String,
+    },
+    /// Something is there that `init` does not make.
+    Strange {
+        /// What it is.
+        kind: Thing,
+        /// Its name.
+        name: String,
+    },
     /// A chain has a name of another length.
     ChainName {
         /// The name in hexadecimal digits.
@@ -83,10 +133,26 @@ pub fn verify(
     patience: Patience,
     progress: &mut dyn FnMut(u64, u64) -> ControlFlow<()>,
 ) -> Result<ShopVerified, ShopError> {
+    verify_beside(access, Elsewhere { sent: known, own: &[] }, patience, progress)
+}
+
+/// The same beside what is known elsewhere.
+///
+/// # Errors
+/// As for [`verify`].
+pub fn verify_beside(
+    access: &Access,
+    known: Elsewhere<'_>,
+    patience: Patience,
+    progress: &mut dyn FnMut(u64, u64) -> ControlFlow<()>,
+) -> Result<ShopVerified, ShopError> {
     let server = Server::connect(access, patience, &Stop::default())?;
     let _version = schema::version(&server)?;
     server.run("BEGIN ISOLATION LEVEL REPEATABLE READ READ ONLY")?;
     let mut findings = around(&server)?;
+    let Compared { findings: of_structure, not_compared } = structure::compare(access, patience);
+    findings.extend(of_structure.into_iter().filter(|one| !findings.contains(one)).collect::<Vec<_>>());
+    let mut behind = Vec::new();
     let (mut chains, mut done) = (Vec::new(), 0);
     let all = entries(&server)?;
     for name in names(&server)? {
@@ -94,15 +160,36 @@ pub fn verify(
             findings.push(ShopFinding::ChainName { name });
             continue;
         };
-        let heads: Vec<Head> = known.iter().filter(|(other, _)| *other == chain).map(|(_, head)| *head).collect();
+        let of_chain = |all: &[(ChainId, Head)]| -> Vec<Head> {
+            all.iter().filter(|(other, head)| *other == chain && 0 < head.number).map(|(_, head)| *head).collect()
+        };
+        let (mut heads, last) = (of_chain(known.sent), head(&server, chain)?.number);
+        for own in of_chain(known.own) {
+            if own.number <= last {
+                heads.push(own);
+            } else {
+                behind.push((chain, own, last));
+            }
+        }
         let mut inspection = Inspection::new(chain, &heads);
-        walk(&server, chain, |number, body, hash| {
+        let mut renamed = 0_u64;
+        walk(&server, chain, |number, body, hash, station| {
             inspection.see(number, body, hash);
+            renamed = renamed.saturating_add(u64::from(body::station(body).is_some_and(|own| own != station)));
             done += 1;
             if done % count(PAGE) == 0 { progress(done, all.max(done)) } else { ControlFlow::Continue(()) }
         })?;
         let (login, station) = owner(&server, chain)?;
-        chains.push(ShopChain { chain, station, login, inspected: inspection.finish(), clock: None });
+        let compared = heads.iter().map(|head| head.number).max();
+        chains.push(ShopChain {
+            chain,
+            station,
+            login,
+            inspected: inspection.finish(),
+            clock: None,
+            compared,
+            renamed,
+        });
     }
     for clock in clock::all(&server)? {
         if let Some(chain) = chains.iter_mut().find(|chain: &&mut ShopChain| chain.chain == clock.chain) {
@@ -110,20 +197,24 @@ pub fn verify(
         }
     }
     let is_there = |chain: &ChainId| chains.iter().any(|one| one.chain == *chain);
-    let missing = known.iter().filter(|(chain, head)| 0 < head.number && !is_there(chain)).copied().collect();
+    let is_missing = |(chain, head): &&(ChainId, Head)| 0 < head.number && !is_there(chain);
+    let missing: Vec<_> = known.sent.iter().filter(is_missing).copied().collect();
+    // What was sent once and is gone is told above.
+    let unsent = known.own.iter().filter(is_missing).filter(|(own, _)| missing.iter().all(|(chain, _)| chain != own));
+    behind.extend(unsent.map(|(chain, head)| (*chain, *head, 0)));
     server.run("COMMIT")?;
-    Ok(ShopVerified { chains, missing, findings })
+    Ok(ShopVerified { chains, missing, behind, findings, not_compared })
 }
 
 /// Gives every entry of a chain in the order of their numbers. A cursor gives each one that is there, also a number that is there twice.
 fn walk(
     server: &Server,
     chain: ChainId,
-    mut see: impl FnMut(u64, &[u8], Hash) -> ControlFlow<()>,
+    mut see: impl FnMut(u64, &[u8], Hash, &str) -> ControlFlow<()>,
 ) -> Result<(), ShopError> {
     // The name has hexadecimal digits alone.
     server.run(&format!(
-        "DECLARE walk NO SCROLL CURSOR FOR SELECT number, body, hash FROM fitcheck.entry \
+        "DECLARE walk NO SCROLL CURSOR FOR SELECT number, body, hash, station FROM fitcheck.entry \
          WHERE chain = '\\x{chain}'::bytea ORDER BY number"
     ))?;
     loop {
@@ -131,7 +222,8 @@ fn walk(
         let rows = server.ask(server.client.query(&fetch, &[]))?;
         for row in &rows {
             let body: &str = value(row, 1)?;
-            if see(natural(value(row, 0)?), body.as_bytes(), hash_of(value(row, 2)?).unwrap_or_default()).is_break() {
+            let hash = hash_of(value(row, 2)?).unwrap_or_default();
+            if see(natural(value(row, 0)?), body.as_bytes(), hash, value(row, 3)?).is_break() {
                 return Err(ShopError::Stopped);
             }
         }

@@ -93,7 +93,8 @@ SELECT
     fitcheck.corrected_by(entry.chain, entry.number) AS corrected_by,
     round(extract(epoch FROM entry.received - figures.at)::numeric, 3) AS clock_difference_s,
     encode(entry.hash, 'hex') AS hash,
-    encode(entry.chain, 'hex') AS chain
+    encode(entry.chain, 'hex') AS chain,
+    (SELECT login FROM fitcheck.chain WHERE chain.chain = entry.chain) AS login
 FROM fitcheck.entry AS entry CROSS JOIN LATERAL fitcheck.figures(entry.body) AS figures
 WHERE figures.kind = 'check' OR figures.kind IS NULL;
 
