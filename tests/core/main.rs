@@ -88,6 +88,7 @@ mod probe_tables;
 mod programs;
 mod promises;
 mod qif;
+mod quantities;
 mod reader_language;
 mod renderings;
 mod report;
