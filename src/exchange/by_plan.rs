@@ -109,7 +109,7 @@ impl<'a> ByPlan<'a> {
         if !kinds.is_empty() && !kinds.contains(&kind) || !labels.quantity.as_ref().is_none_or(fits) {
             return Err(NotFound::OtherKind { name: self.name(at), kind });
         }
-        if let Some(why) = self.sizes.get(at).and_then(|size| contradiction(asked, size, by)) {
+        if let Some(why) = self.sizes.get(at).and_then(|size| contradiction(value, size, by)) {
             return Err(why);
         }
         // A name that is known to no feature speaks against the number, unless the size speaks for it.
@@ -156,6 +156,8 @@ struct Value {
     correction: Option<Correction>,
     /// The kinds that its file can have measured; any where there are none.
     kinds: &'static [&'static str],
+    /// Whether its nominal size is one: a file with limits alone has the smaller one for it.
+    has_nominal: bool,
     /// What is given and its column, where that is no diameter.
     not_positive: Option<(String, usize)>,
 }
@@ -164,13 +166,11 @@ impl Value {
     /// A value that its file has limits for.
     fn of_record(line: usize, record: Record, labels: Labels) -> Self {
         let Record { id, callout, limits: own, time, measurement, verdict, correction, .. } = record;
-        // A file with limits alone has its smaller one for a nominal size.
+        let asked = Asked { nominal: Some(own.nominal), minimum: Some(own.minimum()), maximum: Some(own.maximum()) };
         let has_nominal = callout.is_some() || own.nominal != own.minimum();
-        let nominal = has_nominal.then_some(own.nominal);
-        let asked = Asked { nominal, minimum: Some(own.minimum()), maximum: Some(own.maximum()) };
         let kinds: &[&str] = if measurement.centre.is_some() { &["diameter"] } else { &[] };
         let (position, not_positive) = (verdict.position, None);
-        Self { line, id, labels, asked, time, measurement, position, correction, kinds, not_positive }
+        Self { line, id, labels, asked, time, measurement, position, correction, kinds, has_nominal, not_positive }
     }
 
     /// A value that its file does not judge, or not as a hole or shaft.
@@ -189,7 +189,8 @@ impl Value {
             _ => None,
         };
         let measurement = Measurement::of_diameter(measured, origin);
-        Self { line, id, labels, asked, time, measurement, position, correction, kinds, not_positive }
+        let has_nominal = true;
+        Self { line, id, labels, asked, time, measurement, position, correction, kinds, has_nominal, not_positive }
     }
 
     /// The same without a feature of the plan.
@@ -204,15 +205,16 @@ impl Value {
 /// Half a thousandth of an inch: how far a file may round a nominal size.
 const ROUNDED: Length = Length::constant(12_700);
 
-/// That a file asks for something else under the name of a plan's size: a row of another quantity, or of another feature.
+/// That a file asks for something else than the plan does of a size: the value is of another quantity, or of another feature.
 ///
 /// A number may be a running one and a place that of another operation: there the nominal size must be the plan's. A value with the name
 /// of the size may have its nominal size rounded, or the middle of the plan's limits; what lies within them is told and nothing more.
 /// Without a nominal size its limits must have something in common with the plan's.
-fn contradiction(asked: &Asked, size: &Size<'_>, by: By) -> Option<NotFound> {
-    let limits = size.limits;
-    if let Some(given) = asked.nominal {
-        let planned = limits.nominal;
+fn contradiction(value: &Value, size: &Size<'_>, by: By) -> Option<NotFound> {
+    let (asked, limits) = (&value.asked, size.limits);
+    let planned = limits.nominal;
+    let is_compared = |given: &Length| by != By::Name || value.has_nominal || *given == planned;
+    if let Some(given) = asked.nominal.filter(is_compared) {
         let is_rounded = given.saturating_sub(planned).abs() <= ROUNDED;
         let is_within = limits.minimum() <= given && given <= limits.maximum();
         let agrees = given == planned || by == By::Name && (is_rounded || is_within);

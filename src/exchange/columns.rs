@@ -559,6 +559,8 @@ fn named(cells: &StringRecord) -> usize {
 }
 
 pub(super) fn several(role: Role, header: &StringRecord, columns: &[usize]) -> ImportErrorKind {
+    let mut columns = columns.to_vec();
+    columns.sort_unstable();
     let columns = columns.iter().take(NAMED + 1);
     let names: Vec<String> = columns.map(|&at| name_of(at, header.get(at).unwrap_or_default())).collect();
     ImportErrorKind::SeveralColumns { role, columns: listed(&names) }

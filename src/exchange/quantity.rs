@@ -100,7 +100,7 @@ const ROUND: &str = "bore|hole|bohrung|boring|gat|foro|shaft|welle|albero|circle
 
 /// Words that change none of these.
 const NEUTRAL: &str = "inner|outer|inside|outside|innen|außen|aussen|binnen|buiten|interno|esterno|of|a|the|des|der|di|van|nominal|\
-    linear|lineare|lineair|min|max|gauss|lsc|mic|mcc|mzc|ls|mi|mc|two|2pt|int|ext|est|2";
+    linear|lineare|lineair|min|max|gauss|lsc|mic|mcc|mzc|ls|mi|mc|two|2pt|int|ext|est";
 
 /// Words of other quantities. A word that begins with one of them is one as well.
 const OTHERS: &str = "radius|radii|radien|radial|raggio|straal|halbmesser|roundness|round|rondheid|rundheit|circularit|circolarit|\

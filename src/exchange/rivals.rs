@@ -13,6 +13,7 @@ use crate::length::Length;
 use crate::tolerance::{Callout, ToleranceClass};
 
 /// The columns that decide.
+#[derive(Clone, Copy)]
 pub(super) struct Chosen {
     pub(super) measured: usize,
     pub(super) tolerance: Option<usize>,

@@ -110,7 +110,8 @@ impl Rules<'_> {
         let last = cells.len().checked_sub(1)?;
         let given = shorten(cells.get(last).unwrap_or_default().trim());
         let judged_by = [Some(columns.measured.at), columns.tolerance, columns.nominal.map(|column| column.at)];
-        if judged_by.into_iter().flatten().max() < Some(last) {
+        let quantities = columns.quantities.iter().map(|column| column.at);
+        if judged_by.into_iter().flatten().chain(quantities).max() < Some(last) {
             return None;
         }
         if last != columns.measured.at {

@@ -180,18 +180,27 @@ enum Before {
     Yes,
 }
 
+/// Italian words between "before" and what was done.
+const OF: [&str; 9] = ["di", "del", "dello", "della", "dell", "dei", "degli", "delle", "d"];
+
 /// Words that mean "before" in one place and something else in another: `voor honen`, but `voor` and `achter` are front and rear;
 /// `prima di honing`, but `prima misura` is the first one. `vor Ort` is where it was measured.
 fn before(name: &[String]) -> Before {
     let words: Vec<&str> = name.iter().map(String::as_str).collect();
-    let of = |at: usize, word: &str| match (word, words.get(at + 1).copied()) {
-        ("vor", Some("ort")) => Before::No,
-        ("vor", _) => Before::Yes,
-        ("voor", Some(_)) if 0 < at => Before::Yes,
-        ("voor", _) => Before::Perhaps,
-        ("prima", Some("di" | "del" | "dello" | "della" | "dell" | "dei" | "degli" | "delle" | "d")) => Before::Yes,
-        ("prima", _) if 0 < at => Before::Perhaps,
-        _ => Before::No,
+    let of = |at: usize, word: &str| {
+        let next = words.get(at + 1).copied();
+        let is_before = match word {
+            "vor" => next != Some("ort"),
+            "voor" => 0 < at && next.is_some(),
+            "prima" => next.is_some_and(|next| OF.contains(&next)),
+            _ => false,
+        };
+        match word {
+            _ if is_before => Before::Yes,
+            "voor" => Before::Perhaps,
+            "prima" if 0 < at => Before::Perhaps,
+            _ => Before::No,
+        }
     };
     let all = (0..).zip(&words).map(|(at, word)| of(at, word));
     all.fold(Before::No, |found, next| if found == Before::No || next == Before::Yes { next } else { found })

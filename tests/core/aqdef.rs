@@ -3,7 +3,7 @@
 use std::io::Cursor;
 use std::path::{Path, PathBuf};
 
-use fitcheck::exchange::{FORMATS, Given, Item, Labels, import_from};
+use fitcheck::exchange::{FORMATS, Given, Item, Labels, Quantity, import_from};
 use fitcheck::tolerance::Sources;
 
 fn folder() -> PathBuf {
@@ -102,6 +102,7 @@ fn a_record_has_the_callout_the_time_and_what_else_is_said() {
             batch: "B0815".into(),
             machine: "12".into(),
             gauge: "460".into(),
+            quantity: Some(Quantity::Diameter),
             ..Labels::default()
         };
         assert_eq!(*labels, expected);

@@ -126,7 +126,7 @@ fn a_mapping_that_contradicts_the_file_is_refused_with_both() {
         "measured=v",
         "v;v\n1;2\n",
         &[
-            "line 1: columns 1 (v), 2 (v) may each be the measured value: name them in the first line, such as id;callout;measured",
+            "line 1: columns 1 (v), 2 (v) may each be the measured value: choose one with import --columns, such as measured=3, or name the columns in the first line so that only one fits, such as id;callout;measured",
         ],
     );
     let refused = |text: &str| text.parse::<Mapping>().unwrap_err().to_string();

@@ -91,6 +91,7 @@ mod promises;
 mod proportions;
 mod qif;
 mod qif_places;
+mod quantities;
 mod reader_language;
 mod renderings;
 mod report;

@@ -157,7 +157,7 @@ fn a_decimal_comma_between_separating_commas_is_never_taken_for_two_numbers() {
     check(
         "25 H7,25,030\n25 H7,25,012\n",
         &[
-            "! line 1: columns 2, 3 may each be the measured value: name them in the first line, such as id;callout;measured <>",
+            "! line 1: columns 2, 3 may each be the measured value: choose one with import --columns, such as measured=3, or name the columns in the first line so that only one fits, such as id;callout;measured <>",
         ],
     );
     check(
@@ -173,7 +173,7 @@ fn what_could_be_two_columns_is_refused() {
     check(
         "id;callout;measured 1;measured 2\nb1;25 H7;25.01;25.02\n",
         &[
-            "! line 1: columns 3 (measured 1), 4 (measured 2) may each be the measured value: name them in the first line, such as id;callout;measured <>",
+            "! line 1: columns 3 (measured 1), 4 (measured 2) may each be the measured value: choose one with import --columns, such as measured=3, or name the columns in the first line so that only one fits, such as id;callout;measured <>",
         ],
     );
     check(

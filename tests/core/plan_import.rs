@@ -296,7 +296,7 @@ fn a_nominal_size_in_the_file_is_compared_whatever_else_is_missing() {
     assert_eq!(code, 1);
     says(&rows[0], None, "it matches PIN of the plan, but its nominal size is 30");
     let (_, rows) = place.judged(plan, "name;nominal;callout;measured\nPIN;30;;25.01\n", &[]);
-    says(&rows[0], Some("GOOD"), "the file has the nominal size 30: the plan's nominal size applies");
+    says(&rows[0], None, "it matches PIN of the plan, but its nominal size is 30 and the plan's is 25");
     // AQDEF that does not say hole or shaft: K2101 is the nominal size, K2110 and K2111 are the limits.
     let aqdef = |limits: &str| {
         format!("K0100 1\nK2001/1 3\nK2009/1 102\nK2101/1 30\n{limits}K2142/1 mm\nK0001/1 25.01\nK0002/1 0\n")

@@ -103,10 +103,14 @@ impl FirstRows {
 
     /// Something to begin with: what is detected, or what single names say where that is refused.
     pub fn guess(&self, mapping: &Mapping) -> Choice {
-        if let Ok(detected) = self.detect(mapping) {
-            let Mapping { decimal, unit, place_unit, first_row, .. } = mapping.clone();
-            return Choice { decimal, unit, place_unit, first_row, ..Choice::of(&detected) };
-        }
+        let asked = match self.detect(mapping) {
+            Ok(detected) => {
+                let Mapping { decimal, unit, place_unit, first_row, .. } = mapping.clone();
+                return Choice { decimal, unit, place_unit, first_row, ..Choice::of(&detected) };
+            }
+            Err(ImportErrorKind::SeveralColumns { role, .. }) => Some(role),
+            Err(_) => None,
+        };
         let sample = self.sample(mapping);
         let header = sample.header.and_then(|at| sample.rows.get(at)).map(|(_, cells)| cells.clone());
         let role = |name: &str| {
@@ -115,7 +119,8 @@ impl FirstRows {
             words::role(name).filter(|(_, rank)| is_sure(*rank)).map(|(role, _)| role).or(label)
         };
         let said: Vec<Option<Role>> = header.iter().flatten().map(role).collect();
-        let is_one = |role: &Option<Role>| said.iter().filter(|other| *other == role).count() == 1;
+        // What several columns may hold is chosen for none of them.
+        let is_one = |role: &Option<Role>| *role != asked && said.iter().filter(|other| *other == role).count() == 1;
         let separator = match self.held {
             Held::Text(_) => super::words::word_for(sample.separator, &SEPARATORS).map(str::to_owned),
             Held::Sheets(..) => None,

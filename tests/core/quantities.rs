@@ -1,9 +1,12 @@
 //! Several columns that could be the measured value, and several quantities of one name: a wrong one is never taken in silence.
 
+use std::io::Cursor;
 use std::path::Path;
 
 use assert_cmd::cargo::cargo_bin_cmd;
-use fitcheck::exchange::{FirstRows, Mapping};
+use fitcheck::exchange::{ByPlan, FirstRows, Given, Item, Mapping, Role, import_from};
+use fitcheck::part::Document;
+use fitcheck::tolerance::Sources;
 
 /// The answer of the program.
 struct Answer {
@@ -55,7 +58,7 @@ fn asked_about(text: &str, columns: &str) {
         &["batch", "m.csv", "-o", "m.tsv"],
         &["batch", "m.csv", "-o", "m.jsonl"],
         &["report", "m.csv", "-o", "r.html"],
-        &["pair", "m.csv", "m.csv"],
+        &["pair", "--clearance", "0..0.1", "m.csv", "m.csv"],
     ] {
         let answer = place.say(args);
         assert!(
@@ -68,7 +71,7 @@ fn asked_about(text: &str, columns: &str) {
     // The window asks: nothing is chosen for any of them.
     let first = FirstRows::of("m.csv", text.as_bytes()).unwrap();
     assert!(first.detect(&Mapping::default()).is_err(), "{text}");
-    assert!(!first.guess(&Mapping::default()).roles.contains(&Some(fitcheck::exchange::Role::Measured)), "{text}");
+    assert!(!first.guess(&Mapping::default()).roles.contains(&Some(Role::Measured)), "{text}");
 }
 
 /// Import and batch take the column of this value, and tell that another one is skipped.
@@ -115,7 +118,7 @@ fn the_user_says_which_column_is_the_value() {
         let answer = place.say(&["import", "m.csv", "--columns", column, "--format", "csv"]);
         assert_eq!((answer.code, answer.out.contains(&format!(",{value},"))), (code, true), "{}", answer.said());
     }
-    assert!(place.say(&["import", "m.csv"]).said().contains("import --columns measured=3"));
+    assert!(place.say(&["import", "m.csv"]).said().contains("choose one with import --columns, such as measured=3"));
 }
 
 #[test]
@@ -260,45 +263,116 @@ const SIZES: &[&str] = &[
 
 const PLAN: &str = "name;callout\nBORE_A;25 H7\n";
 
+/// What a plan makes of a file: a status, or why there is none.
+fn judged(plan: &str, name: &str, bytes: &[u8]) -> Vec<String> {
+    let sources = Sources::default();
+    let plan = Document::read(plan.as_bytes()).unwrap().plan(&sources).unwrap();
+    let by_plan = ByPlan::new(&plan);
+    let given = Given { has_plan: true, ..Given::new(&sources, jiff::civil::date(2026, 11, 25).at(0, 0, 0, 0)) };
+    let mut said = Vec::new();
+    import_from(name, &mut Cursor::new(bytes), given, &mut |item| {
+        by_plan.item(item, &mut |item| match item {
+            Item::Record { record, .. } => said.push(record.verdict.status().word().to_owned()),
+            Item::Unjudged(unjudged) => said.push(unjudged.why.to_string()),
+            Item::Error(error) => said.push(error.to_string()),
+            Item::Warning(_) | Item::Contacts(_) => {}
+        });
+    });
+    said
+}
+
+/// The names of columns that say what was measured.
+const COLUMNS: &[&str] = &[
+    "AXIS",
+    "Achse",
+    "as",
+    "asse",
+    "Type",
+    "Typ",
+    "tipo",
+    "Merkmalsart",
+    "characteristic type",
+    "quantity",
+    "Dimension",
+    "kenmerktype",
+];
+
 #[test]
 fn a_row_of_another_quantity_is_not_the_bore_of_the_same_name() {
-    for column in [
-        "AXIS",
-        "Achse",
-        "as",
-        "asse",
-        "Type",
-        "Typ",
-        "tipo",
-        "Merkmalsart",
-        "characteristic type",
-        "quantity",
-        "Dimension",
-    ] {
+    for column in COLUMNS {
         for other in OTHERS {
-            let values =
-                format!("name;{column};nominal;measured\nBORE_A;Diameter;25;25.012\nBORE_A;{other};25;25.040\n");
-            let place = Place::of(&[("p.csv", PLAN), ("m.csv", &values)]);
-            let answer = place.say(&["import", "--plan", "p.csv", "m.csv", "--format", "csv"]);
-            let said = answer.said();
-            assert!(said.contains("m.csv,2,BORE_A,25 H7,25,25.000,25.021,25.012,12,GOOD"), "{column}: {other}\n{said}");
-            assert!(
-                !said.contains("SCRAP") && !said.contains("REWORK") && answer.code != 0,
-                "{column}: {other}\n{said}"
-            );
+            let text = format!("name;{column};nominal;measured\nBORE_A;Diameter;25;25.012\nBORE_A;{other};25;25.040\n");
+            let said = judged(PLAN, "m.csv", text.as_bytes());
+            let is_told = said
+                .get(1)
+                .is_some_and(|why| why.contains("not a size") || why.contains("something else was measured"));
+            assert!(said.len() == 2 && said[0] == "GOOD" && is_told, "{column}: {other}: {said:?}");
+            let rows: Vec<Vec<&str>> = text.lines().map(|line| line.split(';').collect()).collect();
+            let rows: Vec<&[&str]> = rows.iter().map(Vec::as_slice).collect();
+            assert_eq!(judged(PLAN, "m.xlsx", &crate::xlsx::workbook(&rows)), said, "{column}: {other}");
         }
+    }
+}
+
+/// By itself, without a row that says a diameter; in the last column, it is a row of its own all the same.
+#[test]
+fn a_radius_is_never_a_diameter() {
+    for column in ["AXIS", "Type", "Typ", "Merkmalsart", "quantity"] {
+        for radius in ["R", "radius", "Radius", "Halbmesser", "straal", "raggio"] {
+            let text = format!("name;measured;{column}\nBORE_A;25.012;{radius}\n");
+            let said = judged(PLAN, "m.csv", text.as_bytes());
+            assert_eq!(said, [format!("{radius}: not a size of a hole or shaft")], "{column}");
+        }
+    }
+    for name in ["measured radius", "Radius", "Istwert Radius", "gemeten straal", "raggio misurato", "measured R"] {
+        let said = judged(PLAN, "m.csv", format!("name;{name}\nBORE_A;25.012\n").as_bytes());
+        assert!(said[0].contains("no column of measured values"), "{name}: {said:?}");
     }
 }
 
 #[test]
 fn a_word_of_a_size_is_one() {
-    for column in ["AXIS", "Type", "Merkmalsart"] {
+    for column in COLUMNS.iter().filter(|column| **column != "as") {
         for size in SIZES {
-            let values = format!("name;{column};measured\nBORE_A;{size};25.030\n");
-            let place = Place::of(&[("p.csv", PLAN), ("m.csv", &values)]);
-            let answer = place.say(&["import", "--plan", "p.csv", "m.csv"]);
-            assert_eq!(answer.code, 11, "{column}: {size}\n{}", answer.said());
+            let text = format!("name;{column};measured\nBORE_A;{size};25.030\n");
+            assert_eq!(judged(PLAN, "m.csv", text.as_bytes()), ["SCRAP"], "{column}: {size}");
         }
+    }
+}
+
+/// A characteristic of AQDEF, with its quantity, nominal size and limits.
+fn aqdef(entries: &str) -> String {
+    format!("K0100 1\nK1001/1 P\nK2001/1 1\nK2002/1 BORE_A\n{entries}K2142/1 mm\nK0001/1 25.012\nK0002/1 0\n")
+}
+
+#[test]
+fn files_of_other_tools_with_another_quantity_or_nominal_size_are_not_that_feature() {
+    let other = "its nominal size is 40 and the plan's is 25";
+    let limits = "its limits 39.9 … 40.1 have nothing in common with the plan's 25 … 25.021";
+    for (entries, words) in [
+        ("K2009/1 202\nK2101/1 25\nK2110/1 25\nK2111/1 25.021\n", "GOOD"),
+        // The smaller limit stands for a nominal size that is not there.
+        ("K2009/1 202\nK2110/1 24.9\nK2111/1 25.1\nK2115/1 25.1\n", "GOOD"),
+        ("K2009/1 202\nK2101/1 40\nK2110/1 39.9\nK2111/1 40.1\n", other),
+        ("K2009/1 202\nK2101/1 40\nK2103/1 H\nK2104/1 7\n", other),
+        ("K2101/1 40\n", other),
+        ("K2009/1 202\nK2110/1 39.9\nK2111/1 40.1\n", limits),
+        ("K2009/1 202\nK2110/1 39.9\nK2111/1 40.1\nK2115/1 40.1\n", limits),
+        ("K2009/1 202\nK2111/1 0.02\n", "its limits … 0.02 have nothing in common"),
+        ("K2009/1 102\nK2101/1 25\n", "roundness (K2009 is 102)"),
+    ] {
+        let said = judged(PLAN, "a.dfq", aqdef(entries).as_bytes());
+        assert!(said.len() == 1 && said[0].contains(words), "{entries}{said:?}");
+    }
+    let header = "id\ttype\tidsymbol\tactual\tnominal\tuppertol\tlowertol\tdeviation\texceed\tunit\t\n";
+    for (row, words) in [
+        ("BORE_A\tD1\tdiameter\t25.012\t25\t0.021\t0\t0.012\t\tmm\t\n", "GOOD"),
+        ("BORE_A\tD1\tdiameter\t40.012\t40\t0.021\t0\t0.012\t\tmm\t\n", other),
+        ("BORE_A\tR1\tradius\t25.012\t25\t0.021\t0\t0.012\t\tmm\t\n", "radius: not a size"),
+        ("BORE_A\tX1\txValue\t25.012\t25\t0.021\t0\t0.012\t\tmm\t\n", "not a size"),
+    ] {
+        let said = judged(PLAN, "a_chr.txt", format!("{header}{row}END\n").as_bytes());
+        assert!(said[0].contains(words), "{row}{said:?}");
     }
 }
 
@@ -320,7 +394,7 @@ fn batch_and_import_set_the_same_rows_aside() {
         let counts = ["GOOD", "SCRAP", "REWORK", "not a size"].map(|word| made.matches(word).count());
         assert_eq!(counts, [2, 1, 0, 2], "{name}: {made}");
     }
-    let answer = place.say(&["pair", "m.csv", "m.csv"]);
+    let answer = place.say(&["pair", "--clearance", "0..0.1", "m.csv", "m.csv"]);
     assert!(answer.said().contains("Radius: not a size"), "{}", answer.said());
 }
 
@@ -462,6 +536,7 @@ fn a_column_of_quantities_is_known_by_its_words_whatever_its_name() {
     for text in [
         "id;callout;measured;checked\nA;25 H7;25.012;x\nB;25 H7;25.012;x\n",
         "id;callout;measured;side\nA;25 H7;25.012;L\nB;25 H7;25.012;R\n",
+        "id;callout;measured;station\nA;25 H7;25.012;Line 2\nB;25 H7;25.012;Position 1\n",
     ] {
         let answer = Place::of(&[("m.csv", text)]).say(&["import", "m.csv"]);
         assert_eq!(answer.code, 0, "{text}{}", answer.said());
@@ -477,5 +552,15 @@ fn the_coordinate_of_a_face_is_the_row_of_its_axis() {
         let place = Place::of(&[("p.csv", plan), ("m.csv", &text)]);
         let answer = place.say(&["import", "--plan", "p.csv", "m.csv"]);
         assert_eq!(answer.said().contains("GOOD"), is_judged, "{axis}: {}", answer.said());
+    }
+}
+
+/// `Depth` that is cut off is `D`.
+#[test]
+fn a_quantity_that_may_be_cut_off_is_told() {
+    let place = Place::of(&[("m.csv", "id;callout;measured;type\nA;25 H7;25.012;Diameter\nB;25 H7;25.012;D")]);
+    for command in ["import", "batch"] {
+        let said = place.say(&[command, "m.csv"]).said();
+        assert!(said.contains("the file ends here without a line end"), "{command}: {said}");
     }
 }
