@@ -10,7 +10,7 @@ use crate::tolerance::fit::Fit;
 use crate::tolerance::fit::equivalent::{self, Difference};
 use crate::tolerance::fit::materials::Materials;
 use crate::tolerance::fit::search::{Wanted, search_in};
-use crate::tolerance::fit::thermal::{ThermalDoubt, ThermalError};
+use crate::tolerance::fit::thermal::{Expansion, ThermalDoubt, ThermalError};
 use crate::tolerance::{Callout, Feature, Limits, Sources, ToleranceClass};
 
 /// The most pairs that a search lists; the total is counted in any case.
