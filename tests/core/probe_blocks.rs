@@ -355,5 +355,5 @@ fn a_block_of_iso_is_read_as_a_program_reads_it() {
     ] {
         assert_eq!(settings(&text), expected, "{text}");
     }
-    assert_eq!(settings(&format!("N50 G421 Q273=+40*\nQ274=+30*")), ["Q273=+40"]);
+    assert_eq!(settings("N50 G421 Q273=+40*\nQ274=+30*"), ["Q273=+40"]);
 }

@@ -14,7 +14,7 @@ fn plan_of(text: &str) -> (Vec<String>, Vec<String>) {
     let row = &document.draft.rows[0];
     let place = [fitcheck::part::Column::X, fitcheck::part::Column::Y, fitcheck::part::Column::Z];
     let place = place.into_iter().map(|column| row.text(column).unwrap_or_default().to_owned()).collect();
-    (place, document.remarks.iter().map(|remark| remark.to_string()).collect())
+    (place, document.remarks.iter().map(ToString::to_string).collect())
 }
 
 #[test]

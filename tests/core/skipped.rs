@@ -5,6 +5,7 @@ use std::sync::Arc;
 use fitcheck::control::variables::Parameter;
 use fitcheck::nc::machine::{Contacts, InMemory, Machine, Settings, Step};
 use fitcheck::nc::program::Program;
+use fitcheck::probing::Contact;
 use fitcheck::probing::simulated::Simulation;
 use fitcheck::verdict::Status;
 use fitcheck::words::Dialogue;
@@ -166,6 +167,28 @@ fn what_sets_no_datum_lets_the_next_measurement_count() {
         let (machine, fault) = run(&format!("Q9 = 1\n{block}\n{HOLE}"));
         assert_eq!((fault, machine.status()), (None, Some(Status::Good)), "{block}");
     }
+}
+
+#[test]
+fn recorded_contacts_behind_a_skipped_measurement_are_of_nobody_knows_which() {
+    let contacts = || {
+        let places = [[12.505, 0.0, -5.0], [0.0, 12.505, -5.0], [-12.505, 0.0, -5.0], [0.0, -12.505, -5.0]];
+        Contacts::Recorded(places.map(Contact::at).to_vec())
+    };
+    let (machine, fault) = run_with(HOLE, false, contacts());
+    assert_eq!((fault, machine.status()), (None, Some(Status::Good)));
+    let (machine, fault) = run_with(&format!("TCH PROBE 430 MEAS. BOLT HOLE CIRC\n{HOLE}"), false, contacts());
+    assert_eq!(
+        fault.as_deref(),
+        Some(
+            "it is not known which recorded contacts are of this cycle: some may be of line 3, TCH PROBE 430 MEAS. BOLT HOLE CIRC, \
+             which was not run"
+        )
+    );
+    assert!(machine.cycles().is_empty());
+    // Measuring a tool touches no workpiece.
+    let (machine, fault) = run_with(&format!("TCH PROBE 483 MEASURE TOOL\n{HOLE}"), false, contacts());
+    assert_eq!((fault, machine.status()), (None, Some(Status::Good)));
 }
 
 #[test]

@@ -41,6 +41,7 @@ machine-undefined = { $parameter } is undefined
 machine-lost = { $parameter } is undefined: line { $line }, { $text }, may set it and was not run
 machine-file-unknown = { $path } is not read: line { $line }, { $text }, may write or remove it and was not run
 machine-tools-unknown = the tool is not corrected: line { $line }, { $text }, may change the tool table and was not run
+machine-contacts-unknown = it is not known which recorded contacts are of this cycle: some may be of line { $line }, { $text }, which was not run
 machine-not-skipped = this block decides what runs next or what another program gets: it cannot be skipped
 machine-whole-only = { $parameter } holds whole numbers only, not { $value }
 machine-no-answer = INPUT "{ $question }" asks for { $parameter }: give it a value before the run

@@ -41,6 +41,7 @@ machine-undefined = { $parameter } is niet gedefinieerd
 machine-lost = { $parameter } is niet gedefinieerd: regel { $line }, { $text }, kan hem zetten en is niet uitgevoerd
 machine-file-unknown = { $path } wordt niet gelezen: regel { $line }, { $text }, kan dit bestand schrijven of verwijderen en is niet uitgevoerd
 machine-tools-unknown = het gereedschap wordt niet gecorrigeerd: regel { $line }, { $text }, kan de gereedschapstabel wijzigen en is niet uitgevoerd
+machine-contacts-unknown = het is niet bekend welke opgenomen meetpunten bij deze cyclus horen: sommige kunnen van regel { $line }, { $text }, zijn, die niet is uitgevoerd
 machine-not-skipped = deze NC-regel bepaalt wat er daarna wordt uitgevoerd of wat een ander programma krijgt: hij kan niet worden overgeslagen
 machine-whole-only = { $parameter } bevat alleen gehele getallen, niet { $value }
 machine-no-answer = INPUT "{ $question }" vraagt om { $parameter }: geef de waarde vóór het uitvoeren op

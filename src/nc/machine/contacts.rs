@@ -60,6 +60,11 @@ impl Probed {
         matches!(self, Self::Perfect)
     }
 
+    /// Whether contacts were recorded.
+    pub(super) const fn is_recorded(&self) -> bool {
+        matches!(self, Self::Recorded(_))
+    }
+
     /// How many recorded contacts there are and how many the cycles took, unless they took all.
     pub(super) fn left(&self) -> Option<(usize, usize)> {
         let Self::Recorded(recorded) = self else { return None };

@@ -1,6 +1,6 @@
 //! `TCH PROBE`: the cycles of `probing::cycles`, by number.
 
-use super::around::{Around, Global, INCH, Moment};
+use super::around::{Around, Global, INCH, Made, Moment};
 use super::budget::{Budget, Settings, UsedUp};
 use super::contacts::{Contacts, Probed};
 use super::fault::{BlockPlace, FaultKind};
@@ -63,6 +63,8 @@ pub(super) struct Cycles {
     other_tool: Option<String>,
     runs: Vec<CycleRun>,
     most: usize,
+    /// A measurement that was not run, where contacts were recorded: some of them may be of it.
+    lost: Option<Made>,
 }
 
 impl Cycles {
@@ -73,6 +75,7 @@ impl Cycles {
             other_tool: None,
             runs: Vec::new(),
             most: settings.budget.cycles,
+            lost: None,
         }
     }
 
@@ -93,6 +96,13 @@ impl Cycles {
     /// A remark that recorded contacts are left, unless the cycles took all.
     pub(super) fn contacts_left(&self) -> Option<Remark> {
         self.probed.left().map(|(count, used)| Remark::ContactsLeft { count, used })
+    }
+
+    /// A measurement was not run: from here on it is not known which recorded contacts are of which cycle.
+    pub(super) fn lose(&mut self, by: impl FnOnce() -> Made) {
+        if self.probed.is_recorded() {
+            self.lost.get_or_insert_with(by);
+        }
     }
 
     /// TOOL CALL: the probe of that number; a name selects the first probe of the table.
@@ -138,6 +148,9 @@ impl Cycles {
         around: &Around,
         values: &Values,
     ) -> Result<(Vec<Move>, Result<CycleResult, FaultKind>), FaultKind> {
+        if let Some(Made { line, text }) = self.lost.clone() {
+            return Err(FaultKind::ContactsUnknown { line, text });
+        }
         let mut inputs = Inputs::new().with_probe(self.probe);
         if let Some(place) = asked.position {
             inputs = inputs.with_position(asked.placement.into_cycle(place));

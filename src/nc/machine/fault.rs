@@ -152,6 +152,13 @@ pub enum FaultKind {
         /// Its text.
         text: String,
     },
+    /// Recorded contacts behind a measurement that was not run: some of them may be of it.
+    ContactsUnknown {
+        /// The line of its block, from 1.
+        line: usize,
+        /// Its text.
+        text: String,
+    },
     /// An unknown block that decides what runs next, or hands values to another program.
     NotSkipped,
     /// A parameter that does not exist on a control.

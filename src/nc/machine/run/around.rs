@@ -37,15 +37,12 @@ impl Run {
             // Machining, turning and grinding; below them are the control's oldest.
             *number <= 39 || matches!(number, 200..=299 | 800..=899 | 1000..=1099)
         });
-        match number {
-            Some(number) => {
-                self.around.pass_over(&format!("CYCL DEF {}", cycle.number));
-                self.around.turning(number, self.flow.made(at));
-            }
-            None => {
-                self.lose_all(at);
-                self.remark(at, Remark::NotFollowed);
-            }
+        if let Some(number) = number {
+            self.around.pass_over(&format!("CYCL DEF {}", cycle.number));
+            self.around.turning(number, self.flow.made(at));
+        } else {
+            self.lose_all(at);
+            self.remark(at, Remark::NotFollowed);
         }
     }
 

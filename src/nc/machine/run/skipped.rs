@@ -28,14 +28,9 @@ impl Run {
     /// [`FaultKind::NotSkipped`] where it decides what runs next.
     pub(super) fn skip(&mut self, at: usize, files: &mut Files) -> Result<(), FaultKind> {
         let place = self.flow.place_of(at);
-        let unread = match self.unread.get(&place) {
-            Some(unread) => Arc::clone(unread),
-            None => {
-                let unread = Arc::new(self.flow.program().unread(at));
-                self.unread.insert(place, Arc::clone(&unread));
-                unread
-            }
-        };
+        let known = self.unread.get(&place).cloned();
+        let unread = known.unwrap_or_else(|| Arc::new(self.flow.program().unread(at)));
+        self.unread.entry(place).or_insert_with(|| Arc::clone(&unread));
         match unread.as_ref() {
             Unread::Flow => return Err(FaultKind::NotSkipped),
             Unread::Nothing => {}
@@ -58,7 +53,9 @@ impl Run {
                 self.lose_all(at);
                 if !parameters.is_empty() {
                     let by = Arc::new(self.flow.made(at));
-                    parameters.iter().for_each(|parameter| self.values.lose(*parameter, &by));
+                    for parameter in parameters {
+                        self.values.lose(*parameter, &by);
+                    }
                 }
             }
         }
@@ -77,6 +74,10 @@ impl Run {
         self.lose_measured(at, block);
         self.around.stated(block, true, self.flow.unit(), &mut self.values)?;
         self.way.lose();
+        // Tools and calibrations have no contacts of the workpiece.
+        if !number.is_some_and(|number| measures_tools(number) || matches!(number, 2 | 9 | 460..=463)) {
+            self.cycles.lose(|| self.flow.made(at));
+        }
         if number.is_none_or(measures_tools) {
             self.tools.lose(|| Arc::new(self.flow.made(at)));
         }
