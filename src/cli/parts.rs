@@ -90,7 +90,8 @@ impl PlanParts {
             _ => "",
         };
         let place = line.map_or_else(|| file.to_owned(), |line| format!("{file}:{line}"));
-        let of_status = &mut part.noted.entry(at).or_default()[usize::from(is_simulated)];
+        let [measured, simulated] = part.noted.entry(at).or_default();
+        let of_status = if is_simulated { simulated } else { measured };
         if let Some((_, noted)) = Status::ALL.into_iter().zip(of_status).find(|(one, _)| *one == status) {
             *noted = Some(Noted { measured: record.measurement.diameter, place });
         }

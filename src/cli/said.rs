@@ -243,17 +243,23 @@ impl Admits for CliWarning<'_> {
     fn wants_a_look(&self) -> bool {
         match self {
             // What was measured counts twice, not at all, or by less than was asked for.
-            Self::SameContent { .. } | Self::FileTwice | Self::ContactsLeft { .. } | Self::LimitsAlone => true,
-            Self::Contradiction { .. } | Self::ContradictionOf { .. } | Self::WorstCounts => true,
-            // Bad data already.
+            Self::SameContent { .. }
+            | Self::FileTwice
+            | Self::ContactsLeft { .. }
+            | Self::LimitsAlone
+            // What was measured contradicts itself.
+            | Self::Contradiction { .. }
+            | Self::ContradictionOf { .. }
+            | Self::WorstCounts => true,
+            // Bad data already, and what says nothing against an answer.
             Self::StoppedUnrecorded
             | Self::PlanMissing { .. }
             | Self::PlanMissingOf { .. }
             | Self::SeeNote { .. }
             | Self::PlanMoreParts { .. }
             | Self::PlanNoValue
-            | Self::PlanNoValueOf { .. } => false,
-            Self::NotAlone { .. }
+            | Self::PlanNoValueOf { .. }
+            | Self::NotAlone { .. }
             | Self::ColumnNotUsed { .. }
             | Self::ExpansionUnconfirmed { .. }
             | Self::MoreFigures { .. }

@@ -281,8 +281,13 @@ impl ImportWarningKind {
             Self::Aqdef(warning) => warning.stands_against(),
             Self::Calypso(warning) => warning.stands_against(),
             // Lines that are no measurement, what a file lacks and what explains how a row was read.
-            Self::Log(LogWarningKind::NoUnit | LogWarningKind::NoTime | LogWarningKind::NoDeviations)
-            | Self::Log(LogWarningKind::Ignored { .. } | LogWarningKind::TextBefore)
+            Self::Log(
+                LogWarningKind::NoUnit
+                | LogWarningKind::NoTime
+                | LogWarningKind::NoDeviations
+                | LogWarningKind::Ignored { .. }
+                | LogWarningKind::TextBefore,
+            )
             | Self::Corrected
             | Self::OtherRule
             | Self::IgnoredColumns { .. }
