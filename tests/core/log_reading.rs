@@ -320,6 +320,9 @@ fn a_figure_on_the_line_of_its_heading_does_not_hide_the_deviations() {
     assert_eq!(warnings, ["line 1: no line gives the unit: millimetres assumed"]);
     assert_eq!(found.figures[2].deviation.unwrap().to_string(), "0.0123");
     assert_eq!((found.further[0].label.as_str(), found.further[0].value.as_str()), ("Measuring height", "-5.0000"));
+    // A time that is none is no heading.
+    let broken = ON_ONE_LINE.replace("Time: 8:12:40", "Time: 28:05");
+    assert!(read(broken.as_bytes())[0].is_ok());
     // So one that contradicts is found.
     let wrong = ON_ONE_LINE.replace("Diameter: 0.0123", "Diameter: 0.0223");
     let [Err(error)] = &read(wrong.as_bytes())[..] else { panic!() };

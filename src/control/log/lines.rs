@@ -196,6 +196,7 @@ impl Chunk {
                         continue;
                     }
                     if let Line::Label { label, value } = classify(value)
+                        && label.starts_with(char::is_alphabetic)
                         && is_number(value)
                     {
                         // A heading and its first figure on one line.

@@ -91,25 +91,24 @@ fn point(inputs: &Inputs) -> [f64; 3] {
     [inputs.mm(263), inputs.mm(264), inputs.mm(261)]
 }
 
-/// Where the face should be: at the programmed point; in the middle of the limits where that point is not between them, and they lie
-/// ahead of it.
+/// Where the face should be.
 fn face(inputs: &Inputs) -> [f64; 3] {
-    let limits = limits(inputs, 289, 288).ok().flatten();
-    let Some((minimum, maximum)) = limits.filter(|_| judged::is_outside(programmed(inputs), limits)) else {
-        return point(inputs);
-    };
-    let middle = minimum.midpoint(maximum);
-    let is_ahead = if inputs.whole(267) < 0 { middle < programmed(inputs) } else { programmed(inputs) < middle };
-    if !is_ahead {
-        return point(inputs);
-    }
     let [x, y, z] = point(inputs);
-    let middle = middle.to_mm_f64();
+    let nominal = nominal(inputs).to_mm_f64();
     match inputs.whole(272) {
-        1 => [middle, y, z],
-        2 => [x, middle, z],
-        _ => [x, y, middle],
+        1 => [nominal, y, z],
+        2 => [x, nominal, z],
+        _ => [x, y, nominal],
     }
+}
+
+/// The nominal value of the measured axis: the programmed one; the middle of the limits where that one is not between them, and they
+/// lie ahead of it.
+fn nominal(inputs: &Inputs) -> Length {
+    let (programmed, limits) = (programmed(inputs), limits(inputs, 289, 288).ok().flatten());
+    let middle = limits.map(|(minimum, maximum)| minimum.midpoint(maximum));
+    let is_ahead = |middle: &Length| if inputs.whole(267) < 0 { *middle < programmed } else { programmed < *middle };
+    middle.filter(is_ahead).filter(|_| judged::is_outside(programmed, limits)).unwrap_or(programmed)
 }
 
 /// The unit vector of the approach.
@@ -157,16 +156,11 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         _ => contact.z,
     })?;
     let checks: Vec<_> = judged::size(FoundName::COORDINATE, measured, limits, Feature::Shaft).into_iter().collect();
-    let programmed = programmed(inputs);
+    let (programmed, nominal) = (programmed(inputs), nominal(inputs));
     let mut remarks = Vec::new();
-    // Where the point is only where the probe stands before the approach, the deviation counts from the middle of the limits.
-    let nominal = match limits.filter(|_| judged::is_outside(programmed, limits)) {
-        Some((minimum, maximum)) => {
-            remarks.push(Remark::NominalCoordinateOutsideLimits { nominal: programmed });
-            minimum.midpoint(maximum)
-        }
-        None => programmed,
-    };
+    if judged::is_outside(programmed, limits) {
+        remarks.push(Remark::NominalCoordinateOutsideLimits { nominal: programmed });
+    }
     if !checks.is_empty() {
         remarks.extend([Remark::OutsideDimension, Remark::DeviationWithoutParameter]);
     }
