@@ -3,6 +3,7 @@
 
 use csv::StringRecord;
 
+use super::cells;
 use super::error::{ImportErrorKind, shorten};
 use super::rules::{Cell, Refused};
 use super::words;
@@ -47,7 +48,7 @@ impl Evidence {
 
 /// Whether a row is the mark below which all is simulated, as it stands in what a control would have printed.
 pub(super) fn marks_simulation(cells: &StringRecord) -> bool {
-    cells.iter().any(is_mark)
+    cells::is_comment(cells) && cells.iter().any(is_mark)
 }
 
 /// What a cell says of a question.

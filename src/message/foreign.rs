@@ -14,19 +14,18 @@ pub(crate) fn tame(text: &str) -> Cow<'_, str> {
     if text.contains(is_wild) { Cow::Owned(text.replace(is_wild, " ")) } else { Cow::Borrowed(text) }
 }
 
-/// Whether a character ends a cell where a spreadsheet, or its settings, split at something else than a comma.
-const fn may_end_a_cell(c: char) -> bool {
-    matches!(c, ';' | '\t' | '|' | '\n' | '\r')
-}
+/// Characters that end a cell where a spreadsheet, or its settings, split at something else than a comma.
+const ENDS: [char; 5] = [';', '\t', '|', '\n', '\r'];
 
 /// A text in which nothing behind such an end is computed: `x;=1+1` becomes `x;'=1+1`.
 pub(crate) fn guarded(text: &str) -> Cow<'_, str> {
-    let is_plain = |text: &str| text.split(may_end_a_cell).skip(1).all(|rest| !is_formula(rest));
-    if is_plain(text) {
+    // Most cells have none of them.
+    let has_end = text.bytes().any(|byte| matches!(byte, b';' | b'\t' | b'|' | b'\n' | b'\r'));
+    if !has_end || text.split(ENDS).skip(1).all(|rest| !is_formula(rest)) {
         return Cow::Borrowed(text);
     }
     let mut guarded = String::with_capacity(text.len() + 8);
-    for (number, piece) in text.split_inclusive(may_end_a_cell).enumerate() {
+    for (number, piece) in text.split_inclusive(ENDS).enumerate() {
         if 0 < number && is_formula(piece) {
             guarded.push('\'');
         }

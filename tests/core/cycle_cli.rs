@@ -140,8 +140,8 @@ fn recorded_contacts_are_measured_in_their_order() {
     let args = ["421", "--contacts", "-", "--set", "Q273=0", "Q274=0", "Q262=25", "Q275=25.021", "Q276=25"];
     let said = fitcheck(&[&args[..], &["--format", "csv"]].concat(), csv);
     assert_eq!(said.code, Some(14), "one contact is left");
-    assert!(said.out.contains("Q153,measured diameter,25.002,mm\n"), "{}", said.out);
-    assert!(said.out.ends_with("status,status,GOOD,\n"), "{}", said.out);
+    assert!(said.out.contains("Q153,measured diameter,25.002,mm,false\n"), "{}", said.out);
+    assert!(said.out.ends_with("status,status,GOOD,,false\n"), "{}", said.out);
     assert_eq!(said.err, "warning: standard input: the cycle used 4 of 5 contacts\n");
     let few = fitcheck(&args, "x,y\n12.5,0\n");
     assert_eq!(

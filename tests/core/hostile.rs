@@ -118,7 +118,6 @@ fn no_name_argument_or_cell_begins_a_line_of_its_own() {
     put(FORGED, "id;callout;measured;note\n1;25 H7;25.03;x\n2;25 H7;\n");
     put("a.csv", "id;callout;measured\n1;25 H7;25.03\n");
     put("bad.csv", &format!("id;callout;measured\n\"{FORGED}\";25 H7;25,03\n"));
-    put("part.toml", "part = \"P\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n");
     let journal = ["--journal", "j.sqlite"];
     let names =
         ["--record", "--part", FORGED, "--serial", FORGED, "--who", FORGED, "--remark", FORGED, "--station", FORGED];
@@ -264,11 +263,7 @@ fn a_dash_is_standard_output_wherever_a_file_is_written() {
     let folder = tempfile::tempdir().unwrap();
     fitcheck::files::write(&folder.path().join("a.csv"), b"id;callout;measured\n1;25 H7;25.01\n").unwrap();
     fitcheck::files::write(&folder.path().join("b.csv"), b"id;callout;measured\n1;25 g6;24.99\n").unwrap();
-    fitcheck::files::write(
-        &folder.path().join("p.toml"),
-        b"part = \"P\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n",
-    )
-    .unwrap();
+    fitcheck::files::write(&folder.path().join("p.csv"), b"name;callout\nA;25 H7\n").unwrap();
     let recorded = ["check", "25 H7", "--measured", "25.01", "--record", "--journal", "j.sqlite"];
     assert!(said(fitcheck(folder.path()).args(recorded)).contains("recorded"));
     let printed: [&[&str]; 9] = [
@@ -279,7 +274,7 @@ fn a_dash_is_standard_output_wherever_a_file_is_written() {
         &["sql", "--dialect", "sqlite", "-o", "-"],
         &["table", "export", "--format", "csv", "-o", "-"],
         &["table", "new", "--classes", "H7", "-o", "-"],
-        &["plan", "convert", "p.toml", "-o", "-"],
+        &["plan", "convert", "p.csv", "-o", "-"],
         &["plan", "new", "-", "25 H7"],
     ];
     for call in printed {

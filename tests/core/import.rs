@@ -274,7 +274,7 @@ fn own_tables_come_first_and_say_where_they_differ() {
     );
     write("m.csv", "callout;measured\n25 H7;25.03\n25 U1;25.006\n25 g6;24.99\n");
     let answer = run(folder.path(), &["--tables", ".", "--format", "csv", "m.csv"]);
-    let rows: Vec<&str> = answer.out.lines().skip(1).collect();
+    let rows: Vec<&str> = answer.out.lines().skip(1).map(|row| row.strip_suffix(",false,,,,,,").unwrap()).collect();
     assert_eq!(
         rows,
         [

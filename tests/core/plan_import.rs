@@ -225,7 +225,7 @@ fn a_corrected_value_without_a_callout_is_not_corrected_again_by_a_plan() {
     assert_eq!((code, rows[0]["measured_mm"].as_f64()), (0, Some(25.019_774)), "{rows:?}");
     let (code, rows) = place.judged(plan, values, &["--temperature", "26", "--material", "steel"]);
     assert_eq!(code, 1);
-    says(&rows[0], None, "--temperature: the values are at 20 °C already, as the column as_measured_mm says");
+    says(&rows[0], None, "--temperature: the values are at 20 °C already, as their file says");
     // The correction is recorded with the value.
     let record = ["--record", "--journal", "j.sqlite"];
     place.say(&[&["import", "--plan", "own.csv", "v.csv"], &record[..]].concat());

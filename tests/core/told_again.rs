@@ -149,7 +149,7 @@ fn whatever_is_written_of_a_simulated_value_comes_back_simulated() {
     let shop = Shop::new();
     shop.print("check.csv", &["check", "25 H7", "--simulate", "--format", "csv"]);
     shop.stays_simulated(&["check.csv"]);
-    let (_, _, said) = shop.call(&["check", "25 H7", "--simulate", "--record", "--part", "P1"]);
+    let (_, _, said) = shop.call(&["check", "25 H7", "--simulate", "--record", "--part", "P1", "--feature-name", "A"]);
     assert!(said.contains("recorded"), "{said}");
     shop.print("list.csv", &["journal", "list", "--format", "csv"]);
     shop.print("export.csv", &["journal", "export"]);
@@ -166,9 +166,9 @@ fn whatever_is_written_of_a_simulated_value_comes_back_simulated() {
             shop.stays_simulated(&["origin.csv"]);
         }
         // No part is good by it.
-        shop.put("p.toml", "part = \"P1\"\n[[feature]]\nname = \"P1\"\ncallout = \"25 H7\"\n");
-        let (code, ..) = shop.call(&["import", file, "--plan", "p.toml"]);
-        assert_ne!(code, Some(0), "{file}");
+        shop.put("p.csv", "name;callout\nA;25 H7\n");
+        let (code, out, said) = shop.call(&["import", file, "--plan", "p.csv"]);
+        assert_eq!((code, out.is_empty()), (Some(1), false), "{file}: {said}");
     }
     let (_, _, said) = shop.call(&["batch", "check.csv", "--prefix", "b_"]);
     assert!(said.contains("1 row says that nobody measured"), "{said}");
@@ -232,9 +232,11 @@ fn no_file_of_fitcheck_is_corrected_a_second_time() {
         }
         // Read without a temperature it is what it was.
         assert_eq!(shop.call(&["import", file]).0, Some(11), "{file}");
-        shop.put("p.toml", "part = \"P\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n");
-        let (code, out, said) = shop.call(&[&["import", file, "--plan", "p.toml"][..], &WARM].concat());
+        shop.put("p.csv", "name;callout\nA;25 H7\n");
+        let (code, out, said) = shop.call(&[&["import", file, "--plan", "p.csv"][..], &WARM].concat());
         assert_eq!(code, Some(1), "{file}: {out}{said}");
+        assert!(said.contains("at 20 °C already, as their file says"), "{file}: {said}");
+        assert_eq!(shop.call(&["import", file, "--plan", "p.csv"]).0, Some(11), "{file}");
         // Without the columns that tell how.
         let at = text.lines().next().unwrap().split(',').position(|name| name == "temperature_c").unwrap();
         assert!(0 < at);

@@ -189,16 +189,15 @@ impl Rows<'_> {
             let is_wanted = self.wants_checks || record.correction.is_some();
             return Row { judged: is_wanted.then(|| Arc::from(record)), ..row };
         }
-        let (id, measured) = (record.id.clone(), record.measurement.diameter);
+        let (id, measured) = (record.id.clone(), Some(record.measurement.diameter));
+        let is_simulated = Some(record.measurement.origin.is_simulated());
         match self.judge.judged_of(&self.sizes, *record, &labels) {
             Ok((record, said)) => {
                 let mut row = Row { source, labels, ..Row::of(&record) };
                 row.warnings.extend(said.iter().map(ToString::to_string));
                 Row { judged: Some(Arc::new(record)), ..row }
             }
-            Err(error) => {
-                Row { id, labels, measured: Some(measured), error: Some(error.to_string()), ..Row::default() }
-            }
+            Err(error) => Row { id, labels, measured, is_simulated, error: Some(error.to_string()), ..Row::default() },
         }
     }
 }

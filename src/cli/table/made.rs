@@ -63,7 +63,7 @@ pub(super) struct NewArgs {
     /// Which generation of controls the table is for
     #[arg(long, default_value = "itnc530", value_parser = one_of(generations(), |format| format.name))]
     generation: &'static TableFormat,
-    /// The table's file, *.tab
+    /// The table's file, *.tab; - is standard output
     #[arg(short, long, value_name = "FILE.tab")]
     output: PathBuf,
 }
@@ -101,7 +101,7 @@ impl NewArgs {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let classes = classes(&self.classes)?;
         let is_table = self.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("tab"));
-        if !is_table {
+        if !is_table && !is_dash(&self.output) {
             return Err(CliError::TableEnding { path: self.output.clone() });
         }
         // Everything is made before anything is written.

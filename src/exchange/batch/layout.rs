@@ -94,8 +94,11 @@ impl Layout {
         let is_utf8 = matches!(decoded, Cow::Borrowed(_)) || above.is_ascii();
         let skip = mark + if let Cow::Borrowed(_) = decoded { above.len() } else { above.chars().count() };
         let above = [if mark == 0 { &[] } else { MARK }, above.as_bytes()].concat();
+        // Without a header the comments above the first row are no lines above the rows.
+        let is_above = |line: &&str| line.trim().is_empty() || line.trim_start().starts_with('#');
         columns.evidence.are_simulated =
-            above.split(|byte| matches!(byte, b'\n' | b'\r')).any(|line| is_mark(&utf8(line)));
+            above.split(|byte| matches!(byte, b'\n' | b'\r')).any(|line| is_mark(&utf8(line)))
+                || text.split(['\n', '\r']).take_while(is_above).any(is_mark);
         let comments = mark + above_header..mark + above_header + if has_header { header_start } else { length };
         if has_header {
             // It is used after all.
