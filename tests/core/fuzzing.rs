@@ -21,7 +21,7 @@ const INPUTS: usize = 400;
 const LONGEST: usize = 4096;
 
 /// Longer than any input takes, even on a slow machine that does other things as well.
-const SLOW: Duration = Duration::from_secs(20);
+const SLOW: Duration = Duration::from_mins(2);
 
 fn corpus() -> PathBuf {
     Path::new(env!("CARGO_MANIFEST_DIR")).join("fuzz/corpus")

@@ -28,8 +28,8 @@ pub struct Fake {
     pub count: u64,
     /// How long a call of its reader takes.
     pub slow: Duration,
-    /// How long writing takes.
-    pub slow_disk: Duration,
+    /// Held while the disk takes nothing.
+    pub disk: Arc<Mutex<()>>,
     /// Whether nothing can be written.
     pub is_full: Arc<AtomicBool>,
     /// What was written.
@@ -125,7 +125,7 @@ impl Journals for Fake {
 
 impl Keeps for Fake {
     fn append(&mut self, entries: &[Entry]) -> Result<Vec<Head>, Message> {
-        std::thread::sleep(self.slow_disk);
+        drop(self.disk.lock().unwrap());
         if self.is_full.load(SeqCst) {
             return Err(Message::new("records-page-no-thread"));
         }

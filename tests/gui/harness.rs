@@ -10,6 +10,7 @@ use egui_kittest::{Harness, SnapshotOptions};
 use fitcheck::gui::journal::Records;
 use fitcheck::gui::{App, Errands, Setup, Store};
 use fitcheck::journal::entry::Moment;
+use fitcheck::message::Message;
 use fitcheck::session::{Command, Purpose};
 use fitcheck::words::{Language, Words};
 use jiff::tz::{TimeZone, offset};
@@ -49,6 +50,8 @@ pub struct Window {
     pub zoom: f32,
     /// Where checks are recorded.
     pub records: Records,
+    /// What is told at once.
+    pub told: Vec<Message>,
 }
 
 impl Default for Window {
@@ -63,6 +66,7 @@ impl Default for Window {
             files: Vec::new(),
             zoom: 1.0,
             records: nowhere(),
+            told: Vec::new(),
         }
     }
 }
@@ -78,7 +82,7 @@ impl Window {
             home: self.home,
             files: self.files,
             records: self.records,
-            told: Vec::new(),
+            told: self.told,
         };
         let mut harness = Harness::builder()
             .with_size(self.size)
@@ -172,6 +176,15 @@ pub fn verdict(harness: &Harness<'_, App>) -> String {
 #[expect(clippy::disallowed_methods, reason = "the folder alone; thresholds are those of every picture")]
 pub fn picture_in(window: &mut Harness<'_, App>, name: &str, folder: &str) {
     window.snapshot_options(name, &SnapshotOptions::new().output_path(folder));
+}
+
+/// Whether a picture passes as another one, by the thresholds of every picture.
+#[expect(clippy::disallowed_methods, reason = "the folder alone; thresholds are those of every picture")]
+pub fn passes_as(picture: &image::RgbaImage, expected: &image::RgbaImage) -> bool {
+    let folder = tempfile::tempdir().unwrap();
+    expected.save(folder.path().join("picture.png")).unwrap();
+    let options = SnapshotOptions::new().output_path(folder.path());
+    egui_kittest::try_image_snapshot_options(picture, "picture", &options).is_ok()
 }
 
 /// Presses a key.

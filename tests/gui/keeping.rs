@@ -7,8 +7,9 @@ use eframe::egui::ViewportId;
 use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
-use fitcheck::files::LARGEST;
+use fitcheck::files::{LARGEST, ZoneError};
 use fitcheck::gui::{App, Store};
+use fitcheck::message::Say as _;
 use fitcheck::session::{CheckCommand, CheckField, Command, FitCommand, FitField, Saved};
 
 use crate::harness::{Window, check, verdict};
@@ -142,4 +143,11 @@ fn a_linked_state_file_stays_a_link() {
     wait(&mut window);
     assert!(path.is_symlink());
     assert_eq!(saved(&real).inputs.texts["callout"], "40 js6");
+}
+
+#[test]
+fn a_time_zone_that_is_not_understood_is_told_when_the_window_opens() {
+    let error = ZoneError::NotUnderstood { given: "Europe/Amsterdm".to_owned() };
+    let window = Window { told: vec![error.message()], ..Window::default() }.open();
+    window.get_by_label_contains("TZ is set to \"Europe/Amsterdm\", which is not a time zone");
 }
