@@ -268,7 +268,6 @@ impl ImportWarningKind {
             | Self::PlanDiffers { .. }
             | Self::PlanDiffersBelow { .. }
             | Self::PlanDiffersAbove { .. }
-            | Self::PlanDiffersNominal { .. }
             | Self::StatusDiffers { .. }
             | Self::QuantityUnknown { .. }
             | Self::SheetHidden { .. }
@@ -280,8 +279,10 @@ impl ImportWarningKind {
             Self::SheetsLeft { may_hold_rows, .. } => *may_hold_rows,
             Self::Aqdef(warning) => warning.stands_against(),
             Self::Calypso(warning) => warning.stands_against(),
+            // A nominal size that is rounded, or the middle of the limits: another one is refused.
+            Self::PlanDiffersNominal { .. }
             // Lines that are no measurement, what a file lacks and what explains how a row was read.
-            Self::Log(
+            | Self::Log(
                 LogWarningKind::NoUnit
                 | LogWarningKind::NoTime
                 | LogWarningKind::NoDeviations

@@ -489,10 +489,10 @@ fn a_nominal_size_that_is_rounded_or_in_the_middle_of_the_limits_is_that_of_the_
 
 #[test]
 fn words_that_are_not_known_are_never_a_size_in_silence() {
-    // One word for all of them: believed with the plan's name, and told once.
+    // One word for all of them: believed with the plan's name, told once, and looked at first.
     let place = Place::of(&[("p.csv", PLAN), ("m.csv", "name;Type;nominal;measured\nBORE_A;Zwischenring;25;25.012\n")]);
     let answer = place.say(&["import", "--plan", "p.csv", "m.csv"]);
-    assert_eq!(answer.code, 0, "{}", answer.said());
+    assert_eq!(answer.code, 14, "{}", answer.said());
     assert_eq!(
         answer.said().matches("column 2 (Type) says nothing known of what was measured (Zwischenring)").count(),
         1
