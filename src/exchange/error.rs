@@ -302,6 +302,7 @@ pub enum ImportErrorKind {
     /// No column holds the measured values.
     NoMeasuredColumn,
     /// Several columns could have the same role.
+    #[say(args(word = role.word()))]
     SeveralColumns {
         /// Which.
         role: Role,

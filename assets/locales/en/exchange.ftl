@@ -23,7 +23,7 @@ exchange-print-ambiguous = the mask can read this in several ways
 exchange-print-broken = the record ends too early: expected the output of line { $line } of the mask
 exchange-no-rows = no row holds a measurement
 exchange-no-measured-column = no column of measured values: name it in the first line, such as id;callout;measured
-exchange-several-columns = columns { $columns } may each be { $role }: choose one with import --columns, such as measured=3, or name the columns in the first line so that only one fits, such as id;callout;measured
+exchange-several-columns = columns { $columns } may each be { $role }: choose one with import --columns, such as { $word }=3, or name the columns in the first line so that only one fits, such as id;callout;measured
 exchange-role-id = the name
 exchange-role-tolerance = the callout
 exchange-role-nominal = the nominal size

@@ -23,7 +23,7 @@ exchange-print-ambiguous = dit kan door het masker op meerdere manieren worden g
 exchange-print-broken = het record eindigt te vroeg: verwacht wordt wat regel { $line } van het masker afdrukt
 exchange-no-rows = geen enkele rij bevat een meting
 exchange-no-measured-column = geen kolom met gemeten waarden: benoem die in de eerste regel, bijvoorbeeld id;passing;gemeten
-exchange-several-columns = kolommen { $columns } kunnen elk { $role } zijn: kies er een met import --columns, bijvoorbeeld measured=3, of benoem de kolommen in de eerste regel zo dat er maar één past, bijvoorbeeld id;passing;gemeten
+exchange-several-columns = kolommen { $columns } kunnen elk { $role } zijn: kies er een met import --columns, bijvoorbeeld { $word }=3, of benoem de kolommen in de eerste regel zo dat er maar één past, bijvoorbeeld id;passing;gemeten
 exchange-role-id = de naam
 exchange-role-tolerance = de passing
 exchange-role-nominal = de nominale maat
