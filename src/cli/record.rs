@@ -6,7 +6,7 @@ use std::sync::Arc;
 use super::journal::server;
 use super::said::Recorded;
 use super::{CliError, Io};
-use crate::exchange::Labels;
+use crate::exchange::{Labels, part_and_feature};
 use crate::journal::Record;
 use crate::journal::body;
 use crate::journal::chain::Hash;
@@ -206,10 +206,8 @@ impl Recorder {
         self.part(&labels.part, !about.serial.is_empty()).clone_into(&mut about.part);
         if self.plan.is_some() {
             id.clone_into(&mut about.feature);
-        } else if about.part.is_empty() {
-            id.clone_into(&mut about.part);
-        } else if about.feature.is_empty() {
-            id.clone_into(&mut about.feature);
+        } else {
+            part_and_feature(&mut about.part, &mut about.feature, id);
         }
         about
     }
