@@ -7,7 +7,7 @@ use super::io::tell_at_once;
 use super::journal::{server, warn_of_zone};
 use super::said::Recorded;
 use super::{CliError, Io};
-use crate::exchange::Labels;
+use crate::exchange::{Labels, part_and_feature};
 use crate::journal::Record;
 use crate::journal::body;
 use crate::journal::chain::Hash;
@@ -207,10 +207,8 @@ impl Recorder {
         self.part(&labels.part, !about.serial.is_empty()).clone_into(&mut about.part);
         if self.plan.is_some() {
             id.clone_into(&mut about.feature);
-        } else if about.part.is_empty() {
-            id.clone_into(&mut about.part);
-        } else if about.feature.is_empty() {
-            id.clone_into(&mut about.feature);
+        } else {
+            part_and_feature(&mut about.part, &mut about.feature, id);
         }
         about
     }

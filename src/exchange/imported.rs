@@ -26,6 +26,8 @@ pub struct Imported {
     pub records: Vec<Record>,
     /// The line of each record, in the same order: a row's own line, a log's title.
     pub lines: Vec<usize>,
+    /// What the file says of each record besides, in the same order.
+    pub labels: Vec<Labels>,
     /// Measurements that make no record, because nothing says what they should be.
     pub unjudged: Vec<Unjudged>,
     /// Rows that could not be used, or the reason why the whole file could not be.
@@ -74,6 +76,16 @@ pub struct Labels {
     /// How far the value may lie from its figures, where the file was printed with a known number of decimals: half of the last one. Zero
     /// where the figures are the value.
     pub rounded_by: Length,
+}
+
+/// Part and feature of a value in a journal, however it gets there: what its file or field calls it is the part where no part is named,
+/// and the feature otherwise.
+pub fn part_and_feature(part: &mut String, feature: &mut String, id: &str) {
+    if part.is_empty() {
+        id.clone_into(part);
+    } else if feature.is_empty() {
+        id.clone_into(feature);
+    }
 }
 
 impl Labels {
@@ -310,9 +322,10 @@ impl Imported {
     pub(super) fn keep(&mut self, item: Item) {
         self.rows += usize::from(item.is_row());
         match item {
-            Item::Record { line, record, .. } => {
+            Item::Record { line, record, labels } => {
                 self.records.push(*record);
                 self.lines.push(line);
+                self.labels.push(labels);
             }
             Item::Unjudged(unjudged) => self.unjudged.push(*unjudged),
             Item::Error(error) => self.errors.push(*error),

@@ -92,7 +92,7 @@ use characteristic::Characteristic;
 pub use claim::Claim;
 pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, Role};
 use imported::Sink;
-pub use imported::{Asked, Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged};
+pub use imported::{Asked, Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged, part_and_feature};
 pub use mapping::{
     Choice, DECIMAL_WORDS, Detected, FirstRows, Kept, MOST_KEPT, Mapping, MappingError, Remembered, SEPARATOR_WORDS,
     UNIT_WORDS,

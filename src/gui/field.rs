@@ -11,7 +11,7 @@ use eframe::egui::{Align, Context, FontId, Grid, Id, Key, Response, RichText, St
 use super::keypad;
 use super::theme::{self, control, space};
 use super::view::{View, problem, quiet};
-use crate::session::{Action, Field};
+use crate::session::{Command, Field};
 
 /// How a field looks.
 pub(super) struct Look {
@@ -77,9 +77,7 @@ pub(super) fn field_ui(ui: &mut Ui, view: &mut View<'_>, field: impl Into<Field>
     }
     let entered = response.lost_focus() && ui.input(|input| input.key_pressed(Key::Enter));
     if entered {
-        if let Some(action) = Action::on_enter(field, view.session.page()) {
-            view.act(action);
-        }
+        view.send(Command::Enter(field));
         response.request_focus();
     }
     if entered || is_entered(ui, &response) {

@@ -50,6 +50,17 @@ impl Plugin for InTurn {
     }
 }
 
+/// Events of this frame come again once what was done in it is drawn.
+pub(super) fn give_back(ui: &Ui, which: impl Fn(&Event) -> bool) {
+    let given = ui.input_mut(|input| input.events.extract_if(.., |event| which(event)).collect::<Vec<_>>());
+    ui.ctx().with_plugin(|turns: &mut InTurn| {
+        for event in given.into_iter().rev() {
+            turns.waiting.push_front(event);
+        }
+        turns.settles = true;
+    });
+}
+
 impl InTurn {
     /// What the next frame gets; `is_typing` says whether a text field has the focus.
     fn take(&mut self, is_typing: bool) -> Vec<Event> {

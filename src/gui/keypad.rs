@@ -13,7 +13,7 @@ use eframe::egui::{Button, Context, Id, Panel, RichText, Ui, Vec2, vec2};
 use super::field;
 use super::theme::{self, sizes, space};
 use super::view::View;
-use crate::session::{Action, CheckField, Field, Page};
+use crate::session::{Action, CheckField, Command, Field, Page};
 
 /// What a key does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -186,10 +186,10 @@ fn press(ui: &Ui, view: &mut View<'_>, field: Field, key: Key) {
             return focus(ui.ctx(), field, 0..0);
         }
         Key::Enter => {
-            let page = view.session.page();
-            let set = (page == Page::Tables).then_some(Action::SetCell);
-            if let Some(action) = set.or_else(|| Action::on_enter(field, page)) {
-                view.act(action);
+            if view.session.page() == Page::Tables {
+                view.act(Action::SetCell);
+            } else {
+                view.send(Command::Enter(field));
             }
             // As after Enter: the next value replaces this one.
             let all = 0..view.session.text(field).chars().count();

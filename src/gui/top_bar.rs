@@ -80,12 +80,16 @@ fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
     view.menu_item(ui, Action::ExportStatus);
     ui.separator();
     // What will be exported is said before it is.
-    let (chosen, count) = (view.session.history().chosen_count(), view.session.history().len());
-    let said = if 0 < chosen {
-        Message::new("history-chosen").count("count", chosen)
-    } else {
-        Message::new("history-exported").count("count", count)
+    let history = view.session.history();
+    let rows = view.session.check().rows().filter(|_| view.session.lists_rows());
+    let said = match (history.chosen_count(), history.exported_count()) {
+        (0, listed) if listed < history.len() => {
+            Message::new("history-exported-listed").count("count", listed).count("all", history.len())
+        }
+        (0, count) => Message::new("history-exported").count("count", count),
+        (chosen, _) => Message::new("history-chosen").count("count", chosen),
     };
+    let said = rows.map_or(said, |rows| Message::new("rows-not-exported").text("name", rows.name()));
     quiet(ui, view.words.say(&said));
     for action in [Action::ChooseBad, Action::ChooseAll, Action::ChooseNone, Action::CopyChecks] {
         view.menu_item(ui, action);

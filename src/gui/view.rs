@@ -74,8 +74,19 @@ impl View<'_> {
         self.button_as(ui, action, button)
     }
 
-    /// The page's main action, in this size.
+    /// The answers to what the page asks, the highlighted one first: Enter gives that one.
+    pub fn answers_ui(&mut self, ui: &mut Ui, size: Vec2) {
+        for action in self.session.answers() {
+            self.main_button(ui, action, size);
+        }
+    }
+
+    /// The page's main action, in this size. While something is asked, only what Enter does looks like one.
     pub fn main_button(&mut self, ui: &mut Ui, action: Action, size: Vec2) -> Response {
+        if self.session.answers().first().is_some_and(|first| *first != action) {
+            let button = self.named(action).min_size(size);
+            return self.button_as(ui, action, button);
+        }
         let palette = theme::palette(ui.ctx());
         let text = RichText::new(action.text(self.session, self.words)).color(palette.on_accent.0);
         let text = text.font(theme::bold(theme::sizes().body));

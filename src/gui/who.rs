@@ -7,7 +7,7 @@ use super::field::{Look, field_ui};
 use super::theme::{self, control, sizes, space};
 use super::view::{View, quiet};
 use crate::message::Message;
-use crate::session::{Action, RecordsCommand, RecordsField};
+use crate::session::{Action, Command, RecordsCommand, RecordsField};
 
 /// The button with the name, and its menu; nothing where nothing is recorded.
 pub(super) fn who_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -60,7 +60,7 @@ pub(super) fn names_ui(ui: &mut Ui, view: &mut View<'_>) {
         .commands
         .iter()
         .skip(before)
-        .any(|command| matches!(command, crate::session::Command::Records(RecordsCommand::TakeName)));
+        .any(|command| matches!(command, Command::Records(RecordsCommand::TakeName) | Command::Enter(_)));
     if is_taken {
         ui.close();
     }

@@ -15,6 +15,13 @@ impl Asking {
         self.0 = Some(now);
     }
 
+    /// Whether an Enter comes in passing: sooner after a question than somebody can have read it. A clock that stands still says nothing
+    /// of that.
+    pub fn is_in_passing(&mut self, now: DateTime) -> bool {
+        let is_later = self.0.is_some_and(|asked| asked < now);
+        is_later && !self.is_answered(now)
+    }
+
     /// Whether somebody answers now. An Enter that comes too soon begins the wait anew: a key that is held answers nothing.
     pub fn is_answered(&mut self, now: DateTime) -> bool {
         let since = self.0.map_or(SOON, |asked| i64::try_from(now.duration_since(asked).as_millis()).unwrap_or(SOON));
@@ -44,5 +51,9 @@ mod tests {
         assert!(!asking.is_answered(after(998)), "it was held");
         assert!(asking.is_answered(after(1498)));
         assert!(asking.is_answered(after(-3_600_000)), "the clock was set back");
+        asking.ask(asked);
+        assert!(
+            asking.is_in_passing(after(1)) && asking.is_in_passing(after(400)) && !asking.is_in_passing(after(901))
+        );
     }
 }

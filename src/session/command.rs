@@ -66,6 +66,8 @@ pub enum Command {
     OpenPage(Page),
     /// Goes to a field and selects its text.
     GoTo(Field),
+    /// Enter was pressed in a field: does what it is for there, or gives the highlighted answer to what is asked.
+    Enter(Field),
     /// Shows or hides the keypad.
     ShowKeypad(bool),
     /// Changes the language of the window.

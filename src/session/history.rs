@@ -116,10 +116,19 @@ impl History {
         (self.look, self.cursor.and_then(|id| self.records.place_of(id)))
     }
 
-    /// The chosen checks, or all of them where none is chosen, oldest first.
+    /// The chosen checks, or those that are listed where none is chosen, oldest first.
     pub(super) fn for_report(&self) -> impl Iterator<Item = &Arc<Record>> {
-        let all = self.records.all();
-        all.filter(|(id, _)| self.chosen.is_empty() || self.chosen.contains(id)).map(|(_, record)| record)
+        let listed: BTreeSet<RecordId> = if self.chosen.is_empty() {
+            self.records.page(0..self.records.count()).into_iter().map(|(id, _)| id).collect()
+        } else {
+            self.chosen.clone()
+        };
+        self.records.all().filter(move |(id, _)| listed.contains(id)).map(|(_, record)| record)
+    }
+
+    /// How many checks a report has.
+    pub fn exported_count(&self) -> usize {
+        if self.chosen.is_empty() { self.records.count() } else { self.chosen.len() }
     }
 
     /// What undo would take back.

@@ -19,6 +19,7 @@
 //! | `parts` | plans of whole parts, and the walk through them |
 //! | `rows` | the rows of a file that is too large for the history |
 //! | `shared`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
+//! | `asking` | questions that Enter answers, and none in passing |
 //! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
@@ -37,6 +38,7 @@ macro_rules! from_variants {
 }
 
 pub mod action;
+mod asking;
 mod budget;
 mod check;
 mod columns;
@@ -108,6 +110,7 @@ pub use tables::{TablesCommand, TablesField, TablesPage};
 pub use tools::{Monitoring, NamedTool, OpenTools, ToolsCommand, text_of_tool, tool_message};
 pub use workpiece::{OpenPart, RecordedContacts, WorkpieceCommand};
 
+use self::asking::Asking;
 use self::files::Places;
 use self::shared::{PageState as _, Shared};
 use crate::control::mask::Mask;
@@ -129,6 +132,8 @@ pub struct Session {
     budget: BudgetPage,
     records: RecordsPage,
     parts: PartsPage,
+    /// When a page asked something last.
+    asking: Asking,
 }
 
 impl Session {
@@ -165,6 +170,7 @@ impl Session {
             budget: BudgetPage::new(&saved.inputs, saved.budget.clone()),
             records: RecordsPage::default(),
             parts: PartsPage::new(&saved.inputs, saved.walk.clone()),
+            asking: Asking::default(),
             shared,
         };
         let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));
@@ -191,12 +197,7 @@ impl Session {
             budget: self.budget.used_file().cloned().filter(|path| path.to_str().is_some()),
             source: self.shared.sources.base(),
             standard: self.shared.sources.options(),
-            inputs: SavedInputs {
-                texts: texts.collect(),
-                by: self.check.by(),
-                feature: self.check.feature(),
-                judging: self.check.own_judging(),
-            },
+            inputs: SavedInputs { texts: texts.collect(), by: self.check.by(), judging: self.check.own_judging() },
             cycles: self.cycles.saved(),
             files: self.shared.places.saved(),
             columns: self.shared.columns.saved(),
@@ -219,6 +220,10 @@ impl Session {
             self.shared.answered = None;
             return effects;
         }
+        if let Command::Enter(field) = command {
+            return self.enter(field, now);
+        }
+        let was_asking = !self.answers().is_empty();
         self.budget.see_day(now.date());
         self.records.see_time(now);
         self.shared.recording.named = self.check.named();
@@ -257,7 +262,24 @@ impl Session {
         effects.extend(self.records.take_errands());
         effects.extend(self.parts.take_errands());
         effects.extend(shared.recording.take_errands());
-        shared.in_order(effects)
+        let effects = shared.in_order(effects);
+        if !was_asking && !self.answers().is_empty() {
+            self.asking.ask(now);
+        }
+        effects
+    }
+
+    /// Enter was pressed in a field. A scanner or gauge that ends its line with two signs answers no question with the second one.
+    fn enter(&mut self, field: Field, now: DateTime) -> Vec<Effect> {
+        let Some(action) = self.on_enter(field) else { return Vec::new() };
+        if self.answers().contains(&action) && self.asking.is_in_passing(now) {
+            return Vec::new();
+        }
+        if self.repeats(action) {
+            self.check.say_repeated();
+            return Vec::new();
+        }
+        action.command(self).map(|command| self.apply(command, now)).unwrap_or_default()
     }
 
     /// Applies a command that belongs to no page.
@@ -273,8 +295,8 @@ impl Session {
             | Command::Budget(_)
             | Command::Records(_)
             | Command::Parts(_) => {}
-            // Its answer was taken out of it.
-            Command::Answered(..) => return Vec::new(),
+            // Their commands were taken out of them.
+            Command::Answered(..) | Command::Enter(_) => return Vec::new(),
             Command::Workpiece(command) => {
                 let (cycles, program) = (&self.cycles, &self.program);
                 shared.apply_workpiece(command, |shared| match shared.page {
@@ -363,6 +385,11 @@ impl Session {
     /// The budget whose uncertainty checks may use.
     pub fn used_budget(&self) -> Option<&OpenBudget> {
         self.shared.budget.as_deref()
+    }
+
+    /// Whether the rows of a large file are listed in the place of the history.
+    pub fn lists_rows(&self) -> bool {
+        self.shared.page == Page::Check && self.check.shows_rows()
     }
 
     /// The pairing page.

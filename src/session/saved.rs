@@ -11,7 +11,7 @@ use super::check::{Judging, MeasureBy};
 use super::command::{Density, Theme};
 use crate::exchange::Remembered;
 use crate::message::Say;
-use crate::tolerance::{Base, Feature, iso286};
+use crate::tolerance::{Base, iso286};
 use crate::words::Language;
 
 /// The version that is written.
@@ -129,8 +129,6 @@ pub struct SavedInputs {
     pub texts: BTreeMap<String, String>,
     /// Where the next measurement of the check page comes from.
     pub by: MeasureBy,
-    /// Hole or shaft, where the check page's callout does not say it.
-    pub feature: Option<Feature>,
     /// How the check page judges.
     pub judging: Judging,
 }

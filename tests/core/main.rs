@@ -107,6 +107,7 @@ mod session_actions;
 mod session_budget;
 mod session_columns;
 mod session_cycles;
+mod session_enter;
 mod session_files;
 mod session_filter;
 mod session_fit;

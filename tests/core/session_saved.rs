@@ -43,7 +43,6 @@ js = "rounded"
 
 [inputs]
 by = "typing"
-feature = "shaft"
 
 [inputs.texts]
 callout = "25 h7"

@@ -164,6 +164,10 @@ fn a_budget_is_saved_and_used_for_checks() {
     let mut page = open(Window { home: Some(folder.path().to_owned()), ..Window::default() });
     page.get_by_label("Checks use no budget");
     click(&mut page, Role::Button, "New budget");
+    // The template's own words and figures are nobody's.
+    let own = [("Station 1, probe 1", "Mill 3"), ("Who made it", "JJ"), ("standard_um = 0.5", "standard_um = 0.7")];
+    let own = own.into_iter().fold(text(&page), |text, (from, to)| text.replace(from, to));
+    send(&mut page, BudgetCommand::Edit(own));
     append(&mut page, "# ours\n");
     page.key_press_modifiers(Modifiers::COMMAND, Key::S);
     page.run();
@@ -174,11 +178,11 @@ fn a_budget_is_saved_and_used_for_checks() {
     let written = std::fs::read_to_string(folder.path().join("budget.toml")).unwrap();
     assert!(written.ends_with("# ours\n"), "{written}");
     click(&mut page, Role::Button, "Use for checks");
-    page.get_by_label("In use: Station 1, probe 1");
+    page.get_by_label("In use: Mill 3");
     append(&mut page, "# more\n");
-    page.get_by_label("In use: Station 1, probe 1");
+    page.get_by_label("In use: Mill 3");
     append(&mut page, "[[contribution]]\nname = \"More\"\ntype = \"B\"\nlaw = \"normal\"\nstandard_um = 1\n");
-    page.get_by_label("In use: Station 1, probe 1 of budget.toml, not as it stands here");
+    page.get_by_label("In use: Mill 3 of budget.toml, not as it stands here");
     click(&mut page, Role::Button, "Stop using");
     page.get_by_label("Checks use no budget");
 }

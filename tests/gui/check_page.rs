@@ -132,12 +132,17 @@ fn a_value_that_may_be_another_quantity_is_asked_about() {
     window.get_by_role_and_label(Role::Button, "Judge 250.120 mm as it is").click();
     window.run();
     assert!(verdict(&window).starts_with("SCRAP. 250.120 mm"), "{}", verdict(&window));
-    // By keys alone: Enter asks, Enter once more judges.
+    // By keys alone: Enter asks, Enter once more gives the highlighted answer.
     check(&mut window, "25 H7", "2.5012");
     assert!(verdict(&window).starts_with("Is this right?"), "{}", verdict(&window));
     window.key_press(Key::Enter);
     window.run();
-    assert!(verdict(&window).starts_with("REWORK. 2.5012 mm"), "{}", verdict(&window));
+    assert!(verdict(&window).starts_with("GOOD. 25.012 mm"), "{}", verdict(&window));
+    check(&mut window, "25 H7", "26");
+    assert!(verdict(&window).starts_with("Is this right?"), "{}", verdict(&window));
+    window.key_press(Key::Enter);
+    window.run();
+    assert!(verdict(&window).starts_with("SCRAP. 26.000 mm"), "{}", verdict(&window));
 }
 
 #[test]

@@ -1,5 +1,6 @@
 //! The one place where a window for tests is built, and where image thresholds are decided.
 
+use std::cell::Cell;
 use std::path::PathBuf;
 use std::time::Duration;
 
@@ -13,6 +14,7 @@ use fitcheck::journal::entry::Moment;
 use fitcheck::message::Message;
 use fitcheck::session::{Command, Purpose};
 use fitcheck::words::{Language, Words};
+use jiff::ToSpan as _;
 use jiff::tz::{TimeZone, offset};
 
 /// The size that most tests look at.
@@ -32,6 +34,16 @@ pub fn nowhere() -> Records {
 /// A window at a fixed time, in English, that keeps nothing.
 pub fn window() -> Harness<'static, App> {
     Window::default().open()
+}
+
+thread_local! {
+    /// How much later it is than at the start, milliseconds.
+    static LATER: Cell<i64> = const { Cell::new(0) };
+}
+
+/// Lets time pass for the window of this test.
+pub fn wait(milliseconds: i64) {
+    LATER.set(LATER.get() + milliseconds);
 }
 
 /// How a window for a test is opened.
@@ -78,7 +90,7 @@ impl Window {
             language: self.language,
             words: self.words,
             errands: Errands::AtOnce,
-            clock: || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0),
+            clock: || jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0) + LATER.get().milliseconds(),
             home: self.home,
             files: self.files,
             records: self.records,

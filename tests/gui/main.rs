@@ -3,6 +3,7 @@
 #![cfg(test)]
 
 mod actions;
+mod asked;
 mod budget_page;
 mod check_page;
 mod columns_page;

@@ -128,3 +128,7 @@ budget-page-um = { $um } µm
 budget-page-edition-2011 = U, 2011, corrected
 budget-page-edition-2004 = U, 2004, not corrected
 budget-page-nothing-seen = The table and the shares appear with a budget that can be evaluated
+budget-page-placeholders = Checks cannot use this budget yet. It still has of the template: { $what }. Put your own in their place
+budget-page-placeholder-name = the name
+budget-page-placeholder-by = who made it
+budget-page-placeholder-figures = all figures

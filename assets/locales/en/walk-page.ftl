@@ -52,8 +52,9 @@ walk-page-next-warned = { $count ->
         [one] One size has neither a value nor a reason. Choose Next part again to end this part.
        *[other] { $count } sizes have neither a value nor a reason. Choose Next part again to end this part.
     }
-walk-page-question-enter = Press Enter again, after half a second, to use it as it is.
 walk-page-typed-elsewhere = the value was typed for { $name }, and { $asked } is asked for now: type it again
+walk-page-next-size = Next: { $name }, { $asked }
+walk-page-is-serial = { $given } looks like a serial number and is not taken as a value: finish this part first, then scan it for the next part. If it is the measured value, type it with more decimals
 walk-page-simulate-measured = { $name } is measured: a simulated value never takes the place of a measured one
 walk-page-part-status = Part status
 walk-page-not-complete = No verdict yet

@@ -51,6 +51,7 @@ minimum = Minimum
 from-source = from { $source }
 source-overrides = Own table: ISO 286 has { $upper } / { $lower } µm, so it differs by { $by-upper } / { $by-lower } µm
 measured-value = Measured value
+measured-once = Judged already. To measure the same value a second time, type it again or use the button
 by-typing = Type
 by-simulating = Simulate
 measure = Measure
@@ -116,9 +117,9 @@ judge-anyway = Judge { $measured } mm as it is
 take-meant = Use { $meant } mm
 take-text = Use { $meant }
 keep-text = Judge by { $given } as it is
-question-enter = Enter judges the value as it is; typing replaces it
 doubted-enter = Enter uses the highlighted button; typing replaces the text
 doubted-type = Nothing is judged before the text is typed again or taken as it is
+question-enter = Enter, half a second later, does what the filled button says; typing replaces the value
 doubt-sentence = The { $doubt }
 lot-title = { $rows ->
     [one] { $name }: 1 row
@@ -178,6 +179,12 @@ history-shown = { $shown } of { $count ->
     [one] 1 check
    *[other] { $count } checks
 }
+history-exported-listed = { $count ->
+    [0] No check is listed: nothing to export
+    [one] The 1 listed check of { $all } will be exported
+   *[other] The { $count } listed checks of { $all } will be exported
+}
+rows-not-exported = The listed rows of { $name } are not exported here. Write them with “fitcheck batch”, or show the history to export its checks
 history-exported = { $count ->
     [0] Nothing to export
     [one] 1 check will be exported

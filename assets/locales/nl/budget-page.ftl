@@ -128,3 +128,7 @@ budget-page-um = { $um } µm
 budget-page-edition-2011 = U, 2011, gecorrigeerd
 budget-page-edition-2004 = U, 2004, niet gecorrigeerd
 budget-page-nothing-seen = De tabel en de aandelen verschijnen met een budget dat berekend kan worden
+budget-page-placeholders = Controles kunnen dit budget nog niet gebruiken. Uit het sjabloon staan er nog: { $what }. Vul uw eigen gegevens in
+budget-page-placeholder-name = de naam
+budget-page-placeholder-by = de maker
+budget-page-placeholder-figures = alle getallen

@@ -52,8 +52,9 @@ walk-page-next-warned = { $count ->
         [one] Eén maat heeft geen waarde en geen reden. Nog eens Volgend onderdeel beëindigt het onderdeel.
        *[other] { $count } maten hebben geen waarde en geen reden. Nog eens Volgend onderdeel beëindigt het onderdeel.
     }
-walk-page-question-enter = Nog eens Enter, na een halve seconde, neemt hem zoals hij is.
 walk-page-typed-elsewhere = de waarde is getypt voor { $name }, en nu wordt { $asked } gevraagd: typ hem opnieuw
+walk-page-next-size = Volgende: { $name }, { $asked }
+walk-page-is-serial = { $given } lijkt op een serienummer en wordt niet als waarde genomen: rond eerst dit onderdeel af en scan het dan voor het volgende. Is het de gemeten waarde, typ die dan met meer decimalen
 walk-page-simulate-measured = { $name } is gemeten: een gesimuleerde waarde komt nooit in de plaats van een gemeten waarde
 walk-page-part-status = Het onderdeel
 walk-page-not-complete = Nog geen oordeel

@@ -51,6 +51,7 @@ minimum = Minimum
 from-source = uit { $source }
 source-overrides = Eigen tabel: ISO 286 heeft { $upper } / { $lower } µm, dus een verschil van { $by-upper } / { $by-lower } µm
 measured-value = Gemeten waarde
+measured-once = Al beoordeeld. Typ de waarde opnieuw of gebruik de knop om dezelfde waarde een tweede keer te meten
 by-typing = Typen
 by-simulating = Simuleren
 measure = Meten
@@ -116,9 +117,9 @@ judge-anyway = { $measured } mm toch beoordelen
 take-meant = { $meant } mm gebruiken
 take-text = { $meant } gebruiken
 keep-text = { $given } toch zo gebruiken
-question-enter = Enter beoordeelt de waarde zoals die is; typen vervangt de waarde
 doubted-enter = Enter gebruikt de gekleurde knop; typen vervangt de tekst
 doubted-type = Er wordt niets beoordeeld voordat de tekst opnieuw getypt of zo gebruikt wordt
+question-enter = Enter doet na een halve seconde wat op de gevulde knop staat; typen vervangt de waarde
 doubt-sentence = { $doubt }
 lot-title = { $rows ->
     [one] { $name }: 1 rij
@@ -178,6 +179,12 @@ history-shown = { $shown } van { $count ->
     [one] 1 controle
    *[other] { $count } controles
 }
+history-exported-listed = { $count ->
+    [0] Er is geen controle getoond: niets te exporteren
+    [one] De ene getoonde controle van { $all } wordt geëxporteerd
+   *[other] De { $count } getoonde controles van { $all } worden geëxporteerd
+}
+rows-not-exported = De getoonde rijen van { $name } worden hier niet geëxporteerd. Schrijf ze met “fitcheck batch”, of toon de geschiedenis om haar controles te exporteren
 history-exported = { $count ->
     [0] Niets te exporteren
     [one] 1 controle wordt geëxporteerd

@@ -152,6 +152,11 @@ fn use_ui(ui: &mut Ui, view: &mut View<'_>) {
         (_, None) => Message::new("budget-page-uses-none"),
     };
     ui.label(view.words.say(&said));
+    let placeholders = view.session.budget().placeholders();
+    if !placeholders.is_empty() {
+        let what = placeholders.iter().map(|what| view.words.say(what)).collect::<Vec<_>>().join(", ");
+        problem(ui, view.words.say(&Message::new("budget-page-placeholders").text("what", what)));
+    }
     let width = view.width_of(ui, &[Action::UseBudget]);
     view.main_button(ui, Action::UseBudget, vec2(width, control(ui)));
     view.field_button(ui, Action::LeaveBudget);

@@ -68,11 +68,7 @@ fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question) {
     card_ui(ui, view, &card);
     ui.add_space(space(1.0));
     let size = vec2(ui.available_width(), control(ui));
-    if question.doubt.meant().is_some() {
-        view.main_button(ui, Action::TakeMeant, size);
-    }
-    let anyway = view.named(Action::JudgeAnyway).min_size(size);
-    view.button_as(ui, Action::JudgeAnyway, anyway);
+    view.answers_ui(ui, size);
 }
 
 /// What is asked about a text before anything is judged by it.

@@ -1,6 +1,6 @@
 //! Left: what is asked. Callout, limits, measured value, probe position, simulated workpiece.
 
-use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
+use eframe::egui::{Align, CollapsingHeader, Grid, Key, Layout, Rect, Sense, Ui, UiBuilder, vec2};
 
 use crate::gui::check::record_panel::record_ui;
 use crate::gui::check::rule_panel::worth_ui;
@@ -10,20 +10,20 @@ use crate::gui::limits::{self, feature_id};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
-use crate::session::{Action, CheckCommand, CheckField, MeasureBy};
+use crate::session::{Action, CheckCommand, CheckField, Command, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
 
 /// The panel's content.
 pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.spacing_mut().item_spacing.y = space(1.0);
-    callout_ui(ui, view);
+    let features = callout_ui(ui, view);
     ui.add_space(space(1.0));
     match view.session.check().asked().limits() {
         Some(limits) => limits_ui(ui, view, limits),
         None => no_limits_ui(ui, view),
     }
     ui.separator();
-    measured_ui(ui, view);
+    measured_ui(ui, view, features);
     ui.separator();
     worth_ui(ui, view);
     ui.separator();
@@ -34,26 +34,32 @@ pub(super) fn asked_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     simulation_ui(ui, view);
 }
 
-fn callout_ui(ui: &mut Ui, view: &mut View<'_>) {
+/// The callout; returns the room for hole and shaft, where it does not say which.
+fn callout_ui(ui: &mut Ui, view: &mut View<'_>) -> Option<Rect> {
     let name = heading(ui, view.text("callout"));
     let width = ui.available_width();
     field_ui(ui, view, CheckField::Callout, name.id, Look::large(width));
     error_ui(ui, view, CheckField::Callout);
-    if view.session.check().asked().needs_feature() {
-        feature_ui(ui, view);
-    }
+    let row = vec2(ui.available_width(), ui.spacing().interact_size.y);
+    let is_asked = view.session.check().asked().needs_feature();
+    is_asked.then(|| ui.allocate_exact_size(row, Sense::hover()).0)
 }
 
-/// Hole or shaft, where the callout does not say it.
-fn feature_ui(ui: &mut Ui, view: &mut View<'_>) {
-    ui.horizontal(|ui| {
-        for feature in [Feature::Hole, Feature::Shaft] {
-            feature_picture(ui, feature, space(6.0));
-            if ui.radio(view.session.check().feature() == Some(feature), view.text(feature_id(feature))).clicked() {
-                view.send(CheckCommand::ChooseFeature(feature));
-            }
+/// Hole or shaft, where the callout does not say it. Tab comes here behind the value, which is typed next, and Enter chooses neither: it may
+/// be the end of a line that was typed in one go.
+fn feature_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
+    let row = UiBuilder::new().max_rect(rect).layout(Layout::left_to_right(Align::Center));
+    // A child leaves the cursor of the panel where it is: below the value.
+    let ui = &mut ui.new_child(row);
+    for feature in [Feature::Hole, Feature::Shaft] {
+        feature_picture(ui, feature, space(6.0));
+        let chosen = view.session.check().feature() == Some(feature);
+        let is_chosen = ui.radio(chosen, view.text(feature_id(feature))).clicked();
+        if is_chosen && !ui.input(|input| input.key_pressed(Key::Enter)) {
+            view.send(CheckCommand::ChooseFeature(feature));
+            view.send(Command::GoTo(CheckField::Measured.into()));
         }
-    });
+    }
 }
 
 fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
@@ -81,7 +87,7 @@ fn no_limits_ui(ui: &mut Ui, view: &View<'_>) {
     }
 }
 
-fn measured_ui(ui: &mut Ui, view: &mut View<'_>) {
+fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
     let name = heading(ui, view.text("measured-value"));
     let width = ui.available_width();
     ui.horizontal(|ui| {
@@ -89,7 +95,13 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>) {
         field_ui(ui, view, CheckField::Measured, name.id, Look::large(width - unit - space(4.0)));
         quiet(ui, "mm");
     });
+    if let Some(rect) = features {
+        feature_ui(ui, view, rect);
+    }
     error_ui(ui, view, CheckField::Measured);
+    if view.session.check().is_repeated() {
+        quiet(ui, view.text("measured-once"));
+    }
     ui.horizontal(|ui| {
         for by in [MeasureBy::Typing, MeasureBy::Simulating] {
             view.radio(ui, Action::MeasureBy(by));

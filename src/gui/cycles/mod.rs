@@ -51,7 +51,7 @@ pub(super) fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
     workpiece_window::workpiece_ui(ui, view);
     block_window::block_ui(ui, view);
     // After an attempt, a run that cannot begin leads to the field that is wrong.
-    let is_run = |command: &Command| matches!(command, Command::Cycles(CyclesCommand::Run));
+    let is_run = |command: &Command| matches!(command, Command::Cycles(CyclesCommand::Run) | Command::Enter(_));
     let has_run = view.commands.iter().any(is_run);
     ui.data_mut(|data| data.insert_temp(asked_id(), has_run));
 }

@@ -12,9 +12,11 @@
 //! | `place` | where an action applies |
 //! | `shortcut` | keys, without a window |
 //! | `keys` | which keys are heard and shown |
+//! | `answers` | what a page asks, and what Enter answers |
 //!
 //! Choices among what a user has (a class, a table of the list, a block) are not actions: they send commands.
 
+mod answers;
 mod budget;
 mod keys;
 mod list;

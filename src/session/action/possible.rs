@@ -59,6 +59,11 @@ pub(super) fn has_history(session: &Session) -> bool {
     !session.history().is_empty()
 }
 
+/// Whether there are checks to export, and they are what is listed.
+pub(super) fn can_export(session: &Session) -> bool {
+    !session.lists_rows() && 0 < session.history().exported_count()
+}
+
 pub(super) fn has_listed(session: &Session) -> bool {
     0 < session.history().listed().count()
 }

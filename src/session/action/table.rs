@@ -1,9 +1,9 @@
 //! A row for every action. Menus, buttons, tooltips and keys are made from it.
 
 use super::possible::{
-    asks_to_replace, cell, differs, free_dialog, has_bad, has_cell, has_cursor, has_history, has_listed, has_rows,
-    has_status, has_table, is_after_first, is_after_worst, is_before_best, is_before_last, is_of_1988, rounds_js,
-    selected, shows_columns, tells_of_file, told_columns,
+    asks_to_replace, can_export, cell, differs, free_dialog, has_bad, has_cell, has_cursor, has_history, has_listed,
+    has_rows, has_status, has_table, is_after_first, is_after_worst, is_before_best, is_before_last, is_of_1988,
+    rounds_js, selected, shows_columns, tells_of_file, told_columns,
 };
 use super::row::{Row, Sends, everywhere, in_dialog, of_workpiece, on, switch, within};
 use super::{Action, Held, Key, Part, Place, Shortcut};
@@ -58,7 +58,7 @@ pub(super) fn row(action: Action) -> Row {
         Action::ForgetColumns => everywhere("columns-page-forget", ColumnsCommand::Forget.into())
             .when(|session| told_columns(session).is_some_and(|columns| columns.shape.is_some())),
         Action::Export(number) => {
-            let row = everywhere("export", open(Purpose::Export(number))).when(has_history);
+            let row = everywhere("export", open(Purpose::Export(number))).when(can_export);
             if number == 0 { row.key(Shortcut::ctrl('S')) } else { row }
         }
         Action::ExportStatus => everywhere("export-status", open(Purpose::ExportStatus)).when(has_status),

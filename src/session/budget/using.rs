@@ -1,7 +1,9 @@
 //! Which budget checks use, and the file in which it is found again at the next start.
 
 use std::path::{Path, PathBuf};
-use std::sync::Arc;
+use std::sync::{Arc, LazyLock};
+
+use jiff::civil::Date;
 
 use super::document::Document;
 use super::{BudgetPage, Readings};
@@ -45,10 +47,32 @@ impl BudgetPage {
     /// Whether checks can use the budget on the page: a calibrated piece without readings says nothing.
     pub fn can_be_used(&self) -> bool {
         match &self.read {
+            _ if !self.placeholders().is_empty() => false,
             Some(Ok(Budget { basis: Basis::Contributions(_), .. })) => true,
             Some(Ok(Budget { basis: Basis::Calibrated(_), .. })) => self.found().is_some(),
             _ => false,
         }
+    }
+
+    /// What of the template still stands in the budget: nobody has said it of this station.
+    pub fn placeholders(&self) -> Vec<Message> {
+        static TEMPLATE: LazyLock<Option<Budget>> =
+            LazyLock::new(|| Budget::read(&Document::new(Date::default()).text).ok());
+        let (Some(Ok(budget)), Some(template)) = (&self.read, &*TEMPLATE) else { return Vec::new() };
+        let stands = |is_same: bool, key: &'static str| is_same.then(|| Message::new(key));
+        let name = stands(budget.name == template.name, "budget-page-placeholder-name");
+        let by = stands(budget.by == template.by, "budget-page-placeholder-by");
+        let figures = match (&budget.basis, &template.basis) {
+            (Basis::Contributions(own), Basis::Contributions(all)) => {
+                own.iter().filter(|own| all.contains(own)).count()
+            }
+            _ => 0,
+        };
+        let all = match &budget.basis {
+            Basis::Contributions(own) => own.len(),
+            Basis::Calibrated(_) => 1,
+        };
+        name.into_iter().chain(by).chain(stands(figures == all, "budget-page-placeholder-figures")).collect()
     }
 
     /// Which budget checks use.

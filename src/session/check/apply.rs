@@ -8,6 +8,7 @@ use super::{
     Asked, CheckCommand, CheckField, CheckPage, Doubted, Judging, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
     class_text, measuring, nominal_text, worth,
 };
+use crate::exchange::Labels;
 use crate::journal::entry::{FileRole, UsedFile};
 use crate::journal::query::RecordId;
 use crate::journal::{Record, status_window};
@@ -17,7 +18,7 @@ use crate::session::command::{Effect, Page};
 use crate::session::recording::used;
 use crate::session::rows::Rows;
 use crate::session::shared::{News, PageState, Shared};
-use crate::tolerance::Sources;
+use crate::tolerance::{Callout, Feature, Sources};
 use crate::words::Words;
 
 impl PageState for CheckPage {
@@ -35,8 +36,9 @@ impl PageState for CheckPage {
                 self.take_callout(&format!("{nominal} {class}"), &shared.sources);
             }
             CheckCommand::ChooseFeature(feature) => {
-                self.feature = Some(feature);
-                self.callout_changed(false, &shared.sources);
+                // A value that was typed or judged already stays: it can be judged by these limits.
+                self.mean(feature);
+                self.clear(&shared.sources);
             }
             CheckCommand::MeasureBy(by) if by == self.by => {}
             CheckCommand::MeasureBy(by) => {
@@ -191,6 +193,8 @@ impl CheckPage {
                 self.by = MeasureBy::Typing;
                 self.measured_is_used = false;
             }
+            // The name is that of the next part, and the value that of the one before.
+            CheckField::Part | CheckField::Serial | CheckField::Remark => self.empty_used(),
             _ => {}
         }
         self.edited(sources);
@@ -198,7 +202,7 @@ impl CheckPage {
 
     /// Reads the fields anew. The limits are those of the record that lends them.
     fn read(&mut self, sources: &Sources) {
-        self.asked = Asked::read(&self.texts, self.feature, self.judging, sources, &self.meant);
+        self.asked = Asked::read(&self.texts, self.feature(), self.judging, sources, &self.meant);
         if let Some(record) = &self.lent {
             self.asked.show_limits(record.limits.clone(), record.callout);
         }
@@ -215,15 +219,24 @@ impl CheckPage {
             let nominal = nominal_text(self.text(CheckField::Callout)).to_owned();
             self.texts.set(CheckField::Nominal, nominal);
         }
-        if self.measured_is_used {
-            self.texts.set(CheckField::Measured, "");
-            self.measured_is_used = false;
-        }
+        self.empty_used();
+        // Every new callout that does not say hole or shaft is asked about.
+        let callout = self.text(CheckField::Callout).parse().ok();
+        let is_same = |of: Option<Callout>| of.is_none() || of == callout;
+        self.feature = self.feature.filter(|(of, _)| is_same(*of)).map(|(_, feature)| (callout, feature));
         self.clear(sources);
-        if self.asked.callout().is_some_and(|callout| callout.feature().is_some()) {
-            // The next callout without letters asks again.
-            self.feature = None;
+    }
+
+    /// A value that was judged belongs to nothing else.
+    fn empty_used(&mut self) {
+        if std::mem::take(&mut self.measured_is_used) {
+            self.texts.set(CheckField::Measured, "");
         }
+    }
+
+    /// The callout in the field, which does not say it, is that of a hole or a shaft.
+    fn mean(&mut self, feature: Feature) {
+        self.feature = Some((self.text(CheckField::Callout).parse().ok(), feature));
     }
 
     /// No verdict stays beside a value, a position or a name that it was not made with, and what it lent goes with it:
@@ -232,6 +245,7 @@ impl CheckPage {
     pub(super) fn edited(&mut self, sources: &Sources) {
         (self.shown, self.question, self.lot, self.refusal) = (None, None, None, None);
         self.asks = false;
+        self.is_repeated = false;
         self.rows.iter_mut().for_each(Rows::hide);
         self.lent = self.lent.take().filter(|record| record.callout.is_none());
         self.take_back_own();
@@ -252,14 +266,21 @@ impl CheckPage {
         self.edited(sources);
     }
 
-    /// Sends checks to the journal, with the file that their values are from. The serial number is that of one part.
-    pub(super) fn keep(&self, first: RecordId, records: &[Arc<Record>], from: Option<&UsedFile>, shared: &mut Shared) {
+    /// Sends checks to the journal, with the file that their values are from and what it says of each. The serial number on the page is that
+    /// of one part.
+    pub(super) fn keep(
+        &self,
+        first: RecordId,
+        (records, labels): (&[Arc<Record>], &[Labels]),
+        from: Option<&UsedFile>,
+        shared: &mut Shared,
+    ) {
         let mut named = self.named();
         if 1 < records.len() {
             named.serial.clear();
         }
         let budget = shared.budget.as_deref().and_then(|open| used(FileRole::Budget, &open.file, open.sha256));
-        let refused = shared.recording.keep_checks(first, records, &named, |record| {
+        let refused = shared.recording.keep_checks(first, records, labels, &named, |record| {
             let budget = budget.clone().filter(|_| record.budget.is_some());
             from.into_iter().cloned().chain(budget).collect()
         });
@@ -272,7 +293,9 @@ impl CheckPage {
     fn ask_again(&mut self, record: &Record, part: &str, serial: &str, shared: &Shared) {
         let callout = record.callout.map(|callout| callout.to_string()).unwrap_or_default();
         self.take_callout(&callout, &shared.sources);
-        self.feature = Some(record.limits.feature).filter(|_| self.asked.needs_feature());
+        if self.asked.needs_feature() {
+            self.mean(record.limits.feature);
+        }
         let (judging, texts) = worth::of_record(record);
         self.judging = judging;
         for (field, text) in texts {
@@ -304,6 +327,11 @@ impl CheckPage {
         if self.doubted().is_some() {
             return self.take_text(shared, now);
         }
+        // Nothing was entered since, and nobody has read the verdict: the button was pressed twice at once.
+        if self.would_repeat() && self.judged.is_in_passing(now) {
+            return self.say_repeated();
+        }
+        self.judged.ask(now);
         let asked_about = self.question.take();
         // What stands in the fields is what is meant.
         self.own.clear();
@@ -335,7 +363,7 @@ impl CheckPage {
         self.measured_is_used = self.by == MeasureBy::Typing;
         let record = Arc::new(record);
         let id = shared.history.add(vec![Arc::clone(&record)]);
-        self.keep(id, &[record], None, shared);
+        self.keep(id, (&[record], &[]), None, shared);
         if self.by == MeasureBy::Simulating {
             self.inputs.keep(id, &self.texts);
             let next = self.asked.seed.unwrap_or_default().wrapping_add(1);
@@ -366,10 +394,11 @@ impl CheckPage {
             None => self.take_callout("", &shared.sources),
         }
         if record.callout.is_some_and(|callout| callout.feature().is_none()) {
-            self.feature = Some(record.limits.feature);
+            self.mean(record.limits.feature);
         }
         (self.lot, self.question, self.refusal) = (lot, None, None);
         self.asks = false;
+        self.is_repeated = false;
         self.show_inputs(id, &record, shared);
         self.lent = Some(Arc::clone(&record));
         self.read(&shared.sources);

@@ -53,7 +53,7 @@ impl CheckPage {
                 Ok(record) => {
                     let record = Arc::new(record);
                     let id = shared.history.add(vec![Arc::clone(&record)]);
-                    self.keep(id, &[record], file.as_ref(), shared);
+                    self.keep(id, (&[record], &[]), file.as_ref(), shared);
                     self.inputs.keep(id, &self.texts);
                     notice.change = shared.history.last_change();
                     self.show(id, shared);
@@ -90,7 +90,7 @@ impl CheckPage {
         if !records.is_empty() {
             shared.history.add(records.clone());
             shared.note_change();
-            self.keep(first, &records, file.as_ref(), shared);
+            self.keep(first, (&records, &imported.labels), file.as_ref(), shared);
         }
         if is_lot {
             self.show_of_lot(shared);

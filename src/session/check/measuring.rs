@@ -101,7 +101,7 @@ fn culprit(page: &CheckPage, limits: &Limits) -> CheckField {
     let is_it = |field: &&CheckField| {
         let mut texts = page.texts.clone();
         texts.set(**field, field.declared().1);
-        simulated(&Asked::read(&texts, page.feature, page.judging, &Sources::default(), &page.meant), limits).is_ok()
+        simulated(&Asked::read(&texts, page.feature(), page.judging, &Sources::default(), &page.meant), limits).is_ok()
     };
     changed.iter().find(is_it).or(changed.first()).copied().unwrap_or(CheckField::TrueDiameter)
 }

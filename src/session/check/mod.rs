@@ -41,6 +41,7 @@ pub use worth::{Judging, UncertaintyFrom, Worth};
 
 use self::doubted::Meant;
 use self::inputs::Inputs;
+use super::asking::Asking;
 use super::command::Effect;
 use super::field::{KeptField as _, Texts};
 use super::recording::Named;
@@ -90,8 +91,8 @@ pub struct Question {
 pub struct CheckPage {
     texts: Texts<CheckField>,
     by: MeasureBy,
-    /// Hole or shaft, where the callout does not say it.
-    feature: Option<Feature>,
+    /// Hole or shaft, and the callout that was meant: another one is asked about anew. Without one it is that of the first callout.
+    feature: Option<(Option<Callout>, Feature)>,
     /// How it is judged.
     judging: Judging,
     /// How the user wants the next part to be judged, while a shown record's own stands in its place.
@@ -108,6 +109,10 @@ pub struct CheckPage {
     refusal: Option<Message>,
     /// Whether the typed diameter was measured already: a new callout empties its field.
     measured_is_used: bool,
+    /// Whether Enter came once more for a check that is shown already.
+    is_repeated: bool,
+    /// When a typed value was judged last.
+    judged: Asking,
     question: Option<Question>,
     /// The doubted texts that are meant.
     meant: Meant,
@@ -127,13 +132,13 @@ pub struct CheckPage {
 impl CheckPage {
     /// The page with what was saved, or with empty fields.
     pub(super) fn new(saved: &SavedInputs, sources: &Sources) -> Self {
-        let (texts, by, feature) = (Texts::restored(&saved.texts), saved.by, saved.feature);
+        let (texts, by) = (Texts::restored(&saved.texts), saved.by);
         let judging = saved.judging;
-        let asked = Asked::read(&texts, feature, judging, sources, &Meant::default());
+        let asked = Asked::read(&texts, None, judging, sources, &Meant::default());
         Self {
             texts,
             by,
-            feature,
+            feature: None,
             judging,
             own_judging: None,
             asked,
@@ -143,6 +148,8 @@ impl CheckPage {
             inputs: Inputs::default(),
             refusal: None,
             measured_is_used: false,
+            is_repeated: false,
+            judged: Asking::default(),
             question: None,
             meant: Meant::default(),
             asks: false,
@@ -212,8 +219,23 @@ impl CheckPage {
     }
 
     /// Hole or shaft, where the callout does not say it.
-    pub const fn feature(&self) -> Option<Feature> {
-        self.feature
+    pub fn feature(&self) -> Option<Feature> {
+        self.feature.map(|(_, feature)| feature)
+    }
+
+    /// Whether what stands in the fields was judged already, and nothing was entered since: Enter is no second measurement.
+    pub const fn would_repeat(&self) -> bool {
+        matches!(self.by, MeasureBy::Typing) && self.measured_is_used && self.shown.is_some()
+    }
+
+    /// Says that it was asked for once more.
+    pub(super) const fn say_repeated(&mut self) {
+        self.is_repeated = self.would_repeat();
+    }
+
+    /// Whether the check that is shown was asked for once more, with nothing entered since: it is no second measurement.
+    pub const fn is_repeated(&self) -> bool {
+        self.is_repeated
     }
 
     /// The record that is shown, if any. It always belongs to what stands in the fields: any edit takes it away.
@@ -256,6 +278,6 @@ impl CheckPage {
     /// The callout of the part that is judged: one side of a fit.
     fn part_callout(&self) -> Option<Callout> {
         let callout = self.asked.callout()?;
-        Some(self.feature.map_or(callout, |feature| callout.of_part(feature)))
+        Some(self.feature().map_or(callout, |feature| callout.of_part(feature)))
     }
 }

@@ -53,10 +53,11 @@ impl CheckPage {
                 return effects;
             }
             RowsCommand::Keep => {
-                if let Some(record) = rows.shown().and_then(|row| row.record.clone()) {
+                if let Some((record, labels)) = rows.shown().and_then(|row| row.record.clone().zip(row.labels.clone()))
+                {
                     let file = rows.sha256().and_then(|sha256| used(FileRole::Measurements, rows.name(), Some(sha256)));
                     let id = shared.history.add(vec![Arc::clone(&record)]);
-                    self.keep(id, &[record], file.as_ref(), shared);
+                    self.keep(id, (&[record], &[labels]), file.as_ref(), shared);
                     shared.note(Message::new("rows-kept"), Vec::new());
                     shared.note_change();
                 }

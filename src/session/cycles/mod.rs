@@ -109,6 +109,11 @@ impl Default for CyclesPage {
 }
 
 impl CyclesPage {
+    /// Whether the result on screen was made with what stands in the fields, and would come once more as it is.
+    pub fn would_repeat(&self) -> bool {
+        self.run.is_some() && self.from != ContactsFrom::Simulated
+    }
+
     /// The page with what was saved, or with empty fields.
     pub(super) fn new(saved: &SavedCycles) -> Self {
         let mut page = Self::default();

@@ -8,7 +8,7 @@ use jiff::civil::DateTime;
 use super::document::PlanDocument;
 use super::picture::Shown;
 use super::sheet::Sheet;
-use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand, Saving};
+use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand, Saving, serials};
 use crate::message::Message;
 use crate::part::{Document, Draft, Row};
 use crate::session::command::{Effect, Page};
@@ -22,12 +22,16 @@ impl PageState for PartsPage {
         match command {
             PartsCommand::Type(field, text) => {
                 match field {
-                    PartsField::Value => self.walking.typed(&text),
+                    PartsField::Value => self.type_value(&text),
                     PartsField::Serial => self.again = None,
                     PartsField::Reason => {}
                 }
                 self.texts.set(field, text);
                 self.errors.remove(&field);
+                // Of what is typed a letter at a time only its own serial number is told before Enter.
+                if field == PartsField::Value && serials::is_named(self.text(field), self.walking.serial()) {
+                    self.refuse_serial(shared);
+                }
             }
             PartsCommand::Show(view) => {
                 self.settle();

@@ -41,7 +41,7 @@ impl PartsPage {
 
     /// Whether a part of this serial number was measured since the window was opened, has values from files that were read meanwhile, or
     /// is among the newest of the journal.
-    fn is_measured_already(&self, part: &str, serial: &str, shared: &Shared) -> bool {
+    pub(super) fn is_measured_already(&self, part: &str, serial: &str, shared: &Shared) -> bool {
         let is_ended = || self.ended.contains(&(part.to_owned(), serial.to_owned()));
         !serial.is_empty() && (is_ended() || shared.recording.has_serial(part, serial))
     }

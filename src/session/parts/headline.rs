@@ -11,7 +11,7 @@ const NAMED: usize = 12;
 /// What the large verdict is of.
 #[derive(Debug, Clone)]
 pub enum Headline<'a> {
-    /// Sizes are open: the size that is looked at, where it has a value.
+    /// Sizes are open: the size that the page is about, where it has a value.
     Size(Option<(usize, &'a Value)>),
     /// Every size has a value or a reason: the part.
     Part(Whole),
@@ -31,7 +31,7 @@ pub struct Whole {
 impl Walking {
     /// What the large verdict is of.
     pub fn headline(&self) -> Headline<'_> {
-        if self.is_done() { Headline::Part(self.whole()) } else { Headline::Size(self.shown()) }
+        if self.is_done() { Headline::Part(self.whole()) } else { Headline::Size(self.faced_value()) }
     }
 
     /// Whether every size has a value or a reason.

@@ -89,6 +89,9 @@ impl PartsPage {
             self.errors.insert(PartsField::Value, refusal);
             return;
         }
+        if self.refuse_serial(shared) {
+            return;
+        }
         let range = if self.walking.may_be_any() { Range::Any } else { Range::AboveZero };
         let asked = self.walking.asked().map(|size| size.limits.nominal);
         let gauged = gauge::read(self.text(PartsField::Value), asked).map_err(|error| error.message());
@@ -125,6 +128,25 @@ impl PartsPage {
         self.walking.go_on();
     }
 
+    /// A text for the field of the value. What was asked about another one is over.
+    pub(super) fn type_value(&mut self, text: &str) {
+        self.walking.question = None;
+        self.walking.typed(text);
+    }
+
+    /// A serial number that was scanned into the field of the value is told, and does not stay there. Returns whether it was one.
+    pub(super) fn refuse_serial(&mut self, shared: &Shared) -> bool {
+        let text = self.text(PartsField::Value).trim().to_owned();
+        let part = self.walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
+        let is_serial =
+            serials::is_like(&text, self.walking.serial()) || self.is_measured_already(&part, &text, shared);
+        if is_serial {
+            self.clear_value();
+            self.errors.insert(PartsField::Value, Message::new("walk-page-is-serial").text("given", text));
+        }
+        is_serial
+    }
+
     /// Empties the field of the value.
     pub(super) fn clear_value(&mut self) {
         self.texts.set(PartsField::Value, "");
@@ -159,6 +181,7 @@ impl PartsPage {
                 self.keep_own(taken, shared);
                 self.walking.go(at);
                 self.walking.go_on();
+                self.walking.rest(at, true);
             }
             Err(problem) => self.walking.refusal = Some(problem),
         }

@@ -9,7 +9,6 @@
 //! | `walking` | the part that is being measured: which size is asked for, what was measured |
 //! | `measuring`, `judging`, `serials` | what is done on the walk; a value becomes a check; serial numbers are counted up |
 //! | `ending` | a part begins, and the next one comes |
-//! | `asking` | questions that Enter answers |
 //! | `arriving`, `watched` | values from files; a folder that is watched |
 //! | `resume`, `planned` | an interrupted part comes back, as far as its plan asks for the same |
 //! | `reporting` | the part as a report |
@@ -18,7 +17,6 @@
 
 mod apply;
 mod arriving;
-mod asking;
 mod choices;
 mod command;
 mod document;
@@ -54,8 +52,8 @@ pub use sheet::Sheet;
 pub use walking::{Value, WalkRow, Walking};
 pub use watched::{TakenFile, WatchNews, Watched, WatchedFile};
 
-use self::asking::Asking;
 use self::resume::Resume;
+use super::asking::Asking;
 use super::command::Effect;
 use crate::message::Message;
 use crate::part::Draft;

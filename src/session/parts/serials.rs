@@ -24,9 +24,62 @@ pub(super) fn next(serial: &str) -> String {
     format!("{before}{more}{counted}{}", serial.get(end..).unwrap_or_default())
 }
 
+/// Whether a text is a serial number and no value: it is `own`, the one after it, or of the same shape, which has a letter in it.
+pub(super) fn is_like(text: &str, own: &str) -> bool {
+    let (text, own) = (text.trim(), own.trim());
+    if text.is_empty() || own.is_empty() {
+        return false;
+    }
+    let has_letter = own.chars().any(char::is_alphabetic);
+    [own, &next(own)].into_iter().any(|serial| serial.eq_ignore_ascii_case(text))
+        || has_letter && shape(text) == shape(own)
+}
+
+/// Whether a text that is still being typed is such a serial number already: no value has a letter in it.
+pub(super) fn is_named(text: &str, own: &str) -> bool {
+    own.chars().any(char::is_alphabetic) && is_like(text, own)
+}
+
+/// Whether what begins with this text may be a serial number of the same shape: it begins with a letter as the other one does.
+pub(super) fn may_begin(text: &str, own: &str) -> bool {
+    let begins = |text: &str| text.trim_start().chars().next().is_some_and(char::is_alphabetic);
+    begins(text) && begins(own)
+}
+
+/// Letters and figures as such, every other sign as itself.
+fn shape(text: &str) -> String {
+    let of = |c: char| {
+        if c.is_alphabetic() {
+            'A'
+        } else if c.is_numeric() {
+            '9'
+        } else {
+            c
+        }
+    };
+    text.chars().map(of).collect()
+}
+
 #[cfg(test)]
 mod tests {
-    use super::next;
+    use super::{is_like, next};
+
+    #[test]
+    fn a_serial_number_is_told_from_a_value_by_its_shape() {
+        for (text, own, is_serial) in [
+            ("A-0002", "A-0001", true),
+            ("a-0001", "A-0001", true),
+            ("B-7788", "A-0001", true),
+            ("25.012", "A-0001", false),
+            ("01A+0008.005", "A-0001", false),
+            ("0002", "0001", true),
+            ("0017", "0001", false),
+            ("25.012", "", false),
+            ("25.0l2", "A-0001", false),
+        ] {
+            assert_eq!(is_like(text, own), is_serial, "{text} {own}");
+        }
+    }
 
     #[test]
     fn the_last_figures_count_and_keep_their_width() {

@@ -7,6 +7,7 @@ use std::sync::Arc;
 use jiff::civil::DateTime;
 
 use super::planned::Planned;
+use super::serials;
 use crate::journal::Record;
 use crate::journal::query::RecordId;
 use crate::length::Length;
@@ -72,6 +73,8 @@ pub struct Walking {
     typed_at: Option<usize>,
     /// The size that is looked at: the one whose value came last, or the one that was chosen since.
     shown: Option<usize>,
+    /// Whether its verdict is new: it stays with its size until the next one is begun.
+    rests: bool,
     /// A number that goes up whenever the size that is asked for has to come into sight.
     look: u64,
     /// What is asked about a typed value before it is taken.
@@ -202,6 +205,27 @@ impl Walking {
         Some((at, self.counting(at)?))
     }
 
+    /// The size that the page is about: the one whose verdict is new until the next one is begun, else the one that is asked for.
+    pub fn faced(&self) -> Option<usize> {
+        self.shown.filter(|_| self.rests || self.at.is_none()).or(self.at)
+    }
+
+    /// That size, and the value of it that counts.
+    pub fn faced_value(&self) -> Option<(usize, &Value)> {
+        let at = self.faced()?;
+        Some((at, self.counting(at)?))
+    }
+
+    /// Does something with that size as the plan has it.
+    pub fn faced_size(&self) -> Option<Size<'_>> {
+        self.plan.as_deref()?.sizes().nth(self.faced()?)
+    }
+
+    /// Whether a text that is typed now begins the serial number of the next part: this one is done, and its own begins alike.
+    pub fn begins_next(&self, text: &str) -> bool {
+        self.is_done() && serials::may_begin(text, self.serial())
+    }
+
     /// Whether somebody measured a size.
     pub(super) fn is_measured(&self, at: usize) -> bool {
         self.walk.steps().get(at).and_then(Step::counts).is_some_and(|taken| !taken.is_simulated)
@@ -210,6 +234,7 @@ impl Walking {
     /// A text was typed for the size that is asked for, or the field is empty.
     pub(super) fn typed(&mut self, text: &str) {
         self.typed_at = self.at.filter(|_| !text.trim().is_empty());
+        self.rests &= self.typed_at.is_none();
     }
 
     /// The size that the text in the field was typed for, where another one is asked for now.
@@ -257,11 +282,17 @@ impl Walking {
             // Who types a value of a size that has a typed one has gone back to it.
             self.settle(at, |_, before| before.record.measurement.origin == Origin::Typed);
         }
+        let is_held = self.typed_at.is_some() || self.is_skipping || self.question.is_some();
         if let Some(values) = self.values.get_mut(at) {
             values.push(value);
-            self.shown = Some(at);
+            self.rest(at, !is_held && (!self.is_chosen || self.at == Some(at)));
         }
         (self.refusal, self.is_warned) = (None, false);
+    }
+
+    /// The value of a size came last.
+    pub(super) const fn rest(&mut self, at: usize, rests: bool) {
+        (self.shown, self.rests) = (Some(at), rests);
     }
 
     /// Values that were measured before those that are there, in the order in which they came.
@@ -299,7 +330,7 @@ impl Walking {
 
     /// Takes these values and no others; what is asked for and what is shown stays.
     fn take_anew(&mut self, values: Vec<(usize, Value)>) {
-        let (at, shown) = (self.at, self.shown);
+        let (at, shown, rests) = (self.at, self.shown, self.rests);
         let reasons: Vec<_> = self.walk.steps().iter().map(|step| step.skipped.clone()).collect();
         if let Some(plan) = &self.plan {
             self.walk = Walk::new(plan, std::mem::take(&mut self.walk.serial));
@@ -310,7 +341,7 @@ impl Walking {
         for (at, value) in values {
             self.take(at, value);
         }
-        (self.at, self.shown) = (at, shown.or(self.shown));
+        (self.at, self.shown, self.rests) = (at, shown.or(self.shown), rests);
     }
 
     /// Asks for the next size that is open; where none is, for none.
@@ -373,13 +404,14 @@ impl Walking {
             self.look += 1;
             self.quiet();
             // Its own verdict is shown, or none.
-            self.shown = Some(at);
+            self.rest(at, false);
         }
     }
 
     /// Leaves out the size that is asked for.
     pub(super) fn skip(&mut self, at: usize, reason: &str) -> bool {
         let is_skipped = self.walk.skip(at, reason);
+        self.rests = false;
         self.quiet();
         is_skipped
     }

@@ -3,6 +3,7 @@
 use std::sync::Arc;
 
 use super::{Known, Recording};
+use crate::exchange::{Labels, part_and_feature};
 use crate::journal::chain::Hash;
 use crate::journal::entry::{
     About, Check, Checked, Content, Correction, CycleCheck, Entry, FileRole, Moment, UsedFile,
@@ -24,6 +25,24 @@ pub struct Named {
     pub who: String,
     /// Anything else.
     pub remark: String,
+}
+
+impl Named {
+    /// The same for a value that is called `id`, with what its file says of it: as the command line records it.
+    fn of_file(self, labels: Option<&Labels>, id: &str) -> Self {
+        let given = |text: &String, usual: String| if text.is_empty() { usual } else { text.clone() };
+        let mut named = match labels {
+            Some(labels) => Self {
+                part: labels.part.clone(),
+                serial: given(&labels.serial, self.serial),
+                who: given(&labels.who, self.who),
+                ..self
+            },
+            None => Self { part: String::new(), ..self },
+        };
+        part_and_feature(&mut named.part, &mut named.feature, id);
+        named
+    }
 }
 
 /// A check that is sent to the journal.
@@ -52,20 +71,22 @@ pub(in crate::session) fn used(role: FileRole, name: &str, sha256: Option<Hash>)
 }
 
 impl Recording {
-    /// Sends checks of the history, from this number on; each is named by its own part. `files` says what each was made with.
+    /// Sends checks of the history, from this number on; each is named by its own part, and as its file names it. `files` says what each was made with.
     /// Returns how many can be no entries of a journal, and why the first cannot: the others do not wait for them.
     pub(in crate::session) fn keep_checks(
         &mut self,
         first: RecordId,
         records: &[Arc<Record>],
+        labels: &[Labels],
         named: &Named,
         files: impl Fn(&Record) -> Vec<UsedFile>,
     ) -> Option<(usize, Message)> {
-        let to_keep = |record: &Arc<Record>| {
-            let named = Named { part: record.id.clone(), ..named.clone() };
+        let labels = labels.iter().map(Some).chain(std::iter::repeat(None));
+        let to_keep = |(record, labels): (&Arc<Record>, Option<&Labels>)| {
+            let named = named.clone().of_file(labels, &record.id);
             ToKeep { record: Arc::clone(record), named, files: files(record) }
         };
-        self.keep_named(first, records.iter().map(to_keep).collect()).refused
+        self.keep_named(first, records.iter().zip(labels).map(to_keep).collect()).refused
     }
 
     /// The same of checks that are each named by themselves.

@@ -190,7 +190,8 @@ impl Rows {
         let record = imported.records.pop().filter(|_| picked.judged.is_some()).map(Arc::new);
         let mut warnings = imported.warnings.iter().map(|warning| warning.what.kind.message());
         let why = picked.why.clone().or_else(|| warnings.next_back());
-        Some(ShownRow { number, line, cells, record, why })
+        let labels = imported.labels.pop();
+        Some(ShownRow { number, line, cells, record, labels, why })
     }
 
     /// Shows a row.

@@ -16,6 +16,7 @@ use std::sync::Arc;
 
 pub use command::{End, Large, News, RowsCommand};
 
+use crate::exchange::Labels;
 use crate::exchange::batch::{FATES, Fate, Filter, Layout, Part, Picked, Sieve, Tally};
 use crate::journal::Record;
 use crate::journal::chain::Hash;
@@ -76,6 +77,8 @@ pub struct ShownRow {
     pub cells: Vec<(String, String)>,
     /// Its check; `None` where it has no verdict.
     pub record: Option<Arc<Record>>,
+    /// What the file says of it besides.
+    pub labels: Option<Labels>,
     /// Why it has none.
     pub why: Option<Message>,
 }

@@ -38,7 +38,7 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
         standing_strip_ui(ui, view, walking);
     }
     if walking.is_begun() && session.recording().is_on() {
-        let recorded = walking.shown().filter(|_| walking.refusal().is_none());
+        let recorded = walking.faced_value().filter(|_| walking.refusal().is_none());
         recorded_ui(ui, view, recorded.and_then(|(_, value)| recorded_of(view, value)));
     }
 }
@@ -52,23 +52,19 @@ fn below_id() -> Id {
 fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question, room: f32) {
     let gap = ui.spacing().item_spacing.y;
     let record = if view.session.recording().is_on() { sizes().small * 1.4 + gap } else { 0.0 };
-    let buttons = if question.doubt.meant().is_some() { 2.0 } else { 1.0 };
+    let buttons = f32::from(u8::try_from(view.session.answers().len()).unwrap_or(u8::MAX));
     let all = room + space(1.0) + gap + strip_height(ui) + record;
     let card = Card {
         word: view.text("word-question"),
         value: Some(format!("{} mm", view.words.mm(question.measured, 3))),
-        lines: vec![doubt_text(view.words, question.doubt), view.text("walk-page-question-enter")],
+        lines: vec![doubt_text(view.words, question.doubt), view.text("question-enter")],
         height: (all - buttons * (control(ui) + gap)).max(0.0),
         ..Card::default()
     };
     card_ui(ui, view, &card);
     ui.data_mut(|data| data.insert_temp(below_id(), Vec::<String>::new()));
     let size = vec2(ui.available_width(), control(ui));
-    if question.doubt.meant().is_some() {
-        view.main_button(ui, Action::TakeMeantValue, size);
-    }
-    let anyway = view.named(Action::TakeValue).min_size(size);
-    view.button_as(ui, Action::TakeValue, anyway);
+    view.answers_ui(ui, size);
 }
 
 fn recorded_of<'a>(view: &View<'a>, value: &Value) -> Option<Recorded<'a>> {
@@ -116,7 +112,10 @@ fn headline_card(view: &View<'_>, walking: &Walking) -> Card {
         return no_card(view, vec![view.words.say(refusal)]);
     }
     match walking.headline() {
-        Headline::Size(None) => no_card(view, Vec::new()),
+        Headline::Size(None) => {
+            let name = walking.faced().map(|at| walking.name(at).to_owned());
+            Card { value: name, ..no_card(view, Vec::new()) }
+        }
         Headline::Size(Some((at, value))) => size_card(view, walking, at, value),
         Headline::Part(whole) => {
             let serial = walking.serial();
@@ -147,7 +146,7 @@ fn standing_strip_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
     let simulated = |word: String, is_simulated: bool| {
         if is_simulated { words.say(&Message::new("parts-page-balloon-simulated").text("status", word)) } else { word }
     };
-    match (walking.headline(), walking.shown()) {
+    match (walking.headline(), walking.faced_value()) {
         (Headline::Size(_), _) => {
             let (status, is_simulated) = (walking.status(), walking.is_decided_by_simulation());
             let text = status.map_or_else(
@@ -191,7 +190,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     for line in &below {
         ui.label(line);
     }
-    if let Some((at, value)) = walking.shown() {
+    if let Some((at, value)) = walking.faced_value() {
         if matches!(walking.headline(), Headline::Part(_)) {
             size_lines_ui(ui, &size_card(view, walking, at, value));
         }

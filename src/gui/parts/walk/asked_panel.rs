@@ -31,8 +31,8 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
         return skip_ui(ui, view);
     }
     let mut actions = vec![Action::SizeAgain, Action::SkipSize, Action::NextPart];
-    if let Some(size) = walking.asked() {
-        size_ui(ui, view, &size);
+    if let (Some(asked), Some(faced)) = (walking.asked(), walking.faced_size()) {
+        size_ui(ui, view, &asked, &faced);
     } else {
         heading(ui, view.text("walk-page-done"));
         next_ui(ui, view);
@@ -136,12 +136,11 @@ fn part_ui(ui: &mut Ui, view: &View<'_>) {
     }
 }
 
-/// The size that is asked for, readable from afar, and the field of its value.
-fn size_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
+/// The size that the page is about, readable from afar, and the field of the value that is asked for.
+fn size_ui(ui: &mut Ui, view: &mut View<'_>, asked: &Size<'_>, size: &Size<'_>) {
     let feature = size.feature;
     name_ui(ui, size);
-    let asked = asked_text(view.words, size);
-    ui.label(RichText::new(asked).font(theme::font(sizes().value)));
+    ui.label(RichText::new(asked_text(view.words, size)).font(theme::font(sizes().value)));
     limits_ui(ui, view, size.limits);
     match feature.place {
         Some(place) => {
@@ -154,7 +153,7 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
     if !feature.remark.is_empty() {
         ui.label(&feature.remark);
     }
-    value_ui(ui, view, size);
+    value_ui(ui, view, asked);
 }
 
 /// Which size is asked for, readable from afar.
@@ -179,6 +178,11 @@ fn note_ui(ui: &mut Ui, view: &View<'_>) {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.set_min_height(lines * space(5.0));
         error_ui(ui, view, PartsField::Value);
+        // The verdict stays with its size; the next value is of this one.
+        if let Some(next) = walking.asked().filter(|_| walking.faced() != walking.at()) {
+            let said = Message::new("walk-page-next-size").text("name", next.name());
+            ui.label(view.words.say(&said.text("asked", asked_text(view.words, &next))));
+        }
         let Some(at) = walking.at().filter(|_| view.session.error(PartsField::Value).is_none()) else { return };
         let count = walking.values(at).len();
         if 0 < count {

@@ -24,9 +24,9 @@ use crate::gui::columns::{Page, Shape, columns_ui, is_tiny, of_height};
 use crate::gui::theme::space;
 use crate::gui::verdict_card::least_width;
 use crate::gui::view::View;
-use crate::gui::{field, keypad};
+use crate::gui::{field, in_turn, keypad};
 use crate::part::Size;
-use crate::session::parts::PartsField;
+use crate::session::parts::{PartsField, WalkCommand};
 use crate::words::Words;
 
 /// From this width on the columns are wider.
@@ -63,13 +63,21 @@ fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 /// What a scanner or gauge types while no field has the focus goes into the field of the serial number or of the value.
-fn catch_typing(ui: &Ui, view: &View<'_>) {
+fn catch_typing(ui: &Ui, view: &mut View<'_>) {
     let session = view.session;
     let walking = session.parts().walking();
     let field = if walking.is_begun() { PartsField::Value } else { PartsField::Serial };
     let is_other = walking.is_skipping() || session.dialog().is_some() || Popup::is_any_open(ui.ctx());
     let is_text = |event: &Event| matches!(event, Event::Text(text) if !text.trim().is_empty());
-    if !is_other && !ui.ctx().text_edit_focused() && ui.input(|input| input.events.iter().any(is_text)) {
+    if is_other || ui.ctx().text_edit_focused() || !ui.input(|input| input.events.iter().any(is_text)) {
+        return;
+    }
+    let begins_next = |event: &Event| matches!(event, Event::Text(text) if walking.begins_next(text));
+    if ui.input(|input| input.events.iter().any(begins_next)) {
+        // The part is done: it is the serial number of the next one, whose field is drawn in the next frame.
+        view.send(WalkCommand::Next);
+        in_turn::give_back(ui, is_text);
+    } else {
         field::go_to(ui.ctx(), field.into(), session.text(field));
         // The next letter does not replace this one.
         keypad::keep_selection(ui.ctx(), field::id(field));
