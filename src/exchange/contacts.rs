@@ -161,7 +161,8 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
 
 /// Refuses cells that state another unit than millimetres.
 fn in_mm(row: &[&str], line: usize) -> Result<(), Located<ContactsError>> {
-    let refused = |given: String| Located::in_line(line, ContactsError::OtherUnit { given: super::error::shorten(&given) });
+    let refused =
+        |given: String| Located::in_line(line, ContactsError::OtherUnit { given: super::error::shorten(&given) });
     stated::not_mm(row.iter().copied()).map_or(Ok(()), |given| Err(refused(given)))
 }
 

@@ -125,6 +125,7 @@ mod session_workpiece;
 mod sources;
 mod sql;
 mod start_cli;
+mod stated_units;
 mod supply;
 mod table_cli;
 mod table_compare;
