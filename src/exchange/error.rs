@@ -125,6 +125,13 @@ pub enum ImportErrorKind {
         /// The line of the mask whose text was expected.
         line: usize,
     },
+    /// A print that is not in millimetres.
+    PrintUnit {
+        /// Where.
+        line: usize,
+        /// The unit.
+        unit: String,
+    },
     /// Only a header, comments or blank lines.
     NoRows,
     /// A log that cannot be used.
@@ -353,11 +360,11 @@ pub enum ImportErrorKind {
     /// Two statements of units that contradict each other.
     UnitsDiffer {
         /// The first unit.
-        unit: String,
+        unit: &'static str,
         /// What says so.
         at: String,
         /// The other one.
-        other: String,
+        other: &'static str,
         /// What says so.
         other_at: String,
     },
@@ -370,12 +377,21 @@ pub enum ImportErrorKind {
         /// Its text.
         text: String,
         /// The unit of the rows.
-        read: String,
+        read: &'static str,
+    },
+    /// The same, where the line is known.
+    UnitStray {
+        /// What it states.
+        unit: String,
+        /// Its text.
+        text: String,
+        /// The unit of the rows.
+        read: &'static str,
     },
     /// The file states another unit than the user says.
     UnitGiven {
         /// What the user says.
-        given: String,
+        given: &'static str,
         /// What the file states.
         unit: String,
         /// Its text there.

@@ -260,7 +260,7 @@ impl<'a> Reader<'a, '_, '_> {
             self.is_simulated = true;
             return;
         }
-        let stray = || stated::stray(self.columns, line, cells);
+        let stray = || stated::stray(self.columns, cells);
         if cells::is_comment(cells) {
             if let Some(reason) = stray() {
                 return self.refuse(line, Cell { at: None, text: cells.get(0).unwrap_or_default() }, reason);

@@ -135,7 +135,10 @@ fn file_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
         words.map(|word| (view.text(unit_id(word)), now == word, of(word))).collect::<Vec<Entry>>()
     };
     let places = units(choice.place_unit.as_deref(), ColumnChoice::PlaceUnit);
-    let units = units(choice.unit.as_deref(), ColumnChoice::Unit);
+    let mut units = units(choice.unit.as_deref(), ColumnChoice::Unit);
+    if let Some(((text, ..), from)) = units.first_mut().zip(open.unit_from().filter(|_| choice.unit.is_none())) {
+        *text = view.words.say(&Message::new("columns-page-unit-from").text("from", from));
+    }
     named_list_ui(ui, view, "columns-page-decimal", decimals);
     named_list_ui(ui, view, "columns-page-unit", units);
     if open.has_place() {

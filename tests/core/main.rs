@@ -131,6 +131,7 @@ mod skipped;
 mod sources;
 mod sql;
 mod start_cli;
+mod stated_units;
 mod supply;
 mod table_cli;
 mod table_compare;

@@ -22,6 +22,7 @@ columns-page-as-found = As in the file
 columns-page-unit = Unit of sizes
 columns-page-place-unit = Unit of X, Y, Z
 columns-page-unit-names = From the header, else mm
+columns-page-unit-from = From the file: { $from }
 columns-page-unit-mm = mm
 columns-page-unit-um = µm
 columns-page-unit-inch = inch

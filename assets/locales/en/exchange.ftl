@@ -21,6 +21,7 @@ exchange-mask-no-measured = { $mask } prints no measured value: recognised are Q
 exchange-mask-measured = { $mask }: any of these could be the measured value: { $fields }; print the result of the cycle, such as Q153; otherwise the file needs callouts with different limits
 exchange-print-ambiguous = the mask can read this in several ways
 exchange-print-broken = the record ends too early: expected the output of line { $line } of the mask
+exchange-print-unit = line { $line } states { $unit }, but prints of a control are read in mm: print the values in mm
 exchange-no-rows = no row holds a measurement
 exchange-no-measured-column = no column of measured values: name it in the first line, such as id;callout;measured
 exchange-several-columns = columns { $columns } may each be { $role }: choose one with import --columns, such as { $word }=3, or name the columns in the first line so that only one fits, such as id;callout;measured
@@ -45,6 +46,7 @@ exchange-unit-stated = line { $line } states the unit { $unit }, which is not re
 exchange-unit-mentioned = line { $line } mentions { $unit } (“{ $text }”), and nothing says whether the values are in it: choose the unit of sizes (--columns unit=mm, um or inch)
 exchange-units-differ = “{ $at }” says { $unit }, “{ $other-at }” says { $other }: correct one of them
 exchange-unit-late = line { $line } states { $unit } (“{ $text }”), but the rows above it are read in { $read }: state the unit above the first row, or correct that line
+exchange-unit-stray = this line states { $unit } (“{ $text }”), but all other rows are read in { $read }: state the unit above the first row, or correct this line
 exchange-unit-given = the unit chosen is { $given }, but the file says { $unit } (“{ $text }”): choose { $unit }, or correct the file
 exchange-unit-half = column { $column } is in inch, and column { $open } does not say its unit: write it beside both names, or choose the unit of sizes (--columns unit=inch)
 exchange-unit-missing = the unit of this row is missing: write mm, µm or inch, or choose the unit of sizes (--columns unit=mm)

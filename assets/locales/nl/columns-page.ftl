@@ -22,6 +22,7 @@ columns-page-as-found = Zoals in het bestand
 columns-page-unit = Eenheid van maten
 columns-page-place-unit = Eenheid van X, Y, Z
 columns-page-unit-names = Volgens de kop, anders mm
+columns-page-unit-from = Uit het bestand: { $from }
 columns-page-unit-mm = mm
 columns-page-unit-um = µm
 columns-page-unit-inch = inch

@@ -21,6 +21,7 @@ exchange-mask-no-measured = { $mask } drukt geen meetwaarde af: Q153 tot Q156 en
 exchange-mask-measured = { $mask }: elk van deze getallen kan de meetwaarde zijn: { $fields }; druk het resultaat van de cyclus af, zoals Q153; anders heeft het bestand passingen met verschillende grenzen nodig
 exchange-print-ambiguous = dit kan door het masker op meerdere manieren worden gelezen
 exchange-print-broken = het record eindigt te vroeg: verwacht wordt wat regel { $line } van het masker afdrukt
+exchange-print-unit = regel { $line } noemt { $unit }, maar afdrukken van een besturing worden in mm gelezen: druk de waarden in mm af
 exchange-no-rows = geen enkele rij bevat een meting
 exchange-no-measured-column = geen kolom met gemeten waarden: benoem die in de eerste regel, bijvoorbeeld id;passing;gemeten
 exchange-several-columns = kolommen { $columns } kunnen elk { $role } zijn: kies er een met import --columns, bijvoorbeeld { $word }=3, of benoem de kolommen in de eerste regel zo dat er maar één past, bijvoorbeeld id;passing;gemeten
@@ -45,6 +46,7 @@ exchange-unit-stated = regel { $line } noemt de eenheid { $unit }, die niet word
 exchange-unit-mentioned = regel { $line } noemt { $unit } (“{ $text }”), maar niets zegt of de waarden daarin staan: kies de eenheid van de maten (--columns unit=mm, um of inch)
 exchange-units-differ = “{ $at }” zegt { $unit }, “{ $other-at }” zegt { $other }: verbeter een van beide
 exchange-unit-late = regel { $line } noemt { $unit } (“{ $text }”), maar de rijen erboven zijn gelezen in { $read }: zet de eenheid boven de eerste rij of verbeter die regel
+exchange-unit-stray = deze regel noemt { $unit } (“{ $text }”), maar alle andere rijen zijn gelezen in { $read }: zet de eenheid boven de eerste rij of verbeter deze regel
 exchange-unit-given = de gekozen eenheid is { $given }, maar het bestand zegt { $unit } (“{ $text }”): kies { $unit } of verbeter het bestand
 exchange-unit-half = kolom { $column } is in inch en kolom { $open } noemt geen eenheid: zet die bij beide namen of kies de eenheid van de maten (--columns unit=inch)
 exchange-unit-missing = de eenheid van deze rij ontbreekt: vul mm, µm of inch in of kies de eenheid van de maten (--columns unit=mm)

@@ -91,6 +91,7 @@ pub struct Court<'a> {
 
 /// Which rows can be judged fast.
 #[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each answers another question about the rows")]
 struct Fast<'a> {
     measured: (usize, Unit),
     nominal: Option<(usize, Unit)>,
@@ -438,7 +439,7 @@ impl Judge<'_> {
         if columns.stated.is_row_of_units(&cells) {
             return take.refused(row, "");
         }
-        let stray = || stated::stray(columns, usize::MAX, &cells);
+        let stray = || stated::stray(columns, &cells);
         let (has_commas, sources) = (self.court.fast.has_commas, self.court.sources);
         let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
         if self.court.fast.has_comments && cells::is_comment(&cells) {

@@ -86,7 +86,7 @@ impl Picker<'_> {
     /// Why a row of cells has no verdict.
     fn why(&self, cells: &StringRecord) -> Message {
         let court = self.court;
-        let stray = || stated::stray(&court.layout().columns, usize::MAX, cells);
+        let stray = || stated::stray(&court.layout().columns, cells);
         if cells::is_comment(cells) {
             return stray().unwrap_or(ImportErrorKind::Comment).message();
         }

@@ -17,7 +17,9 @@ use std::collections::VecDeque;
 use super::Format;
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
 use super::imported::Sink;
+use super::pieces::Pieces;
 use super::source::{Beginning, Source};
+use super::stated;
 use crate::control::mask::{Found, Inverse, Mask, Printed};
 use crate::control::simulated::is_mark;
 use crate::control::text;
@@ -58,6 +60,7 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
             ImportWarningKind::IgnoredColumns { columns: super::columns::listed(&ignored) },
         );
     }
+    in_mm(&mut source.pieces(text::LINE_END_BYTES)?)?;
     let judging = Judging { slots: inverse.slots(), roles: &roles, context: &context };
     let mut pieces = source.pieces(text::LINE_END_BYTES)?;
     let mut window = Window { inverse: &inverse, lines: VecDeque::new(), simulated_from: None };
@@ -81,6 +84,20 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
         }
     }
     if sink.rows() == 0 { Err(ImportErrorKind::NoRows) } else { Ok(()) }
+}
+
+/// Refuses a print that says inch anywhere.
+fn in_mm(pieces: &mut Pieces<'_>) -> Result<(), ImportErrorKind> {
+    let mut next = 1;
+    while let Some(piece) = pieces.next()? {
+        for (line, text) in text::lines_from(&piece, next) {
+            next = line + 1;
+            if let Some(unit) = stated::inch_in(text) {
+                return Err(ImportErrorKind::PrintUnit { line, unit: shorten(unit) });
+            }
+        }
+    }
+    Ok(())
 }
 
 /// Whether one of the masks, or several, seem to have printed a file.

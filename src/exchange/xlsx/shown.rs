@@ -17,8 +17,12 @@ pub(super) fn unit(code: &str) -> Option<String> {
     for section in sections(code) {
         let words: Vec<&str> = section.split_whitespace().map(|word| word.trim_matches(BRACKETS)).collect();
         for (at, &word) in words.iter().enumerate() {
+            // A unit before the figures, and nothing else: [$in] 0.000.
+            let is_before = at == 0 && words.get(1..) == Some(&[FIGURES.trim()]);
             let is_behind = words.get(..at).and_then(<[_]>::last) == Some(&FIGURES.trim()) && at + 1 == words.len();
-            if (units::may_be_unit(word, is_behind) || word == "%") && !units.iter().any(|known| known == word) {
+            if (units::may_be_unit(word, is_behind || is_before) || word == "%")
+                && !units.iter().any(|known| known == word)
+            {
                 units.push(word.to_owned());
             }
         }
@@ -35,7 +39,6 @@ fn sections(code: &str) -> Vec<String> {
         let Some(text) = sections.last_mut() else { break };
         match sign {
             '"' => text.extend(signs.by_ref().take_while(|&sign| sign != '"')),
-            '@' => text.push_str(FIGURES),
             // Some programs write letters that stand for themselves without quotation marks.
             'a'..='z' | 'A'..='Z' => {
                 let mut letters = String::from(sign);
@@ -62,7 +65,7 @@ fn sections(code: &str) -> Vec<String> {
             '%' => text.push_str(" % "),
             '\u{b5}' | '\u{3bc}' | '\u{2033}' => text.push(sign),
             '0' | '#' | '?' if text.ends_with(FIGURES) => {}
-            '0' | '#' | '?' => text.push_str(FIGURES),
+            '0' | '#' | '?' | '@' => text.push_str(FIGURES),
             '.' | ',' => {}
             _ => text.push(' '),
         }
@@ -98,6 +101,7 @@ mod tests {
             ("General\" mm\"", Some("mm")),
             ("@\" in\"", Some("in")),
             ("#,##0.0000\\\"", Some("\"")),
+            ("[$in]\u{a0}0.0000", Some("in")),
             ("0.0000 in", Some("in")),
             ("0.0000 inch", Some("inch")),
             ("0.00E+00", None),

@@ -114,7 +114,8 @@ impl Shared {
             .text("unit", words.get(unit_id(detected.mapping.unit_word())));
         let remembered = used.remembered.as_ref();
         let said = remembered.map(|(_, day)| Message::new("columns-page-remembered").text("day", day));
-        notice.details.extend(said.into_iter().chain([message]));
+        let from = detected.unit_from.as_ref().map(|from| Message::new("columns-page-unit-from").text("from", from));
+        notice.details.extend(said.into_iter().chain([message]).chain(from));
         let shape = remembered.map(|(shape, _)| shape.clone());
         notice.columns = Some(NoticeColumns { path: used.path, into: used.into, shape });
     }

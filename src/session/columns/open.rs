@@ -39,6 +39,8 @@ pub struct OpenColumns {
     header: Option<usize>,
     /// The lines of the shown rows that are read as values.
     lines: Vec<usize>,
+    /// What says the unit of sizes, as it stands in the file.
+    unit_from: Option<String>,
     read: usize,
     problem: Option<Message>,
     /// Why nothing can be taken.
@@ -56,6 +58,7 @@ impl OpenColumns {
             names: Vec::new(),
             header: None,
             lines: Vec::new(),
+            unit_from: None,
             read: 0,
             problem: None,
             refusal: None,
@@ -98,9 +101,11 @@ impl OpenColumns {
         self.width = self.asked.first.width(&mapping).max(self.choice.roles.len());
         let detected = self.asked.first.detect(&mapping);
         (self.header, self.lines, self.read, self.problem, self.refusal) = (None, Vec::new(), 0, None, None);
+        self.unit_from = None;
         match &detected {
             Ok(detected) => {
                 self.header = detected.header;
+                self.unit_from.clone_from(&detected.unit_from);
                 let is_shown = |line: &usize| self.rows.iter().any(|(shown, _)| shown == line);
                 self.lines = detected.rows.iter().map(|(line, _)| *line).filter(is_shown).collect();
                 self.refusal = refusal(self.asked.into, |role| detected.has(role));
@@ -164,6 +169,11 @@ impl OpenColumns {
     /// The lines of the shown rows that are read as values.
     pub fn lines(&self) -> &[usize] {
         &self.lines
+    }
+
+    /// What says the unit of sizes, as it stands in the file.
+    pub fn unit_from(&self) -> Option<&str> {
+        self.unit_from.as_deref()
     }
 
     /// Whether a column has a coordinate.

@@ -9,7 +9,9 @@
 //! | a title or comment behind rows | must say what was read before |
 //! | what the user says | must be what the file says |
 //!
-//! Two statements that contradict each other, and one that is not understood, are refused.
+//! Two statements that contradict each other, and one that is not understood, are refused. `mention` has the words.
+
+mod mention;
 
 use csv::StringRecord;
 
@@ -19,226 +21,11 @@ use super::delimited::{SEPARATORS, lines};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
 use super::pieces::Pieces;
 use super::rules::{Cell, Refused};
-use super::words::{self, Rank};
-use super::{Role, units};
+use super::units;
+use super::words::Rank;
 use crate::length::Unit;
-
-/// The most lines below the header that are kept because they may state a unit.
-const MOST_LATE: usize = 1_000;
-
-/// Names of what states a unit, in small letters.
-const KEYS: &str = "unit|units|uom|u o m|unit of measure|units of measure|unit of measurement|units of measurement|measurement unit|\
-    measurement units|measuring unit|measuring units|measure unit|length unit|length units|linear unit|linear units|unit of length|\
-    units of length|dimension unit|dimension units|dimensional units|size unit|value unit|measured unit|nominal unit|actual unit|\
-    unit measured|unit nominal|unit actual|unit value|unit measure|einheit|einheiten|maßeinheit|masseinheit|maßeinheiten|\
-    masseinheiten|messeinheit|messeinheiten|längeneinheit|laengeneinheit|einheit der maße|eenheid|eenheden|maateenheid|meeteenheid|\
-    lengte eenheid|lengteeenheid|unità|unita|unità di misura|unita di misura|u m|udm|unité|unidad";
-
-/// Words that say such a name within a longer one.
-const KEY_WORDS: [&str; 14] = [
-    "unit",
-    "units",
-    "uom",
-    "einheit",
-    "einheiten",
-    "maßeinheit",
-    "masseinheit",
-    "messeinheit",
-    "eenheid",
-    "eenheden",
-    "meeteenheid",
-    "unità",
-    "unita",
-    "unité",
-];
-
-/// Words before a unit that say that values are in it.
-const LINKS: &str = "in|are|is|all|values|value|units|unit|dimensions|dimension|sizes|measurements|lengths|einheit|einheiten|sind|ist|\
-    werte|messwerte|maße|masse|angaben|alle|längen|eenheid|eenheden|zijn|is|waarden|maten|afmetingen|unità|unita|sono|valori|misure|\
-    quote|dimensioni|tutte|tutti";
-
-/// Words that turn a sentence round.
-const NOT: [&str; 6] = ["not", "nicht", "niet", "non", "kein", "geen"];
-
-/// Units of what is not a length.
-const OTHER: &str = "c|°c|ºc|℃|f|°f|k|degc|celsius|deg|degree|degrees|°|º|grad|grado|gradi|graden|rad|gon|n|kn|%|s|sec|min|h|ms|kg|g|bar|\
-    mpa|gpa|pa|psi|v|a|hz|rpm|pcs|stk|stück|stuks|pz|ea|n/a|none|text|-|–|—";
-
-/// What one word is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-enum Word {
-    Length(Unit),
-    /// A unit of length that is not read.
-    Foreign,
-    /// A unit of something else.
-    Other,
-    Unknown,
-}
-
-fn word(text: &str) -> Word {
-    let text = text.trim().trim_matches(['[', ']', '(', ')', '{', '}', '<', '>', ',', ';']).trim();
-    let small = text.to_lowercase();
-    if let Some(unit) = units::known(text) {
-        return Word::Length(unit);
-    }
-    let is_other = OTHER.split('|').any(|other| other == small.trim_end_matches('.'));
-    match small.as_str() {
-        _ if is_other && !text.is_empty() => Word::Other,
-        "metric" | "metrisch" | "metriek" | "metrico" => Word::Length(Unit::Millimetre),
-        small if units::is_foreign(small.trim_end_matches('.')) => Word::Foreign,
-        _ => Word::Unknown,
-    }
-}
-
-/// What was stated: a unit, or what cannot be read as one.
-type Said = Result<Unit, String>;
-
-/// A unit that a line names, and whether it says that values are in it.
-type Mention = (Said, bool);
-
-/// Whether a text names what states a unit: with its whole name, or among other words.
-fn key(text: &str) -> Option<Rank> {
-    let bare = words::bare(text);
-    if KEYS.split('|').any(|key| key == bare) {
-        return Some(Rank::Exact);
-    }
-    let is_key = bare.split(' ').any(|part| KEY_WORDS.contains(&part)) && !bare.contains(|c: char| c.is_ascii_digit());
-    is_key.then_some(Rank::Contained)
-}
-
-/// The unit behind a key; `None` where it says nothing of lengths.
-fn value(text: &str) -> Result<Option<Unit>, String> {
-    let mut found = None;
-    for part in text.split([',', '/', '|', '+', ';', ' ']).map(str::trim).filter(|part| !part.is_empty()) {
-        match word(part) {
-            Word::Length(unit) if found.is_none_or(|found| found == unit) => found = Some(unit),
-            Word::Other => {}
-            Word::Length(_) | Word::Foreign | Word::Unknown => return Err(text.trim().to_owned()),
-        }
-    }
-    Ok(found)
-}
-
-fn begins_with_figure(text: &str) -> bool {
-    text.trim_start_matches(['+', '-', '\u{2212}', '.']).starts_with(|c: char| c.is_ascii_digit())
-}
-
-/// What a line that is no row says of units.
-fn mentions<'c>(cells: impl Iterator<Item = &'c str>) -> Vec<Mention> {
-    let marks = ['#', '!', '%', '*', '/', '\''];
-    let cells: Vec<&str> = cells.map(str::trim).collect();
-    let roles: Vec<_> = cells.iter().map(|cell| words::role(cell)).collect();
-    let has_measured = roles.iter().any(|role| matches!(role, Some((Role::Measured, rank)) if *rank != Rank::Weak));
-    // A commented header states the units of its own columns.
-    let is_header = has_measured && 2 <= roles.iter().flatten().count();
-    let fields: Vec<&str> = cells
-        .iter()
-        .flat_map(|cell| cell.split([':', '=']))
-        .map(|field| field.trim_start_matches(marks).trim())
-        .filter(|field| !field.is_empty())
-        .collect();
-    let mut found = Vec::new();
-    let mut at = 0;
-    while let Some(&field) = fields.get(at) {
-        let (before, behind) = (at.checked_sub(1).and_then(|at| fields.get(at)), fields.get(at + 1));
-        at += 1;
-        if let Some(rank) = key(field)
-            && let Some(text) = behind
-            && word(field) == Word::Unknown
-        {
-            let is_foreign = || text.split_whitespace().any(|part| word(part) == Word::Foreign);
-            match value(text) {
-                Ok(unit) => found.extend(unit.map(|unit| (Ok(unit), true))),
-                Err(text) if rank == Rank::Exact || is_foreign() => found.push((Err(text), true)),
-                Err(_) => continue,
-            }
-            at += 1;
-        } else if !is_header {
-            found.extend(of_field(field, before.copied(), behind.copied()));
-        }
-    }
-    if is_header {
-        let is_size = |role: &Option<(Role, Rank)>| matches!(role, Some((Role::Measured | Role::Nominal, _)));
-        for (cell, _) in cells.iter().zip(&roles).filter(|(_, role)| is_size(role)) {
-            match of_name(cell.trim_start_matches(marks)) {
-                Ok(unit) => found.extend(unit.map(|unit| (Ok(unit), true))),
-                Err(unknown) => found.push((Err(unknown), true)),
-            }
-        }
-    }
-    found
-}
-
-/// Whether a comment says anything of units.
-pub(super) fn may_state(cells: &StringRecord) -> bool {
-    !mentions(cells.iter()).is_empty()
-}
-
-/// What a text without a key says.
-fn of_field(field: &str, before: Option<&str>, behind: Option<&str>) -> Option<Mention> {
-    let is_link = |text: &str| LINKS.split('|').any(|link| link == text);
-    let has_link = |text: &str| text.to_lowercase().split_whitespace().any(is_link);
-    // "Tip [mm];3" is a size of its own.
-    let is_of_number = before.is_some_and(begins_with_figure) || behind.is_some_and(begins_with_figure);
-    let said = |text: &str| match word(text) {
-        Word::Length(unit) => Some(Ok(unit)),
-        Word::Foreign => Some(Err(text.trim_matches(['[', ']', '(', ')']).to_owned())),
-        Word::Other | Word::Unknown => None,
-    };
-    if let Some(unit) = said(field) {
-        let is_clear = before.is_none_or(has_link) && 1 < field.chars().count() && !units::is_also_a_word(field);
-        return (!is_of_number).then_some((unit, is_clear));
-    }
-    let is_negated = field.to_lowercase().split_whitespace().any(|part| NOT.contains(&part));
-    let bracket = field.strip_suffix([')', ']']).and_then(|field| field.rsplit_once(['(', '[']));
-    if let Some((_, inside)) = bracket.filter(|(_, inside)| 1 < inside.chars().count() || word(inside) != Word::Foreign)
-        && let Some(unit) = said(inside)
-    {
-        return (!is_of_number).then_some((unit, !is_negated));
-    }
-    let tokens: Vec<&str> = field.split_whitespace().map(|token| token.trim_matches(['.', ',', '!', '?'])).collect();
-    for (at, token) in tokens.iter().enumerate() {
-        let previous = at.checked_sub(1).and_then(|at| tokens.get(at)).map(|token| token.to_lowercase());
-        let previous = previous.as_deref();
-        if previous.is_some_and(begins_with_figure) {
-            continue;
-        }
-        let is_last = at + 1 == tokens.len();
-        let is_linked = previous.is_some_and(is_link);
-        let is_before_key = tokens.get(at + 1).is_some_and(|next| key(next).is_some());
-        match (word(token), said(token)) {
-            (Word::Length(_), Some(unit)) => {
-                let is_sign = units::is_also_a_word(token) || !token.contains(char::is_alphabetic);
-                if !is_sign {
-                    return Some((unit, (is_linked || is_before_key) && !is_negated));
-                }
-                if is_last && previous == Some("in") {
-                    return Some((unit, !is_negated));
-                }
-            }
-            (Word::Foreign, Some(unit))
-                if is_linked && (1 < token.chars().count() || is_last && previous == Some("in")) =>
-            {
-                return Some((unit, !is_negated));
-            }
-            _ => {}
-        }
-    }
-    None
-}
-
-/// The unit that the name of a column says; a name that is nothing but a unit says it too.
-fn of_name(name: &str) -> Result<Option<Unit>, String> {
-    Ok(units::unit(name)?.or_else(|| units::known(name.trim()).filter(|_| !units::is_also_a_word(name.trim()))))
-}
-
-/// Whether the row below a header gives the units of its columns.
-pub(super) fn is_row_of_units(header: &StringRecord, cells: &StringRecord) -> bool {
-    let is_unit = |(at, cell): (usize, &str)| {
-        matches!(word(cell), Word::Length(_) | Word::Foreign) && header.get(at).is_none_or(|name| key(name).is_none())
-    };
-    !cells.iter().any(|cell| cell.contains(|c: char| c.is_ascii_digit())) && cells.iter().enumerate().any(is_unit)
-}
+use mention::{Mention, Word, behind_number, key, mentions, of_name, word};
+pub(super) use mention::{are_units, inch_in, is_row_of_units, may_state, names_units, not_mm, plain_unit};
 
 /// What a file states.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -285,12 +72,7 @@ pub(super) const fn sign(unit: Unit) -> &'static str {
 }
 
 fn differ((unit, at): (Unit, &str), (other, other_at): (Unit, &str)) -> ImportErrorKind {
-    ImportErrorKind::UnitsDiffer {
-        unit: sign(unit).to_owned(),
-        at: shorten(at),
-        other: sign(other).to_owned(),
-        other_at: shorten(other_at),
-    }
+    ImportErrorKind::UnitsDiffer { unit: sign(unit), at: shorten(at), other: sign(other), other_at: shorten(other_at) }
 }
 
 /// Decides the units of the columns of a file by its first rows.
@@ -315,7 +97,7 @@ pub(super) fn decide(sample: &Sample, columns: &mut Columns) -> Result<(), Impor
     // What stands above the rows: titles, comments, and names of columns in which nothing stands.
     let is_row_of_units = |line: usize| stated.row.as_ref().is_some_and(|(row, _)| *row == line);
     let above = sample.rows.iter().take(sample.above).filter(|(line, cells)| {
-        !is_row_of_units(*line) && !(is_header(*line) && names.is_some_and(|names| names == cells))
+        !(is_row_of_units(*line) || is_header(*line) && names.is_some_and(|names| names == cells))
     });
     let comments = sample.comments.iter().filter(|(line, _)| *line < stated.first);
     let mut said: Vec<(usize, String, Mention)> = Vec::new();
@@ -390,13 +172,13 @@ fn in_place_of_a_value(data: &[(usize, StringRecord)], columns: &Columns) -> Res
             Word::Foreign => cell.trim(),
             _ => continue,
         };
-        return Err(late(columns, *line, unit, &joined(cells)));
+        return Err(late(columns, Some(*line), unit, &joined(cells)));
     }
     Ok(())
 }
 
 fn given_differs(given: Unit, unit: &str, text: &str) -> ImportErrorKind {
-    ImportErrorKind::UnitGiven { given: sign(given).to_owned(), unit: shorten(unit), text: shorten(text) }
+    ImportErrorKind::UnitGiven { given: sign(given), unit: shorten(unit), text: shorten(text) }
 }
 
 fn has_figure(cells: &StringRecord) -> bool {
@@ -515,31 +297,36 @@ fn halves<'n>(stated: &Stated, columns: &Columns, name: &impl Fn(usize) -> &'n s
     }
 }
 
-fn late(columns: &Columns, line: usize, unit: &str, text: &str) -> ImportErrorKind {
-    let read = columns.stated.decided(columns).map_or("-", sign).to_owned();
-    ImportErrorKind::UnitLate { line, unit: shorten(unit), text: shorten(text), read }
+fn late(columns: &Columns, line: Option<usize>, unit: &str, text: &str) -> ImportErrorKind {
+    let read = columns.stated.decided(columns).map_or("-", sign);
+    let (unit, text) = (shorten(unit), shorten(text));
+    match line {
+        Some(line) => ImportErrorKind::UnitLate { line, unit, text, read },
+        None => ImportErrorKind::UnitStray { unit, text, read },
+    }
 }
 
-/// Why a line that is no row contradicts the units that rows are read by.
-pub(super) fn stray(columns: &Columns, line: usize, cells: &StringRecord) -> Option<ImportErrorKind> {
-    stray_of(columns, line, || cells.iter(), || joined(cells))
+/// Why a line that is no row contradicts the units that rows are read by; whoever tells it says where it stands.
+pub(super) fn stray(columns: &Columns, cells: &StringRecord) -> Option<ImportErrorKind> {
+    let may_be = cells::is_comment(cells) || !has_figure(cells) && columns.stated.columns.is_empty();
+    may_be.then(|| stray_of(columns, None, || cells.iter(), || joined(cells))).flatten()
 }
 
 /// The same of a row of a sheet, which may be one with values.
 pub(super) fn stray_row(columns: &Columns, line: usize, cells: &StringRecord) -> Option<ImportErrorKind> {
     let may_be = columns.stated.first < line && (cells::is_comment(cells) || !has_figure(cells));
-    may_be.then(|| stray(columns, line, cells)).flatten()
+    may_be.then(|| stray_of(columns, Some(line), || cells.iter(), || joined(cells))).flatten()
 }
 
 fn stray_of<'c, C: Iterator<Item = &'c str>>(
     columns: &Columns,
-    line: usize,
+    line: Option<usize>,
     cells: impl Fn() -> C,
     text: impl Fn() -> String,
 ) -> Option<ImportErrorKind> {
     let stated = &columns.stated;
     let mentions = mentions(cells());
-    if mentions.is_empty() || stated.row.as_ref().is_some_and(|(row, _)| *row == line) {
+    if mentions.is_empty() || stated.row.as_ref().is_some_and(|(row, _)| Some(*row) == line) {
         return None;
     }
     if stated.header == squeezed(cells()) {
@@ -557,9 +344,13 @@ fn stray_of<'c, C: Iterator<Item = &'c str>>(
     None
 }
 
+/// A line with its number.
+type Line = (usize, String);
+
 /// The lines of a text that may state a unit and are no rows: comments, and those without any figure.
-pub(super) fn unit_lines(pieces: &mut Pieces<'_>) -> Result<Vec<(usize, String)>, ImportErrorKind> {
-    let mut found = Vec::new();
+pub(super) fn unit_lines(pieces: &mut Pieces<'_>) -> Result<Vec<Line>, ImportErrorKind> {
+    // Of lines that say the same, the first one and the last one tell all.
+    let mut found: Vec<(Vec<Mention>, [Line; 2])> = Vec::new();
     let mut next = 1;
     while let Some(piece) = pieces.next()? {
         let mut last = next;
@@ -568,13 +359,19 @@ pub(super) fn unit_lines(pieces: &mut Pieces<'_>) -> Result<Vec<(usize, String)>
             let text = piece.get(from..to).unwrap_or_default();
             let may_be = || !text.bytes().any(|byte| byte.is_ascii_digit());
             let is_comment = text.trim_start_matches([' ', '\t', '"']).starts_with('#');
-            if (is_comment || may_be()) && found.len() < MOST_LATE && !mentions(split(text)).is_empty() {
-                found.push((line, text.trim().to_owned()));
+            if !is_comment && !may_be() {
+                continue;
+            }
+            let (said, this) = (mentions(split(text)), || (line, text.trim().to_owned()));
+            match found.iter_mut().find(|(before, _)| *before == said) {
+                _ if said.is_empty() => {}
+                Some((_, [_, last])) => *last = this(),
+                None => found.push((said, [this(), this()])),
             }
         }
         next = last;
     }
-    Ok(found)
+    Ok(found.into_iter().flat_map(|(_, lines)| lines).collect())
 }
 
 /// The cells of a line, whatever separates them.
@@ -584,9 +381,10 @@ fn split(text: &str) -> impl Iterator<Item = &str> {
 }
 
 /// Refuses a file with a line behind its first row that states another unit.
-pub(super) fn agree(columns: &Columns, lines: &[(usize, String)]) -> Result<(), ImportErrorKind> {
+pub(super) fn agree(columns: &Columns, lines: &[Line]) -> Result<(), ImportErrorKind> {
     let behind = lines.iter().filter(|(line, _)| columns.stated.first < *line);
-    let mut reasons = behind.filter_map(|(line, text)| stray_of(columns, *line, || split(text), || shorten(text)));
+    let mut reasons =
+        behind.filter_map(|(line, text)| stray_of(columns, Some(*line), || split(text), || shorten(text)));
     reasons.next().map_or(Ok(()), Err)
 }
 
@@ -703,91 +501,5 @@ impl Stated {
             (!cells::is_blank(cells) && units::known(cell).is_some()).then(|| joined(cells))
         };
         self.row.as_ref().and_then(in_row).or_else(|| Some(name(measured)))
-    }
-}
-
-/// The unit behind the number of a cell.
-fn behind_number(text: &str) -> Option<Unit> {
-    let unit = text.trim_start_matches(|c: char| c.is_ascii_digit() || " .,+-\u{2212}".contains(c));
-    units::known(unit).filter(|_| unit.len() < text.len())
-}
-
-/// What a line of contacts, which are in mm, says against that: another unit, or one that is not known.
-pub(super) fn not_mm<'c>(cells: impl Iterator<Item = &'c str>) -> Option<String> {
-    mentions(cells).into_iter().find_map(|(unit, _)| match unit {
-        Ok(Unit::Millimetre) => None,
-        Ok(unit) => Some(sign(unit).to_owned()),
-        Err(unknown) => Some(unknown),
-    })
-}
-
-/// Whether all cells of a row are units or nothing.
-pub(super) fn are_units<'c>(mut cells: impl Iterator<Item = &'c str>) -> bool {
-    cells.all(|cell| cell.trim().is_empty() || matches!(word(cell), Word::Length(_) | Word::Foreign))
-}
-
-/// Whether a column of this name states units.
-pub(super) fn names_units(name: &str) -> bool {
-    key(name) == Some(Rank::Exact)
-}
-
-/// The unit of a cell in most of its spellings, as bytes.
-#[inline]
-pub(super) fn plain_unit(cell: &[u8]) -> Option<Unit> {
-    match cell {
-        b"mm" | b"MM" => Some(Unit::Millimetre),
-        b"um" | b"\xc2\xb5m" | b"\xce\xbcm" => Some(Unit::Micrometre),
-        b"in" | b"inch" | b"INCH" | b"Inch" | b"IN" => Some(Unit::Inch),
-        _ => None,
-    }
-}
-
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn lines_state_units_or_name_them_or_say_nothing() {
-        let clear = |unit: Unit| vec![(Ok(unit), true)];
-        let unclear = |unit: Unit| vec![(Ok(unit), false)];
-        let no = |text: &str| vec![(Err(text.to_owned()), true)];
-        let (mm, um, inch) = (Unit::Millimetre, Unit::Micrometre, Unit::Inch);
-        for (line, expected) in [
-            ("# unit: inch", clear(inch)),
-            ("Unit:;inch", clear(inch)),
-            ("units=INCH", clear(inch)),
-            ("All values in inch", clear(inch)),
-            ("Maße in mm", clear(mm)),
-            ("Alle Werte in Zoll", clear(inch)),
-            ("Alle maten in duim", clear(inch)),
-            ("Tutte le misure in pollici", clear(inch)),
-            ("Einheit;µm", clear(um)),
-            ("Messprotokoll [mm]", clear(mm)),
-            ("inch", clear(inch)),
-            ("(inch)", clear(inch)),
-            ("Values: inches", clear(inch)),
-            ("inch units", clear(inch)),
-            ("values in in", clear(inch)),
-            ("Dimensions in cm", no("cm")),
-            ("Unit: furlong", no("furlong")),
-            ("Unit: 0.001 mm", no("0.001 mm")),
-            ("# measured in mils", no("mils")),
-            ("Part;4711;Units;inch;Operator;JJ", clear(inch)),
-            ("Zoll;12345", Vec::new()),
-            ("Werkzeug Zoll", unclear(inch)),
-            ("values are not in inch", unclear(inch)),
-            ("Temperature;20.1 C;Probe;3 mm", Vec::new()),
-            ("Temperature unit;°C", Vec::new()),
-            ("Unit;°C", Vec::new()),
-            ("Unit;", Vec::new()),
-            ("Tip [mm];3", Vec::new()),
-            ("Part Name;Plate 4711;Drawing;D-200", Vec::new()),
-            ("in the machine", Vec::new()),
-            ("checked by;JJ", Vec::new()),
-            ("# id;callout;measured [inch]", clear(inch)),
-            ("# id;callout;measured;deviation [µm]", Vec::new()),
-        ] {
-            assert_eq!(mentions(split(line)), expected, "{line}");
-        }
     }
 }

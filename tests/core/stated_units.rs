@@ -53,10 +53,11 @@ fn book(rows: &[Vec<&str>], format: Option<&str>) -> Vec<u8> {
     for row in rows {
         sheet.push_str("<row>");
         for cell in row {
-            sheet += &match cell.parse::<f64>() {
+            let cell = match cell.parse::<f64>() {
                 Ok(_) => format!("<c s=\"1\"><v>{cell}</v></c>"),
                 Err(_) => format!("<c t=\"inlineStr\"><is><t>{}</t></is></c>", escaped(cell)),
             };
+            sheet.push_str(&cell);
         }
         sheet.push_str("</row>");
     }
@@ -114,8 +115,8 @@ fn check(text: &str, expected: Result<&str, &str>) {
     // Whoever takes measured sizes alone reads the same unit or refuses.
     let alone = sizes("a.csv", text.as_bytes(), Feature::Hole);
     if let Some(size) = alone.measured.first().filter(|_| text.contains("1.0009")) {
-        let inch = expected == Ok("SCRAP");
-        assert_eq!(size.measured.to_string(), if inch { "25.42286" } else { "1.0009" }, "{text}");
+        let right = if expected.is_ok_and(|words| words.starts_with("GOOD")) { "1.0009" } else { "25.42286" };
+        assert_eq!(size.measured.to_string(), right, "{text}");
     }
 }
 
@@ -221,7 +222,7 @@ fn a_column_of_units_states_that_of_its_row() {
         "unità di misura",
         "measured unit",
         "EH",
-        "",
+        "-",
     ] {
         for unit in ["inch", "in", "IN", "Inches", "Zoll", "duim", "pollici"] {
             check(&format!("id;nominal;class;measured;{name}\nA;1;H7;1.0009;{unit}\n"), Ok("SCRAP"));
@@ -299,7 +300,8 @@ fn a_statement_far_behind_the_first_rows_holds_for_all_of_them() {
     assert!(errors[0].contains("line 20002 states inch"), "{errors:?}");
     // A stream was judged before its end is known: the line says so, and the exit code.
     let (_, errors) = judged(&many);
-    assert_eq!(errors.len(), 1);
+    let [error] = errors.as_slice() else { panic!("{errors:?}") };
+    assert!(error.starts_with("this line states inch"), "{error}");
     let rows: Vec<Vec<&str>> =
         many.lines().take(400).chain(["All values in inch"]).map(|line| line.split(';').collect()).collect();
     let (statuses, errors) = imported("a.xlsx", &book(&rows, None));
@@ -348,6 +350,32 @@ fn what_says_the_unit_is_shown_with_the_columns() {
 }
 
 #[test]
+fn a_print_of_a_control_in_inches_is_refused() {
+    let read = |mask: &str, print: &str| {
+        let masks = [("m.a".to_owned(), fitcheck::control::mask::Mask::read(mask.as_bytes()).unwrap().0)];
+        let sources = Sources::default();
+        let given = Given { masks: &masks, ..Given::new(&sources, NOW) };
+        let mut said = Vec::new();
+        import_from("p.txt", &mut Cursor::new(print.as_bytes()), given, &mut |item| match item {
+            Item::Record { record, .. } => said.push(record.verdict.size.status.word().to_owned()),
+            Item::Error(error) => said.push(error.to_string()),
+            _ => {}
+        });
+        said
+    };
+    let mask = |unit: &str| format!("\"NOMINAL: %9.4F {unit}\",Q262;\n\"ACTUAL: %9.4F {unit}\",Q153;\n");
+    let print = |unit: &str| format!("NOMINAL:   25.0000 {unit}\nACTUAL:   25.0120 {unit}\n");
+    for unit in ["INCH", "in", "inch", "\u{2033}"] {
+        let said = read(&mask(unit), &print(unit));
+        assert!(said[0].contains("but prints of a control are read in mm"), "{unit} {said:?}");
+    }
+    let said = read(&mask("mm"), &print("mm"));
+    assert!(!said.iter().any(|said| said.contains("prints of a control")), "{said:?}");
+    let said = read(&mask("mm"), &format!("UNIT: INCH\n{}", print("mm")));
+    assert!(said[0].contains("line 1 states INCH"), "{said:?}");
+}
+
+#[test]
 fn contacts_in_another_unit_are_refused() {
     let circle = "12.5;0\n0;12.5\n-12.5;0\n";
     let read = |text: String| {
@@ -371,7 +399,7 @@ fn contacts_in_another_unit_are_refused() {
 fn the_command_line_says_where_an_inch_comes_from_and_ends_as_its_worst_row() {
     let folder = tempfile::tempdir().unwrap();
     let run = |command: &[&str], name: &str, text: &str| {
-        std::fs::write(folder.path().join(name), text).unwrap();
+        std::fs::File::create(folder.path().join(name)).unwrap().write_all(text.as_bytes()).unwrap();
         let mut binary = Command::cargo_bin("fitcheck").unwrap();
         let output = binary.current_dir(folder.path()).args(command).arg(name).output().unwrap();
         (
