@@ -66,7 +66,7 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
     let (mapping, detects) = (source.given.mapping, Mapping::default());
     let has_plan = source.given.has_plan;
     // What is stated behind the last row holds for the first one as well.
-    let unit_lines = stated::unit_lines(&mut source.pieces(LINE_ENDS)?)?;
+    let unit_lines = stated::unit_lines(&mut source.pieces(LINE_ENDS)?);
     let mut pieces = source.pieces(LINE_ENDS)?;
     let head = head(&mut pieces)?;
     let (text, first_line, separator) = without_separator_line(&head);

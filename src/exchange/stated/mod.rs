@@ -344,15 +344,18 @@ fn stray_of<'c, C: Iterator<Item = &'c str>>(
     None
 }
 
+/// The most different statements that are kept: long before, two of them contradict each other.
+const MOST_SAID: usize = 1_000;
+
 /// A line with its number.
 type Line = (usize, String);
 
 /// The lines of a text that may state a unit and are no rows: comments, and those without any figure.
-pub(super) fn unit_lines(pieces: &mut Pieces<'_>) -> Result<Vec<Line>, ImportErrorKind> {
-    // Of lines that say the same, the first one and the last one tell all.
+pub(super) fn unit_lines(pieces: &mut Pieces<'_>) -> Vec<Line> {
+    // Of lines that say the same, the first one and the last one tell all. What cannot be read is told where rows are.
     let mut found: Vec<(Vec<Mention>, [Line; 2])> = Vec::new();
     let mut next = 1;
-    while let Some(piece) = pieces.next()? {
+    while let Ok(Some(piece)) = pieces.next() {
         let mut last = next;
         for (line, from, to) in lines(&piece, 0, next) {
             last = line + 1;
@@ -363,15 +366,17 @@ pub(super) fn unit_lines(pieces: &mut Pieces<'_>) -> Result<Vec<Line>, ImportErr
                 continue;
             }
             let (said, this) = (mentions(split(text)), || (line, text.trim().to_owned()));
+            let has_room = found.len() < MOST_SAID;
             match found.iter_mut().find(|(before, _)| *before == said) {
                 _ if said.is_empty() => {}
                 Some((_, [_, last])) => *last = this(),
-                None => found.push((said, [this(), this()])),
+                None if has_room => found.push((said, [this(), this()])),
+                None => {}
             }
         }
         next = last;
     }
-    Ok(found.into_iter().flat_map(|(_, lines)| lines).collect())
+    found.into_iter().flat_map(|(_, lines)| lines).collect()
 }
 
 /// The cells of a line, whatever separates them.
