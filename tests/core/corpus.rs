@@ -415,9 +415,7 @@ fn wanted(command: &clap::Command, path: &[&str], calls: &[&Call], shared: &Shar
         .flatten()
         .collect();
         let has_it = |name: &String| shared.get(name).is_some_and(|ids| ids.contains(argument.get_id().as_str()));
-        // Of structs that always come together, the smallest one that has it.
-        let of_groups = command.get_groups().map(|group| group.get_id().to_string()).filter(has_it);
-        let origin = of_groups.min_by_key(|name| shared.get(name).map_or(usize::MAX, BTreeSet::len));
+        let origin = command.get_groups().map(|group| group.get_id().to_string()).find(has_it);
         let mut want = |text: String, is_used: bool| {
             let what = match &origin {
                 Some(origin) => format!("no subcommand with the options of {origin} has a call with {text}"),
