@@ -16,7 +16,7 @@ pub(super) const ALPHA: f64 = 0.001;
 pub(super) const DEGREES: f64 = 100.0;
 
 /// The temperatures between which a piece is measured, in °C: those of `thermal::Range::MEASURED`. 68 are degrees Fahrenheit, 293 kelvin.
-pub(super) const COLDEST: f64 = 0.0;
+pub(super) const COLDEST: f64 = -20.0;
 pub(super) const WARMEST: f64 = 50.0;
 
 /// A number of a table, if it is there.

@@ -91,7 +91,7 @@ pub(super) struct WarmArgs {
     /// Your own materials, a TOML file: they replace those of the same name and add others
     #[arg(long, value_name = "FILE.toml", requires = "material")]
     materials: Option<PathBuf>,
-    /// Take a temperature as it is given that is below 0 °C, above 50 °C or beyond the range of the expansion
+    /// Take a temperature as it is given that is below -20 °C, above 50 °C or beyond the range of the expansion
     #[arg(long, requires = "temperature")]
     far_temperature: bool,
 }

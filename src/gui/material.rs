@@ -6,7 +6,7 @@ use std::hash::Hash;
 use eframe::egui::{Id, Ui};
 
 use super::view::{View, list_ui};
-use crate::tolerance::fit::thermal::Expansion;
+use crate::tolerance::fit::thermal::{Expansion, Temperature};
 
 /// The list, named by `name`; returns the expansion of the material that was chosen. A typed value belongs to no material any
 /// more.
@@ -29,6 +29,8 @@ pub(super) fn material_ui(
             let certainty = view.words.told(&material.certainty);
             let source = material.source.as_deref().unwrap_or_default();
             let hint = if source.is_empty() { certainty } else { format!("{certainty}: {source}") };
+            let degrees = |temperature: Temperature| view.words.number(&temperature.to_string());
+            let hint = format!("{hint}\n{} … {} °C", degrees(material.range.least), degrees(material.range.most));
             if ui.selectable_label(is, text).on_hover_text(hint).clicked() {
                 taken = Some(material.expansion);
                 ui.close();

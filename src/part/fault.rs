@@ -7,7 +7,7 @@ use crate::message::{Located, Message, Place, Say};
 use crate::probing::cycle::CycleError;
 use crate::tolerance::fit::materials::MaterialsError;
 use crate::tolerance::fit::thermal::ThermalError;
-use crate::tolerance::{Callout, CalloutError, LimitsError};
+use crate::tolerance::{Callout, CalloutError, CalloutErrorKind, LimitsError};
 use crate::verdict::rules::{RuleError, UncertaintyError};
 
 /// What is wrong with a plan, with the place in its file.
@@ -349,6 +349,27 @@ pub enum PlanFault {
         /// What was given.
         given: String,
     },
+}
+
+impl PlanFault {
+    /// What the cell should probably hold, where its deviations are micrometres.
+    pub fn meant(&self) -> Option<String> {
+        match self {
+            Self::Callout { error, .. } => match &error.kind {
+                CalloutErrorKind::MicrometresMeant { offer, .. } => Some(offer.to_string()),
+                _ => None,
+            },
+            Self::Limits { error, .. } => match error.as_ref() {
+                LimitsError::Zone(doubt) => doubt.meant().map(ToString::to_string),
+                _ => None,
+            },
+            Self::Band(error) => match error.as_ref() {
+                LimitsError::Zone(doubt) => doubt.meant_band().map(str::to_owned),
+                _ => None,
+            },
+            _ => None,
+        }
+    }
 }
 
 /// What a plan from another tool does not take over.

@@ -75,6 +75,18 @@ impl ZoneDoubt {
         }
     }
 
+    /// What was probably meant, where that is deviations alone.
+    pub const fn meant_band(&self) -> Option<&str> {
+        match self {
+            Self::CoordinateMicrometres { offer, .. } => Some(offer.as_str()),
+            Self::Micrometres { .. }
+            | Self::MicrometresToZero { .. }
+            | Self::Wide { .. }
+            | Self::ToZero { .. }
+            | Self::Coordinate { .. } => None,
+        }
+    }
+
     /// The same where deviations were not what was written.
     #[must_use]
     pub fn without_offer(self) -> Self {

@@ -87,6 +87,7 @@ mod probe_blocks;
 mod probe_tables;
 mod programs;
 mod promises;
+mod proportions;
 mod qif;
 mod reader_language;
 mod renderings;

@@ -57,6 +57,7 @@ parts-page-fault-of = { $row }, { $column }
 parts-page-fault-row = Row { $row }
 parts-page-fault-plan = Plan
 parts-page-lost = Not understood in the file: nothing is measured or saved by this plan until it is corrected there or left out here
+parts-page-take-meant = Use { $meant }
 parts-page-leave-out = Leave these out
 parts-page-leave-out-hint = The plan is then what could be read; what was not understood may be a feature
 parts-page-left-out = { $count ->

@@ -57,6 +57,7 @@ parts-page-fault-of = { $row }, { $column }
 parts-page-fault-row = Rij { $row }
 parts-page-fault-plan = Plan
 parts-page-lost = Niet begrepen in het bestand: met dit plan wordt niets gemeten of opgeslagen tot het daar verbeterd of hier weggelaten is
+parts-page-take-meant = { $meant } gebruiken
 parts-page-leave-out = Deze weglaten
 parts-page-leave-out-hint = Het plan is dan wat gelezen kon worden; wat niet begrepen is, kan een kenmerk zijn
 parts-page-left-out = { $count ->

@@ -60,6 +60,7 @@ pub use value::{Angle, Value};
 use super::contact::{Contact, Prober};
 use super::simulated::{Shape, Surface};
 use crate::length::Length;
+use crate::tolerance::{Bounds, Deviations, Feature, proportion};
 use crate::verdict::Status;
 use crate::words::Dialogue;
 
@@ -202,6 +203,7 @@ impl Cycle {
         let result = measured.map(|measured| {
             let mut remarks = self.remarks(&inputs);
             remarks.extend(measured.remarks);
+            remarks.extend(self.zone_remarks(&measured.checks));
             remarks.extend(astray);
             CycleResult {
                 path: path.clone(),
@@ -284,6 +286,24 @@ impl Cycle {
             (Some(_), Some(Value::Whole(2))) => LogTarget::Screen,
             _ => LogTarget::None,
         }
+    }
+
+    /// Remarks about limits that are out of all proportion.
+    fn zone_remarks<'a>(&self, checks: &'a [Check]) -> impl Iterator<Item = Remark> + use<'a> {
+        let lies_anywhere = matches!(self.shape(), Shape::Face | Shape::Point);
+        checks.iter().filter_map(move |check| {
+            let middle = check.minimum.midpoint(check.maximum);
+            let from = |limit: Length| limit.saturating_sub(middle);
+            let deviations = Deviations::new(from(check.maximum), from(check.minimum)).ok()?;
+            let doubt = if lies_anywhere || check.what.is_centre() {
+                proportion::doubt_of_coordinate(middle, deviations)
+            } else {
+                // Good for a hole and for a shaft.
+                proportion::doubt(&Bounds::new(Feature::Shaft, middle, deviations)?)
+            };
+            // The parameters of a cycle are limits: no deviations were written.
+            doubt.map(|doubt| Remark::Zone(doubt.without_offer()))
+        })
     }
 
     /// Remarks about inputs without effect, and about a tool that is not monitored: a cycle knows no tool table.

@@ -3,6 +3,7 @@
 use super::key::Key;
 use crate::length::Length;
 use crate::message::Say;
+use crate::tolerance::ZoneDoubt;
 
 /// Something worth knowing about a run.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
@@ -35,6 +36,9 @@ pub enum Remark {
         /// The nominal coordinate.
         nominal: Length,
     },
+    /// Limits that are out of all proportion to the size: the cycle compares with them all the same.
+    #[say(transparent)]
+    Zone(ZoneDoubt),
     /// Contacts lie apart from where the cycle probes.
     ContactAstray {
         /// How many do.

@@ -319,6 +319,8 @@ actions! {
     NextFinding;
     /// Leaves out what could not be read of the plan's file.
     LeaveOutOfPlan;
+    /// Puts into a cell of the plan what it should probably hold.
+    TakeMeantCell;
     /// Chooses the part's picture.
     ChoosePicture;
     /// Begins a part with the serial number in its field.

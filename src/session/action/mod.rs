@@ -99,6 +99,10 @@ impl Action {
                 let meant = meant.map(|meant| words.number(meant)).unwrap_or_default();
                 words.say(&Message::new(self.row().text).text("given", given).text("meant", meant))
             }
+            Self::TakeMeantCell => {
+                let meant = session.parts().meant_here().map(|meant| words.number(&meant)).unwrap_or_default();
+                words.say(&Message::new(self.row().text).text("meant", meant))
+            }
             Self::TakeMeantValue => {
                 let question = session.parts().walking().question();
                 let meant = question.and_then(|question| question.doubt.meant());

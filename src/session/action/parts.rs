@@ -151,6 +151,11 @@ pub(super) fn next_finding() -> Row {
         .when(has_findings)
 }
 
+pub(super) fn take_meant_cell() -> Row {
+    of_table("parts-page-take-meant", PlanCommand::TakeMeant)
+        .when(|session| has_table(session) && session.parts().meant_here().is_some())
+}
+
 pub(super) fn leave_out() -> Row {
     of_table("parts-page-leave-out", PlanCommand::LeaveOut)
         .hint("parts-page-leave-out-hint")

@@ -388,6 +388,7 @@ pub(super) fn row(action: Action) -> Row {
         Action::ShowAllColumns => parts::show_all(),
         Action::PreviousFinding => parts::previous_finding(),
         Action::NextFinding => parts::next_finding(),
+        Action::TakeMeantCell => parts::take_meant_cell(),
         Action::LeaveOutOfPlan => parts::leave_out(),
         Action::ChoosePicture => parts::choose_picture(),
         Action::BeginPart => parts::begin_part(),

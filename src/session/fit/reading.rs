@@ -8,8 +8,9 @@ use crate::message::{Message, Say as _};
 use crate::session::check::{class_text, nominal_text};
 use crate::tolerance::fit::Fit;
 use crate::tolerance::fit::equivalent::{self, Difference};
+use crate::tolerance::fit::materials::Materials;
 use crate::tolerance::fit::search::{Wanted, search_in};
-use crate::tolerance::fit::thermal::ThermalError;
+use crate::tolerance::fit::thermal::{Expansion, ThermalDoubt, ThermalError};
 use crate::tolerance::{Callout, Feature, Limits, Sources, ToleranceClass};
 
 /// The most pairs that a search lists; the total is counted in any case.
@@ -113,6 +114,14 @@ impl FitPage {
                 Ok(expansion) => _ = self.expansions.insert(part, expansion),
                 Err(error) => self.refuse_thermal(field, &error),
             }
+        }
+        let Some(temperature) = self.temperature else { return };
+        let beyond = |expansion: &Expansion| {
+            ThermalDoubt::of_expansion(temperature, *expansion, Materials::shipped().range_of(*expansion))
+        };
+        if let Some(doubt) = self.expansions.values().find_map(beyond) {
+            self.temperature = None;
+            self.errors.insert(FitField::Temperature, doubt.message());
         }
     }
 

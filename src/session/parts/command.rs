@@ -80,6 +80,8 @@ pub enum PlanCommand {
     NextFinding(bool),
     /// Goes to what could not be read of the file, by its place in the list.
     GoToProblem(usize),
+    /// Puts into the cell what it should probably hold, where its deviations are micrometres.
+    TakeMeant,
     /// Leaves out what could not be read of the file.
     LeaveOut,
     /// Puts the balloon of a row on the picture: shares of its width and height.

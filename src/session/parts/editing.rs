@@ -75,6 +75,14 @@ impl PartsPage {
                     self.sheet.go(row, column, false, &self.document);
                 }
             }
+            PlanCommand::TakeMeant => {
+                let meant = self.meant_here()?;
+                self.document.change(&sources, |draft| {
+                    if let Some(row) = draft.rows.get_mut(row) {
+                        write(row, column, &meant);
+                    }
+                });
+            }
             PlanCommand::LeaveOut => self.leave_out(shared, &sources),
             PlanCommand::ChoosePicture(path) => match self.choose_picture(&path) {
                 Ok(name) => {
@@ -88,6 +96,12 @@ impl PartsPage {
         }
         self.sheet.follow(&self.document);
         None
+    }
+
+    /// What the cell should probably hold at which the keys are.
+    pub(in crate::session) fn meant_here(&self) -> Option<String> {
+        let (row, column) = self.sheet.at();
+        self.document.finding(row, Some(column))?.what.meant()
     }
 
     /// Ends what is typed.

@@ -191,6 +191,14 @@ impl Materials {
         Self { list }
     }
 
+    /// At which temperatures a coefficient holds: that of the first material that has it, else the usual range.
+    pub fn range_of(&self, expansion: Expansion) -> Range {
+        self.list
+            .iter()
+            .find(|material| material.expansion == expansion)
+            .map_or(Range::USUAL, |material| material.range)
+    }
+
     /// Every material, in the file's order.
     pub fn iter(&self) -> impl Iterator<Item = &Material> {
         self.list.iter()

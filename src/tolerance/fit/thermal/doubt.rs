@@ -15,7 +15,7 @@ pub struct Range {
 
 impl Range {
     /// Where a part and the scales are while a value is measured: whoever measures further off says so.
-    pub const MEASURED: Self = Self::celsius(0, 50);
+    pub const MEASURED: Self = Self::celsius(-20, 50);
 
     /// Where a coefficient of expansion holds that does not say it: one near 20 °C is off by some tenths of itself beyond.
     pub const USUAL: Self = Self::celsius(-50, 200);

@@ -1,6 +1,8 @@
 //! Zones out of all proportion to their size, and temperatures that are on another scale: nothing is judged by them before somebody says
 //! that they are meant.
 
+#![cfg(test)]
+
 use std::fs;
 
 use assert_cmd::Command;
@@ -164,7 +166,7 @@ impl Shop {
 
     fn with(&self, name: &str, text: &str) -> String {
         let path = self.0.path().join(name);
-        fs::write(&path, text).unwrap();
+        fitcheck::files::write(&path, text.as_bytes()).unwrap();
         path.display().to_string()
     }
 }
@@ -191,22 +193,24 @@ fn files_with_deviations_in_micrometres_are_refused_with_the_remedy() {
         .with("plan.toml", "fitcheck_plan = 1\n[[feature]]\nname = \"A\"\ncallout = \"25 ±24\"\nfeature = \"hole\"\n");
     refuses(&["plan", "check", &plan], "write 25 ±0.024");
     refuses(&["report", "--check", "25 +21/0=30", "-o", "-", "--format", "csv"], "write 25 +0.021 0");
-    // With the option each of them is judged as it stands.
-    let (code, out, said) = fitcheck(&["import", &rows, "--wide-zone"]);
-    assert_ne!(code, Some(1), "{out}{said}");
+    // With the option it is taken as it stands.
+    let (code, out, said) = fitcheck(&["plan", "check", &plan, "--wide-zone"]);
+    assert_eq!(code, Some(0), "{out}{said}");
+    let (_, _, said) = fitcheck(&["import", &rows, "--wide-zone"]);
+    assert!(said.contains("hole or the shaft") && !said.contains("proportion"), "{said}");
 }
 
 /// A control's own log says its limits as sizes: 46 and 25 mm.
 #[test]
 fn limits_of_other_tools_that_are_out_of_all_proportion_are_refused_with_the_remedy() {
     let shop = Shop::new();
-    let log = include_str!("data/samples/logs/en/TCHPR421.TXT");
+    let log = include_str!("../data/samples/logs/en/TCHPR421.TXT");
     assert!(log.contains("25.0210"));
     let wide = log.replace("25.0210", "46.0000").replace("25.0134", "30.0000").replace(" 0.0134", " 5.0000");
     refuses(&["import", &shop.with("TCHPR421.TXT", &wide)], "write 25 +0.021 0");
     let aqdef = "K0100 1\nK1001/1 P\nK2001/1 7\nK2002/1 D\nK2009/1 202\nK2101/1 25\nK2112/1 0\nK2113/1 21\nK2142/1 mm\nK2103/1 H\nK2104/1 7\nK0001/1 30\n";
     refuses(&["import", &shop.with("d.dfq", aqdef)], "write 25 +0.021 0");
-    let qif = include_str!("data/qif/minimal_bore_25H7.qif");
+    let qif = include_str!("../data/qif/minimal_bore_25H7.qif");
     let wide = qif.replace("25.021", "46");
     assert_ne!(wide, qif);
     refuses(&["import", &shop.with("d.qif", &wide)], "write 25 +0.021 0");
@@ -220,7 +224,7 @@ fn an_own_table_out_of_all_proportion_is_refused() {
     fs::create_dir(&folder).unwrap();
     let table = |upper: &str, lower: &str| {
         let text = format!("BEGIN own.tab\nNR BEREICH PF\n0  30      {upper}\n1          {lower}\n[END]\n");
-        fs::write(folder.join("own.tab"), text).unwrap();
+        fitcheck::files::write(&folder.join("own.tab"), text.as_bytes()).unwrap();
     };
     let own = folder.display().to_string();
     table("+21000", "0");
@@ -265,10 +269,10 @@ fn degrees_fahrenheit_and_kelvin_are_asked_about() {
     for (given, meant) in [("68", "20"), ("77", "25"), ("293", "19.85"), ("293.15", "20"), ("296.15", "23")] {
         assert_eq!(said(given), Some(Some(meant.to_owned())), "{given}");
     }
-    for given in ["0", "18.5", "20", "37", "50"] {
+    for given in ["-20", "0", "18.5", "20", "37", "50"] {
         assert_eq!(said(given), None, "{given}");
     }
-    for given in ["-0.001", "-196", "680", "150"] {
+    for given in ["-20.001", "-196", "680", "150"] {
         assert_eq!(said(given), Some(None), "{given}");
     }
     assert!(said("50.001").is_some());
@@ -342,7 +346,7 @@ fn an_expansion_in_another_unit_is_refused_with_its_millionths() {
     refuses(&["check", "25 H7", "--measured", "25.01", "--temperature", "22", "--material", "11.5e-6"], "write 11.5");
 }
 
-/// The journal's own CSV with the temperature of another scale: 25.0156 · (1 − 11.5e-6 · 48) is not what 20 °C gives.
+/// The journal's own CSV with the temperature of another scale: a part of 20 °C that somebody called 68 °C.
 #[test]
 fn a_csv_that_was_corrected_from_degrees_fahrenheit_is_refused() {
     let shop = Shop::new();
@@ -363,4 +367,143 @@ fn a_csv_that_was_corrected_from_degrees_fahrenheit_is_refused() {
     let (_, out, said) = fitcheck(&call);
     assert!(out.contains("temperature_c"), "{out}{said}");
     refuses(&["import", &shop.with("again.csv", &out)], "Fahrenheit? Then write 20");
+}
+
+/// The window, by commands.
+mod window {
+    use fitcheck::session::{Action, CheckCommand, CheckField, Command, Field, FitField, Session};
+    use fitcheck::tolerance::Feature;
+    use fitcheck::verdict::Status;
+    use fitcheck::words::{Language, Words};
+    use jiff::civil::{DateTime, date};
+
+    fn now() -> DateTime {
+        date(2026, 11, 25).at(10, 42, 7, 0)
+    }
+
+    fn run(session: &mut Session, commands: impl IntoIterator<Item = Command>) {
+        for command in commands {
+            session.apply(command, now());
+        }
+    }
+
+    fn typed(field: impl Into<Field>, text: &str) -> Command {
+        field.into().typed(text.to_owned())
+    }
+
+    /// A callout and a value, and Enter.
+    fn asked(callout: &str, measured: &str) -> Session {
+        let mut session = Session::new(Language::En);
+        run(
+            &mut session,
+            [
+                typed(CheckField::Callout, callout),
+                CheckCommand::ChooseFeature(Feature::Hole).into(),
+                typed(CheckField::Measured, measured),
+                CheckCommand::Measure.into(),
+            ],
+        );
+        session
+    }
+
+    fn status(session: &Session) -> Option<Status> {
+        session.check().shown().map(|shown| shown.record.verdict.status())
+    }
+
+    fn act(session: &mut Session, action: Action) {
+        let command = action.command(session).unwrap();
+        run(session, [command]);
+    }
+
+    #[test]
+    fn a_zone_in_micrometres_is_asked_about_and_enter_takes_the_remedy() {
+        let mut session = asked("25 +21/0", "25.012");
+        assert_eq!(status(&session), None);
+        let doubted = session.check().doubted().unwrap().clone();
+        assert_eq!((doubted.field, doubted.meant.as_deref()), (CheckField::Callout, Some("25 +0.021 0")));
+        let words = Words::new(Language::En);
+        assert_eq!(Action::TakeText.text(&session, &words), "Use 25 +0.021 0");
+        assert_eq!(Action::KeepText.text(&session, &words), "Judge by 25 +21 0 as it is");
+        // Enter once more.
+        run(&mut session, [CheckCommand::Measure.into()]);
+        assert_eq!(status(&session), Some(Status::Good));
+        assert_eq!(session.text(CheckField::Callout), "25 +0.021 0");
+        assert_eq!(session.check().shown().unwrap().record.limits.maximum().to_string(), "25.021");
+    }
+
+    #[test]
+    fn a_wide_zone_is_judged_by_the_button_that_says_so_and_never_by_enter() {
+        let mut session = asked("25 +21/0", "30");
+        act(&mut session, Action::KeepText);
+        assert_eq!(status(&session), Some(Status::Good));
+        assert_eq!(session.check().shown().unwrap().record.limits.maximum().to_string(), "46");
+        // The next value of the same callout is judged; another callout asks again.
+        run(&mut session, [typed(CheckField::Measured, "47"), CheckCommand::Measure.into()]);
+        assert_eq!(status(&session), Some(Status::Scrap));
+        run(
+            &mut session,
+            [typed(CheckField::Callout, "25 +22/0"), typed(CheckField::Measured, "30"), CheckCommand::Measure.into()],
+        );
+        assert_eq!(status(&session), None);
+        assert!(session.check().doubted().is_some());
+        // Typing takes the question away, and nothing was judged.
+        run(&mut session, [typed(CheckField::Measured, "31")]);
+        assert_eq!((session.check().doubted(), session.history().len()), (None, 2));
+        // Nothing can be offered for limits of size: Enter goes on asking.
+        let mut session = asked("40/25", "30");
+        run(&mut session, [CheckCommand::Measure.into(), CheckCommand::Measure.into()]);
+        assert!(status(&session).is_none() && session.check().doubted().is_some());
+        assert!(!session.can(Action::TakeText) && session.can(Action::KeepText));
+        // What leaves nothing is no callout, and cannot be taken as it is.
+        let mut session = asked("25 ±25", "25.012");
+        assert!(session.can(Action::TakeText) && !session.can(Action::KeepText));
+        act(&mut session, Action::TakeText);
+        assert_eq!((status(&session), session.text(CheckField::Callout)), (Some(Status::Good), "25 ±0.025"));
+    }
+
+    #[test]
+    fn a_temperature_in_degrees_fahrenheit_is_asked_about() {
+        let mut session = Session::new(Language::En);
+        let steel = "11.5".parse().unwrap();
+        run(
+            &mut session,
+            [
+                typed(CheckField::Callout, "25 H7"),
+                typed(CheckField::PartTemperature, "68"),
+                CheckCommand::ChooseExpansion(CheckField::PartExpansion, steel).into(),
+                typed(CheckField::Measured, "25.005"),
+                CheckCommand::Measure.into(),
+            ],
+        );
+        assert_eq!(status(&session), None);
+        assert_eq!(session.check().doubted().unwrap().meant.as_deref(), Some("20"));
+        let mut kept = asked("25 H7", "25.005");
+        run(&mut session, [CheckCommand::Measure.into()]);
+        assert_eq!((status(&session), session.text(CheckField::PartTemperature)), (Some(Status::Good), "20"));
+        // 25.005 · 11.5e-6 · 48 K = 13.8 µm: as it stands it is rework.
+        run(
+            &mut kept,
+            [
+                typed(CheckField::PartTemperature, "68"),
+                CheckCommand::ChooseExpansion(CheckField::PartExpansion, steel).into(),
+                typed(CheckField::Measured, "25.005"),
+                CheckCommand::Measure.into(),
+            ],
+        );
+        act(&mut kept, Action::KeepText);
+        assert_eq!(status(&kept), Some(Status::Rework));
+    }
+
+    #[test]
+    fn the_fit_page_refuses_a_temperature_beyond_the_range_of_the_material() {
+        let mut session = Session::new(Language::En);
+        let of = |session: &mut Session, degrees: &str| {
+            run(session, [typed(FitField::Callout, "50 H7/p6"), typed(FitField::Temperature, degrees)]);
+            session.fit().error(FitField::Temperature).is_some()
+        };
+        assert_eq!(
+            ["80", "250", "251", "680", "-196"].map(|degrees| of(&mut session, degrees)),
+            [false, false, true, true, true]
+        );
+    }
 }
