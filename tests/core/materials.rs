@@ -60,7 +60,7 @@ fn temperatures_and_expansions_read_as_they_print() {
     temperature("--1", "! --1 is not a number");
     temperature("20 F", "! 20 F is not a number");
     assert_eq!("11.5".parse::<Expansion>().unwrap().thousandths(), 11_500);
-    assert_eq!("-0.001".parse::<Expansion>().unwrap().to_string(), "-0.001");
+    assert_eq!("-0.101".parse::<Expansion>().unwrap().to_string(), "-0.101");
 }
 
 #[test]
@@ -140,7 +140,7 @@ fn files_of_materials_that_cannot_be_used_are_refused_with_their_line() {
     );
     check(
         &steel.replace("expansion", "alpha"),
-        "line 5, column 1: unknown field `alpha`, expected one of `name`, `names`, `expansion`, `source`, `certainty`",
+        "line 5, column 1: unknown field `alpha`, expected one of `name`, `names`, `expansion`, `range`, `source`, `certainty`",
     );
     let unknown = Materials::read(steel).unwrap().find("wood").unwrap_err();
     assert_eq!(

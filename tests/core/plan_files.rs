@@ -214,6 +214,11 @@ x = 1
 y = 2
 z = -8
 clearance_height = 61
+
+[[feature]]
+kind = "point"
+axis = "-Z"
+callout = "±20"
 "#;
 
 /// The name of a fault that a cell can have; `None` of those of a file as a whole, which leave no plan to look at or come one at a time.
@@ -242,6 +247,7 @@ fn of_cell(fault: &PlanFault) -> Option<&'static str> {
         PlanFault::Direction { .. } => Some("Direction"),
         PlanFault::NoBand { .. } => Some("NoBand"),
         PlanFault::BandSide { .. } => Some("BandSide"),
+        PlanFault::Band(_) => Some("Band"),
         PlanFault::SideClass { .. } => Some("SideClass"),
         PlanFault::FaceClass { .. } => Some("FaceClass"),
         PlanFault::FacePlace { .. } => Some("FacePlace"),
