@@ -60,6 +60,9 @@ pub(super) fn remove(path: &Path) {
 /// How long whatever goes on has to end after Ctrl+C; it may wait for a pipe that gives nothing.
 #[cfg(unix)]
 const PATIENCE: std::time::Duration = std::time::Duration::from_secs(2);
+/// As long as the program works it gets so often as long: a busy machine may take that until what is done is whole.
+#[cfg(unix)]
+const TIMES: u32 = 30;
 
 /// From the first unfinished name on, SIGINT, SIGTERM and SIGHUP first remove what is unfinished and then end the
 /// program as ever. Without a thread for it they end it at once. A SIGINT that is heard as a wish to stop ends nothing by itself.
@@ -99,12 +102,28 @@ fn end_by(signal: i32) {
 #[cfg(unix)]
 fn end_later(signal: i32) {
     let wait = move || {
-        std::thread::sleep(PATIENCE);
-        if stopping::is_awaited() {
-            end_by(signal);
+        for _ in 0..TIMES {
+            let before = worked();
+            std::thread::sleep(PATIENCE);
+            if !stopping::is_awaited() {
+                return;
+            }
+            if worked() == before {
+                break;
+            }
         }
+        end_by(signal);
     };
     drop(std::thread::Builder::new().name("stopping".to_owned()).spawn(wait));
+}
+
+/// For how long the program has been on a processor, in hundredths of a second; `None` where the system does not tell it.
+#[cfg(unix)]
+fn worked() -> Option<u64> {
+    let told = std::fs::read_to_string("/proc/self/stat").ok()?;
+    // Behind the name of the program, which may have anything in it.
+    let mut numbers = told.rsplit_once(')')?.1.split_whitespace().skip(11).map_while(|text| text.parse::<u64>().ok());
+    numbers.next()?.checked_add(numbers.next()?)
 }
 
 /// Removes what is still being written: until a folder is gone, more files may come into it.
