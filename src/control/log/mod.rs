@@ -142,7 +142,7 @@ impl Logs {
         if chunk.title.is_none() && !chunk.has_figures() {
             // Everything above the first title.
             self.is_simulated |= chunk.is_simulated;
-            let Some(line) = chunk.first_line() else { return None };
+            let line = chunk.first_line()?;
             self.before.get_or_insert(Located::in_line(line, LogWarningKind::TextBefore));
             return None;
         }
