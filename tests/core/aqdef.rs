@@ -102,6 +102,7 @@ fn a_record_has_the_callout_the_time_and_what_else_is_said() {
             batch: "B0815".into(),
             machine: "12".into(),
             gauge: "460".into(),
+            time: Some(record.time),
             quantity: Some(Quantity::Diameter),
             ..Labels::default()
         };

@@ -240,7 +240,7 @@ fn a_full_disk_behind_standard_output_is_told_never_good_and_leaves_scrap_scrap(
     let program = assert_cmd::cargo::cargo_bin!("fitcheck");
     for (call, code) in calls {
         let full = std::fs::OpenOptions::new().write(true).open("/dev/full").unwrap();
-        let mut command = std::process::Command::new(&program);
+        let mut command = std::process::Command::new(program);
         command.args(call).current_dir(folder.path()).stdin(Stdio::null()).stdout(full).stderr(Stdio::piped());
         let output = command.spawn().unwrap().wait_with_output().unwrap();
         let said = String::from_utf8(output.stderr).unwrap();
@@ -249,7 +249,7 @@ fn a_full_disk_behind_standard_output_is_told_never_good_and_leaves_scrap_scrap(
     }
     // Whoever closes the pipe early gets the same exit code.
     for (file, code) in [("scrap.csv", 11), ("good.csv", 0)] {
-        let mut command = std::process::Command::new(&program);
+        let mut command = std::process::Command::new(program);
         command.args(["import", file, "--format", "csv"]).current_dir(folder.path());
         command.stdin(Stdio::null()).stdout(Stdio::piped()).stderr(Stdio::piped());
         let mut child = command.spawn().unwrap();

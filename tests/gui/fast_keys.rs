@@ -170,7 +170,7 @@ fn cells_of_a_plan_are_typed_one_after_the_other() {
     let document = page.state().session().parts().document();
     let texts = |column| document.draft().rows.iter().take(3).map(move |row| row.cell(column).text.clone());
     assert_eq!(texts(Column::Name).collect::<Vec<_>>(), ["B1", "B2", "B3"]);
-    assert_eq!(texts(Column::Kind).last().as_deref(), Some("width"));
+    assert_eq!(texts(Column::Kind).next_back().as_deref(), Some("width"));
 }
 
 #[test]

@@ -373,7 +373,7 @@ fn a_window_that_closes_waits_for_what_is_being_written_and_shows_it_as_not_reco
     let records = Records { always_threads: true, ..records(fake.clone(), Path::new("/nowhere")) };
     let mut window = Window { records, ..Window::default() }.open();
     // The disk takes nothing before this is dropped.
-    let disk = fake.disk.clone();
+    let disk = std::sync::Arc::clone(&fake.disk);
     let disk = disk.lock().unwrap();
     for measured in ["25.012", "25.013", "25.014"] {
         check(&mut window, "25 H7", measured);

@@ -123,8 +123,11 @@ fn keep_heads(access: &Access, heads: impl IntoIterator<Item = (ChainId, Head)>,
     }
 }
 
+/// The last entry of each chain.
+type Heads = Vec<(ChainId, Head)>;
+
 /// What this computer knows of chains: those that the server had, and the journal of this station.
-fn heads_here(access: &Access, io: &mut Io<'_>) -> (Vec<(ChainId, Head)>, Vec<(ChainId, Head)>) {
+fn heads_here(access: &Access, io: &mut Io<'_>) -> (Heads, Heads) {
     let mut read = |path: Option<PathBuf>| {
         let path = path?;
         Anchors::read(&path).map_err(|reason| io.warn(&StoreRemark::NoAnchor { path, reason })).ok()

@@ -88,6 +88,7 @@ pub struct Question {
 
 /// The state of the check page.
 #[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each answers another question about the page")]
 pub struct CheckPage {
     texts: Texts<CheckField>,
     by: MeasureBy,

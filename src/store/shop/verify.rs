@@ -203,7 +203,7 @@ pub fn verify_beside(
     let unsent = known.own.iter().filter(is_missing).filter(|(own, _)| missing.iter().all(|(chain, _)| chain != own));
     behind.extend(unsent.map(|(chain, head)| (*chain, *head, 0)));
     server.run("COMMIT")?;
-    Ok(ShopVerified { chains, missing, behind, findings, not_compared })
+    Ok(ShopVerified { chains, missing, behind, not_compared, findings })
 }
 
 /// Gives every entry of a chain in the order of their numbers. A cursor gives each one that is there, also a number that is there twice.

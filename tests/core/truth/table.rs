@@ -24,7 +24,10 @@ static ZONES: LazyLock<Vec<Zone>> = LazyLock::new(|| {
     let zone = |line: &str| {
         let cells: Vec<&str> = line.split(',').collect();
         let whole = |at: usize| cells[at].parse::<i64>().unwrap();
-        let micrometres = |at: usize| (cells[at].parse::<f64>().unwrap() * 1000.0).round() as i64;
+        let micrometres = |at: usize| {
+            let (micrometres, behind) = cells[at].split_once('.').unwrap_or((cells[at], ""));
+            format!("{micrometres}{behind:0<3}").parse::<i64>().unwrap()
+        };
         Zone {
             class: cells[0].to_owned(),
             over: whole(1) * MILLIMETRE,
@@ -216,8 +219,6 @@ impl Trap {
 /// The truth about a row.
 #[derive(Debug, Clone)]
 pub struct Truth {
-    /// Its line, from 1.
-    pub line: usize,
     /// Its name, which no other row has.
     pub name: String,
     /// What it should be, in millimetres.
@@ -330,6 +331,7 @@ impl Table {
     }
 
     /// A table of some rows, whose names begin with its own.
+    #[expect(clippy::too_many_lines, reason = "a table is made as it is written, from its first line to its last one")]
     pub fn random(random: &mut Random, own: &str, rows: usize) -> Self {
         let words = pick(random, &WORDS);
         let separator = *pick(random, &[';', ',', '\t', '|']);
@@ -400,7 +402,7 @@ impl Table {
             header.push(words.unit.to_owned());
         }
         match trap {
-            Trap::SecondValue => header.push(bracket(*pick(random, words.second.as_slice()))),
+            Trap::SecondValue => header.push(bracket(pick::<&str>(random, words.second.as_slice()))),
             Trap::Quantity => header.push((*pick(random, &words.kinds)).to_owned()),
             Trap::Simulated => header.push(words.simulated.to_owned()),
             Trap::Origin => header.push(words.origin.to_owned()),
@@ -427,11 +429,9 @@ impl Table {
         }
         let mut truths = Vec::new();
         for number in 0..rows {
-            let line = 1 + text.matches('\n').count();
             let made = row(random, unit);
             let name = format!("{own}B{number}");
             let mut truth = Truth {
-                line,
                 name: name.clone(),
                 callout: format!("{} {}", printed(made.nominal, UNITS[0], '.'), made.class),
                 status: Some(made.status).filter(|_| trap != Trap::SecondValue),
