@@ -64,10 +64,10 @@ pub(super) struct Args {
     tables: TableArgs,
 
     #[command(flatten)]
-    repeats: RepeatArgs,
+    by: JudgeArgs,
 
     #[command(flatten)]
-    by: JudgeArgs,
+    repeats: RepeatArgs,
 
     #[command(flatten)]
     record: RecordArgs,

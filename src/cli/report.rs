@@ -75,10 +75,10 @@ pub(super) struct Args {
     tables: TableArgs,
 
     #[command(flatten)]
-    repeats: RepeatArgs,
+    by: JudgeArgs,
 
     #[command(flatten)]
-    by: JudgeArgs,
+    repeats: RepeatArgs,
 }
 
 const EXAMPLES: &str = "\

@@ -187,7 +187,9 @@ mod walks {
 
     fn walk(values: &[Taken]) -> Walk {
         let mut walk = Walk::new(&plan(), String::new());
-        values.iter().for_each(|value| walk.take(0, *value));
+        for value in values {
+            walk.take(0, *value);
+        }
         walk
     }
 
@@ -212,7 +214,9 @@ mod walks {
 
         #[test]
         fn without_times_the_order_does_not_matter(mut values in prop::collection::vec(taken(), 1..8)) {
-            values.iter_mut().for_each(|value| (value.when, value.is_simulated) = (None, false));
+            for value in &mut values {
+                (value.when, value.is_simulated) = (None, false);
+            }
             let there = walk(&values).standing();
             values.reverse();
             let back = walk(&values).standing();
@@ -234,7 +238,9 @@ mod walks {
             prop_assert_eq!(walk.standing().contradicted, 0);
             // The same chosen beforehand.
             let mut last = Walk::new(&plan(), String::new()).by(Repeats::Last);
-            values.iter().for_each(|value| last.take(0, *value));
+            for value in &values {
+                last.take(0, *value);
+            }
             prop_assert_eq!(last.steps()[0].counting(), Some(newest));
         }
     }

@@ -225,17 +225,17 @@ impl Judge<'_> {
         tally
     }
 
-    /// Whether a line within the quotation marks of a row would be a row of this stream: the mark is one too many then, or one is missing.
+    /// Whether a line within the quotation marks of a cell would be a row of this stream: the mark is one too many then, or one is missing.
     #[cold]
     fn hides_rows(&self, row: &Row<'_>) -> bool {
         let (columns, separator) = (&self.court.layout.columns, self.court.layout.separator);
         let (has_commas, sources) = (self.court.fast.has_commas, self.court.sources);
         let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
         let mut index = Index::default();
-        lines_of(row).skip(1).any(|(start, text)| {
-            let is_whole = index.find_row(text, start, separator);
+        row.record().iter().flat_map(|cell| cell.split(['\n', '\r']).skip(1)).any(|line| {
+            let is_whole = index.find_row(line.as_bytes(), 0, separator);
             let ends = index.rows().next().filter(|_| is_whole);
-            let cells = ends.map(|ends| Row::new(text, start, ends).record());
+            let cells = ends.map(|ends| Row::new(line.as_bytes(), 0, ends).record());
             cells.is_some_and(|cells| rules.read(&cells).is_ok_and(|found| found.asked.is_some()))
         })
     }

@@ -11,7 +11,7 @@ mod shown;
 
 use std::io::BufReader;
 
-use calamine::{Reader as _, SheetVisible, Xlsx};
+use calamine::{Reader as _, SheetType, SheetVisible, Xlsx};
 use csv::StringRecord;
 
 use super::Format;
@@ -146,8 +146,12 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
 }
 
 /// Whether a sheet looks as if something measured were in it: its columns are found, or a row of it has a callout and a value. What cannot
-/// be read may hold anything.
+/// be read may hold anything, but for charts.
 fn may_hold_rows(workbook: &mut Workbook<'_>, name: &str) -> bool {
+    let is_table = |sheet: &calamine::Sheet| sheet.name != name || sheet.typ == SheetType::WorkSheet;
+    if !workbook.sheets_metadata().iter().all(is_table) {
+        return false;
+    }
     let units = UnitsShown::default();
     let sampled = rows(workbook, name, &units).and_then(|mut rows| {
         let mut sample = Vec::new();
