@@ -574,6 +574,8 @@ proptest! {
         for (row, wild) in rows.iter().zip(wild.iter().cycle()) {
             writeln!(text, "{row}\n{wild}").unwrap();
         }
+        // A row that seems to say inch refuses the whole file.
+        prop_assume!(Layout::of(text.as_bytes(), true, "test.csv").is_ok());
         let once = tab_separated(&text, WHOLE);
         prop_assert_eq!(&once, &tab_separated(&text, Cut { step, workers, ..WHOLE }));
         for line in once.split_terminator('\n') {

@@ -46,7 +46,7 @@ fn nothing_leads_out() {
     check(r"sub\NUL.txt", r"NUL.txt in sub\NUL.txt is not a name for a file or folder");
     check("com1", "com1 in com1 is not a name for a file or folder");
     check("a.h.", "a.h. in a.h. is not a name for a file or folder");
-    check("a\u{7}b", "a\\u{7}b in a\u{7}b is not a name for a file or folder");
+    check("a\u{7}b", "a\\u{7}b in a b is not a name for a file or folder");
     check("  ", "the path is empty");
     check(r"TNC:\", "the path is empty");
     check(r"sub\", "the path is empty");
