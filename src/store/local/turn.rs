@@ -54,6 +54,7 @@ impl Turn {
     }
 
     /// Begins to write. Only programs that do not queue are waited for.
+    #[expect(clippy::unused_self, reason = "nobody begins before it is their turn")]
     pub(super) fn begin<'a>(
         &self,
         connection: &'a Connection,
