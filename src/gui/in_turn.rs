@@ -136,16 +136,31 @@ impl InTurn {
 }
 
 /// Whether a key types a sign: all but those that move, delete, or do something.
-const fn types(key: Key, modifiers: Modifiers) -> bool {
+fn types(key: Key, modifiers: Modifiers) -> bool {
     let is_command = modifiers.ctrl || modifiers.command || modifiers.alt || modifiers.mac_cmd;
-    let is_sign = match key {
-        Key::ArrowDown | Key::ArrowLeft | Key::ArrowRight | Key::ArrowUp => false,
-        Key::Escape | Key::Tab | Key::Backspace | Key::Enter | Key::Insert | Key::Delete => false,
-        Key::Home | Key::End | Key::PageUp | Key::PageDown => false,
-        Key::Copy | Key::Cut | Key::Paste | Key::BrowserBack => false,
-        key => (key as u8) < (Key::F1 as u8) || (Key::F35 as u8) < (key as u8),
-    };
-    is_sign && !is_command
+    let is_function = (Key::F1..=Key::F35).contains(&key);
+    let is_other = matches!(
+        key,
+        Key::ArrowDown
+            | Key::ArrowLeft
+            | Key::ArrowRight
+            | Key::ArrowUp
+            | Key::Escape
+            | Key::Tab
+            | Key::Backspace
+            | Key::Enter
+            | Key::Insert
+            | Key::Delete
+            | Key::Home
+            | Key::End
+            | Key::PageUp
+            | Key::PageDown
+            | Key::Copy
+            | Key::Cut
+            | Key::Paste
+            | Key::BrowserBack
+    );
+    !is_command && !is_function && !is_other
 }
 
 #[cfg(test)]

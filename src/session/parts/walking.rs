@@ -64,8 +64,8 @@ pub struct Walking {
     typed_at: Option<usize>,
     /// The size that is looked at: the one whose value came last, or the one that was chosen since.
     shown: Option<usize>,
-    /// Whether its verdict is new: it stays with its size until the next one is begun.
-    rests: bool,
+    /// The same while its verdict is new: that stays with its size until the next one is begun.
+    resting: Option<usize>,
     /// A number that goes up whenever the size that is asked for has to come into sight.
     look: u64,
     /// What is asked about a typed value before it is taken.
@@ -198,7 +198,7 @@ impl Walking {
 
     /// The size that the page is about: the one whose verdict is new until the next one is begun, else the one that is asked for.
     pub fn faced(&self) -> Option<usize> {
-        self.shown.filter(|_| self.rests || self.at.is_none()).or(self.at)
+        self.resting.or(self.at).or(self.shown)
     }
 
     /// That size, and the value of it that counts.
@@ -225,7 +225,7 @@ impl Walking {
     /// A text was typed for the size that is asked for, or the field is empty.
     pub(super) fn typed(&mut self, text: &str) {
         self.typed_at = self.at.filter(|_| !text.trim().is_empty());
-        self.rests &= self.typed_at.is_none();
+        self.resting = self.resting.filter(|_| self.typed_at.is_none());
     }
 
     /// The size that the text in the field was typed for, where another one is asked for now.
@@ -277,8 +277,8 @@ impl Walking {
     }
 
     /// The value of a size came last.
-    pub(super) const fn rest(&mut self, at: usize, rests: bool) {
-        (self.shown, self.rests) = (Some(at), rests);
+    pub(super) fn rest(&mut self, at: usize, rests: bool) {
+        (self.shown, self.resting) = (Some(at), rests.then_some(at));
     }
 
     /// Values that were measured before those that are there, in the order in which they came.
@@ -303,6 +303,7 @@ impl Walking {
         }
         self.take_anew(all);
         self.shown = self.shown.filter(|at| !self.values(*at).is_empty());
+        self.resting = self.resting.filter(|at| self.shown == Some(*at));
         at.map(|at| self.name(at).to_owned())
     }
 
@@ -316,7 +317,7 @@ impl Walking {
 
     /// Takes these values and no others; what is asked for and what is shown stays.
     fn take_anew(&mut self, values: Vec<(usize, Value)>) {
-        let (at, shown, rests) = (self.at, self.shown, self.rests);
+        let (at, shown, resting) = (self.at, self.shown, self.resting);
         let reasons: Vec<_> = self.walk.steps().iter().map(|step| step.skipped.clone()).collect();
         if let Some(plan) = &self.plan {
             self.walk = Walk::new(plan, std::mem::take(&mut self.walk.serial));
@@ -327,7 +328,7 @@ impl Walking {
         for (at, value) in values {
             self.take(at, value);
         }
-        (self.at, self.shown, self.rests) = (at, shown.or(self.shown), rests);
+        (self.at, self.shown, self.resting) = (at, shown.or(self.shown), resting);
     }
 
     /// Asks for the next size that is open; where none is, for none.
@@ -362,7 +363,7 @@ impl Walking {
     /// Leaves out the size that is asked for.
     pub(super) fn skip(&mut self, at: usize, reason: &str) -> bool {
         let is_skipped = self.walk.skip(at, reason);
-        self.rests = false;
+        self.resting = None;
         self.quiet();
         is_skipped
     }
