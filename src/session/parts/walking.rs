@@ -317,6 +317,7 @@ impl Walking {
         }
         self.take_anew(all);
         self.shown = self.shown.filter(|at| !self.values(*at).is_empty());
+        self.resting = self.resting.filter(|at| self.shown == Some(*at));
         at.map(|at| self.name(at).to_owned())
     }
 
