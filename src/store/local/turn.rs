@@ -61,8 +61,6 @@ impl Turn {
         path: &Path,
         opening: &Opening,
     ) -> Result<Transaction<'a>, StoreError> {
-        // Whoever begins is first in the queue.
-        let Self { _held: _ } = self;
         let failed = |error: rusqlite::Error| StoreError::of(path, &error);
         connection.busy_timeout(LOOKS.min(opening.patience)).map_err(failed)?;
         let mut waiting = Waiting::new(path, opening);
