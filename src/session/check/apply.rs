@@ -312,7 +312,12 @@ impl CheckPage {
     fn take_text(&mut self, shared: &mut Shared, now: DateTime) {
         let Some(Doubted { field, meant: Some(meant), .. }) = self.doubted().cloned() else { return };
         let sign = shared.language.decimal_sign().to_string();
+        // The same hole or shaft in the unit that was meant.
+        let feature = self.feature().filter(|_| field == CheckField::Callout);
         self.type_text(field, meant.replace('.', &sign), &shared.sources);
+        if let Some(feature) = feature {
+            self.mean(feature);
+        }
         self.measure(shared, now);
     }
 
