@@ -1,7 +1,7 @@
 //! The command line: one file per subcommand, each a short walk through the rooms.
 //!
 //! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 14 judged, but look first, 1 bad data, 2 wrong usage, 130 stopped by
-//! Ctrl+C. [`Outcome::worse`] ranks them. A closed pipe ends the program quietly. Nothing here needs a display.
+//! Ctrl+C. `Outcome::worse` ranks them. A closed pipe ends the program quietly. Nothing here needs a display.
 //!
 //! A new subcommand is a file with its `Args`, a `mod` line and a line in the table `subcommands!`. They share:
 //!
