@@ -554,6 +554,10 @@ proptest! {
         let header = if mark { "\u{feff}id,callout,measured\r\n" } else { "id,callout,measured\n" };
         let text = format!("{header}1,25 H7,25.01\n{}", rows.join("\n\"x\",25 H7,25.01"));
         let text = text.as_bytes();
+        // A row that seems to say inch refuses the whole file.
+        if Layout::of(text, true, "test.csv").is_err() {
+            return Ok(());
+        }
         let (mut once, mut cut_out) = (Vec::new(), Vec::new());
         let whole = judged::<Csv>(text, WHOLE, &Sources::default(), &mut once).unwrap();
         let cut = Cut { step, piece, is_patient, workers };
@@ -575,7 +579,9 @@ proptest! {
             writeln!(text, "{row}\n{wild}").unwrap();
         }
         // A row that seems to say inch refuses the whole file.
-        prop_assume!(Layout::of(text.as_bytes(), true, "test.csv").is_ok());
+        if Layout::of(text.as_bytes(), true, "test.csv").is_err() {
+            return Ok(());
+        }
         let once = tab_separated(&text, WHOLE);
         prop_assert_eq!(&once, &tab_separated(&text, Cut { step, workers, ..WHOLE }));
         for line in once.split_terminator('\n') {

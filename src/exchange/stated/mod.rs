@@ -166,7 +166,7 @@ pub(super) fn decide(sample: &Sample, columns: &mut Columns) -> Result<(), Impor
 /// Units where measured values should be, which is no row of units below the header.
 fn in_place_of_a_value(data: &[(usize, StringRecord)], columns: &Columns) -> Result<(), ImportErrorKind> {
     // A row with a number is one whose value is wrong: it is refused by itself.
-    for (line, cells) in data.iter().take_while(|(_, cells)| !cells::has_number(cells)) {
+    for (line, cells) in data.iter().filter(|(_, cells)| !cells::has_number(cells)) {
         let cell = cells.get(columns.measured.at).unwrap_or_default();
         let unit = match word(cell) {
             Word::Length(unit) if unit != columns.measured.unit => sign(unit),
