@@ -168,7 +168,7 @@ impl Sample {
     fn split(text: &str, first_line: usize, separator: u8) -> Self {
         let mut comments = Vec::new();
         let rows = Rows::new(text, first_line, separator).filter_map(|item| match item {
-            Item::Row { line, cells } => row(line, cells, &mut comments),
+            Item::Row { line, cells } | Item::Lines { line, cells, .. } => row(line, cells, &mut comments),
             Item::OpenQuote { .. } | Item::TooLong { .. } => None,
         });
         let mut bytes = 0;

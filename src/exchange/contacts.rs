@@ -123,7 +123,9 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
     for item in Rows::new(&text, 1, separator) {
         let (line, cells) = match item {
             Item::Row { line, cells } => (line, cells),
-            Item::OpenQuote { line, .. } => return Err(Located::in_line(line, ContactsError::OpenQuote)),
+            Item::Lines { line, .. } | Item::OpenQuote { line, .. } => {
+                return Err(Located::in_line(line, ContactsError::OpenQuote));
+            }
             Item::TooLong { line } => return Err(Located::in_line(line, ContactsError::RowTooLong)),
         };
         if read.contacts.len() == MOST_CONTACTS {

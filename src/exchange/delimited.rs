@@ -1,9 +1,11 @@
 //! Rows and cells of a text with separators, and the lines that they are on.
 //!
-//! The `csv` crate splits rows into cells. A quotation mark that is not closed would make it swallow the rows after it,
-//! so each line is checked first: only the first row, which may be a header, may span several lines.
+//! The `csv` crate splits rows into cells. A quotation mark that is not closed would make it swallow the rows after it, so each line is
+//! checked first: a row that spans several lines is given out as such, unless it is the first one, which may be a header.
 
 use csv::{ReaderBuilder, StringRecord};
+
+use super::batch::row_end;
 
 /// The separators that are tried.
 pub(super) const SEPARATORS: [u8; 4] = [b';', b'\t', b'|', b','];
@@ -25,7 +27,9 @@ const FIRST_SEGMENT: usize = 1 << 14;
 pub(super) enum Item<'a> {
     /// Cells, and the line where the row begins.
     Row { line: usize, cells: StringRecord },
-    /// A line with a quotation mark that is not closed on it.
+    /// Cells of a row that spans several lines, the line where it begins, and the lines.
+    Lines { line: usize, text: &'a str, cells: StringRecord },
+    /// A line with a quotation mark that is not closed on it, nor at the end of a cell further down.
     OpenQuote { line: usize, text: &'a str },
     /// A line longer than [`LONGEST_ROW`].
     TooLong { line: usize },
@@ -34,7 +38,8 @@ pub(super) enum Item<'a> {
 impl Item<'_> {
     /// The line where it begins.
     pub(super) const fn line(&self) -> usize {
-        let (Self::Row { line, .. } | Self::OpenQuote { line, .. } | Self::TooLong { line }) = self;
+        let (Self::Row { line, .. } | Self::Lines { line, .. } | Self::OpenQuote { line, .. } | Self::TooLong { line }) =
+            self;
         *line
     }
 }
@@ -48,6 +53,9 @@ pub(super) struct Rows<'a> {
     line: usize,
     /// Whether only blank lines came before.
     is_first: bool,
+    /// Whether more of the text may come, and how much of this one has to be read again with it.
+    goes_on: bool,
+    rest: &'a str,
     /// What comes after the rows of the reader.
     waiting: Option<Item<'a>>,
     reader: Option<Reader<'a>>,
@@ -66,7 +74,7 @@ struct Reader<'a> {
 impl<'a> Rows<'a> {
     /// The rows of a text whose first line has the number `line`.
     pub(super) const fn new(text: &'a str, line: usize, separator: u8) -> Self {
-        Self { text, separator, at: 0, line, is_first: true, waiting: None, reader: None }
+        Self { text, separator, at: 0, line, is_first: true, goes_on: false, rest: "", waiting: None, reader: None }
     }
 
     /// The rows of a text that comes after other rows, so that none of them is a header.
@@ -74,14 +82,24 @@ impl<'a> Rows<'a> {
         Self { is_first: false, ..Self::new(text, line, separator) }
     }
 
-    /// The number of the line after the text, once all rows were read.
+    /// The same rows of a text of which more may come: a last row of several lines is left for it.
+    pub(super) fn going_on(self, goes_on: bool) -> Self {
+        Self { goes_on, ..self }
+    }
+
+    /// The number of the line after the rows, once all were read.
     pub(super) const fn next_line(&self) -> usize {
         self.line
     }
 
-    /// Whether the text does not end where a line ends.
+    /// What is left behind the rows, once all were read, to be read with what follows the text.
+    pub(super) const fn rest(&self) -> &'a str {
+        self.rest
+    }
+
+    /// Whether the rows do not end where a line ends.
     pub(super) fn is_open(&self) -> bool {
-        !self.text.ends_with(['\n', '\r'])
+        self.rest.is_empty() && !self.text.ends_with(['\n', '\r'])
     }
 
     /// Looks at lines up to one that is not a row, or far enough: the lines before it are for the reader.
@@ -96,20 +114,32 @@ impl<'a> Rows<'a> {
             if LONGEST_ROW < row.len() {
                 self.waiting = Some(Item::TooLong { line });
             } else if ends_open(row, self.separator, false) && !(self.is_first && self.take_header(from)) {
-                self.waiting = Some(Item::OpenQuote { line, text: row.trim_end() });
+                match row_end(self.text.as_bytes(), from, self.separator, !self.goes_on) {
+                    Some(Ok(next)) => self.take_lines(line, from, next),
+                    Some(Err(_)) => self.waiting = Some(Item::OpenQuote { line, text: row.trim_end() }),
+                    None => {
+                        self.rest = self.text.get(from..).unwrap_or_default();
+                        (self.at, self.line) = (self.text.len(), line);
+                        break;
+                    }
+                }
             } else {
                 end = self.at;
             }
             self.is_first = self.is_first && row.trim().is_empty();
         }
         let Some(text) = self.text.get(start..end).filter(|text| !text.is_empty()) else { return };
-        let csv = ReaderBuilder::new()
-            .has_headers(false)
-            .flexible(true)
-            .delimiter(self.separator)
-            .buffer_capacity(text.len().min(64 << 10))
-            .from_reader(text.as_bytes());
-        self.reader = Some(Reader { csv, text, byte: 0, line: first, room: (0, 0) });
+        self.reader = Some(Reader { csv: csv_reader(text, self.separator), text, byte: 0, line: first, room: (0, 0) });
+    }
+
+    /// A row of several lines waits for the reader of those before it.
+    fn take_lines(&mut self, line: usize, from: usize, next: usize) {
+        let text = self.text.get(from..next).unwrap_or_default();
+        (self.at, self.line) = (next, line + lines(text, 0, 0).count());
+        self.waiting = Some(match cells_of(text, self.separator) {
+            Some(cells) => Item::Lines { line, text, cells },
+            None => Item::OpenQuote { line, text },
+        });
     }
 
     /// Takes the lines in which a quotation mark of the line before is closed; `false` if there are none.
@@ -122,6 +152,20 @@ impl<'a> Rows<'a> {
         (self.at, self.line) = (to, line + 1);
         true
     }
+}
+
+fn csv_reader(text: &str, separator: u8) -> csv::Reader<&[u8]> {
+    ReaderBuilder::new()
+        .has_headers(false)
+        .flexible(true)
+        .delimiter(separator)
+        .buffer_capacity(text.len().min(64 << 10))
+        .from_reader(text.as_bytes())
+}
+
+/// The cells of a text that is one row.
+pub(super) fn cells_of(text: &str, separator: u8) -> Option<StringRecord> {
+    csv_reader(text, separator).records().next()?.ok()
 }
 
 impl<'a> Iterator for Rows<'a> {
@@ -240,6 +284,7 @@ mod tests {
         let said: Vec<String> = Rows::new(text, 1, b';')
             .map(|item| match item {
                 Item::Row { line, cells } => format!("{line}: {}", cells.iter().collect::<Vec<_>>().join("|")),
+                Item::Lines { line, cells, .. } => format!("{line}+ {}", cells.iter().collect::<Vec<_>>().join("|")),
                 Item::OpenQuote { line, text } => format!("{line}! {text}"),
                 Item::TooLong { line } => format!("{line} too long"),
             })
@@ -272,8 +317,24 @@ mod tests {
     #[test]
     fn an_open_quote_costs_its_own_line_only() {
         check("a;b\n\"c;d\ne;f\n\"g\";h\n", &["1: a|b", "2! \"c;d", "3: e|f", "4: g|h"]);
-        check("a;b\nc;\"d\ne;f\"\n", &["1: a|b", "2! c;\"d", "3: e|f\""]);
+        check("a;b\nc;\"d\ne;f\" g\n", &["1: a|b", "2! c;\"d", "3: e|f\" g"]);
         check("\"a;b\nc;d\n", &["1! \"a;b", "2: c|d"]);
+    }
+
+    #[test]
+    fn a_row_of_several_lines_is_one() {
+        check("a;b\nc;\"d\ne;f\"\ng;h\n", &["1: a|b", "2+ c|d\ne;f", "4: g|h"]);
+        check("a\n\"b\r\n\r\n\"\"\";c\r\nd", &["1: a", "2+ b\r\n\r\n\"|c", "5: d"]);
+    }
+
+    #[test]
+    fn a_row_of_several_lines_that_goes_on_is_left_for_what_follows() {
+        for (text, rest) in [("a\nb;\"c\nd\n", "b;\"c\nd\n"), ("a\nb;\"c\nd\"\n", ""), ("a\nb\n", "")] {
+            let mut rows = Rows::new(text, 1, b';').going_on(true);
+            let count = rows.by_ref().count();
+            assert_eq!((count, rows.rest()), (if rest.is_empty() { 2 } else { 1 }, rest));
+            assert_eq!(rows.next_line(), 1 + lines(text.strip_suffix(rest).unwrap(), 0, 0).count());
+        }
     }
 
     #[test]

@@ -427,6 +427,8 @@ pub enum ImportErrorKind {
     },
     /// A quotation mark that is not closed on its line.
     OpenQuote,
+    /// A line within quotation marks that open on a line above, beside lines that look like rows.
+    WithinQuotes,
     /// A row that is too long.
     RowTooLong {
         /// The most, KiB.

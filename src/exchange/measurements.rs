@@ -1,8 +1,9 @@
 //! CSV of id, callout and measured value, with or without a header.
 //!
 //! Separator, decimal sign and columns are detected by the first rows; what could be meant in two ways is refused. The text is read in
-//! pieces of whole lines, because a row never spans lines beyond the header: a file of any size takes the memory of one piece.
+//! pieces of whole lines, and a row that spans two of them is read with the second: a file of any size takes the memory of one piece.
 
+use std::borrow::Cow;
 use std::sync::Arc;
 
 use csv::StringRecord;
@@ -11,7 +12,7 @@ use jiff::civil::{DateTime, Time};
 use super::cells;
 use super::claim::Claim;
 use super::columns::{self, Columns, Sample};
-use super::delimited::{Item, LONGEST_ROW, Rows, without_separator_line};
+use super::delimited::{Item, LONGEST_ROW, Rows, lines, without_separator_line};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
 use super::evidence::marks_simulation;
 use super::imported::{Sink, Unjudged, WhyUnjudged};
@@ -88,13 +89,19 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
         sizes,
     };
     reader.warn_of_columns(first_line);
-    let mut rows = Rows::new(text, first_line, separator);
-    let mut line = reader.rows(&mut rows);
+    let mut rows = Rows::new(text, first_line, separator).going_on(true);
+    let mut next = reader.rows(&mut rows);
+    let mut rest = rows.rest().to_owned();
     drop(head);
-    while let Some(next) = line
-        && let Some(piece) = pieces.next()?
-    {
-        line = reader.rows(&mut Rows::after(&piece, next, separator));
+    let mut goes_on = true;
+    while goes_on && let Some(line) = next {
+        let piece = pieces.next()?;
+        goes_on = piece.is_some();
+        let piece = piece.unwrap_or_default();
+        let text = if rest.is_empty() { piece } else { Cow::Owned(rest + &piece) };
+        let mut rows = Rows::after(&text, line, separator).going_on(goes_on);
+        next = reader.rows(&mut rows);
+        rest = rows.rest().to_owned();
     }
     if reader.sink.rows() == 0 {
         reader.refuse(first_line, NOTHING, ImportErrorKind::NoRows);
@@ -208,6 +215,11 @@ impl<'a> Reader<'a, '_, '_> {
             self.is_open = next.is_none() && rows.is_open();
             match item {
                 Item::Row { line, cells } => self.row(line, &cells),
+                Item::Lines { line, text, cells } if self.hides_rows(&cells) => self.torn(line, text),
+                Item::Lines { line, text, cells } => {
+                    self.row(line, &cells);
+                    self.warn_row(line, ImportWarningKind::SeveralLines { lines: lines(text, 0, 0).count() });
+                }
                 Item::OpenQuote { line, text } => {
                     self.refuse(line, Cell { at: None, text }, ImportErrorKind::OpenQuote);
                 }
@@ -217,6 +229,21 @@ impl<'a> Reader<'a, '_, '_> {
             }
         }
         Some(rows.next_line())
+    }
+
+    /// Whether lines within the quotation marks of a row look like rows.
+    fn hides_rows(&self, cells: &StringRecord) -> bool {
+        // A size alone needs no callout.
+        let rules = Rules { has_plan: self.has_plan || self.sizes.is_some(), ..self.rules() };
+        rules.hides_rows(cells, self.separator)
+    }
+
+    /// A row with such lines: none of them has a verdict.
+    fn torn(&mut self, first: usize, text: &str) {
+        for (line, from, to) in lines(text, 0, first) {
+            let reason = if line == first { ImportErrorKind::OpenQuote } else { ImportErrorKind::WithinQuotes };
+            self.refuse(line, Cell { at: None, text: text.get(from..to).unwrap_or_default() }, reason);
+        }
     }
 
     fn warn_of_columns(&mut self, first_line: usize) {

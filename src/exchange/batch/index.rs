@@ -152,12 +152,6 @@ impl Index {
         Rows { end: start, broken: None }
     }
 
-    /// Finds the ends of the row that begins at a place and ends with the text; whether there is a whole one.
-    pub(super) fn find_row(&mut self, text: &[u8], start: usize, separator: u8) -> bool {
-        self.count = 0;
-        self.quoted_row(text, start, separator, true).is_ok()
-    }
-
     /// Finds the ends of one row and where the next one begins; else why the row is not whole.
     fn quoted_row(&mut self, text: &[u8], start: usize, separator: u8, is_all: bool) -> Result<usize, Option<Broken>> {
         let (mut is_open, mut is_first, mut lines) = (false, true, 0);
@@ -207,6 +201,14 @@ impl Index {
             }
             at += 1;
         }
+    }
+}
+
+/// Where the row that begins at a place ends, behind its line end, or why it is none; `None` where more of it may come.
+pub fn row_end(text: &[u8], start: usize, separator: u8, is_all: bool) -> Option<Result<usize, Broken>> {
+    match Index::default().quoted_row(text, start, separator, is_all) {
+        Ok(next) => Some(Ok(next)),
+        Err(broken) => broken.map(Err),
     }
 }
 

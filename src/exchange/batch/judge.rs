@@ -226,7 +226,7 @@ impl Judge<'_> {
             start = row.next();
             let lines = if block.index.is_some() && !self.court.layout.is_typed { row.lines() } else { 1 };
             if 1 < lines && self.hides_rows(&row) {
-                self.torn(&row, &mut tally, take);
+                Self::torn(&row, &mut tally, take);
                 continue;
             }
             take.at(tally.lines);
@@ -246,39 +246,28 @@ impl Judge<'_> {
         tally
     }
 
-    /// Whether a line within the quotation marks of a cell would be a row of this stream: the mark is one too many then, or one is missing.
+    /// Whether lines within the quotation marks of a row look like rows.
     #[cold]
     fn hides_rows(&self, row: &Row<'_>) -> bool {
         let (columns, separator) = (&self.court.layout.columns, self.court.layout.separator);
         let (has_commas, sources) = (self.court.fast.has_commas, self.court.sources);
         let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
-        let mut index = Index::default();
-        row.record().iter().flat_map(|cell| cell.split(['\n', '\r']).skip(1)).any(|line| {
-            let is_whole = index.find_row(line.as_bytes(), 0, separator);
-            let ends = index.rows().next().filter(|_| is_whole);
-            let cells = ends.map(|ends| Row::new(line.as_bytes(), 0, ends).record());
-            cells.is_some_and(|cells| rules.read(&cells).is_ok_and(|found| found.asked.is_some()))
-        })
+        rules.hides_rows(&row.record(), separator)
     }
 
-    /// A row with such lines: a quotation mark is open on its first line, and each other line is a row of its own, as `import` reads them.
+    /// A row with such lines: none of them has a verdict.
     #[cold]
-    fn torn(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
-        let separator = self.court.layout.separator;
-        let mut index = Index::default();
-        for (start, text) in lines_of(row) {
+    fn torn(row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
+        let mut start = row.start;
+        while start < row.next() {
             take.at(tally.lines);
-            let line = text.get(start..).unwrap_or_default();
-            let is_whole = row.start < start && index.find_row(text, start, separator);
-            match index.rows().next().filter(|_| is_whole) {
-                None => Self::broken(Broken::OpenQuote, line, tally, take),
-                Some(_) if std::str::from_utf8(line).is_err() => {
-                    tally.not_utf8 += 1;
-                    self.other_text(&utf8(line), tally, take);
-                }
-                Some(ends) => self.row(&Row::new(text, start, ends), tally, take),
-            }
+            let rest = row.text.get(start..row.next()).unwrap_or_default();
+            let end = memchr::memchr2(b'\n', b'\r', rest).map_or(rest.len(), |at| at + line_end(rest, at));
+            let is_first = start == row.start;
+            let reason = if is_first { ImportErrorKind::OpenQuote } else { ImportErrorKind::WithinQuotes };
+            Self::no_row(&reason, rest.get(..end).unwrap_or_default(), tally, take);
             tally.lines += 1;
+            start += end;
         }
     }
 
@@ -493,13 +482,18 @@ impl Judge<'_> {
         take.refused(row, &reason.to_string());
     }
 
-    /// A line that is no row.
     #[cold]
     fn broken(broken: Broken, line: &[u8], tally: &mut Tally, take: &mut impl Take) {
         let reason = match broken {
             Broken::OpenQuote => ImportErrorKind::OpenQuote,
             Broken::TooLong => ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 },
         };
+        Self::no_row(&reason, line, tally, take);
+    }
+
+    /// A line that is no row.
+    #[cold]
+    fn no_row(reason: &ImportErrorKind, line: &[u8], tally: &mut Tally, take: &mut impl Take) {
         tally.rows += 1;
         tally.note(Kind::Refused, None, || reason.message());
         let line = line.strip_suffix(b"\n").unwrap_or(line);
@@ -509,22 +503,8 @@ impl Judge<'_> {
             || utf8(line).into_owned(),
             |beginning| format!("{}…", String::from_utf8_lossy(beginning).trim_end_matches('\u{fffd}')),
         );
-        take.broken(&shown, &reason);
+        take.broken(&shown, reason);
     }
-}
-
-/// The lines of a row, each with its beginning and with the text up to its end.
-fn lines_of<'t>(row: &Row<'t>) -> impl Iterator<Item = (usize, &'t [u8])> {
-    let (text, end) = (row.text, row.next());
-    let mut start = row.start;
-    std::iter::from_fn(move || {
-        let rest = text.get(start..end).filter(|rest| !rest.is_empty())?;
-        let at = memchr::memchr2(b'\n', b'\r', rest);
-        let next = at.map_or(end, |at| start + at + line_end(rest, at).max(1));
-        let line = (start, text.get(..next)?);
-        start = next;
-        Some(line)
-    })
 }
 
 /// So many words of a status are remembered.

@@ -38,6 +38,7 @@ mod typed;
 pub use answers::{Answers, output_fields};
 pub use csv::Csv;
 pub use cut::{BLOCK, Block, Cutter, read};
+pub use index::row_end;
 pub use json_lines::JsonLines;
 pub use judge::{Counts, Court, Judge, Judged, Met, Take};
 pub use known::Figures;
