@@ -110,7 +110,8 @@ fn begins_with_figure(text: &str) -> bool {
 /// What a line that is no row says of units.
 pub(super) fn mentions<'c>(cells: impl Iterator<Item = &'c str>) -> Vec<Mention> {
     let marks = ['#', '!', '%', '*', '/', '\''];
-    let cells: Vec<&str> = cells.map(str::trim).collect();
+    // A line may have a million empty cells.
+    let cells: Vec<&str> = cells.map(str::trim).filter(|cell| !cell.is_empty()).collect();
     let roles: Vec<_> = cells.iter().map(|cell| words::role(cell)).collect();
     let has_measured = roles.iter().any(|role| matches!(role, Some((Role::Measured, rank)) if *rank != Rank::Weak));
     // A commented header states the units of its own columns.
