@@ -177,6 +177,10 @@ fn said(cell: &str) -> Option<Said> {
     if cell.contains(|c| SIGNS.contains(c)) {
         return of(Quantity::Other, true);
     }
+    // Most cells are numbers.
+    if !cell.contains(char::is_alphabetic) {
+        return None;
+    }
     let words = words_of(cell);
     if let [word] = words.as_slice()
         && word.chars().count() <= LONGEST_CODE
@@ -357,9 +361,12 @@ impl Sample {
     ) -> Vec<QuantityColumn> {
         let width = self.rows.iter().map(|(_, cells)| cells.len()).max().unwrap_or_default();
         let all = (0..width).filter_map(|at| {
-            let (free, name) = (free(at), name(header.get(at).unwrap_or_default()));
-            let column = self.look(header, at, name, names);
-            let (column, seen) = column.filter(|_| free != Free::No)?;
+            let free = free(at);
+            if free == Free::No {
+                return None;
+            }
+            let name = name(header.get(at).unwrap_or_default());
+            let (column, seen) = self.look(header, at, name, names)?;
             let is_read = match name {
                 _ if free == Free::NamesToo => seen.shapes == 0 && (seen.are_quantities() || seen.all_known(name)),
                 Name::Strong => true,

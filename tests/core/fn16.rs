@@ -376,10 +376,10 @@ fn a_mask_made_to_take_for_ever_ends_soon() {
     let slow = format!("\"{}x %9.4F\", {}, Q153;", "%S,".repeat(29), fields.join(", "));
     let hidden = format!("M_EMPTY_HIDE;\n{}\"A %9.4F\", Q153;", "\"%S\", QS1;\n".repeat(190));
     for mask in [slow, hidden] {
-        // A search without a bound takes years; what is bounded takes seconds, and minutes on a machine that does other work.
+        // A search without a bound takes years; what is bounded takes a second.
         let begin = std::time::Instant::now();
         let said = read(&[("m.a", &mask)], format!("{}\n", ",".repeat(1000)).repeat(60).as_bytes());
-        assert!(!said.is_empty() && begin.elapsed() < std::time::Duration::from_mins(10), "{:?}", begin.elapsed());
+        assert!(!said.is_empty() && begin.elapsed() < std::time::Duration::from_mins(1), "{:?}", begin.elapsed());
     }
 }
 
