@@ -100,6 +100,8 @@ pub enum BudgetWarning {
         #[say(with = printed)]
         given: String,
     },
+    /// Some of it is what the template says, not the station.
+    OfTemplate,
     /// Fewer readings than ISO 15530-3 asks for.
     FewReadings {
         /// How many there are.
@@ -232,6 +234,9 @@ impl Assessment {
             Validity::Valid => {}
             Validity::Expired => warnings.push(BudgetWarning::Expired { until: valid_until.to_string() }),
             Validity::NotYet => warnings.push(BudgetWarning::NotYet { date: date.to_string() }),
+        }
+        if !self.budget.placeholders().is_empty() {
+            warnings.push(BudgetWarning::OfTemplate);
         }
         if let Answer::Repeated(repeated) = &self.answer {
             if !repeated.is_enough() {

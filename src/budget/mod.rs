@@ -12,6 +12,7 @@
 //! | `evaluation` | the table of contributions, combined and expanded uncertainty, what would help most |
 //! | `coverage` | the coverage factor for 95.45 % |
 //! | `doubts` | whether a budget is about what is judged with it |
+//! | `template` | what a new budget begins with, and what of it still stands in another one |
 //! | `calibrated` | a calibrated piece, measured again and again |
 //! | `assessment` | a budget evaluated for a day, what to check about it, and what is kept of it beside a verdict |
 //!
@@ -28,6 +29,7 @@ mod geometry;
 mod kinds;
 mod numbers;
 mod piece;
+pub mod template;
 
 pub use assessment::{Answer, Assessment, AssessmentError, BudgetWarning, Provenance};
 pub use calibrated::{Calibrated, CalibratedError, FEWEST_READINGS, Repeated};

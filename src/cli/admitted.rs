@@ -97,7 +97,8 @@ impl Admits for BudgetWarning {
             | Self::OtherSize { .. }
             | Self::OtherSide { .. }
             | Self::OtherExpansion { .. }
-            | Self::OtherTemperature { .. } => true,
+            | Self::OtherTemperature { .. }
+            | Self::OfTemplate => true,
             Self::FewReadings { .. }
             | Self::BiasCorrected { .. }
             | Self::BiasNotCorrected { .. }

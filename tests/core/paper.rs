@@ -172,6 +172,21 @@ fn an_expired_budget_is_said_in_words_for_each_day() {
 }
 
 #[test]
+fn a_budget_with_entries_of_the_template_is_told_and_ends_with_14() {
+    let folder = folder();
+    let text = fitcheck::budget::template::text(date(2026, 1, 1), date(2026, 12, 31));
+    let own = text.replace("Station 1, probe 1", "Station 9").replace("Who made it", "J. Jansen");
+    let own = own.replace("standard_um = 0.5", "standard_um = 0.4");
+    for (text, expected) in [(text, 14), (own, 0)] {
+        write(folder.path(), "new.toml", &text);
+        let line =
+            "report --check 25_H7=25.012 --rule ilac-g8 --budget new.toml -o - --format json --time 2026-03-01T10:00";
+        let (code, out, said) = run(folder.path(), line);
+        assert_eq!((code, said.contains("entries of the template")), (Some(expected), expected == 14), "{out}{said}");
+    }
+}
+
+#[test]
 fn a_budget_that_needs_contacts_refuses_values_without_them() {
     let folder = folder();
     let line = "report rows.csv --rule ilac-g8 --budget scatter.toml -o r.html --time 2026-03-01T10:00";

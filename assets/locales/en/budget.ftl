@@ -27,6 +27,7 @@ budget-calibrated-nothing = every uncertainty is zero
 
 budget-warning-expired = the budget has expired: it was valid until { $until }
 budget-warning-not-yet = the budget is not valid yet: its date is { $date }
+budget-warning-of-template = the budget still has entries of the template in place of its name, of who made it or of its figures: they say nothing of this station
 budget-warning-few-readings = { $readings } readings of the calibrated piece: ISO 15530-3 asks for at least { $fewest }
 budget-warning-bias-corrected = bias { $bias } µm: the uncertainty is that of values from which the bias has been subtracted; Fitcheck does not subtract it
 budget-warning-bias-not-corrected = bias { $bias } µm: it is not corrected, so the uncertainty includes it

@@ -5,10 +5,8 @@ use std::path::{Path, PathBuf};
 use jiff::ToSpan as _;
 use jiff::civil::Date;
 
+use crate::budget::template;
 use crate::journal::chain::Hash;
-
-/// What a new budget begins with; the days are put in.
-const TEMPLATE: &str = include_str!("../../../assets/budget.toml");
 
 /// What a file is called that has no name yet.
 const NEW: &str = "budget.toml";
@@ -31,7 +29,7 @@ impl Document {
     /// A new budget, made today and valid for a year.
     pub fn new(today: Date) -> Self {
         let until = today.checked_add(1.year()).and_then(|day| day.checked_sub(1.day())).unwrap_or(today);
-        let text = TEMPLATE.replace("{date}", &today.to_string()).replace("{until}", &until.to_string());
+        let text = template::text(today, until);
         Self { kept: text.clone(), text, ..Self::default() }
     }
 

@@ -1,12 +1,11 @@
 //! Which budget checks use, and the file in which it is found again at the next start.
 
 use std::path::{Path, PathBuf};
-use std::sync::{Arc, LazyLock};
-
-use jiff::civil::Date;
+use std::sync::Arc;
 
 use super::document::Document;
 use super::{BudgetPage, Readings};
+use crate::budget::template::Placeholder;
 use crate::budget::{Basis, Budget, Validity};
 use crate::journal::chain::Hash;
 use crate::message::{Message, Say as _};
@@ -56,23 +55,15 @@ impl BudgetPage {
 
     /// What of the template still stands in the budget: nobody has said it of this station.
     pub fn placeholders(&self) -> Vec<Message> {
-        static TEMPLATE: LazyLock<Option<Budget>> =
-            LazyLock::new(|| Budget::read(&Document::new(Date::default()).text).ok());
-        let (Some(Ok(budget)), Some(template)) = (&self.read, &*TEMPLATE) else { return Vec::new() };
-        let stands = |is_same: bool, key: &'static str| is_same.then(|| Message::new(key));
-        let name = stands(budget.name == template.name, "budget-page-placeholder-name");
-        let by = stands(budget.by == template.by, "budget-page-placeholder-by");
-        let figures = match (&budget.basis, &template.basis) {
-            (Basis::Contributions(own), Basis::Contributions(all)) => {
-                own.iter().filter(|own| all.contains(own)).count()
-            }
-            _ => 0,
+        let Some(Ok(budget)) = &self.read else { return Vec::new() };
+        let message = |what| {
+            Message::new(match what {
+                Placeholder::Name => "budget-page-placeholder-name",
+                Placeholder::By => "budget-page-placeholder-by",
+                Placeholder::Figures => "budget-page-placeholder-figures",
+            })
         };
-        let all = match &budget.basis {
-            Basis::Contributions(own) => own.len(),
-            Basis::Calibrated(_) => 1,
-        };
-        name.into_iter().chain(by).chain(stands(figures == all, "budget-page-placeholder-figures")).collect()
+        budget.placeholders().into_iter().map(message).collect()
     }
 
     /// Which budget checks use.

@@ -17,7 +17,7 @@ use ways::WAYS;
 const ROWS_OF_A_TABLE: usize = 24;
 
 /// Rows where nothing else is asked for: some seconds.
-const ROWS: usize = 20_000;
+const ROWS: usize = 12_000;
 
 #[derive(Default)]
 struct Counts {

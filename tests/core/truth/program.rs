@@ -13,7 +13,7 @@ use super::table::{Table, Trap, Truth};
 use crate::fuzzing::{Random, variable};
 
 /// Each table is a file and a call of its own.
-const TABLES: usize = 12;
+const TABLES: usize = 8;
 const ROWS_OF_A_TABLE: usize = 6;
 
 fn say(folder: &Path, arguments: &[&str]) -> (i32, String, String) {
