@@ -101,7 +101,7 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
         let text = if rest.is_empty() { piece } else { Cow::Owned(rest + &piece) };
         let mut rows = Rows::after(&text, line, separator).going_on(goes_on);
         next = reader.rows(&mut rows);
-        rest = rows.rest().to_owned();
+        rows.rest().clone_into(&mut rest);
     }
     if reader.sink.rows() == 0 {
         reader.refuse(first_line, NOTHING, ImportErrorKind::NoRows);
