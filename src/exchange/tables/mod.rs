@@ -10,7 +10,7 @@
 //! To add a format:
 //!
 //! 1. Write a file with its [`TableFormat`]. Add its `mod` line, its line in [`TABLE_FORMATS`] and its row above.
-//! 2. Add `table-format-NAME` to `exchange.ftl` in every folder of `assets/locales`.
+//! 2. Add the text of its `description` to `exchange.ftl` in every folder of `assets/locales`.
 //! 3. Test it in `tests/core/table_formats.rs`. Add a call of `fitcheck table export` to the corpus and record the answers
 //!    (`tests/core/corpus.rs`).
 //!
