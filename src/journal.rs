@@ -19,6 +19,17 @@
 //! | `natural` | texts in the order in which people count |
 //! | `planned` | a value of a plan's size becomes a record: what the plan says, and what is given beside it |
 //! | `window` | the status window of a record |
+//!
+//! To add a field to an entry:
+//!
+//! 1. Add it to `entry.rs`, or to the record here. The compiler names everybody who makes entries: command line, window, store, tests.
+//! 2. Add it to `body/wire.rs` as optional, with `#[serde(default, skip_serializing_if = "Option::is_none")]`. Kept bodies then stay byte
+//!    for byte the same; no body is ever written again.
+//! 3. Add a line each to `body/write.rs` and `body/read.rs` (`body/size.rs` for a record), and a row to `docs/JOURNAL.md`.
+//! 4. Raise `body::VERSION`: older versions of Fitcheck refuse a body with a field that they do not know. Every version up to it is read.
+//! 5. Leave the golden bodies of `tests/core/journal_body.rs` as they are and add new ones.
+//! 6. Show it in `cli/journal/text.rs` and `gui/records/reasons.rs`; take it in `cli/record.rs`; correct it in `cli/journal/correct.rs`.
+//! 7. Give it to the view of the server by a function of its own and as the last column (`store/shop/view.sql`).
 
 pub mod ask;
 pub mod body;

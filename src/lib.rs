@@ -15,6 +15,7 @@
 //! | [`part`] | whole parts: plans of features |
 //! | [`nc`] | NC programs: read, written, run |
 //! | [`exchange`] | files of other tools |
+//! | [`batch`] | rows by the million, judged by several workers |
 //! | [`journal`] | what was checked, when, by which rule |
 //! | [`report`] | inspection reports |
 //! | [`store`] | where records are kept: a file of one station, the server of a shop |

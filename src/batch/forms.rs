@@ -1,5 +1,16 @@
-//! What the rows are written as. A form is a variant and its lines here, and a file in `exchange::batch`; nobody else asks which form
-//! it is, so the compiler names every line that a new one needs.
+//! What the rows are written as.
+//!
+//! To add a form of text:
+//!
+//! 1. Write a file in `exchange/batch` that implements [`Take`]. Add its `mod` and `pub use` lines and its row in `mod.rs` there.
+//! 2. Add here its variant, its line in [`FORMS`], its [`Rendering`] and an arm in each question about a form. The compiler names the
+//!    arms. Elsewhere `cli/batch.rs` alone names forms: CSV is the default, and Parquet is not packed.
+//! 3. Judge the same rows into it with `judged::<R>` in `tests/core/batch.rs` and in `fuzz/src/targets/batch.rs`.
+//! 4. Name its ending in the help of `cli/batch.rs`, in `README.md` and in `CHANGELOG.md`.
+//! 5. Add a call to `tests/data/corpus/batch.txt` and record the answers (`tests/core/corpus.rs`).
+//!
+//! A form that is not text is made as `parquet` is. Rows that do not come as text become the text of a CSV (`exchange/batch/typed.rs`),
+//! so that one judge reads all rows.
 
 use crate::exchange::batch::{Csv, JsonLines, Layout, Take, Tsv};
 use crate::length::Line;

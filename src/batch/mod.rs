@@ -10,6 +10,10 @@
 //! | `parquet` | Parquet in and out, with the feature of that name |
 //!
 //! What a row means is in `exchange::batch`.
+//!
+//! To use the rows of a stream in another way, give [`run_into`] two things: a [`Making`], which is what a worker makes of a block, and a
+//! [`Sink`], which takes it in the order of the stream. Written bytes are one such pair; `Marks` and the list of the window
+//! (`gui/rows.rs`) are another.
 
 mod forms;
 #[cfg(feature = "parquet")]

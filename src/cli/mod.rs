@@ -3,7 +3,15 @@
 //! Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 14 judged, but look first, 1 bad data, 2 wrong usage, 130 stopped by
 //! Ctrl+C. `Outcome::worse` ranks them. A closed pipe ends the program quietly. Nothing here needs a display.
 //!
-//! A new subcommand is a file with its `Args`, a `mod` line and a line in the table `subcommands!`. They share:
+//! To add a subcommand:
+//!
+//! 1. Write a file with its `Args` and their `run`, and its `mod` line.
+//! 2. Add its line to the table `subcommands!`.
+//! 3. Add calls of it and of each option and value to the corpus and record the answers (`tests/core/corpus.rs`). A test names every
+//!    missing call.
+//! 4. Describe it in `README.md` and `CHANGELOG.md`.
+//!
+//! The subcommands share:
 //!
 //! | file | what |
 //! |---|---|

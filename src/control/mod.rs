@@ -13,7 +13,7 @@
 //! | `log` | measuring logs as texts, read and written |
 //! | `point_log` | the log of points as HTML, read and written |
 //! | `probe_block` | the block of a probing cycle in an NC program, read and written |
-//! | `simulated` | the line that marks what a simulation has written
+//! | `simulated` | the line that marks what a simulation has written |
 //! | `cycle_log` | from a cycle's result to its log |
 
 pub mod cycle_log;

@@ -37,8 +37,36 @@
 //! | `parquet` | columns of typed values, with the feature of that name |
 //! | `batch` | a verdict for every row of a stream of any length |
 //!
-//! A new format is one file here, its `mod` line and one in [`FORMATS`]; command line and dialogs follow from the list.
 //! Nothing here opens a file: a name, bytes, tables and the time come in as arguments.
+//!
+//! To add a reader of measurements:
+//!
+//! 1. Write a file or folder with its `FORMAT`. Add its `mod` line, its row above and its line in [`FORMATS`].
+//! 2. Add its errors as variants of [`ImportErrorKind`] (`error.rs`). Add their texts and `exchange-format-NAME` to `exchange.ftl`, or a
+//!    file of its own, in every folder of `assets/locales`.
+//! 3. For every row, ask `sink.is_full(line)`, refuse a line beyond `LONGEST_ROW`, and hand out a record, something set aside or an error.
+//!    Hand out `NoRows` where there was none.
+//! 4. Give a value with limits of its own to `Characteristic::judge`. Set a value without limits aside as [`WhyUnjudged::NoCallout`], or
+//!    as `NotPositive` where it is zero or less: a plan judges it. `by_plan::is_plain` lists the reasons that a plan may overrule.
+//! 5. Put what a device says of the status into the labels as a [`Claim`]; a contradiction is then reported by itself. Put what the file
+//!    says was measured into `Labels::quantity`, so that no plan takes a width for a diameter.
+//! 6. Set three fields for the watched folder:
+//!
+//!    | a file | `line_ends` | `has_marks` | `shows_end` |
+//!    |---|---|---|---|
+//!    | of lines, and may grow | `LINE_END_BYTES` | whether its content says what it is | true: a line without an end is not complete |
+//!    | of lines, and may grow, but a line does not show that its value is complete (AQDEF) | `PLAIN_LINE_END_BYTES` | true | false |
+//!    | read whole, and refused when it is cut off | none | true | true |
+//!    | that shows nothing of its end | none | true | false |
+//!
+//! 7. Test it in `tests/core`, add a fuzz target (`fuzz/src/targets/mod.rs`), and add calls to `import.txt` and `plan.txt` of the corpus
+//!    (`tests/core/corpus.rs`). No test asks for these calls.
+//! 8. Describe it in `README.md` ("Files"), `docs/SOURCES.md` and `CHANGELOG.md`.
+//!
+//! Help, dialogs, `fitcheck watch` and the search for features by a plan follow. A format that declares characteristics is a reader that
+//! makes `Characteristic`s and also gives them by `plan` of its [`Format`]; plans and the comparison of limits follow.
+//!
+//! Other formats: `tables` writes tables of deviations, `sql` dialects, `report` renderings.
 
 pub mod aqdef;
 pub mod batch;

@@ -10,6 +10,16 @@
 //! | `bundle` | the texts of one language |
 //! | `foreign` | texts that somebody else has written, where they could do harm |
 //! | `located` | an error or a warning with its place in a file |
+//!
+//! To add an error, a warning or a remark:
+//!
+//! 1. Add a variant to the enum of its room, which derives [`Say`]. A place in a file is [`Located`], never a field.
+//! 2. Add its text to every folder of `assets/locales`. Its name is the prefix of the enum and the variant in kebab case; its
+//!    arguments are the fields. `derive/src/lib.rs` has the attributes that change this. `Display` is the English text.
+//! 3. If the command line shows it as a warning or a remark, decide in `cli/admitted.rs` whether it changes the exit code.
+//!
+//! A missing English text does not compile, nor does a text with an argument that the variant lacks. The test `locales` finds a
+//! missing text of another language. It also finds ids without a text that a declaration names or that the code composes.
 
 mod arg;
 mod bundle;

@@ -13,8 +13,16 @@
 //! | `text` | sentences about status, source of the limits, size and position |
 //!
 //! A report is made from records and nothing else: no clock, no window, no table. The same report always gives the same
-//! bytes. A new rendering is a file here, its `mod` line and one in [`RENDERINGS`]; the command line's formats and the window's file
-//! filters follow from that list. Templates are in `assets/report`.
+//! bytes. Templates are in `assets/report`.
+//!
+//! To add a rendering:
+//!
+//! 1. Write a file with its `RENDERING`. Add its `mod` line, its line in [`RENDERINGS`] and its row above.
+//! 2. Add `export-NAME` to `window.ftl` in every folder of `assets/locales`.
+//! 3. Test it in `tests/core/renderings`. Add a call of `fitcheck report` to the corpus and record the answers
+//!    (`tests/core/corpus.rs`).
+//!
+//! The formats of the command line, the entries of the window's menus and the filters of its dialogs follow.
 
 pub mod band;
 pub mod columns;

@@ -25,6 +25,17 @@
 //! | `files` | dialogs, and what comes back from files |
 //! | `columns` | the columns of files of measurements, as they are corrected and remembered |
 //! | `saved` | what survives a restart |
+//!
+//! To add a page, begin here; `gui/mod.rs` has the other half:
+//!
+//! 1. Add a variant to [`Page`] and to `Page::ALL` with its length, and its own command to [`Command`] and `from_variants!` (`command.rs`).
+//! 2. Write its folder: `mod.rs` (state), `command.rs`, `field.rs`, `apply.rs`. A page changes itself and `shared`, and hears of other pages
+//!    by `News`.
+//! 3. Add its fields to [`Field`] (`field.rs`), its state to [`Session`], its command to `Session::apply`, and its reader to `readers.rs`.
+//! 4. Add its arm to `Action::Open` in `action/table.rs` (Ctrl+1 to Ctrl+9 are taken), what Enter does to `action/keys.rs`, and its own
+//!    rows as a file of `action`.
+//! 5. Add what survives a restart to `saved.rs`, with a default where a state file lacks it.
+//! 6. Test it without a window in `tests/core/session_NAME.rs`.
 
 /// `From` the value of a variant, for variants that each hold a different type.
 macro_rules! from_variants {

@@ -6,6 +6,19 @@
 //! |---|---|
 //! | `language` | the languages of the window and of reports: the folders of `assets/locales` |
 //! | `dialogue` | the dialogue languages of the control: masks, logs, programs, cycles |
+//!
+//! To add a language of the window:
+//!
+//! 1. Add a folder to `assets/locales` with every file of `en`. `language.ftl` has the name of the language and its decimal sign.
+//! 2. Add a call such as `fitcheck report … --language fr` to the corpus and record the answers (`tests/core/corpus.rs`).
+//!
+//! Tests name every missing text and call.
+//!
+//! To add a dialogue language of the control:
+//!
+//! 1. Add a value to [`Dialogue`], with its line in `ALL` and its code.
+//! 2. Add its files to `assets/dialogues`, `assets/logs`, `assets/masks` and `assets/nc`. Tests name every missing file.
+//! 3. Add the names and questions to the declarations of the cycles that have this language (`probing/cycles`).
 
 mod dialogue;
 mod language;

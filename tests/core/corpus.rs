@@ -1,7 +1,12 @@
 //! The command line, byte for byte: compares every call of `tests/data/corpus/*.txt` with its recorded output.
 //!
 //! `CORPUS=write cargo test --no-default-features --test core corpus` records the output again; the difference is then
-//! read in the files. A file is a list of calls:
+//! read in the files: review it like code. Help and errors list cycles, formats and subcommands, so that a new one of these
+//! changes answers of other calls, too.
+//!
+//! Calls are written by hand. Every subcommand, option and value of an option needs one, and a test names every missing call.
+//! Options of a struct that subcommands share, such as `TableArgs`, need one call in all; each of these subcommands needs a
+//! call with one of them. A file is a list of calls:
 //!
 //! ```text
 //! # A comment; it belongs to the call below it.

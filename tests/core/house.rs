@@ -41,7 +41,7 @@ fn none_names(files: &[(String, String)], words: &[&str]) {
 }
 
 /// The rooms from the ground up, each with the rooms that it may name: an arrow only points down.
-const ROOMS: [(&str, &[&str]); 22] = [
+pub const ROOMS: [(&str, &[&str]); 22] = [
     ("shipped", &[]),
     ("message", &["shipped"]),
     ("length", &["message"]),

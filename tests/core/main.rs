@@ -1,4 +1,8 @@
-//! Tests of the core and the command line, in one binary.
+//! Tests of the core and the command line, in one binary: a new file needs its `mod` line here, and
+//! `cargo test --no-default-features --test core NAME::` runs the tests of one file.
+//!
+//! A property test that fails writes its case to `tests/proptest-regressions/*.txt`, one of `src` to `proptest-regressions/`.
+//! Commit the file if the code was wrong, and delete it otherwise.
 
 #![cfg(test)]
 

@@ -1,10 +1,12 @@
 //! The documents keep their promises: what they name exists, and the README's list of cycles is the program's.
 
-use std::collections::BTreeSet;
+use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use fitcheck::probing::cycle::{Control, Cycle};
 use fitcheck::probing::cycles::{CYCLES, cycles_of};
+
+use crate::house::ROOMS;
 
 fn root() -> PathBuf {
     PathBuf::from(env!("CARGO_MANIFEST_DIR"))
@@ -34,8 +36,41 @@ fn named_tests(document: &str, heading: &str) -> Vec<String> {
     let (_, table) = text.split_once(heading).unwrap();
     let cells = table.lines().filter_map(|line| line.strip_prefix("| ")?.strip_suffix(" |"));
     let last = cells.filter_map(|cells| cells.rsplit_once(" | "));
-    let names = last.flat_map(|(_, tests)| quoted(tests)).filter(|name| !name.contains(['/', '.', '*']));
-    names.map(str::to_owned).collect()
+    last.flat_map(|(_, tests)| names(tests)).map(str::to_owned).collect()
+}
+
+/// The words in backticks that can be names of tests: no files and no patterns.
+fn names(text: &str) -> impl Iterator<Item = &str> {
+    quoted(text).filter(|name| !name.contains(['/', '.', '*']))
+}
+
+/// What guards an invariant: a test, or every test of a module.
+struct Guard {
+    name: String,
+    is_module: bool,
+}
+
+/// The invariants, each with what guards it: a list, and a list below each of its items.
+fn invariants() -> Vec<(String, Vec<Guard>)> {
+    let text = std::fs::read_to_string(root().join("docs/INVARIANTS.md")).unwrap();
+    let mut all: Vec<(String, Vec<Guard>)> = Vec::new();
+    for line in text.lines() {
+        if let Some(invariant) = line.strip_prefix("- ") {
+            all.push((invariant.to_owned(), Vec::new()));
+        } else if let Some(tests) = line.strip_prefix("  - ") {
+            let is_module = tests.starts_with("every test of ");
+            let guards = names(tests).map(|name| Guard { name: name.to_owned(), is_module });
+            all.last_mut().unwrap().1.extend(guards);
+        }
+    }
+    all
+}
+
+/// Whether a file is that of a module, such as `programs::iso`; every file is one of the empty path.
+fn is_of(file: &Path, module: &[&str]) -> bool {
+    let file = file.with_extension("");
+    let parts: Vec<&str> = file.iter().filter_map(|part| part.to_str()).filter(|part| *part != "mod").collect();
+    parts.ends_with(module)
 }
 
 #[test]
@@ -43,27 +78,58 @@ fn every_test_that_a_document_names_exists() {
     let mut files = Vec::new();
     sources(&root().join("tests"), &mut files);
     sources(&root().join("src"), &mut files);
-    let functions: BTreeSet<&str> = files
-        .iter()
-        .flat_map(|(_, text)| text.split("fn ").skip(1))
-        .filter_map(|rest| rest.split_once('(').map(|(name, _)| name))
-        .collect();
-    let is_test = |name: &str| functions.contains(name);
+    let mut functions: BTreeMap<&str, Vec<&Path>> = BTreeMap::new();
+    for (path, text) in &files {
+        for (name, _) in text.split("fn ").skip(1).filter_map(|rest| rest.split_once('(')) {
+            functions.entry(name).or_default().push(path);
+        }
+    }
     let is_module = |name: &str| {
-        let file = |path: &PathBuf| path.file_stem().is_some_and(|stem| stem == name);
-        let folder = |path: &PathBuf| path.parent().is_some_and(|folder| folder.ends_with(name));
-        files.iter().any(|(path, _)| file(path) || folder(path))
+        let module: Vec<&str> = name.split("::").collect();
+        files.iter().any(|(path, _)| is_of(path, &module))
+    };
+    let is_test = |name: &str| {
+        let (module, test) = name.rsplit_once("::").unwrap_or(("", name));
+        let module: Vec<&str> = module.split("::").filter(|part| !part.is_empty()).collect();
+        functions.get(test).is_some_and(|paths| paths.iter().any(|path| is_of(path, &module)))
     };
     for (document, heading, at_least) in [
-        ("ARCHITECTURE.md", "## Invariants", 60),
+        ("ARCHITECTURE.md", "## Invariants", 15),
         ("SECURITY.md", "## What holds", 20),
         ("docs/REQUIREMENTS.md", "## Rows", 170),
     ] {
         let names = named_tests(document, heading);
         assert!(at_least < names.len(), "the search finds only {} in {document}", names.len());
         for name in names {
-            let last = name.rsplit("::").next().unwrap();
-            assert!(is_test(last) || is_module(last), "{document} names {name}, which does not exist");
+            assert!(is_test(&name) || is_module(&name), "{document} names {name}, which does not exist");
+        }
+    }
+    let invariants = invariants();
+    assert!(135 < invariants.len(), "the search finds only {}", invariants.len());
+    for (invariant, guards) in invariants {
+        assert!(!guards.is_empty(), "no test guards: {invariant}");
+        for Guard { name, is_module: is_whole } in guards {
+            let exists = if is_whole { is_module(&name) } else { name.contains("::") && is_test(&name) };
+            assert!(exists, "docs/INVARIANTS.md names {name}, which does not exist");
+        }
+    }
+}
+
+/// A module that the architecture names for a change has the list of what to do.
+#[test]
+fn every_recipe_is_where_the_architecture_says() {
+    let text = std::fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
+    let (_, rows) = text.split_once("## To add something").unwrap();
+    let (rows, _) = rows.split_once("\n## ").unwrap();
+    let cells = rows.lines().filter_map(|line| line.strip_prefix("| ")?.split_once(" | "));
+    let files: Vec<&str> = cells.flat_map(|(_, read)| quoted(read)).collect();
+    assert!(20 < files.len(), "the search finds only {}", files.len());
+    for file in files {
+        let text = std::fs::read_to_string(root().join(file)).unwrap_or_else(|error| panic!("{file}: {error}"));
+        if file.starts_with("src/") {
+            let docs: Vec<&str> = text.lines().take_while(|line| line.starts_with("//!")).collect();
+            let says = |line: &&str| line.starts_with("//! To add ") || line.starts_with("//! To use ");
+            assert!(docs.iter().any(says), "{file} does not say how to add something");
         }
     }
 }
@@ -71,12 +137,17 @@ fn every_test_that_a_document_names_exists() {
 #[test]
 fn every_room_of_the_architecture_exists_and_every_room_is_in_it() {
     let text = std::fs::read_to_string(root().join("ARCHITECTURE.md")).unwrap();
-    let (_, rooms) = text.split_once("## Room by room").unwrap();
-    let (rooms, _) = rooms.split_once("## Things that are easy").unwrap();
+    let (_, rooms) = text.split_once("## Code map").unwrap();
+    let (rooms, _) = rooms.split_once("\n## ").unwrap();
     let rows = rooms.lines().filter(|line| line.starts_with("| `"));
-    let mut named: Vec<String> =
-        rows.filter_map(quoted_first).map(|room| room.trim_end_matches('/').to_owned()).collect();
-    named.sort();
+    let mut named: Vec<&str> = rows.filter_map(quoted_first).collect();
+    let place = |room: &str| named.iter().position(|named| *named == room);
+    for (room, below) in ROOMS {
+        for other in below {
+            assert!(place(other) < place(room), "{room} may name {other}, which ARCHITECTURE.md lists below it");
+        }
+    }
+    named.sort_unstable();
     let entries = std::fs::read_dir(root().join("src")).unwrap();
     let mut there: Vec<String> =
         entries.map(|entry| entry.unwrap().path().file_stem().unwrap().to_string_lossy().into_owned()).collect();
@@ -110,6 +181,7 @@ fn every_link_of_the_documents_leads_to_a_file() {
     let documents = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "SECURITY.md"];
     let more = [
         "docs/DEPENDENCIES.md",
+        "docs/INVARIANTS.md",
         "docs/JOURNAL.md",
         "docs/RELEASE.md",
         "docs/REQUIREMENTS.md",

@@ -1,8 +1,13 @@
 //! What is fuzzed: one target per reader, and one per question that can be answered in two ways.
 //!
 //! libFuzzer (`fuzz/campaign`) and the short run of the tests (`tests/core/fuzzing.rs`) both use [`TARGETS`]. A target
-//! panics where an input breaks what it holds, and returns otherwise. A new target is a file here, its `mod` line, its
-//! line in the table, and a folder of seeds in `fuzz/corpus`.
+//! panics where an input breaks what it holds, and returns otherwise.
+//!
+//! To add a target:
+//!
+//! 1. Write a file here, with its `mod` line and its line in the table `targets!`. The line names the words of its language, a
+//!    file of `fuzz/words`, or `none`.
+//! 2. Add a folder of seeds to `fuzz/corpus` and a row to `fuzz/README.md`. Tests name what is missing.
 
 mod aqdef;
 mod batch;

@@ -7,7 +7,15 @@
 //! | `decimals` | limits and verdict for engines with exact decimals |
 //! | `postgres`, `duckdb`, `spark`, `sqlite` | one dialect each: its tables, how it reads texts, its functions and examples |
 //!
-//! A new dialect is one file here, its `mod` line and one in [`DIALECTS`]; the command line follows from the list.
+//! To add a dialect:
+//!
+//! 1. Write a file with its `DIALECT`. Add its `mod` line, its line in [`DIALECTS`] and its row above. `decimals` has what engines
+//!    with exact decimals share.
+//! 2. Add a function that runs it to `ENGINES` in `tests/engines/engines.py`. `tests/core/sql.rs` asks the same names and errors of
+//!    every dialect by itself.
+//! 3. Add a call of `fitcheck sql` to the corpus and record the answers (`tests/core/corpus.rs`).
+//!
+//! The command line follows.
 //!
 //! All steps end at whole millimetres, so a table from each millimetre to its step turns the look-up of a size into
 //! equality joins. Texts are checked before they are cast, because casts of the engines round and take too much.

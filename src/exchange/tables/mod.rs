@@ -7,7 +7,14 @@
 //! | `parquet` | Parquet, one row per cell, with the feature of that name |
 //! | `pcdmis` | the CSV that PC-DMIS reads for ISO tolerances |
 //!
-//! A new format is one file here, its `mod` line and one in [`TABLE_FORMATS`]; command line and dialogs follow from the list.
+//! To add a format:
+//!
+//! 1. Write a file with its [`TableFormat`]. Add its `mod` line, its line in [`TABLE_FORMATS`] and its row above.
+//! 2. Add the text of its `description` to `exchange.ftl` in every folder of `assets/locales`.
+//! 3. Test it in `tests/core/table_formats.rs`. Add a call of `fitcheck table export` to the corpus and record the answers
+//!    (`tests/core/corpus.rs`).
+//!
+//! Command line and dialogs follow.
 
 mod control;
 mod csv;

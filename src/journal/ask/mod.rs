@@ -23,6 +23,16 @@
 //! | `error` | why a text is no question, and where |
 //! | `printing` | its text again |
 //! | `finding` | whether it asks for an entry |
+//!
+//! To add a word to questions:
+//!
+//! 1. Add a field to [`Question`], its lines in `reading`, `printing` and `finding`, and its row above. `finding` answers for entries that
+//!    are not indexed yet and for the server; `store/shop/reading.rs` may narrow what the server sends.
+//! 2. Add what it needs to `journal/found.rs` and `body/brief.rs`.
+//! 3. Add a column and a condition to `schema.rs` and `finding.rs` in `store/local`, and raise `schema::VERSION`. The next recording brings
+//!    an older file up to date; until then nobody reads that file.
+//! 4. Name the word in the help of `cli/journal/mod.rs` and in `records-page-help`.
+//! 5. Ask for it in `questions_find_what_a_look_at_every_entry_finds` (`tests/core/local_journal.rs`).
 
 mod error;
 mod finding;

@@ -1,4 +1,4 @@
-//! The measuring cycles. A new one is a file here, its `mod` line and a line in [`CYCLES`].
+//! The measuring cycles.
 //!
 //! | file | cycle |
 //! |---|---|
@@ -17,6 +17,26 @@
 //! | `c427` | 427, measure coordinate |
 //! | `c444` | 444, probing in 3-D |
 //! | `g785` | G785 of lathe controls, circle measurement |
+//!
+//! To add a cycle:
+//!
+//! 1. Write a file with its declaration `CYCLE`. Add its `mod` line, its line in [`CYCLES`] and its row above.
+//! 2. Add its texts: the names of new results in `assets/locales`; the title of its log and new figures in `assets/logs`; a mask in
+//!    `assets/masks` if it has one of its own. Tests name every missing text.
+//! 3. Draw in `gui/cycles/picture` what no cycle has yet: a meaning (`probing/cycle/meaning.rs`) or a shape.
+//! 4. Name the cycle in `README.md` (the test `promises` says where; the log under "Files"), `CHANGELOG.md` and `docs/SOURCES.md`.
+//! 5. Add its calls to the corpus and record the answers (`tests/core/corpus.rs`).
+//!
+//! Everything else follows from the declaration:
+//!
+//! | part of the declaration | what follows |
+//! |---|---|
+//! | parameters: number, name, unit, range, default | range errors, the form of the page, NC blocks both ways, `--list`, values read |
+//! | meanings of the parameters | drawings and sentences |
+//! | `surface` | the nominal workpiece, the picture of the path |
+//! | `log` | the measuring log, written and read |
+//! | `window` | the mask of the status window |
+//! | `corrects` | the correction of the tool of Q330 |
 
 mod c421;
 mod c422;

@@ -6,7 +6,13 @@
 //! | `parts` | holes or shafts with everything about them that has to be said |
 //! | `figures` | CSV and JSON, the same in every language |
 //!
-//! A new format of the answer is a [`Format`] in [`FORMATS`]: the window's file filters follow.
+//! To add a format of the answer:
+//!
+//! 1. Declare a [`Format`] here and add its line in [`FORMATS`].
+//! 2. Add `pairing-page-save-NAME` to `pairing-page.ftl` in every folder of `assets/locales`.
+//! 3. Add a call of `fitcheck pair --format NAME` to the corpus and record the answers (`tests/core/corpus.rs`).
+//!
+//! The button, the dialog and `fitcheck pair --format` follow.
 
 mod figures;
 mod parts;

@@ -1,7 +1,13 @@
 //! The list of sources that are asked after the user's own tables.
 //!
-//! A new source is a file in `bases/` with its declaration, its lines in this file (`mod`, variant, `ALL` and
-//! `declaration`), and its texts. The command line, the window's menu, the state file and every look-up follow.
+//! To add a source:
+//!
+//! 1. Write a file in `bases/` with its `DECLARATION`. Add its lines here: `mod`, variant, `ALL` with its length, `declaration`.
+//! 2. Add its texts to every folder of `assets/locales`: its name in the menu (`source-choice-NAME`), what an answer says of its
+//!    origin, and why it has no limits. [`LimitsError::Standard`] takes any message.
+//! 3. Add a call with `--source NAME` to the corpus and record the answers (`tests/core/corpus.rs`).
+//!
+//! `--source`, the window's menu, the state file, the map of classes, the search for fits and every look-up follow.
 
 mod control_tables;
 mod iso286;

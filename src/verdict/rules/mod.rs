@@ -10,6 +10,18 @@
 //!
 //! Limits of zones are whole nanometres and belong to the zone that they limit, as limits of size do. Where a guard band is no
 //! whole number of nanometres, the next larger one is taken: nothing counts as proven that is not.
+//!
+//! To add a rule:
+//!
+//! 1. Write a file with its declaration; `Use` says what its bands are for. Add its `mod` line here and its lines in `names.rs`: variant,
+//!    `ALL` with its length, `declaration`.
+//! 2. Add its sentence `rule-WORD` to `tolerance.ftl` and its name `rule-name-WORD` to `check-rule.ftl`, in every folder of
+//!    `assets/locales`.
+//! 3. Add a row of borders for each prover in `tests/core/rules.rs`.
+//! 4. Add a call of `check` and a call of `decide` to the corpus and record the answers (`tests/core/corpus.rs`).
+//! 5. Describe it in `README.md`, `CHANGELOG.md` and `docs/SOURCES.md` ("Decision rules").
+//!
+//! `--rule` of every subcommand, the list of the check page, records and reports follow.
 
 mod asme_relaxed;
 mod asme_simple;

@@ -1,7 +1,4 @@
-//! The list of decision rules.
-//!
-//! A new rule is a file beside this one with its declaration, its lines here (variant, `ALL`, `declaration`) and its sentence in
-//! the locale files. The command line, the pages, records and reports follow.
+//! The list of decision rules. `mod.rs` says how to add one.
 
 use serde::{Deserialize, Serialize};
 
