@@ -9,7 +9,7 @@
 //! 2. Add its line to the table `subcommands!`.
 //! 3. Add calls of it and of each option and value to the corpus and record the answers (`tests/core/corpus.rs`). A test names every
 //!    missing call.
-//! 4. Describe it in `README.md` and `CHANGELOG.md`.
+//! 4. Describe it in `docs/manual/command-line.md` and `CHANGELOG.md`.
 //!
 //! The subcommands share:
 //!

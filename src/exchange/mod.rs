@@ -61,7 +61,7 @@
 //!
 //! 7. Test it in `tests/core`, add a fuzz target (`fuzz/src/targets/mod.rs`), and add calls to `import.txt` and `plan.txt` of the corpus
 //!    (`tests/core/corpus.rs`). No test asks for these calls.
-//! 8. Describe it in `README.md` ("Files"), `docs/SOURCES.md` and `CHANGELOG.md`.
+//! 8. Describe it in `docs/manual/formats.md`, `docs/SOURCES.md` and `CHANGELOG.md`.
 //!
 //! Help, dialogs, `fitcheck watch` and the search for features by a plan follow. A format that declares characteristics is a reader that
 //! makes `Characteristic`s and also gives them by `plan` of its [`Format`]; plans and the comparison of limits follow.

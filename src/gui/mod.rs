@@ -30,7 +30,7 @@
 //! 4. Add its texts to every folder of `assets/locales`: a file `NAME-page.ftl`, with `page-NAME` for the top bar.
 //! 5. Test it by label and key in `tests/gui/NAME_page.rs`; add it to `sizes.rs` (every size and language) and, with its picture, to
 //!    `readme.rs` there.
-//! 6. Describe it in `README.md` ("The window") and `CHANGELOG.md`; add its words to `docs/TERMS.md`.
+//! 6. Describe it in `docs/manual/` and `CHANGELOG.md`; add its words to `docs/TERMS.md`.
 
 mod app;
 mod budget;

@@ -154,7 +154,7 @@ fn example(name: &str) -> Vec<u8> {
     std::fs::read(format!("{}/docs/examples/{name}", env!("CARGO_MANIFEST_DIR"))).unwrap()
 }
 
-/// An example of the README on the contacts beside it.
+/// An example of the manual on the contacts beside it.
 fn example_run(program: &str, contacts: &str) -> Machine {
     let rows = String::from_utf8(example(contacts)).unwrap();
     let contact = |row: &str| {

@@ -1,6 +1,6 @@
-//! The documents keep their promises: what they name exists, and the README's list of cycles is the program's.
+//! The documents keep their promises: what they name exists, and their lists of cycles are the program's.
 
-use std::collections::BTreeMap;
+use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 use fitcheck::probing::cycle::{Control, Cycle};
@@ -178,28 +178,55 @@ fn every_requirement_says_where_it_works_and_names_a_test() {
 
 #[test]
 fn every_link_of_the_documents_leads_to_a_file() {
-    let documents = ["README.md", "ARCHITECTURE.md", "CHANGELOG.md", "SECURITY.md"];
-    let more = [
-        "docs/DEPENDENCIES.md",
-        "docs/INVARIANTS.md",
-        "docs/JOURNAL.md",
-        "docs/RELEASE.md",
-        "docs/REQUIREMENTS.md",
-        "docs/SOURCES.md",
-        "docs/TERMS.md",
-    ];
-    for document in documents.into_iter().chain(more) {
-        let path = root().join(document);
-        let text = std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{document}: {error}"));
+    let documents = ["", "docs", "docs/manual"].into_iter().flat_map(pages);
+    let mut links = 0;
+    for path in documents {
+        let text = std::fs::read_to_string(&path).unwrap();
         for rest in text.split("](").skip(1) {
-            let target = rest.split(')').next().unwrap().split('#').next().unwrap();
-            let is_local = !target.is_empty() && !target.contains("://");
-            assert!(!is_local || path.parent().unwrap().join(target).exists(), "{document} links to {target}");
+            let target = rest.split(')').next().unwrap();
+            if target.contains("://") {
+                continue;
+            }
+            let (file, heading) = target.split_once('#').unwrap_or((target, ""));
+            let leads_to = if file.is_empty() { path.clone() } else { path.parent().unwrap().join(file) };
+            assert!(leads_to.exists(), "{} links to {target}", path.display());
+            if !heading.is_empty() {
+                let there = headings(&std::fs::read_to_string(&leads_to).unwrap());
+                assert!(there.contains(heading), "{} links to {target}", path.display());
+            }
+            links += 1;
         }
+    }
+    assert!(100 < links, "the search finds only {links}");
+}
+
+/// The documents of a folder.
+fn pages(folder: &str) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(root().join(folder)).unwrap().map(|entry| entry.unwrap().path());
+    entries.filter(|path| path.extension().is_some_and(|ending| ending == "md")).collect()
+}
+
+/// The names by which links lead to the headings of a document.
+fn headings(text: &str) -> BTreeSet<String> {
+    let lines = text.lines().filter(|line| line.starts_with('#'));
+    lines
+        .map(|line| {
+            let words = line.trim_start_matches('#').trim().to_lowercase();
+            words.chars().filter(|&c| c.is_alphanumeric() || " -_".contains(c)).collect::<String>().replace(' ', "-")
+        })
+        .collect()
+}
+
+#[test]
+fn the_contents_of_the_manual_name_every_page() {
+    let contents = std::fs::read_to_string(root().join("docs/manual/README.md")).unwrap();
+    for path in pages("docs/manual") {
+        let name = path.file_name().unwrap().to_string_lossy().into_owned();
+        assert!(name == "README.md" || contents.contains(&format!("]({name})")), "{name} is not in the contents");
     }
 }
 
-/// Cycles as the README lists them: `421 to 427, 444 and G785`, with a word before the last.
+/// Cycles as the documents list them: `421 to 427, 444 and G785`, with a word before the last.
 fn cycles(all: impl IntoIterator<Item = &'static Cycle>, word: &str) -> String {
     let mut runs: Vec<(&str, &str, Option<u16>)> = Vec::new();
     for cycle in all {
@@ -220,17 +247,18 @@ fn cycles(all: impl IntoIterator<Item = &'static Cycle>, word: &str) -> String {
 }
 
 #[test]
-fn the_list_of_cycles_in_the_readme_is_the_program_s() {
-    let text = std::fs::read_to_string(root().join("README.md")).unwrap();
-    let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+fn the_lists_of_cycles_in_the_documents_are_the_program_s() {
     let all = || CYCLES.iter().copied();
     let (and, or) = (cycles(all(), "and"), cycles(all(), "or"));
-    for sentence in [
-        format!("**Measuring cycles.** {and} with"),
-        format!("`fitcheck cycle` runs {and} on"),
-        format!("Choose one of {or}:"),
-        format!("probing cycles {}, against", cycles(cycles_of(Control::Milling), "and")),
+    for (document, sentence) in [
+        ("README.md", format!("measuring cycles {and} on")),
+        ("docs/manual/README.md", format!("| {and}, one at a time")),
+        ("docs/manual/cycles.md", format!("`fitcheck cycle` runs {and} on")),
+        ("docs/manual/cycles.md", format!("Choose one of {or}:")),
+        ("docs/manual/programs.md", format!("probing cycles {}, against", cycles(cycles_of(Control::Milling), "and"))),
     ] {
-        assert!(text.contains(&sentence), "README.md does not say: {sentence}");
+        let text = std::fs::read_to_string(root().join(document)).unwrap();
+        let text = text.split_whitespace().collect::<Vec<_>>().join(" ");
+        assert!(text.contains(&sentence), "{document} does not say: {sentence}");
     }
 }

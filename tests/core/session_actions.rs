@@ -1,4 +1,4 @@
-//! The table of commands: complete, without duplicate keys, and the same as in the README.
+//! The table of commands: complete, without duplicate keys, and the same as in the manual.
 
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
@@ -204,11 +204,21 @@ fn is_told(word: &str) -> bool {
 }
 
 #[test]
-fn the_readme_tells_the_keys_of_the_table() {
-    let readme = std::fs::read_to_string(Path::new(env!("CARGO_MANIFEST_DIR")).join("README.md")).unwrap();
-    let words = readme.split(|c: char| c.is_whitespace() || "|,.;:()*`".contains(c));
-    let told: BTreeSet<String> = words.filter(|word| is_told(word)).map(str::to_owned).collect();
+fn the_manual_tells_the_keys_of_the_table() {
     let keys = Action::all().flat_map(Action::shortcuts).map(|shortcut| shortcut.to_string());
     let keys: BTreeSet<String> = keys.filter(|keys| is_told(keys)).collect();
-    assert_eq!(told, keys);
+    let root = Path::new(env!("CARGO_MANIFEST_DIR"));
+    assert_eq!(told_in(&root.join("docs/manual/window.md")), keys);
+    let pages = std::fs::read_dir(root.join("docs/manual")).unwrap().map(|entry| entry.unwrap().path());
+    for page in pages.chain([root.join("README.md")]) {
+        let unknown: Vec<String> = told_in(&page).difference(&keys).cloned().collect();
+        assert!(unknown.is_empty(), "{}: {unknown:?}", page.display());
+    }
+}
+
+/// The keys that a document names.
+fn told_in(document: &Path) -> BTreeSet<String> {
+    let text = std::fs::read_to_string(document).unwrap();
+    let words = text.split(|c: char| c.is_whitespace() || "|,.;:()*`".contains(c));
+    words.filter(|word| is_told(word)).map(str::to_owned).collect()
 }

@@ -1,7 +1,8 @@
-//! The pictures of the README: what the window shows today, byte for byte in `docs/screenshots`.
+//! The pictures of the README and the manual: what the window shows today, byte for byte in `docs/screenshots`.
 //!
 //! `UPDATE_SNAPSHOTS=1 cargo test --all-features --test gui` takes all of them anew.
 
+use std::collections::BTreeSet;
 use std::path::Path;
 
 use eframe::egui::{Key, Theme, Vec2, vec2};
@@ -106,7 +107,7 @@ fn a_flange_is_turned_and_measured() {
     program("program_flange", "flange_fit.nc", "flange_fit.csv");
 }
 
-/// Pictures of the README that other tests take, too.
+/// Pictures of the documents that other tests take, too.
 const OTHERS: [(&str, &str); 14] = [
     ("columns", "columns_light"),
     ("cycle_421", "cycle_421_light"),
@@ -138,27 +139,24 @@ fn the_other_pictures_are_those_of_the_tests() {
 }
 
 #[test]
-fn every_picture_of_the_readme_is_taken_by_a_test() {
+fn every_picture_is_taken_by_a_test_and_shown_in_a_document() {
     let root = Path::new(env!("CARGO_MANIFEST_DIR"));
-    let text = std::fs::read_to_string(root.join("README.md")).unwrap();
     let source = std::fs::read_to_string(root.join("tests/gui/readme.rs")).unwrap();
-    let mut count = 0;
-    for rest in text.split("(docs/screenshots/").skip(1) {
-        let name = rest.split_once(".png)").unwrap().0;
-        assert!(source.contains(&format!("(\"{name}\"")), "{name} is taken by no test");
-        count += 1;
+    let mut shown = BTreeSet::new();
+    let pages = std::fs::read_dir(root.join("docs/manual")).unwrap().map(|entry| entry.unwrap().path());
+    for page in pages.chain([root.join("README.md")]) {
+        let text = std::fs::read_to_string(&page).unwrap();
+        for rest in text.split("screenshots/").skip(1) {
+            let name = rest.split_once(".png)").unwrap().0;
+            assert!(source.contains(&format!("(\"{name}\"")), "{name} in {} is taken by no test", page.display());
+            shown.insert(format!("{name}.png"));
+        }
     }
-    assert_eq!(
-        count,
-        std::fs::read_dir(root.join("docs/screenshots"))
-            .unwrap()
-            .filter(|entry| {
-                let name = entry.as_ref().unwrap().file_name().to_string_lossy().into_owned();
-                !name.contains(".old.") && !name.contains(".new.") && !name.contains(".diff.")
-            })
-            .count(),
-        "a picture that nobody shows"
-    );
+    let there = std::fs::read_dir(root.join("docs/screenshots")).unwrap();
+    let there = there.map(|entry| entry.unwrap().file_name().to_string_lossy().into_owned());
+    let there: BTreeSet<String> =
+        there.filter(|name| ![".old.", ".new.", ".diff."].iter().any(|left| name.contains(left))).collect();
+    assert_eq!(shown, there, "shown in a document, and in the folder");
 }
 
 #[test]

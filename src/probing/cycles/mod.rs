@@ -24,7 +24,7 @@
 //! 2. Add its texts: the names of new results in `assets/locales`; the title of its log and new figures in `assets/logs`; a mask in
 //!    `assets/masks` if it has one of its own. Tests name every missing text.
 //! 3. Draw in `gui/cycles/picture` what no cycle has yet: a meaning (`probing/cycle/meaning.rs`) or a shape.
-//! 4. Name the cycle in `README.md` (the test `promises` says where; the log under "Files"), `CHANGELOG.md` and `docs/SOURCES.md`.
+//! 4. Name the cycle in the documents (the test `promises` says where), its log in `docs/manual/formats.md`, `CHANGELOG.md` and `docs/SOURCES.md`.
 //! 5. Add its calls to the corpus and record the answers (`tests/core/corpus.rs`).
 //!
 //! Everything else follows from the declaration:

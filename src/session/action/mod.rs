@@ -22,7 +22,7 @@
 //! 2. Add its row to `table`, or to the file of its page: text, keys, where it applies, when it is possible, and the command that it sends.
 //! 3. Add its texts to every folder of `assets/locales`.
 //! 4. Name the action in one line of `gui/` where it is a button or an entry of a menu. Keys and tooltips follow from the row.
-//! 5. Write a new key into the tables of `README.md`: the test `session_actions` compares them.
+//! 5. Write a new key into the tables of `docs/manual/window.md`: the test `session_actions` compares them.
 
 mod answers;
 mod budget;

@@ -19,7 +19,7 @@
 //!    `assets/locales`.
 //! 3. Add a row of borders for each prover in `tests/core/rules.rs`.
 //! 4. Add a call of `check` and a call of `decide` to the corpus and record the answers (`tests/core/corpus.rs`).
-//! 5. Describe it in `README.md`, `CHANGELOG.md` and `docs/SOURCES.md` ("Decision rules").
+//! 5. Describe it in `docs/manual/rules.md`, `CHANGELOG.md` and `docs/SOURCES.md` ("Decision rules").
 //!
 //! `--rule` of every subcommand, the list of the check page, records and reports follow.
 
