@@ -46,8 +46,16 @@ impl Claim {
             "ok" | "pass" | "passed" | "accept" | "accepted" | "conform" | "conforms" | "io" | "inordnung" | "oke"
             | "akkoord" | "goedgekeurd" | "conforme" => Some(Self::of(word, Status::Good)),
             "nok" | "notok" | "ng" | "fail" | "failed" | "reject" | "rejected" | "nio" | "nichtinordnung"
-            | "nietok" | "afgekeurd" | "nonconform" | "nonconforme" | "nonok" => Some(Self::out(word)),
-            _ => None,
+            | "nietok" | "afgekeurd" | "nonconform" | "nonconforme" | "nonok" | "ko" | "bad" | "schlecht"
+            | "slecht" | "scrapped" | "outoftolerance" | "oot" | "zurückgewiesen" | "gesperrt" => {
+                Some(Self::out(word))
+            }
+            // "n.i.O. (scratch)", "rejected - burr"
+            _ => {
+                let (first, _) =
+                    word.split_once(" (").or_else(|| word.split_once(" - ")).or_else(|| word.split_once(": "))?;
+                Some(Self { said: shorten(word), ..Self::of_word(first)? })
+            }
         }
     }
 

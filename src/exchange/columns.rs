@@ -8,7 +8,7 @@ use super::cells::{
     self, WholeNumbers, decimals, is_blank, is_callout, is_class_with_grade, is_comment, is_data, is_number, is_whole,
     may_be_names, own_callout,
 };
-use super::delimited::{Item, Rows, SEPARATORS};
+use super::delimited::{Item, Rows, SEPARATORS, cells_of};
 use super::error::{ImportErrorKind, ImportWarningKind, Role};
 use super::evidence::Evidence;
 use super::own::OwnColumns;
@@ -118,6 +118,18 @@ impl LabelColumns {
 }
 
 impl Columns {
+    /// Whether a line within the quotation marks of a cell looks like a row, with something like a number where measured values are: a mark
+    /// is one too many then, or one is missing, and nobody knows which.
+    pub(super) fn hides_rows(&self, cells: &StringRecord, separator: u8) -> bool {
+        let mut lines =
+            cells.iter().filter(|cell| cell.contains(['\n', '\r'])).flat_map(|cell| cell.split(['\n', '\r']));
+        let may_be_number = |cell: &str| cell.contains(|c: char| c.is_ascii_digit());
+        lines.any(|line| {
+            let row = cells_of(line, separator).filter(|row| 1 < row.len() || self.count == 1);
+            row.is_some_and(|row| row.get(self.measured.at).is_some_and(may_be_number))
+        })
+    }
+
     /// That words which say nothing known of what was measured are taken for sizes.
     pub(super) fn taken_as_sizes(&self) -> impl Iterator<Item = ImportWarningKind> {
         let taken = self.quantities.iter().filter_map(QuantityColumn::taken);
@@ -266,6 +278,11 @@ impl Sample {
             columns
         };
         self.look_at_values(&mut columns);
+        if let Some((line, _)) =
+            self.rows.iter().take(self.above).find(|(_, row)| columns.hides_rows(row, self.separator))
+        {
+            return Err(ImportErrorKind::HeaderHidesRows { line: *line });
+        }
         stated::decide(self, &mut columns)?;
         Ok(columns)
     }

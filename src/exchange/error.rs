@@ -429,6 +429,11 @@ pub enum ImportErrorKind {
     OpenQuote,
     /// A line within quotation marks that open on a line above, beside lines that look like rows.
     WithinQuotes,
+    /// A line within the quotation marks of the header that looks like a row.
+    HeaderHidesRows {
+        /// The line where the header begins.
+        line: usize,
+    },
     /// A row that is too long.
     RowTooLong {
         /// The most, KiB.

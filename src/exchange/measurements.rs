@@ -98,7 +98,7 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
         let piece = pieces.next()?;
         goes_on = piece.is_some();
         let piece = piece.unwrap_or_default();
-        let text = if rest.is_empty() { piece } else { Cow::Owned(rest + &piece) };
+        let text = if rest.is_empty() { piece } else { Cow::Owned(std::mem::take(&mut rest) + &piece) };
         let mut rows = Rows::after(&text, line, separator).going_on(goes_on);
         next = reader.rows(&mut rows);
         rows.rest().clone_into(&mut rest);
@@ -215,7 +215,9 @@ impl<'a> Reader<'a, '_, '_> {
             self.is_open = next.is_none() && rows.is_open();
             match item {
                 Item::Row { line, cells } => self.row(line, &cells),
-                Item::Lines { line, text, cells } if self.hides_rows(&cells) => self.torn(line, text),
+                Item::Lines { line, text, cells } if self.columns.hides_rows(&cells, self.separator) => {
+                    self.torn(line, text);
+                }
                 Item::Lines { line, text, cells } => {
                     self.row(line, &cells);
                     self.warn_row(line, ImportWarningKind::SeveralLines { lines: lines(text, 0, 0).count() });
@@ -229,13 +231,6 @@ impl<'a> Reader<'a, '_, '_> {
             }
         }
         Some(rows.next_line())
-    }
-
-    /// Whether lines within the quotation marks of a row look like rows.
-    fn hides_rows(&self, cells: &StringRecord) -> bool {
-        // A size alone needs no callout.
-        let rules = Rules { has_plan: self.has_plan || self.sizes.is_some(), ..self.rules() };
-        rules.hides_rows(cells, self.separator)
     }
 
     /// A row with such lines: none of them has a verdict.

@@ -107,7 +107,7 @@ const OTHERS: &str = "radius|radii|radien|radial|raggio|straal|halbmesser|roundn
     rotondit|flat|flatness|eben|ebenheit|vlakheid|planarit|planlauf|straight|gerad|geradheit|rechtheid|rettilin|cylindricit|\
     zylindrizit|zylinderform|cilindricit|kreisform|parallel|perpendic|squareness|rechtwink|haaks|ortogonal|angular|angle|winkel|\
     neigung|hoek|angol|inclinaz|position|positie|posizion|lage|location|localizz|concentr|konzentr|coaxial|koaxial|coassial|\
-    symmetr|simmetri|profil|form|runout|rundlauf|gesamtlauf|slinger|rondloop|oscillaz|eccentr|exzentr|excentr|depth|tiefe|diepte|\
+    symmetr|simmetri|profil|form|runout|rundlauf|gesamtlauf|slinger|rondloop|oscillaz|eccentr|exzentr|excentr|ovalit|ovalitä|depth|tiefe|diepte|\
     profond|height|höhe|hoehe|hoogte|altezza|rough|rauheit|rauhigkeit|rauigkeit|ruwheid|rugos|deviation|abweich|afwijk|scostam|\
     error|fehler|fout|errore|thread|gewinde|draad|filett|chamfer|fase|afschuin|smuss|pitch|steigung|spoed|passo|hardness|härte|\
     hardheid|durezz|temperat|coordinate|koordinat|coördinaat|coordinat|taper|kegel|conic|cono|cone|sphere|kugel|bol|sfera|plane|\

@@ -6,7 +6,6 @@ use csv::StringRecord;
 
 use super::cells;
 use super::columns::{Columns, LengthColumn};
-use super::delimited::cells_of;
 use super::error::{ImportErrorKind, ImportWarningKind, shorten, shorten_cell};
 use super::evidence;
 use super::imported::{Asked, WhyUnjudged};
@@ -161,16 +160,6 @@ impl Rules<'_> {
         let bare = uncommented(cells);
         let is_row = self.read(&bare).is_ok_and(|found| found.asked.is_some());
         is_row || [cells, &bare].into_iter().any(cells::is_data)
-    }
-
-    /// Whether a line within the quotation marks of a cell would be a row of its own: a mark is one too many then, or one is missing, and
-    /// nobody knows which.
-    pub(super) fn hides_rows(&self, cells: &StringRecord, separator: u8) -> bool {
-        let mut lines = cells.iter().flat_map(|cell| cell.split(['\n', '\r']).skip(1));
-        lines.any(|line| {
-            let row = cells_of(line, separator);
-            row.is_some_and(|row| self.read(&row).is_ok_and(|found| self.has_plan || found.asked.is_some()))
-        })
     }
 
     /// There must be enough cells for what is needed, and none beyond the columns.

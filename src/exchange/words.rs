@@ -183,6 +183,9 @@ enum Before {
 /// Italian words between "before" and what was done.
 const OF: [&str; 9] = ["di", "del", "dello", "della", "dell", "dei", "degli", "delle", "d"];
 
+/// How German words end for what is done to a part: `vor Honen`, `vor Bearbeitung`; `vor Bund` is in front of the collar.
+const DONE: [&str; 4] = ["en", "ung", "arbeit", "montage"];
+
 /// Words that mean "before" in one place and something else in another: `voor honen`, but `voor` and `achter` are front and rear;
 /// `prima di honing`, but `prima misura` is the first one. `vor Ort` is where it was measured.
 fn before(name: &[String]) -> Before {
@@ -190,7 +193,9 @@ fn before(name: &[String]) -> Before {
     let of = |at: usize, word: &str| {
         let next = words.get(at + 1).copied();
         let is_before = match word {
-            "vor" => next != Some("ort"),
+            "vor" => {
+                next.is_none_or(|next| ["dem", "der"].contains(&next) || DONE.iter().any(|end| next.ends_with(end)))
+            }
             "voor" => 0 < at && next.is_some(),
             "prima" => next.is_some_and(|next| OF.contains(&next)),
             _ => false,
@@ -198,6 +203,7 @@ fn before(name: &[String]) -> Before {
         match word {
             _ if is_before => Before::Yes,
             "voor" => Before::Perhaps,
+            "vor" if next != Some("ort") => Before::Perhaps,
             "prima" if 0 < at => Before::Perhaps,
             _ => Before::No,
         }

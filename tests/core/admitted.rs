@@ -257,6 +257,13 @@ fn batch_compares_the_status_of_the_file_too() {
 }
 
 #[test]
+fn a_status_with_a_reason_behind_it_is_a_status() {
+    for word in ["n.i.O. (Kratzer)", "rejected - burr", "NOK: scratch", "KO", "scrapped"] {
+        import(&format!("id;callout;measured;status\nA;25 H7;25.010;{word}\n"), 14);
+    }
+}
+
+#[test]
 fn rows_within_quotation_marks_have_no_verdict_for_batch_as_for_import() {
     let rows =
         "id;callout;measured;remark\nA;25 H7;25.012;\"ok\nB;25 H7;25.030;bad\nC;25 H7;25.010;x\"\nD;25 H7;25.011;y\n";
@@ -274,6 +281,17 @@ fn rows_within_quotation_marks_have_no_verdict_for_batch_as_for_import() {
     for (reason, count) in [("a quotation mark is not closed on this line", 1), ("a row or a remark?", 2)] {
         for said in [&import.1, &batch.1] {
             assert_eq!(said.matches(reason).count(), count, "{said}");
+        }
+    }
+    // A row in the first cell, one that would be refused, and rows within the header.
+    for rows in [
+        "id,callout,measured\n\"A,25 H7,25.040\nB\",25 H7,25.010\n",
+        "id,callout,measured,remark\nA,25 H7,25.010,\"note\nB,25 ZZ7,25.040,\n\"\n",
+        "id,callout,measured,\"remark\nA,25 H7,25.040,\nB,25 H7,25.010,\"\nC,25 H7,25.010,ok\n",
+    ] {
+        for command in ["import", "batch"] {
+            let (code, out, err) = of(&[("a.csv", rows)], &[command, "a.csv"]);
+            assert!(code == 1 && !out.contains("GOOD"), "{command} {rows}: {out}{err}");
         }
     }
     // A remark of several lines that are no rows is a remark.

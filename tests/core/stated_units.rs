@@ -184,6 +184,47 @@ fn a_unit_that_is_not_read_or_not_clear_is_refused() {
 }
 
 #[test]
+fn a_word_that_is_also_a_name_is_no_unit_of_its_row_and_none_of_a_title() {
+    // 25 N7 is 24.972 to 24.993: in inches it would be GOOD.
+    for (header, rows) in [
+        ("id;nominal;class;measured;Supplier\n", "A;25;N7;24.997;Zoll\nB;25;N7;24.996;Zoll\n"),
+        ("id;nominal;class;measured;Country\n", "A;25;N7;24.997;IN\nB;25;N7;24.996;IN\n"),
+        ("", "A;25;N7;24.997;IN\nB;25;N7;24.996;IN\n"),
+    ] {
+        check(&format!("{header}{rows}"), Err("nothing says whether the values are in it"));
+    }
+    check("id;nominal;class;measured;Remark\nA;25;H7;25.010;Zoll\nB;25;H7;25.030;\n", Ok("GOOD SCRAP"));
+    check("id;callout;measured;Shift\nA;25 H7;25.010;M\nB;25 H7;25.030;A\n", Ok("GOOD SCRAP"));
+    check("Unit;callout;measured\n001;25 H7;25.010\n002;25 H7;25.030\n", Ok("GOOD SCRAP"));
+    for line in ["# Allgemeintoleranz: m", "# Shift: M", "# Country: IN"] {
+        check(&format!("{line}\nid;callout;measured\nA;25 H7;25.010\n"), Ok("GOOD"));
+    }
+}
+
+#[test]
+fn a_title_with_two_units_or_none_of_them_is_refused() {
+    for line in [
+        "# Werte nicht in mm sondern in Zoll",
+        "# values are not in mm but in inch",
+        "# Wellen in mm - Bohrungen in Zoll",
+        "All dimensions in mm except diameters which are in inch",
+        "# all sizes in mm or inch",
+        "# Werte in 1/1000 mm",
+    ] {
+        check(&format!("{line}\n{ROWS}"), Err("nothing says whether the values are in it"));
+    }
+}
+
+#[test]
+fn a_row_without_its_value_is_no_row_of_units() {
+    let (statuses, errors) = imported("a.csv", b"name;callout;measured;dir\nB;25 H7;;mm\nA;25 H7;25.01;\n");
+    assert!(statuses.is_empty() && errors.len() == 2, "{statuses:?} {errors:?}");
+    let rows = "name;callout;measured;unit\nA;25 H7;25.01;mm\nB;H7;0.5;inch\nC;;;mm\n";
+    let (statuses, errors) = imported("a.csv", rows.as_bytes());
+    assert!(statuses == ["GOOD"] && errors.len() == 2, "{statuses:?} {errors:?}");
+}
+
+#[test]
 fn what_is_in_millimetres_or_says_nothing_of_lengths_is_read_as_before() {
     for line in [
         "Maße in mm",
@@ -225,7 +266,10 @@ fn a_column_of_units_states_that_of_its_row() {
         "-",
     ] {
         for unit in ["inch", "in", "IN", "Inches", "Zoll", "duim", "pollici"] {
-            check(&format!("id;nominal;class;measured;{name}\nA;1;H7;1.0009;{unit}\n"), Ok("SCRAP"));
+            // Below a name that says nothing, a word that may be another name is asked about.
+            let is_clear = name != "-" || !["in", "IN", "Zoll"].contains(&unit);
+            let expected = if is_clear { Ok("SCRAP") } else { Err("nothing says whether the values are in it") };
+            check(&format!("id;nominal;class;measured;{name}\nA;1;H7;1.0009;{unit}\n"), expected);
         }
         check(&format!("id;nominal;class;measured;{name}\nA;1;H7;1.0009;mm\nB;1;H7;1.0009;inch\n"), Ok("GOOD SCRAP"));
         check(&format!("id;nominal;class;measured;{name}\nA;1;H7;1.0009;cm\n"), Err("unknown unit cm"));

@@ -55,6 +55,7 @@ exchange-row-short = expected { $expected } cells, found { $found }
 exchange-row-long = expected { $expected } cells, found { $found }: is the separator also used as decimal sign or within a text?
 exchange-row-too-long = the row is longer than { $most } KiB
 exchange-open-quote = a quotation mark is not closed on this line
+exchange-header-hides-rows = line { $line }: the header runs over several lines, and one of them looks like a row: close the quotation marks on the line where they open
 exchange-within-quotes = a row or a remark? Quotation marks open on a line above and close here or below: close them where they open
 exchange-callout = callout: { $reason }
 exchange-nominal = nominal size: { $reason }

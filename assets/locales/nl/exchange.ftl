@@ -55,6 +55,7 @@ exchange-row-short = { $expected } cellen verwacht, { $found } gevonden
 exchange-row-long = { $expected } cellen verwacht, { $found } gevonden: is het scheidingsteken ook decimaalteken, of staat het in een tekst?
 exchange-row-too-long = de rij is langer dan { $most } KiB
 exchange-open-quote = een aanhalingsteken is op deze regel niet gesloten
+exchange-header-hides-rows = regel { $line }: de kop loopt over meer regels en een daarvan lijkt op een rij: sluit de aanhalingstekens op de regel waar ze opengaan
 exchange-within-quotes = een rij of een opmerking? Aanhalingstekens gaan op een regel hierboven open en hier of hieronder dicht: sluit ze waar ze opengaan
 exchange-callout = passing: { $reason }
 exchange-nominal = nominale maat: { $reason }

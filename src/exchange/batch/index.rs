@@ -10,6 +10,9 @@ use super::{LONGEST_ROW, wide};
 /// How many bytes are looked at in one step.
 const STEP: usize = 16;
 
+/// The most line ends within the quotation marks of a row: with more of them a mark is missing. It bounds how often a line is looked at.
+const MOST_LINES: usize = 256;
+
 /// The mark of an end that also ends its row.
 const ROW: u32 = 1 << 31;
 
@@ -179,6 +182,9 @@ impl Index {
             }
             if is_open {
                 lines += usize::from(is_line_end);
+                if MOST_LINES < lines {
+                    return Err(Some(Broken::OpenQuote));
+                }
                 if byte == b'"' && next == Some(b'"') {
                     at += 1;
                 } else if byte == b'"' {

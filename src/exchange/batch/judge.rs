@@ -249,10 +249,7 @@ impl Judge<'_> {
     /// Whether lines within the quotation marks of a row look like rows.
     #[cold]
     fn hides_rows(&self, row: &Row<'_>) -> bool {
-        let (columns, separator) = (&self.court.layout.columns, self.court.layout.separator);
-        let (has_commas, sources) = (self.court.fast.has_commas, self.court.sources);
-        let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
-        rules.hides_rows(&row.record(), separator)
+        self.court.layout.columns.hides_rows(&row.record(), self.court.layout.separator)
     }
 
     /// A row with such lines: none of them has a verdict.

@@ -9,7 +9,7 @@ use crate::exchange::words::{self, Rank};
 use crate::length::Unit;
 
 /// Names of what states a unit, in small letters.
-const KEYS: &str = "unit|units|uom|u o m|unit of measure|units of measure|unit of measurement|units of measurement|measurement unit|\
+const KEYS: &str = "unit|eh|einh|units|uom|u o m|unit of measure|units of measure|unit of measurement|units of measurement|measurement unit|\
     measurement units|measuring unit|measuring units|measure unit|length unit|length units|linear unit|linear units|unit of length|\
     units of length|dimension unit|dimension units|dimensional units|size unit|value unit|measured unit|nominal unit|actual unit|\
     unit measured|unit nominal|unit actual|unit value|unit measure|einheit|einheiten|maßeinheit|masseinheit|maßeinheiten|\
@@ -170,6 +170,10 @@ fn of_field(field: &str, before: Option<&str>, behind: Option<&str>) -> Option<M
         Word::Foreign => Some(Err(text.trim_matches(['[', ']', '(', ')']).to_owned())),
         Word::Other | Word::Unknown => None,
     };
+    // A letter is a shift or a class, "IN" is a country: they are units where something says so.
+    if (field.chars().count() == 1 || units::is_also_a_word(field)) && !before.is_some_and(has_link) {
+        return None;
+    }
     // A lone sign of inch is a quotation mark.
     if let Some(unit) = said(field).filter(|_| field.contains(char::is_alphabetic)) {
         let is_clear = before.is_none_or(has_link) && 1 < field.chars().count() && !units::is_also_a_word(field);
@@ -183,6 +187,9 @@ fn of_field(field: &str, before: Option<&str>, behind: Option<&str>) -> Option<M
         return (!is_of_number).then_some((unit, !is_negated));
     }
     let tokens: Vec<&str> = field.split_whitespace().map(|token| token.trim_matches(['.', ',', '!', '?'])).collect();
+    if let Some(unclear) = unclear(field, &tokens, is_negated) {
+        return Some((Err(unclear), false));
+    }
     for (at, token) in tokens.iter().enumerate() {
         let previous = at.checked_sub(1).and_then(|at| tokens.get(at)).map(|token| token.to_lowercase());
         let previous = previous.as_deref();
@@ -213,6 +220,31 @@ fn of_field(field: &str, before: Option<&str>, behind: Option<&str>) -> Option<M
     None
 }
 
+/// Units in a sentence that nobody can follow without asking: "not in mm but in inch", "in 1/1000 mm".
+fn unclear(field: &str, tokens: &[&str], is_negated: bool) -> Option<String> {
+    let is_unit = |token: &str| {
+        let is_sure = 1 < token.chars().count() && token.contains(char::is_alphabetic) && !units::is_also_a_word(token);
+        is_sure && matches!(word(token), Word::Length(_) | Word::Foreign)
+    };
+    let pairs = tokens.iter().zip(tokens.iter().skip(1));
+    let has_fraction = pairs.clone().any(|(number, unit)| {
+        let parts = number.split_once('/');
+        let is_fraction = parts.is_some_and(|(above, below)| begins_with_figure(above) && begins_with_figure(below));
+        is_fraction && below_of(number) && is_unit(unit)
+    });
+    // "3 mm" is a size of its own.
+    let free =
+        pairs.filter(|(before, token)| is_unit(token) && !begins_with_figure(before)).map(|(_, token)| word(token));
+    let mut first = None;
+    let has_two = free.clone().any(|unit| *first.get_or_insert(unit) != unit);
+    (has_fraction || has_two || is_negated && free.count() != 0).then(|| field.to_owned())
+}
+
+/// Whether a fraction is one of a unit, as `1/1000`, and no size in inches, as `3/4`.
+fn below_of(number: &str) -> bool {
+    number.split_once('/').is_some_and(|(_, below)| ["10", "100", "1000", "1.000", "10000"].contains(&below))
+}
+
 /// The unit that the name of a column says; a name that is nothing but a unit says it too.
 pub(super) fn of_name(name: &str) -> Result<Option<Unit>, String> {
     Ok(units::unit(name)?.or_else(|| units::known(name.trim()).filter(|_| !units::is_also_a_word(name.trim()))))
@@ -223,7 +255,9 @@ pub(in crate::exchange) fn is_row_of_units(header: &StringRecord, cells: &String
     let is_unit = |(at, cell): (usize, &str)| {
         matches!(word(cell), Word::Length(_) | Word::Foreign) && header.get(at).is_none_or(|name| key(name).is_none())
     };
-    !cells.iter().any(|cell| cell.contains(|c: char| c.is_ascii_digit())) && cells.iter().enumerate().any(is_unit)
+    // A name beside a unit is a row without its value.
+    let is_name = |cell: &str| word(cell) == Word::Unknown && cell.contains(char::is_alphanumeric);
+    !cells.iter().any(is_name) && cells.iter().enumerate().any(is_unit)
 }
 
 /// The unit behind the number of a cell.

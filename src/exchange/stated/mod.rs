@@ -132,7 +132,7 @@ pub(super) fn decide(sample: &Sample, columns: &mut Columns) -> Result<(), Impor
     }
     stated.file = stated.file.or(sample.given);
     own_units(&mut stated, sample, columns, &name)?;
-    unit_columns(&mut stated, sample, &free, &name);
+    unit_columns(&mut stated, sample, &free, &name)?;
     halves(&stated, columns, &name)?;
     let own = |at: usize| stated.own.iter().find(|(own, _)| *own == at).map(|(_, unit)| *unit);
     let unit = |at: usize| own(at).or(stated.file).unwrap_or(Unit::Millimetre);
@@ -243,16 +243,35 @@ fn own_units<'n>(
 }
 
 /// The columns that state the unit of each row: by their names, or by what stands in them.
-fn unit_columns<'n>(stated: &mut Stated, sample: &Sample, free: &[usize], name: &impl Fn(usize) -> &'n str) {
+///
+/// # Errors
+/// A column of words that may be units and may be something else: `IN` is a country, `Zoll` is a name.
+fn unit_columns<'n>(
+    stated: &mut Stated,
+    sample: &Sample,
+    free: &[usize],
+    name: &impl Fn(usize) -> &'n str,
+) -> Result<(), ImportErrorKind> {
+    let is_length = |cell: &&&str| matches!(word(cell), Word::Length(_) | Word::Foreign);
+    let rows = sample.rows.len().saturating_sub(sample.above);
     let is_temperature = |cell: &str| word(cell) == Word::Other;
     let mut units = Vec::new();
     for &at in free {
         let filled: Vec<&str> = sample.cells(at).collect();
-        let lengths = filled.iter().filter(|cell| matches!(word(cell), Word::Length(_) | Word::Foreign)).count();
+        let lengths = filled.iter().filter(is_length).count();
+        let sure = filled.iter().filter(is_length).filter(|cell| !may_be_a_name(cell)).count();
         let is_stated = match key(name(at)) {
+            // Produced units are counted.
+            Some(Rank::Exact) if !filled.is_empty() && filled.iter().all(|cell| cells::is_number(cell)) => false,
             // A name alone, as of a title that stands beside the names, has no rows.
             Some(Rank::Exact) => !filled.is_empty() || mentions([name(at)].into_iter()).is_empty(),
-            _ => 0 < lengths && filled.len() < lengths * 2,
+            Some(Rank::Contained) if lengths == filled.len() => 0 < lengths,
+            _ if sure == 0 && lengths == rows && 0 < rows && !stated.is_given => {
+                let (line, unit) = (columns_line(sample), shorten(filled.first().copied().unwrap_or_default()));
+                let text = shorten(&format!("{} {unit}", name_of(at, name(at))));
+                return Err(ImportErrorKind::UnitMentioned { line, unit, text });
+            }
+            _ => 0 < sure && filled.len() < sure * 2,
         };
         if !is_stated {
             continue;
@@ -269,6 +288,20 @@ fn unit_columns<'n>(stated: &mut Stated, sample: &Sample, free: &[usize], name: 
     if stated.columns == stated.others {
         stated.columns.clear();
     }
+    Ok(())
+}
+
+/// Whether a unit is also the name of something else.
+fn may_be_a_name(cell: &str) -> bool {
+    let small = cell.trim().to_lowercase();
+    units::is_also_a_word(&small)
+        || small == "zoll"
+        || small.chars().count() == 1 && small.contains(char::is_alphabetic)
+}
+
+/// The line of the first row.
+fn columns_line(sample: &Sample) -> usize {
+    sample.rows.get(sample.above).map_or(1, |(line, _)| *line)
 }
 
 /// Refuses a file of which one column says inch and another one of lengths says nothing: it may be in inch as well, or not.
@@ -315,7 +348,8 @@ pub(super) fn stray(columns: &Columns, cells: &StringRecord) -> Option<ImportErr
 
 /// The same of a row of a sheet, which may be one with values.
 pub(super) fn stray_row(columns: &Columns, line: usize, cells: &StringRecord) -> Option<ImportErrorKind> {
-    let may_be = columns.stated.first < line && (cells::is_comment(cells) || !has_figure(cells));
+    let says_its_own = !columns.stated.columns.is_empty();
+    let may_be = columns.stated.first < line && (cells::is_comment(cells) || !says_its_own && !has_figure(cells));
     may_be.then(|| stray_of(columns, Some(line), || cells.iter(), || joined(cells))).flatten()
 }
 
@@ -388,7 +422,9 @@ fn split(text: &str) -> impl Iterator<Item = &str> {
 
 /// Refuses a file with a line behind its first row that states another unit.
 pub(super) fn agree(columns: &Columns, lines: &[Line]) -> Result<(), ImportErrorKind> {
-    let behind = lines.iter().filter(|(line, _)| columns.stated.first < *line);
+    // Where each row states its unit, only comments are about others.
+    let is_about_rows = |text: &str| columns.stated.columns.is_empty() || text.starts_with('#');
+    let behind = lines.iter().filter(|(line, text)| columns.stated.first < *line && is_about_rows(text));
     let mut reasons =
         behind.filter_map(|(line, text)| stray_of(columns, Some(*line), || split(text), || shorten(text)));
     reasons.next().map_or(Ok(()), Err)
