@@ -559,6 +559,12 @@ fn verify_names_the_first_entry_that_is_not_as_it_was_written() {
     assert_eq!((said.code, &found["whole"], &found["first_bad"]), (1, &Value::Bool(false), &Value::from(4)));
 }
 
+/// Every file below a folder.
+fn files_below(folder: &Path) -> Vec<PathBuf> {
+    let entries = std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().path());
+    entries.flat_map(|path| if path.is_dir() { files_below(&path) } else { vec![path] }).collect()
+}
+
 #[test]
 fn a_head_from_elsewhere_shows_an_older_copy() {
     let place = Place::new();
@@ -582,6 +588,14 @@ fn a_head_from_elsewhere_shows_an_older_copy() {
     assert_eq!(said.code, 0, "{}{}", said.out, said.err);
     assert!(said.err.contains("no entry of this journal is known elsewhere"), "{}", said.err);
     assert_eq!(other(&[&verify[..], &["--head", &head]].concat()).code, 1);
+    // Where nobody can read what this computer has seen, somebody looks first.
+    let heads = files_below(place.0.path())
+        .into_iter()
+        .find(|path| path.ends_with("journal-heads.txt") && !path.starts_with(&elsewhere))
+        .unwrap();
+    fitcheck::files::write(&heads, b"nothing of the kind\n").unwrap();
+    let said = place.say("journal verify --journal old.sqlite");
+    assert_eq!(said.code, 14, "{}{}", said.out, said.err);
     for wrong in ["3", "0:00", "x:00", "3:00"] {
         assert_eq!(place.say(&format!("journal verify --journal j.sqlite --head {wrong}")).code, 2, "{wrong}");
     }

@@ -130,7 +130,11 @@ type Heads = Vec<(ChainId, Head)>;
 fn heads_here(access: &Access, io: &mut Io<'_>) -> (Heads, Heads) {
     let mut read = |path: Option<PathBuf>| {
         let path = path?;
-        Anchors::read(&path).map_err(|reason| io.warn(&StoreRemark::NoAnchor { path, reason })).ok()
+        let told = |reason| {
+            io.warn(&StoreRemark::NoAnchor { path: path.clone(), reason });
+            io.look_first();
+        };
+        Anchors::read(&path).map_err(told).ok()
     };
     let sent = read(Anchors::of_servers()).map(|anchors| anchors.of_server(&access.address.server()));
     let own = own().ok().and_then(|file| read(Anchors::of_user())?.at(&file));

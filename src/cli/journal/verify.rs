@@ -105,6 +105,8 @@ fn known_elsewhere(file: &Path, chain: ChainId, io: &mut Io<'_>) -> (Vec<Head>, 
         }
         Err(reason) => {
             io.warn(&StoreRemark::NoAnchor { path, reason });
+            // A journal that was cut off would pass as whole.
+            io.look_first();
             (Vec::new(), None)
         }
     }
