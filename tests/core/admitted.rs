@@ -257,6 +257,27 @@ fn batch_compares_the_status_of_the_file_too() {
 }
 
 #[test]
+fn a_skipped_measurement_and_limits_out_of_proportion_are_looked_at_first() {
+    let hole = |maximum: &str| {
+        format!(
+            "TCH PROBE 421 MEASURE HOLE ~\nQ273=+0 ~\nQ274=+0 ~\nQ262=+25 ~\nQ325=+0 ~\nQ247=+90 ~\nQ261=-5 ~\nQ320=+2 ~\n\
+             Q260=+15 ~\nQ301=+0 ~\nQ275=+{maximum} ~\nQ276=+25\n"
+        )
+    };
+    let skipped = "TCH PROBE 430 MEAS. BOLT HOLE CIRC ~\nQ273=+0\n";
+    for (blocks, expected) in [(hole("25.021"), 0), (format!("{}{skipped}", hole("25.021")), 14), (hole("46"), 14)] {
+        let text = format!("BEGIN PGM m MM\nTOOL CALL 1 Z\n{blocks}END PGM m MM\n");
+        let (code, out, err) = of(&[("m.h", &text)], &["run", "m.h", "--skip-unknown"]);
+        assert_eq!(code, expected, "{blocks}{out}{err}");
+    }
+    for (maximum, expected) in [("Q275=25.021", 0), ("Q275=46", 14)] {
+        let args = ["cycle", "421", "--set", "Q273=50", "Q274=50", "Q262=25", maximum, "Q276=25"];
+        let (code, out, err) = of(&[], &args);
+        assert_eq!(code, expected, "{out}{err}");
+    }
+}
+
+#[test]
 fn a_status_with_a_reason_behind_it_is_a_status() {
     for word in ["n.i.O. (Kratzer)", "rejected - burr", "NOK: scratch", "KO", "scrapped"] {
         import(&format!("id;callout;measured;status\nA;25 H7;25.010;{word}\n"), 14);

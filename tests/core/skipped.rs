@@ -26,6 +26,8 @@ fn run_text(text: &str, block_skip: bool, contacts: Contacts) -> (Machine, Optio
     let program = Arc::new(Program::read(text.as_bytes()).unwrap().0);
     let store = InMemory::new()
         .with("m.a", "\"%9.4F\", Q153;\n")
+        .with("sub.h", "BEGIN PGM sub MM\nQL1 = FOO BAR\nEND PGM sub MM\n")
+        .with("own.h", "BEGIN PGM own MM\nQL1 = 7\nEND PGM own MM\n")
         .with("own.tab", "BEGIN OWN.TAB MM\nNR  A     B\n0   1     2\n[END]\n");
     let mut machine = Machine::new("main.h", program, store, contacts, settings);
     loop {
@@ -56,6 +58,34 @@ fn stops(blocks: &str, why: &str) {
 
 fn said(machine: &Machine) -> Vec<String> {
     machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect()
+}
+
+#[test]
+fn cycles_that_only_mill_lose_no_datum() {
+    for cycle in ["1271 OCM RECTANGLE", "1272 OCM CIRCLE", "1281 OCM RECTANGLE BOUNDARY", "233 FACE MILLING"] {
+        ends(&format!("CYCL DEF {cycle}\n{HOLE}"));
+    }
+}
+
+#[test]
+fn whatever_a_block_names_that_is_not_understood_is_lost() {
+    let jump = "FN 9: IF +Q881 EQU +7 GOTO LBL 1\nLBL 1";
+    for block in ["SQL BIND Q881 \"TAB.POS\"", "SQL FETCH Q881 HANDLE Q5 INDEX+0", "FOO BAR Q881"] {
+        stops(
+            &format!("Q881 = 7\n{block}\n{jump}"),
+            &format!("Q881 is undefined: line 4, {block}, may set it and was not run"),
+        );
+    }
+}
+
+#[test]
+fn local_parameters_are_those_of_the_caller_again() {
+    let ask = "FN 9: IF +QL1 EQU +5 GOTO LBL 1\nLBL 1";
+    ends(&format!("QL1 = 5\nCALL PGM sub.h\n{ask}"));
+    stops(
+        &format!("QL1 = FOO BAR\nCALL PGM own.h\n{ask}"),
+        "QL1 is undefined: line 3, QL1 = FOO BAR, may set it and was not run",
+    );
 }
 
 const LOST: &str = "is undefined: line 15, TCH PROBE 412 DATUM INSIDE CIRCLE ~, may set it and was not run";

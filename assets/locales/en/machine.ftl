@@ -115,6 +115,7 @@ machine-remark-length-converted = table { $table }: column { $column } is a LENG
 machine-remark-ended-within = M{ $function } in a called program ended the run: a control does not allow it there
 machine-remark-given-wins = { $parameter } = { $value } was given before the run and replaces this block's value
 machine-remark-given-without-effect = { $parameter } was given before the run and had no effect: no block read it
+machine-remark-doubted = { $what }
 machine-remark-measured = { $what }
 machine-remark-filled = the block leaves out { $parameters }: these values were taken, while a control may refuse the block
 machine-remark-cycle-skipped = this measuring cycle was skipped at request, because of the / before it

@@ -115,6 +115,7 @@ machine-remark-length-converted = tabel { $table }: kolom { $column } is een LEN
 machine-remark-ended-within = M{ $function } in een aangeroepen programma heeft de uitvoering beëindigd: een besturing staat dat daar niet toe
 machine-remark-given-wins = { $parameter } = { $value } is vooraf opgegeven en vervangt de waarde in deze NC-regel
 machine-remark-given-without-effect = { $parameter } is vooraf opgegeven en had geen effect: geen NC-regel heeft hem gelezen
+machine-remark-doubted = { $what }
 machine-remark-measured = { $what }
 machine-remark-filled = de NC-regel laat { $parameters } weg: deze waarden zijn genomen, een besturing weigert de regel misschien
 machine-remark-cycle-skipped = deze meetcyclus is op verzoek overgeslagen, vanwege de / ervoor

@@ -35,7 +35,7 @@ use crate::journal::entry::CycleCheck;
 use crate::length::Length;
 use crate::message::Located;
 use crate::nc::machine::Remark;
-use crate::probing::cycle::{Control, Cycle, CycleResult, Inputs, Key, Value};
+use crate::probing::cycle::{Control, Cycle, CycleResult, Inputs, Key, Remark as CycleRemark, Value};
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::Shape;
 use crate::probing::{self, Prober, Recorded, SourceError, TouchProbe};
@@ -215,6 +215,9 @@ impl Args {
         if let Some(ToolChange { what: Changed::Locked(broken), .. }) = &tools.change {
             io.fail(broken);
             return Ok(Outcome::BadData);
+        }
+        if result.remarks.iter().any(|remark| matches!(remark, CycleRemark::Zone(_))) {
+            io.look_first();
         }
         Ok(result.verdict().map_or(Outcome::Done, Outcome::Judged))
     }

@@ -10,7 +10,7 @@ use crate::control::variables::Parameter;
 use crate::length::Length;
 use crate::message::{Arg, Message, Say};
 use crate::probing::circle::CircleWarning;
-use crate::probing::cycle::{Control, Cycle, CycleResult, Key};
+use crate::probing::cycle::{Control, Cycle, CycleResult, Key, Remark as CycleRemark};
 use crate::probing::simulated::{Collision, Mover};
 
 /// Something worth knowing.
@@ -112,6 +112,11 @@ pub enum Remark {
     },
     /// What a measuring cycle has to say of its inputs, or its contacts of the circle through them.
     Measured {
+        /// What it says.
+        what: Message,
+    },
+    /// Limits of a measuring cycle that are out of all proportion: what it says of them.
+    Doubted {
         /// What it says.
         what: Message,
     },
@@ -261,17 +266,28 @@ impl Remark {
     /// the block asks for them. A lathe's cycle has no limits; its program compares.
     pub(super) fn of_cycle(cycle: &Cycle, result: &CycleResult) -> Vec<Self> {
         let doubtful = result.warnings().into_iter().filter(CircleWarning::is_of_diameter);
-        let said = result.remarks.iter().map(Say::message).chain(doubtful.map(|warning| warning.message()));
-        let mut remarks: Vec<_> = said.map(|what| Self::Measured { what }).collect();
+        let said = result.remarks.iter().map(|remark| match remark {
+            CycleRemark::Zone(doubt) => Self::Doubted { what: doubt.message() },
+            other => Self::Measured { what: other.message() },
+        });
+        let doubtful = doubtful.map(|warning| Self::Measured { what: warning.message() });
+        let mut remarks: Vec<_> = said.chain(doubtful).collect();
         remarks.extend(filled(cycle, result));
         let is_unjudged = cycle.control == Control::Milling && result.verdict().is_none();
         remarks.extend(is_unjudged.then_some(Self::NotJudged));
         remarks
     }
 
-    /// Whether something that may have been measured is left out of what is judged.
+    /// Whether something that may have been measured is left out of what is judged, or limits that it is judged by are doubted.
     pub const fn stands_against(&self) -> bool {
-        matches!(self, Self::Skipped | Self::ContactsLeft { .. })
+        matches!(
+            self,
+            Self::Skipped
+                | Self::MeasurementSkipped
+                | Self::DatumSkipped
+                | Self::Doubted { .. }
+                | Self::ContactsLeft { .. }
+        )
     }
 
     /// What the reader of a file has to say.

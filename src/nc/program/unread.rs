@@ -189,7 +189,7 @@ fn sets_first(code: &str) -> Unread {
 fn stated(code: &str) -> Vec<Parameter> {
     let mut found = Vec::new();
     let mut rest = code;
-    while let Some(at) = first_parameter(rest, |cursor| cursor.take('=')) {
+    while let Some(at) = first_parameter(rest, |_| true) {
         let mut cursor = Cursor::new(rest.get(at..).unwrap_or_default());
         found.extend(cursor.parameter().ok().flatten());
         // Its first letter at least is behind.

@@ -24,6 +24,9 @@ fn is_result(parameter: Parameter) -> bool {
         || parameter.family == Family::Q && RESULTS.iter().any(|numbers| numbers.contains(&parameter.number))
 }
 
+/// Parameters, and the blocks that may have set them.
+pub(super) type Taken = BTreeMap<Parameter, Arc<Made>>;
+
 /// The parameters, and the blocks that may have set them.
 #[derive(Debug, Default)]
 pub(super) struct Lost {
@@ -35,6 +38,19 @@ pub(super) struct Lost {
 }
 
 impl Lost {
+    /// Takes away what is lost of some families.
+    pub(super) fn take(&mut self, families: &[Family]) -> Taken {
+        let all = std::mem::take(&mut self.by);
+        let (taken, kept) = all.into_iter().partition(|(parameter, _)| families.contains(&parameter.family));
+        self.by = kept;
+        taken
+    }
+
+    /// Gives it back.
+    pub(super) fn put(&mut self, taken: Taken) {
+        self.by.extend(taken);
+    }
+
     /// A block that was run has set the parameter, or made it undefined.
     pub(super) fn known(&mut self, parameter: Parameter) {
         self.system.remove(&parameter);

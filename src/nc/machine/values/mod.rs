@@ -24,7 +24,7 @@ use crate::message::Arg;
 use crate::nc::program::{Expression, Operand, TextExpression, TextOperand};
 use expressions::reads;
 use given::Given;
-use lost::Lost;
+use lost::{Lost, Taken};
 use texts::text_reads;
 
 /// The range of values on a control: 10^10 either way.
@@ -43,7 +43,7 @@ pub(super) struct Values {
     given: Given,
     lost: Lost,
     /// The local parameters of the calling programs, the outermost first.
-    locals: Vec<Vec<(Parameter, Value)>>,
+    locals: Vec<(Vec<(Parameter, Value)>, Taken)>,
     /// The most characters of a text.
     longest: usize,
     /// The time that `SYSSTR` gives.
@@ -117,7 +117,7 @@ impl Values {
     /// A called program begins, without local parameters.
     pub(super) fn enter_program(&mut self) {
         let locals = LOCAL.into_iter().flat_map(|family| self.variables.take(family)).collect();
-        self.locals.push(locals);
+        self.locals.push((locals, self.lost.take(&LOCAL)));
     }
 
     /// It returns, and the caller gets its own parameters back.
@@ -125,9 +125,12 @@ impl Values {
         for family in LOCAL {
             self.variables.take(family);
         }
-        for (parameter, value) in self.locals.pop().unwrap_or_default() {
+        self.lost.take(&LOCAL);
+        let (locals, lost) = self.locals.pop().unwrap_or_default();
+        for (parameter, value) in locals {
             self.variables.set(parameter, value);
         }
+        self.lost.put(lost);
     }
 
     /// The number that a parameter holds.
