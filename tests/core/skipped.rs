@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use assert_cmd::cargo::cargo_bin_cmd;
 use fitcheck::control::variables::Parameter;
 use fitcheck::nc::machine::{Contacts, InMemory, Machine, Settings, Step};
 use fitcheck::nc::program::Program;
@@ -28,7 +29,8 @@ fn run_text(text: &str, block_skip: bool, contacts: Contacts) -> (Machine, Optio
         .with("m.a", "\"%9.4F\", Q153;\n")
         .with("sub.h", "BEGIN PGM sub MM\nQL1 = FOO BAR\nEND PGM sub MM\n")
         .with("own.h", "BEGIN PGM own MM\nQL1 = 7\nEND PGM own MM\n")
-        .with("own.tab", "BEGIN OWN.TAB MM\nNR  A     B\n0   1     2\n[END]\n");
+        .with("own.tab", "BEGIN OWN.TAB MM\nNR  A     B\n0   1     2\n[END]\n")
+        .with("other.tab", "BEGIN OTHER.TAB MM\nNR  A     B\n0   1     2\n[END]\n");
     let mut machine = Machine::new("main.h", program, store, contacts, settings);
     loop {
         match machine.run(u64::MAX) {
@@ -149,6 +151,7 @@ fn nothing_is_measured_behind_a_skipped_block_that_may_have_set_a_datum() {
         "CYCL DEF 550 OF THE BUILDER ~\nQ1=+1",
         "CYCL DEF 392 OF THE BUILDER ~\nQ1=+1",
         "CYCL DEF 412 DATUM INSIDE CIRCLE ~\nQ1=+1",
+        "CYCL DEF 1275 OF THE BUILDER ~\nQ1=+1",
         "CYCL DEF 800 ADJUST XZ SYSTEM ~\nQ497=+90",
         "CYCL DEF 68.0 OF THE BUILDER",
         "CYCL DEF 247 DATUM SETTING ~\nQ339=+1 ~\nQ340=+1",
@@ -185,6 +188,11 @@ fn what_sets_no_datum_lets_the_next_measurement_count() {
         "TCH PROBE 430 MEAS. BOLT HOLE CIRC",
         "TCH PROBE 0.0 REF. PLANE Q5 X-\nTCH PROBE 0.1 X+5 Y+0 Z-5",
         "CYCL DEF 200 DRILLING ~\nQ200=+2",
+        "CYCL DEF 1271 OCM RECTANGLE ~\nQ650=+1",
+        "CYCL DEF 1274 OCM CIRCULAR SLOT ~\nQ650=+1",
+        "CYCL DEF 1278 OCM POLYGON ~\nQ650=+1",
+        "CYCL DEF 1281 OCM RECTANGLE BOUNDARY ~\nQ651=+1",
+        "CYCL DEF 1282 OCM CIRCLE BOUNDARY ~\nQ653=+1",
         "CYCL DEF 32.0 TOLERANCE\nCYCL DEF 32.1 T0.01",
         "CYCL DEF 800 ADJUST XZ SYSTEM ~\nQ497=+90\nCYCL DEF 801 RESET ROTARY COORDINATE SYSTEM",
         "FN 17: SYSWRITE ID50 NR1 IDX5 = +Q9",
@@ -236,11 +244,22 @@ fn what_a_skipped_block_would_have_set_is_undefined() {
         ("TCH PROBE 0.0 REF. PLANE Q5 X-", "Q1 = Q5", "Q5"),
         ("TCH PROBE 3.1 Q5", "Q1 = Q6", "Q6"),
         ("CYCL DEF 200 DRILLING ~\nQ5=( 2", "Q1 = Q5", "Q5"),
+        ("FOO BAR Q5", "Q1 = Q5", "Q5"),
+        ("FOO BAR Q6 Q5 = 7", "Q1 = Q6", "Q6"),
+        ("FOO BAR ~\nQS5", "QS1 = QS5", "QS5"),
+        ("SQL BIND Q5 \"TAB.COLUMN\"", "Q1 = Q5", "Q5"),
+        ("SQL FETCH Q6 HANDLE Q5", "Q1 = Q6", "Q6"),
+        ("SQL FETCH Q6 HANDLE Q5", "Q1 = Q5", "Q5"),
     ] {
         let (_, fault) = run(&format!("{before}{block}\n{reads}"));
         let expected = format!("{parameter} is undefined: line 7, ");
         assert!(fault.as_ref().is_some_and(|fault| fault.starts_with(&expected)), "{block}: {fault:?}");
     }
+    // What stands behind a sign is only read.
+    ends(&format!("{before}FOO X+Q5 Y=Q6\nQ1 = Q5 + Q6"));
+    // Each row that is fetched fills what was bound.
+    let (_, fault) = run("SQL BIND Q5 \"TAB.COLUMN\"\nQ5 = 1\nQ1 = Q5\nSQL FETCH Q6 HANDLE Q7\nQ1 = Q5");
+    assert!(fault.as_ref().is_some_and(|fault| fault.starts_with("Q5 is undefined: line 6, SQL FETCH")), "{fault:?}");
     // The table that is open is another one after a block that is not understood.
     stops("FN 26: TABOPEN own.tab\nFN 26: TABOPEN \"own\nFN 28: TABREAD Q1 = 0/\"A\"", "no table is open");
 }
@@ -250,6 +269,76 @@ fn a_file_that_a_skipped_block_may_have_written_is_not_read() {
     let (_, fault) = run("FUNCTION FILECOPY \"other.tab\" TO \"OWN.TAB\"\nFN 26: TABOPEN own.tab");
     assert!(fault.as_ref().is_some_and(|fault| fault.contains("line 3, FUNCTION FILECOPY")), "{fault:?}");
     ends("FUNCTION FILECOPY \"TCHPR421.TXT\" TO \"B1.TXT\"\nFN 26: TABOPEN own.tab");
+    // Its name may stand in any line of the block, and the table may be open.
+    let copy = "FUNCTION FILECOPY \"a.tab\" TO ~\n\"own.tab\"";
+    for (blocks, line) in [
+        (format!("{copy}\nFN 26: TABOPEN own.tab"), 3),
+        (format!("FN 26: TABOPEN own.tab\n{copy}\nFN 28: TABREAD Q1 = 0/\"A\""), 4),
+        ("FUNCTION FILEDELETE \"*.tab\"\nFN 26: TABOPEN own.tab".to_owned(), 3),
+    ] {
+        let (_, fault) = run(&blocks);
+        assert!(
+            fault.as_ref().is_some_and(|fault| fault.contains(&format!("line {line}, FUNCTION FILE"))),
+            "{blocks}: {fault:?}"
+        );
+    }
+    ends(&format!("{copy}\nFN 26: TABOPEN other.tab\nFN 28: TABREAD Q1 = 0/\"A\""));
+}
+
+#[test]
+fn a_table_that_a_skipped_block_may_have_written_is_not_read() {
+    let (open, write, read) = ("FN 26: TABOPEN own.tab", "FN 27: TABWRITE 0/\"A = Q1", "FN 28: TABREAD Q1 = 0/\"A\"");
+    let other = "FN 26: TABOPEN other.tab";
+    for (blocks, by) in [
+        (format!("{open}\n{write}\n{read}"), "line 4, FN 27"),
+        (format!("{open}\n{write}\n{other}\n{read}\n{open}"), "line 4, FN 27"),
+        // Which table is open is not known.
+        (format!("FN 26: TABOPEN \"own\n{write}\n{other}"), "line 4, FN 27"),
+        (format!("SQL UPDATE \"OWN\"\n{open}"), "line 3, SQL"),
+    ] {
+        let (_, fault) = run(&blocks);
+        assert!(fault.as_ref().is_some_and(|fault| fault.contains(by)), "{blocks}: {fault:?}");
+    }
+    ends(&format!("{open}\n{write}\n{other}\n{read}"));
+}
+
+/// The exit code of `fitcheck run` with unknown blocks skipped.
+#[track_caller]
+fn exits(blocks: &str, code: i32) {
+    let folder = tempfile::tempdir().unwrap();
+    let text = format!("BEGIN PGM own MM\nTOOL CALL 1 Z\n{blocks}\nEND PGM own MM\n");
+    fitcheck::files::write(&folder.path().join("own.h"), text.as_bytes()).unwrap();
+    let mut command = cargo_bin_cmd!("fitcheck");
+    command.current_dir(folder.path()).args(["run", "own.h", "--skip-unknown"]).assert().code(code);
+}
+
+#[test]
+fn a_good_run_that_leaves_a_measurement_out_is_looked_at_first() {
+    exits(HOLE, 0);
+    for skipped in [
+        "TCH PROBE 430 MEAS. BOLT HOLE CIRC",
+        "TCH PROBE 1411 PROBING TWO CIRCLES",
+        "TCH PROBE 461 TS CALIBRATION OF TOOL LENGTH",
+        "TCH PROBE 0.0 REF. PLANE Q5 X-\nTCH PROBE 0.1 X+5 Y+0 Z-5",
+        "CYCL DEF 421 MEASURE HOLE ~\nQ1=+1",
+        DATUM,
+        "FOO",
+    ] {
+        exits(&format!("{HOLE}\n{skipped}"), 14);
+    }
+    // Another datum behind all measurements changes none of them.
+    exits(&format!("{HOLE}\nM104"), 0);
+}
+
+#[test]
+fn a_zone_out_of_all_proportion_is_looked_at_first() {
+    exits(&HOLE.replace("Q275=+25.021", "Q275=+46"), 14);
+    let limits = |most: &str, code: i32| {
+        let set = ["Q273=0", "Q274=0", "Q262=25", "Q276=25", most];
+        cargo_bin_cmd!("fitcheck").args(["cycle", "421", "--set"]).args(set).assert().code(code);
+    };
+    limits("Q275=25.021", 0);
+    limits("Q275=46", 14);
 }
 
 #[test]

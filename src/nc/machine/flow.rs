@@ -12,7 +12,7 @@ use crate::control::text::cut;
 use crate::control::variables::Family;
 use crate::nc::program::{Body, Operand, Program, Target, Unit};
 
-/// How much of a block's text a later message repeats: names of files are looked for in it.
+/// How much of a block's text a later message repeats.
 const LONGEST_TEXT: usize = 512;
 
 /// A program that runs, and where it is.

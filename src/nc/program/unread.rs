@@ -19,11 +19,15 @@ pub enum Unread {
     Nothing,
     /// It sets these parameters.
     Sets(Vec<Parameter>),
-    /// It opens or writes a table of FN 26.
-    Table,
+    /// It opens a table of FN 26.
+    TableOpen,
+    /// It writes the table that is open.
+    TableWrite,
+    /// SQL: it sets these parameters, or binds them to be set by another one, and it may write any table.
+    Sql(Vec<Parameter>),
     /// It copies, moves or deletes files.
     Files,
-    /// Anything, and it names values for these parameters.
+    /// Anything, and it may set these parameters.
     Anything(Vec<Parameter>),
 }
 
@@ -97,13 +101,16 @@ fn klartext(code: &str) -> Unread {
     if is_file_function(code) {
         return Unread::Files;
     }
+    if cursor.take_word("SQL") {
+        return Unread::Sql(parameters(code).into_iter().map(|(_, parameter)| parameter).collect());
+    }
     if cursor.take_words(&["DECLARE", "STRING"]) || begins_with_parameter(code, Notation::Klartext) {
         return sets_first(code);
     }
     if has_word(code, &FLOW) || cursor.take_word("CALL") {
         return Unread::Flow;
     }
-    Unread::Anything(stated(code))
+    Unread::Anything(named(code))
 }
 
 /// `FUNCTION FILECOPY`, `FUNCTION FILEDELETE`, `FUNCTION FILEMOVE`
@@ -127,9 +134,10 @@ fn function(number: u32, code: &str) -> Unread {
             Unread::Sets(all.collect())
         }
         15 | 16 | 20 | 38 => Unread::Nothing,
-        26 | 27 => Unread::Table,
+        26 => Unread::TableOpen,
+        27 => Unread::TableWrite,
         9..=12 | 14 | 37 => Unread::Flow,
-        _ => Unread::Anything(stated(code)),
+        _ => Unread::Anything(named(code)),
     }
 }
 
@@ -143,12 +151,12 @@ fn iso(code: &str) -> Unread {
     }
     let number = |cursor: &mut Cursor<'_>| cursor.whole(999).ok().flatten();
     if cursor.take_prefix("D") {
-        return number(&mut cursor).map_or(Unread::Anything(stated(code)), |number| function(number, code));
+        return number(&mut cursor).map_or(Unread::Anything(named(code)), |number| function(number, code));
     }
     match cursor.take_prefix("G").then(|| number(&mut cursor)).flatten() {
         // A label, and a program as a cycle.
         Some(98 | 39) => Unread::Flow,
-        _ => Unread::Anything(stated(code)),
+        _ => Unread::Anything(named(code)),
     }
 }
 
@@ -185,15 +193,23 @@ fn sets_first(code: &str) -> Unread {
     Unread::Sets(found.into_iter().collect())
 }
 
-/// The parameters that a text gives values: those with `=` behind them.
-fn stated(code: &str) -> Vec<Parameter> {
+/// The parameters that a text may set: all but those that stand as a value, behind a sign or `=`.
+fn named(code: &str) -> Vec<Parameter> {
+    let is_value = |at: usize| code.get(..at).is_some_and(|before| before.trim_end().ends_with(['+', '-', '=']));
+    parameters(code).into_iter().filter(|(at, _)| !is_value(*at)).map(|(_, parameter)| parameter).collect()
+}
+
+/// All Q parameters of a text, and where each begins.
+fn parameters(code: &str) -> Vec<(usize, Parameter)> {
     let mut found = Vec::new();
-    let mut rest = code;
-    while let Some(at) = first_parameter(rest, |_| true) {
+    let mut from = 0;
+    while let Some(rest) = code.get(from..)
+        && let Some(at) = first_parameter(rest, |_cursor| true)
+    {
         let mut cursor = Cursor::new(rest.get(at..).unwrap_or_default());
-        found.extend(cursor.parameter().ok().flatten());
+        found.extend(cursor.parameter().ok().flatten().map(|parameter| (from + at, parameter)));
         // Its first letter at least is behind.
-        rest = rest.get(at + cursor.at().max(1)..).unwrap_or_default();
+        from += at + cursor.at().max(1);
     }
     found
 }
@@ -210,17 +226,9 @@ impl CycleBlock {
     /// The parameters that its first line names besides its own lines: `TCH PROBE 0.0 REF. PLANE Q5 X-`, `TCH PROBE 3.1 Q1`. Cycles
     /// 3 and 4 fill the three that follow, too.
     pub fn named(&self) -> Vec<Parameter> {
-        let mut found = Vec::new();
-        let mut rest = self.name.as_str();
-        while let Some(at) = first_parameter(rest, |_cursor| true) {
-            let mut cursor = Cursor::new(rest.get(at..).unwrap_or_default());
-            found.extend(cursor.parameter().ok().flatten());
-            // Its first letter at least is behind.
-            rest = rest.get(at + cursor.at().max(1)..).unwrap_or_default();
-        }
         let more = if self.number.starts_with(['3', '4']) && self.number.contains('.') { 3 } else { 0 };
         let all =
             |first: Parameter| (0..=more).map(move |on| Parameter { number: first.number.saturating_add(on), ..first });
-        found.into_iter().flat_map(all).collect()
+        parameters(&self.name).into_iter().flat_map(|(_, first)| all(first)).collect()
     }
 }

@@ -35,7 +35,7 @@ impl Run {
     fn machining(&mut self, at: usize, cycle: &CycleBlock) {
         let number = cycle.number.parse().ok().filter(|number: &u32| {
             // Machining, turning and grinding; below them are the control's oldest.
-            *number <= 39 || matches!(number, 200..=299 | 800..=899 | 1000..=1099 | 1271..=1282)
+            *number <= 39 || matches!(number, 200..=299 | 800..=899 | 1000..=1099 | 1271..=1274 | 1278 | 1281 | 1282)
         });
         if let Some(number) = number {
             self.around.pass_over(&format!("CYCL DEF {}", cycle.number));

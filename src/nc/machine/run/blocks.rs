@@ -14,6 +14,7 @@ use super::super::step::{Pause, Step};
 use super::super::tool_call::{Named, unknown_words};
 use super::super::values::shown_arg;
 use super::Run;
+use super::skipped::ReadAs;
 use crate::control::mask::Context;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
@@ -207,7 +208,7 @@ impl Run {
 
     fn call_program(&mut self, at: usize, path: NcPath, files: &mut Files) -> Result<(), FaultKind> {
         self.flow.check_depth()?;
-        self.check_file(&path)?;
+        self.check_file(&path, ReadAs::Other)?;
         let (program, remarks) = files.program(&path, self.tables.changed())?;
         self.remarks.add_all(&self.flow.place_of(at), remarks);
         self.flow.call_program(at, path, program);
@@ -248,7 +249,7 @@ impl Run {
         }
         let path = if is("SCREEN:") { None } else { Some(self.path_of(output)?) };
         let mask = self.path_of(mask)?;
-        self.check_file(&mask)?;
+        self.check_file(&mask, ReadAs::Other)?;
         let call_path = self.flow.path().to_string();
         let context = Context { language: settings.language, time: settings.time, call_path: &call_path };
         let (output, remarks) = rendered(&mask, &context, &self.values, files)?;

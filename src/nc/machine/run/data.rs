@@ -3,6 +3,7 @@
 use super::super::fault::FaultKind;
 use super::super::files::Files;
 use super::Run;
+use super::skipped::ReadAs;
 use crate::nc::program::{Body, TextOperand};
 
 impl Run {
@@ -23,6 +24,9 @@ impl Run {
         match body {
             Body::TableOpen(path) => self.open_table(at, path, files),
             Body::TableRead { to, row, columns } => {
+                if let Some(path) = self.tables.path() {
+                    self.check_file(path, ReadAs::Table)?;
+                }
                 let found = self.tables.read(*to, *row, columns, self.flow.unit(), &self.values)?;
                 self.remarks.add_all(&self.flow.place_of(at), found.remarks);
                 found.values.into_iter().try_for_each(|(to, value)| self.values.put(to, value))
@@ -39,7 +43,7 @@ impl Run {
     /// FN 26: closes the table that is still open.
     fn open_table(&mut self, at: usize, path: &TextOperand, files: &mut Files) -> Result<(), FaultKind> {
         let path = self.path_of(path)?;
-        self.check_file(&path)?;
+        self.check_file(&path, ReadAs::Table)?;
         if self.tables.path() == Some(&path) {
             return Ok(());
         }

@@ -12,7 +12,7 @@ mod skipped;
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use super::around::{Around, Made};
+use super::around::Around;
 use super::budget::Settings;
 use super::contacts::Contacts;
 use super::cycles::{CycleRun, Cycles};
@@ -33,6 +33,7 @@ use crate::control::variables::{Parameter, Value, Variables};
 use crate::message::Message;
 use crate::nc::program::{Notation, Program, Unit, Unread};
 use crate::verdict::Status;
+use skipped::UnknownFiles;
 
 /// The state of a run: what a restart clears.
 #[derive(Debug)]
@@ -48,8 +49,10 @@ struct Run {
     remarks: Remarks,
     /// What unknown blocks that were skipped may do, by their place.
     unread: BTreeMap<BlockPlace, Arc<Unread>>,
-    /// Skipped blocks that copy, move or delete files.
-    unknown_files: Vec<Made>,
+    /// Files that skipped blocks may have touched.
+    unknown_files: UnknownFiles,
+    /// Parameters that skipped blocks of SQL may have bound to columns.
+    bound: BTreeSet<Parameter>,
     blocks: u64,
 }
 
@@ -74,7 +77,8 @@ impl Run {
             around: Around::new(notation),
             remarks: Remarks::new(&settings.budget),
             unread: BTreeMap::new(),
-            unknown_files: Vec::new(),
+            unknown_files: UnknownFiles::default(),
+            bound: BTreeSet::new(),
             blocks: 0,
         }
     }

@@ -1,5 +1,6 @@
 //! Blocks that are not run: what they may have changed is unknown behind them, and nothing reads or measures it.
 
+use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::super::around::Made;
@@ -19,6 +20,42 @@ fn sets_no_datum(number: u32) -> bool {
 /// Those that measure tools.
 fn measures_tools(number: u32) -> bool {
     matches!(number, 30..=33 | 480..=484)
+}
+
+/// Files that a block may have written, moved or removed which was not run.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+enum Touched {
+    /// Those that this text names, in small letters.
+    Named(String),
+    /// The one with this path, in small letters.
+    Path(String),
+    /// Any table.
+    AnyTable,
+}
+
+/// Such files, and the first block that may have touched them.
+#[derive(Debug, Default)]
+pub(super) struct UnknownFiles(BTreeMap<Touched, Made>);
+
+/// What a file is read as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ReadAs {
+    Table,
+    /// A program or a mask.
+    Other,
+}
+
+impl Touched {
+    fn may_be(&self, path: &NcPath, read_as: ReadAs) -> bool {
+        match self {
+            // A name in a parameter, or with a wildcard, may be any.
+            Self::Named(text) => {
+                text.contains(&path.file_name().to_lowercase()) || text.contains("qs") || text.contains(['*', '?'])
+            }
+            Self::Path(touched) => *touched == path.to_string().to_lowercase(),
+            Self::AnyTable => read_as == ReadAs::Table,
+        }
+    }
 }
 
 impl Run {
@@ -42,12 +79,26 @@ impl Run {
                 }
             }
             // The table that is open is not the one that the program means.
-            Unread::Table => self.close_table(files)?,
-            Unread::Files => {
-                let by = self.flow.made(at);
-                if !self.unknown_files.contains(&by) {
-                    self.unknown_files.push(by);
+            Unread::TableOpen => self.close_table(files)?,
+            Unread::TableWrite => {
+                // Where none is open, a block that opens one may have been skipped.
+                let open = self.tables.path().map(|path| path.to_string().to_lowercase());
+                self.touch(at, open.map_or(Touched::AnyTable, Touched::Path));
+            }
+            Unread::Sql(parameters) => {
+                self.lose_all(at);
+                self.touch(at, Touched::AnyTable);
+                // Any later block of SQL may fill what one of them has bound.
+                self.bound.extend(parameters);
+                let by = Arc::new(self.flow.made(at));
+                for parameter in &self.bound {
+                    self.values.lose(*parameter, &by);
                 }
+            }
+            Unread::Files => {
+                // Each line of the block may have a name.
+                let text = self.flow.program().text_of(at).collect::<Vec<_>>().join("\n").to_lowercase();
+                self.touch(at, Touched::Named(text));
             }
             Unread::Anything(parameters) => {
                 self.lose_all(at);
@@ -107,15 +158,15 @@ impl Run {
         self.way.lose();
     }
 
+    /// A block that is not run may have touched files.
+    fn touch(&mut self, at: usize, touched: Touched) {
+        self.unknown_files.0.entry(touched).or_insert_with(|| self.flow.made(at));
+    }
+
     /// An error for a file that a block may have written which was not run.
-    pub(super) fn check_file(&self, path: &NcPath) -> Result<(), FaultKind> {
-        let name = path.file_name().to_lowercase();
-        // A name in a parameter may be any.
-        let may_name = |made: &&Made| {
-            let text = made.text.to_lowercase();
-            text.contains(&name) || text.contains("qs")
-        };
-        let Some(Made { line, text }) = self.unknown_files.iter().find(may_name).cloned() else { return Ok(()) };
-        Err(FaultKind::FileUnknown { path: path.clone(), line, text })
+    pub(super) fn check_file(&self, path: &NcPath, read_as: ReadAs) -> Result<(), FaultKind> {
+        let found = self.unknown_files.0.iter().find(|(touched, _)| touched.may_be(path, read_as));
+        let Some((_, Made { line, text })) = found else { return Ok(()) };
+        Err(FaultKind::FileUnknown { path: path.clone(), line: *line, text: text.clone() })
     }
 }
