@@ -4,11 +4,12 @@
 
 use csv::StringRecord;
 
+use super::batch::cells_of;
 use super::cells::{
     self, WholeNumbers, decimals, is_blank, is_callout, is_class_with_grade, is_comment, is_data, is_number, is_whole,
     may_be_names, own_callout,
 };
-use super::delimited::{Item, Rows, SEPARATORS, cells_of};
+use super::delimited::{Item, Rows, SEPARATORS};
 use super::error::{ImportErrorKind, ImportWarningKind, Role};
 use super::evidence::Evidence;
 use super::own::OwnColumns;

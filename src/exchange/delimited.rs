@@ -5,7 +5,7 @@
 
 use csv::{ReaderBuilder, StringRecord};
 
-use super::batch::row_end;
+use super::batch::{cells_of, row_end};
 
 /// The separators that are tried.
 pub(super) const SEPARATORS: [u8; 4] = [b';', b'\t', b'|', b','];
@@ -161,11 +161,6 @@ fn csv_reader(text: &str, separator: u8) -> csv::Reader<&[u8]> {
         .delimiter(separator)
         .buffer_capacity(text.len().min(64 << 10))
         .from_reader(text.as_bytes())
-}
-
-/// The cells of a text that is one row.
-pub(super) fn cells_of(text: &str, separator: u8) -> Option<StringRecord> {
-    csv_reader(text, separator).records().next()?.ok()
 }
 
 impl<'a> Iterator for Rows<'a> {

@@ -214,14 +214,10 @@ impl<'a> Reader<'a, '_, '_> {
             next = rows.next();
             self.is_open = next.is_none() && rows.is_open();
             match item {
-                Item::Row { line, cells } => self.row(line, &cells),
                 Item::Lines { line, text, cells } if self.columns.hides_rows(&cells, self.separator) => {
                     self.torn(line, text);
                 }
-                Item::Lines { line, text, cells } => {
-                    self.row(line, &cells);
-                    self.warn_row(line, ImportWarningKind::SeveralLines { lines: lines(text, 0, 0).count() });
-                }
+                Item::Row { line, cells } | Item::Lines { line, cells, .. } => self.row(line, &cells),
                 Item::OpenQuote { line, text } => {
                     self.refuse(line, Cell { at: None, text }, ImportErrorKind::OpenQuote);
                 }

@@ -156,7 +156,13 @@ impl Index {
     }
 
     /// Finds the ends of one row and where the next one begins; else why the row is not whole.
-    fn quoted_row(&mut self, text: &[u8], start: usize, separator: u8, is_all: bool) -> Result<usize, Option<Broken>> {
+    pub(super) fn quoted_row(
+        &mut self,
+        text: &[u8],
+        start: usize,
+        separator: u8,
+        is_all: bool,
+    ) -> Result<usize, Option<Broken>> {
         let (mut is_open, mut is_first, mut lines) = (false, true, 0);
         let mut at = start;
         let limit = start + LONGEST_ROW;

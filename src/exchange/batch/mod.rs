@@ -45,7 +45,7 @@ pub use known::Figures;
 pub use layout::{HEAD, Layout};
 pub use marks::{FATES, Fate, Filter, Marks, Part, Sieve, Store};
 pub use pick::{Picked, pick};
-pub use row::Row;
+pub use row::{Row, cells_of};
 pub use tally::{FIRST, Kind, Note, Notes, Tally};
 pub use tsv::Tsv;
 #[cfg(feature = "parquet")]

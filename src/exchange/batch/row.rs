@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use csv::StringRecord;
 
-use super::index;
+use super::index::{self, Index};
 use crate::length::{Length, Unit};
 
 /// A row within a text.
@@ -93,6 +93,13 @@ impl<'a> Row<'a> {
     pub(super) fn record(&self) -> StringRecord {
         self.cells().map(unquoted).collect()
     }
+}
+
+/// The cells of a text that is one row, without quotation marks; `None` where it is none.
+pub fn cells_of(text: &str, separator: u8) -> Option<StringRecord> {
+    let mut index = Index::default();
+    index.quoted_row(text.as_bytes(), 0, separator, true).ok()?;
+    index.rows().next().map(|ends| Row::new(text.as_bytes(), 0, ends).record())
 }
 
 /// A part of a text. What stands around it is at hand, because eight bytes at a time are read faster than two.
