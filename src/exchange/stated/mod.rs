@@ -267,7 +267,7 @@ fn unit_columns<'n>(
             Some(Rank::Exact) => !filled.is_empty() || mentions([name(at)].into_iter()).is_empty(),
             Some(Rank::Contained) if lengths == filled.len() => 0 < lengths,
             _ if sure == 0 && lengths == rows && 0 < rows && !stated.is_given => {
-                let (line, unit) = (columns_line(sample), shorten(filled.first().copied().unwrap_or_default()));
+                let (line, unit) = (line_of_first_row(sample), shorten(filled.first().copied().unwrap_or_default()));
                 let text = shorten(&format!("{} {unit}", name_of(at, name(at))));
                 return Err(ImportErrorKind::UnitMentioned { line, unit, text });
             }
@@ -300,7 +300,7 @@ fn may_be_a_name(cell: &str) -> bool {
 }
 
 /// The line of the first row.
-fn columns_line(sample: &Sample) -> usize {
+fn line_of_first_row(sample: &Sample) -> usize {
     sample.rows.get(sample.above).map_or(1, |(line, _)| *line)
 }
 

@@ -30,7 +30,7 @@ pub(super) type Taken = BTreeMap<Parameter, Arc<Made>>;
 /// The parameters, and the blocks that may have set them.
 #[derive(Debug, Default)]
 pub(super) struct Lost {
-    by: BTreeMap<Parameter, Arc<Made>>,
+    by: Taken,
     /// Whether all results are among them.
     has_results: bool,
     /// Parameters of FN 18, which a control defines.
