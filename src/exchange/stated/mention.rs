@@ -317,6 +317,7 @@ mod tests {
         let clear = |unit: Unit| vec![(Ok(unit), true)];
         let unclear = |unit: Unit| vec![(Ok(unit), false)];
         let no = |text: &str| vec![(Err(text.to_owned()), true)];
+        let asked = |text: &str| vec![(Err(text.to_owned()), false)];
         let (mm, um, inch) = (Unit::Millimetre, Unit::Micrometre, Unit::Inch);
         for (line, expected) in [
             ("# unit: inch", clear(inch)),
@@ -341,7 +342,9 @@ mod tests {
             ("Part;4711;Units;inch;Operator;JJ", clear(inch)),
             ("Zoll;12345", Vec::new()),
             ("Werkzeug Zoll", unclear(inch)),
-            ("values are not in inch", unclear(inch)),
+            ("values are not in inch", asked("values are not in inch")),
+            ("Werte in mm statt in Zoll", asked("Werte in mm statt in Zoll")),
+            ("Werte in 1/1000 mm", asked("Werte in 1/1000 mm")),
             ("Temperature;20.1 C;Probe;3 mm", Vec::new()),
             ("Temperature unit;°C", Vec::new()),
             ("Unit;°C", Vec::new()),
