@@ -46,6 +46,8 @@ type OfStatus = [[Option<Noted>; Status::ALL.len()]; 2];
 struct Part {
     walk: Walk,
     noted: BTreeMap<usize, OfStatus>,
+    /// How many values had come with its newest one.
+    seen: u64,
 }
 
 /// Every part of a run, by the name and the serial number that its file says.
@@ -58,6 +60,9 @@ pub(super) struct PlanParts {
     parts: BTreeMap<(String, String), Part>,
     /// The worst verdict of the parts beyond those.
     beyond: Option<Status>,
+    is_stream: bool,
+    /// How many values have come.
+    seen: u64,
 }
 
 impl PlanParts {
@@ -65,25 +70,45 @@ impl PlanParts {
     pub(super) fn of(plan: &Plan, repeats: Repeats) -> Self {
         let places = plan.sizes().map(|size| size.name()).zip(0..).collect();
         let nothing = Walk::new(plan, String::new()).by(repeats);
-        Self { places, nothing, parts: BTreeMap::new(), beyond: None }
+        Self { places, nothing, parts: BTreeMap::new(), beyond: None, is_stream: false, seen: 0 }
+    }
+
+    /// The same for a run without an end: of more parts than are known the newest ones are kept.
+    pub(super) fn of_stream(plan: &Plan) -> Self {
+        Self { is_stream: true, ..Self::of(plan, Repeats::Open) }
+    }
+
+    /// Whether a size has this name.
+    pub(super) fn has(&self, name: &str) -> bool {
+        self.places.contains_key(name)
     }
 
     /// A value of a part from a line of its file, as it was judged. Without a time of its own its order is not known.
     pub(super) fn see(&mut self, record: &Record, labels: &Labels, line: Option<usize>) {
-        self.see_at(record, labels, line, labels.time);
+        self.see_of((labels.part.clone(), labels.serial.clone()), record, line, labels.time);
     }
 
-    /// The same with the time at which it was measured.
-    pub(super) fn see_at(&mut self, record: &Record, labels: &Labels, line: Option<usize>, when: Option<DateTime>) {
+    /// The same of a part by its name and serial number, with the time at which it was measured.
+    pub(super) fn see_of(
+        &mut self,
+        key: (String, String),
+        record: &Record,
+        line: Option<usize>,
+        when: Option<DateTime>,
+    ) {
         let Some(at) = self.places.get(&record.id).copied() else { return };
         let (status, is_simulated) = (record.verdict.status(), record.measurement.origin.is_simulated());
-        let key = (labels.part.clone(), labels.serial.clone());
         if MOST <= self.parts.len() && !self.parts.contains_key(&key) {
-            self.beyond = self.beyond.max(Some(status));
-            return;
+            if !self.is_stream {
+                self.beyond = self.beyond.max(Some(status));
+                return;
+            }
+            self.forget_older_half();
         }
-        let new = || Part { walk: self.nothing.clone(), noted: BTreeMap::new() };
+        let new = || Part { walk: self.nothing.clone(), noted: BTreeMap::new(), seen: 0 };
         let part = self.parts.entry(key).or_insert_with(new);
+        self.seen += 1;
+        part.seen = self.seen;
         part.walk.take(at, Taken { status, is_simulated, when, is_settled: false });
         let file = match &record.measurement.origin {
             Origin::Imported { file } | Origin::ImportedSimulation { file } => file.as_ref(),
@@ -95,6 +120,13 @@ impl PlanParts {
         if let Some((_, noted)) = Status::ALL.into_iter().zip(of_status).find(|(one, _)| *one == status) {
             *noted = Some(Noted { measured: record.measurement.diameter, place });
         }
+    }
+
+    fn forget_older_half(&mut self) {
+        let mut seen: Vec<u64> = self.parts.values().map(|part| part.seen).collect();
+        let half = seen.len() / 2;
+        let middle = *seen.select_nth_unstable(half).1;
+        self.parts.retain(|_, part| middle <= part.seen);
     }
 
     /// The values that contradict each other: the part as far as it is known by name, the size, and the values with their verdicts and

@@ -344,8 +344,8 @@ impl Stream {
         &self.file
     }
 
-    /// The bodies of all entries so far.
-    pub(super) fn each(&self, see: &mut dyn FnMut(&[u8])) -> Result<(), CliError> {
+    /// All entries so far: their numbers and bodies.
+    pub(super) fn each(&self, see: &mut dyn FnMut(u64, &[u8])) -> Result<(), CliError> {
         let reader = Reader::open(&self.file).map_err(refused)?;
         let mut from = 1;
         loop {
@@ -353,9 +353,23 @@ impl Stream {
             let Some(last) = entries.last() else { return Ok(()) };
             from = last.head.number + 1;
             for kept in &entries {
-                see(&kept.body);
+                see(kept.head.number, &kept.body);
             }
         }
+    }
+
+    /// What tells a part from others in the journal: its name and its serial number. The name of the plan is that of all its parts; of a part
+    /// without any other name, its file is the name.
+    pub(super) fn part_of(&self, about: &About, file: &str) -> (String, String) {
+        let of_all = [self.recorder.about.part.as_str(), self.recorder.plan.as_deref().unwrap_or_default()];
+        let own = Some(about.part.as_str()).filter(|part| !of_all.contains(part)).unwrap_or_default();
+        let part = if own.is_empty() && about.serial.is_empty() { file } else { own };
+        (part.to_owned(), about.serial.clone())
+    }
+
+    /// Who, where and when: what is recorded of a check that a file tells these of.
+    pub(super) fn about(&self, id: &str, labels: &Labels) -> About {
+        self.recorder.about(id, labels)
     }
 
     /// A check that is to be recorded, now.

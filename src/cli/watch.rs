@@ -11,9 +11,11 @@ use super::record::{Stream, StreamArgs};
 use super::said::{CliWarning, about, warning};
 use super::{CliError, CliRemark, Format, Io, Outcome, TableArgs};
 use crate::control::mask::Mask;
-use crate::journal::entry::{FileRole, UsedFile};
+use crate::journal::body;
+use crate::journal::entry::{Checked, Content, Entry, FileRole, UsedFile};
+use crate::journal::found::Found;
 use crate::message::{Located, Message, Say as _};
-use crate::part::{Plan, Repeats};
+use crate::part::Plan;
 use crate::tolerance::Sources;
 use crate::verdict::Status;
 use crate::watch::{Alone, Batch, EVERY, Judging, Known, Look, Waiting, Watcher};
@@ -113,13 +115,12 @@ impl Args {
             // Some shares have no locks.
             Err(error) => io.warn(&CliWarning::NotAlone { reason: error.to_string() }),
         }
-        let mut known = Known::default();
-        journal.each(&mut |body| known.see(body))?;
+        let mut parts = plan.as_ref().map(PlanParts::of_stream);
+        let known = before(&journal, parts.as_mut())?;
         io.tell(CliRemark::Watching { folder: self.folder.display().to_string(), known: known.len() });
         let printer = Printer::new(self.format, judge.more_of(plan.as_ref()), io)?;
         let (plan, is_bad) = (plan.as_ref(), false);
         let (sources, masks, judge) = (&sources, masks.as_slice(), &judge);
-        let parts = plan.map(|plan| PlanParts::of(plan, Repeats::Open));
         let (worst, contradictions) = (None, BTreeSet::new());
         let mut run = Run { plan, sources, masks, judge, journal, printer, worst, is_bad, parts, contradictions };
         let mut watcher = Watcher::new(&self.folder, known);
@@ -133,6 +134,32 @@ impl Args {
             None => Outcome::Done,
         })
     }
+}
+
+/// What the journal has: the files that were taken, and the values of the plan's parts, which later ones may contradict.
+fn before(journal: &Stream, parts: Option<&mut PlanParts>) -> Result<Known, CliError> {
+    let (mut known, mut replaced) = (Known::default(), BTreeSet::new());
+    let has_plan = parts.is_some();
+    journal.each(&mut |_, body| {
+        known.see(body);
+        // What cannot be read is what `journal verify` is there for.
+        if has_plan && let Ok(Some(Found { corrects: Some(number), .. })) = body::found(body) {
+            replaced.insert(number);
+        }
+    })?;
+    let Some(parts) = parts else { return Ok(known) };
+    journal.each(&mut |number, body| {
+        let is_of_plan = body::found(body).is_ok_and(|found| found.is_some_and(|found| parts.has(&found.feature)));
+        if !is_of_plan || replaced.contains(&number) {
+            return;
+        }
+        let Ok(Entry { about, content: Content::Check(check) }) = body::read(body) else { return };
+        let Checked::Size(record) = &check.what else { return };
+        let file = check.files.iter().find(|file| file.role == FileRole::Measurements);
+        let part = journal.part_of(&about, file.map_or("", |file| &file.name));
+        parts.see_of(part, record, None, Some(record.time));
+    })?;
+    Ok(known)
 }
 
 /// Leaves alone what this program itself writes: the journal, and what its output goes to.
@@ -217,18 +244,15 @@ impl Run<'_> {
         }
     }
 
-    /// Tells once which values of a file contradict each other, or those of the same part in a file before.
+    /// Tells once which values of a file contradict each other, or those of the same part in a file before, whoever took that one.
     fn contradictions(&mut self, file: &str, rows: &[Row], io: &mut Io<'_>) {
         let Some(parts) = &mut self.parts else { return };
         let mut keys = BTreeSet::new();
         for (row, record) in rows.iter().filter_map(|row| Some((row, row.judged.as_deref()?))) {
-            let mut labels = row.labels.clone();
-            if labels.serial.is_empty() && labels.part.is_empty() {
-                file.clone_into(&mut labels.part);
-            }
+            let part = self.journal.part_of(&self.journal.about(&record.id, &row.labels), file);
+            keys.insert(part.clone());
             // Files are taken in the order in which they were written: the time at which they came is an order, too.
-            parts.see_at(record, &labels, row.line, Some(record.time));
-            keys.insert((labels.part, labels.serial));
+            parts.see_of(part, record, row.line, Some(record.time));
         }
         for contradiction in parts.contradictions_of(|key| keys.contains(key)) {
             let what = match &contradiction {

@@ -44,7 +44,7 @@ impl<'a> ByPlan<'a> {
                 None => self.other_quantity(unjudged, take),
             },
             // By the limits of the file: those of the plan are compared below.
-            Item::Warning(warning) if matches!(warning.what.kind, ImportWarningKind::StatusDiffers { .. }) => {}
+            Item::Warning(Located { what: ImportWarning { kind, .. }, .. }) if kind.is_of_status() => {}
             item => take(item),
         }
     }
@@ -92,7 +92,7 @@ impl<'a> ByPlan<'a> {
             .into_iter()
             .chain(self.other_part(&labels.part))
             .chain(other_limits(&asked, size))
-            .chain(labels.claims.iter().filter_map(|claim| claim.differs(record.verdict.status())));
+            .chain(labels.claims.iter().filter_map(|claim| claim.tells(record.verdict.status())));
         for kind in told {
             take(warning(line, kind));
         }

@@ -103,7 +103,7 @@ impl Characteristic {
                 let record = Record::judged(time, self.id(), callout, limits, measurement, None);
                 self.tell_uncertainty(line, sink);
                 for claim in &value.labels.claims {
-                    if let Some(warning) = claim.differs(record.verdict.size.status) {
+                    if let Some(warning) = claim.tells(record.verdict.size.status) {
                         sink.warn(Place::line(line), Some(line), warning);
                     }
                 }

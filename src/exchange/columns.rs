@@ -88,8 +88,8 @@ pub(super) struct LabelColumns {
     pub(super) serial: Option<usize>,
     pub(super) who: Option<usize>,
     pub(super) place: [Option<LengthColumn>; 3],
-    /// What the file says of a value's status: compared, not read.
-    pub(super) status: Option<usize>,
+    /// Columns in which the file says a value's status: compared, not read.
+    pub(super) statuses: Vec<usize>,
 }
 
 impl LabelColumns {
@@ -107,7 +107,7 @@ impl LabelColumns {
             serial: at(Role::Serial),
             who: at(Role::Who),
             place: [Role::X, Role::Y, Role::Z].map(place),
-            status: labels.iter().find(|(_, name)| words::is_status(name)).map(|(at, _)| *at),
+            statuses: labels.iter().filter(|(_, name)| words::is_status(name)).map(|(at, _)| *at).collect(),
         }
     }
 

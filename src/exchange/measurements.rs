@@ -371,7 +371,7 @@ impl<'a> Reader<'a, '_, '_> {
         let measurement = Measurement::of_diameter(measured, origin);
         let record = Record::judged(time, id, Some(callout), limits, measurement, None);
         let labels = Labels { quantity, ..self.labels(line, cells) };
-        for warning in labels.claims.iter().filter_map(|claim| claim.differs(record.verdict.size.status)) {
+        for warning in labels.claims.iter().filter_map(|claim| claim.tells(record.verdict.size.status)) {
             self.warn_row(line, warning);
         }
         self.sink.keep(line, Record { correction, ..record }, labels);
@@ -398,7 +398,7 @@ impl<'a> Reader<'a, '_, '_> {
             part: label(columns.part),
             serial: label(columns.serial),
             who: label(columns.who),
-            claims: columns.status.and_then(|at| Claim::of_word(text(at))).into_iter().collect(),
+            claims: columns.statuses.iter().filter_map(|&at| Claim::of_cell(text(at))).collect(),
             place,
             is_corrected: self.columns.evidence.is_corrected(cells),
             ..Labels::default()

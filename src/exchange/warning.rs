@@ -155,6 +155,13 @@ pub enum ImportWarningKind {
         /// The status by the limits.
         status: String,
     },
+    /// The file says something of the status that is not known: nobody compared it with that of the limits.
+    StatusUnknown {
+        /// The file's word.
+        given: String,
+        /// The status by the limits.
+        status: String,
+    },
     /// An uncertainty that the file states, which no rule uses.
     UncertaintyNotUsed {
         /// The expanded uncertainty.
@@ -259,6 +266,11 @@ impl ImportWarningKind {
         }
     }
 
+    /// Whether it compares the file's own status with that of the limits.
+    pub(super) const fn is_of_status(&self) -> bool {
+        matches!(self, Self::StatusDiffers { .. } | Self::StatusUnknown { .. })
+    }
+
     /// Whether it stands against the answers of the file, or says that something which may have been measured is left out of them: a run
     /// that only says so must not end as if nothing were the matter.
     pub const fn stands_against(&self) -> bool {
@@ -269,6 +281,7 @@ impl ImportWarningKind {
             | Self::PlanDiffersBelow { .. }
             | Self::PlanDiffersAbove { .. }
             | Self::StatusDiffers { .. }
+            | Self::StatusUnknown { .. }
             | Self::QuantityUnknown { .. }
             | Self::SheetHidden { .. }
             | Self::RowsHidden { .. }

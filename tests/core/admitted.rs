@@ -43,6 +43,51 @@ fn a_good_value_that_its_file_calls_nok_is_looked_at_first() {
     import("id;callout;measured;status\nA;25 H7;25.012;NOK\nB;25 H7;x;OK\n", 1);
 }
 
+/// A word that nobody here knows may be the worst there is: it is not passed over.
+#[test]
+fn a_status_that_is_not_known_is_said_and_looked_at_first() {
+    for (word, code) in [
+        ("OK", 0),
+        ("in tolerance", 0),
+        ("✓", 0),
+        ("gemessen", 0),
+        ("n/a", 0),
+        ("-", 0),
+        ("", 0),
+        ("✗", 14),
+        ("out of tolerance", 14),
+        ("Sperrlager", 14),
+        ("2", 14),
+        ("?", 14),
+    ] {
+        let rows = format!("id;callout;measured;verdict\nA;25 H7;25.012;{word}\n");
+        for command in ["import", "batch"] {
+            let (found, out, err) = of(&[("a.csv", &rows)], &[command, "a.csv"]);
+            assert_eq!(found, code, "{command} {word}\n{out}\n{err}");
+        }
+    }
+    let rows = "id;callout;measured;verdict\nA;25 H7;25.012;Sperrlager\n";
+    let (_, _, err) = of(&[("a.csv", rows)], &["import", "a.csv"]);
+    assert!(err.contains("a.csv:2") && err.contains("Sperrlager, which is no status that is known here"), "{err}");
+    let (_, _, err) = of(&[("a.csv", rows)], &["batch", "a.csv"]);
+    assert!(err.contains("1 row has a status in its file that is not known"), "{err}");
+    let plan = "fitcheck_plan = 1\npart = \"One\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n";
+    let (code, _, err) = of(&[("a.csv", rows), ("p.toml", plan)], &["import", "--plan", "p.toml", "a.csv"]);
+    assert_eq!((code, err.matches("Sperrlager").count()), (14, 1), "{err}");
+}
+
+/// One column says OK for the station, the next one NOK for the customer: both are compared.
+#[test]
+fn every_column_of_a_status_is_compared() {
+    for command in ["import", "batch"] {
+        for (row, code) in [("OK;OK", 0), ("OK;NOK", 14), ("NOK;OK", 14)] {
+            let rows = format!("id;callout;measured;verdict;decision\nA;25 H7;25.012;{row}\n");
+            let (found, out, err) = of(&[("a.csv", &rows)], &[command, "a.csv"]);
+            assert_eq!(found, code, "{command} {row}\n{out}\n{err}");
+        }
+    }
+}
+
 #[test]
 fn what_nobody_measured_is_looked_at_first() {
     import("id;callout;measured;simulated\nA;25 H7;25.012;true\n", 14);
@@ -169,6 +214,53 @@ fn a_watched_file_says_that_its_values_contradict_each_other() {
     let (code, out, err) = of(&files, &["watch", "in", "--plan", "p.toml", "--until-idle", "0.5"]);
     assert_eq!(code, 14, "{out}\n{err}");
     assert!(err.contains("BORE_A has values that contradict each other: 24.998 REWORK"), "{err}");
+}
+
+/// What was recorded before the watch was started again is known: a value that contradicts it is not simply good.
+#[test]
+fn a_watch_that_is_started_again_knows_the_values_before() {
+    let folder = tempfile::tempdir().unwrap();
+    let write = |name: &str, text: &str| {
+        let path = folder.path().join(name);
+        std::fs::create_dir_all(path.parent().unwrap()).unwrap();
+        fitcheck::files::write(&path, text.as_bytes()).unwrap();
+    };
+    let watch = |name: &str, rows: &str| {
+        write(&format!("in/{name}"), &format!("name;measured;serial\n{rows}"));
+        within(folder.path(), &["watch", "in", "--plan", "p.toml", "--until-idle", "0.5"])
+    };
+    write("p.toml", TWO);
+    assert_eq!(watch("a.csv", "BORE_A;25.030;7\nSEAT;19.99;7\n").0, 11);
+    assert_eq!(watch("b.csv", "BORE_A;25.012;8\nSEAT;19.985;7\n").0, 0, "another part, and a size that agrees");
+    let (code, out, err) = watch("c.csv", "BORE_A;25.012;7\n");
+    assert_eq!(code, 14, "{out}\n{err}");
+    assert!(err.contains("7: BORE_A has values that contradict each other: 25.030 SCRAP (a.csv)"), "{err}");
+    // Somebody looked, and took the value back.
+    let taken_back = ["journal", "correct", "2", "--withdraw", "--reason", "the wrong part was in the fixture"];
+    let (code, out, err) = within(folder.path(), &taken_back);
+    assert_eq!(code, 0, "{out}\n{err}");
+    let (code, out, err) = watch("d.csv", "BORE_A;25.011;7\n");
+    assert_eq!(code, 0, "{out}\n{err}");
+}
+
+/// A part without a name is its file, also for the next watch: others without one are other parts.
+#[test]
+fn files_without_a_serial_number_are_parts_of_their_own_after_a_restart() {
+    let folder = tempfile::tempdir().unwrap();
+    let path = |name: &str| folder.path().join(name);
+    std::fs::create_dir(path("in")).unwrap();
+    fitcheck::files::write(&path("p.toml"), TWO.as_bytes()).unwrap();
+    let watch = || within(folder.path(), &["watch", "in", "--plan", "p.toml", "--until-idle", "0.5"]);
+    fitcheck::files::write(&path("in/a.csv"), b"name;measured\nBORE_A;25.030\n").unwrap();
+    assert_eq!(watch().0, 11);
+    fitcheck::files::write(&path("in/b.csv"), b"name;measured\nBORE_A;25.012\n").unwrap();
+    let (code, out, err) = watch();
+    assert_eq!(code, 0, "{out}\n{err}");
+    // The first file grows.
+    fitcheck::files::write(&path("in/a.csv"), b"name;measured\nBORE_A;25.030\nBORE_A;25.011\n").unwrap();
+    let (code, out, err) = watch();
+    assert_eq!(code, 14, "{out}\n{err}");
+    assert!(err.contains("a.csv: BORE_A has values that contradict each other: 25.030 SCRAP (a.csv)"), "{err}");
 }
 
 mod walks {

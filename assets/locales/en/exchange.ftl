@@ -160,6 +160,7 @@ exchange-unjudged-not-a-size = { $what }: not a size of a hole or shaft
 exchange-warning-limits-differ = { $callout } has the limits { $minimum } to { $maximum }, but the file has others: the file's limits apply
 exchange-warning-class-unknown = class { $given } has no limits here: the file's limits apply
 exchange-warning-status-differs = the file says { $given }, but the limits say { $status }
+exchange-warning-status-unknown = the file says { $given }, which is no status that is known here: the limits say { $status }
 exchange-warning-uncertainty-not-used = the file states an expanded uncertainty of { $expanded } mm: no rule uses it, so give --u instead
 exchange-warning-plan-differs = the file has the limits { $minimum } to { $maximum }: the plan's limits apply
 exchange-warning-plan-differs-below = the file has the lower limit { $minimum }: the plan's lower limit applies

@@ -636,6 +636,10 @@ rows-status-differs = { $count ->
     [one] 1 row has another status in its file
    *[other] { $number } rows have another status in their file
 }
+rows-status-unknown = { $count ->
+    [one] 1 row has a status in its file that is not known
+   *[other] { $number } rows have a status in their file that is not known
+}
 rows-several-lines = { $count ->
     [one] 1 row runs over several lines
    *[other] { $number } rows run over several lines

@@ -160,6 +160,7 @@ exchange-unjudged-not-a-size = { $what }: geen maat van een boring of as
 exchange-warning-limits-differ = { $callout } heeft de grensmaten { $minimum } tot { $maximum } en het bestand heeft andere: die van het bestand tellen
 exchange-warning-class-unknown = klasse { $given } heeft hier geen grensmaten: die van het bestand tellen
 exchange-warning-status-differs = het bestand zegt { $given }, de grenzen zeggen { $status }
+exchange-warning-status-unknown = het bestand zegt { $given }, en die status is hier niet bekend: de grenzen zeggen { $status }
 exchange-warning-uncertainty-not-used = het bestand noemt een uitgebreide onzekerheid van { $expanded } mm: geen regel gebruikt die, geef daarvoor --u
 exchange-warning-plan-differs = het bestand heeft de grensmaten { $minimum } tot { $maximum }: die van het plan tellen
 exchange-warning-plan-differs-below = het bestand heeft de kleinste toegelaten waarde { $minimum }: die van het plan telt

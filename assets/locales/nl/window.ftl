@@ -636,6 +636,10 @@ rows-status-differs = { $count ->
     [one] 1 rij heeft in het bestand een andere status
    *[other] { $number } rijen hebben in het bestand een andere status
 }
+rows-status-unknown = { $count ->
+    [one] 1 rij heeft in het bestand een status die niet bekend is
+   *[other] { $number } rijen hebben in het bestand een status die niet bekend is
+}
 rows-several-lines = { $count ->
     [one] 1 rij loopt over meer regels
    *[other] { $number } rijen lopen over meer regels

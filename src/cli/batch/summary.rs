@@ -89,6 +89,11 @@ pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
             "row has another status in its file",
             "rows have another status in their file",
         ),
+        (
+            tally.notes(Kind::StatusUnknown).count,
+            "row has a status in its file that is not known",
+            "rows have a status in their file that is not known",
+        ),
         (tally.simulated, "row says that nobody measured", "rows say that nobody measured"),
         (tally.notes(Kind::SeveralLines).count, "row runs over several lines", "rows run over several lines"),
         (

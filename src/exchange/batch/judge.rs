@@ -100,8 +100,8 @@ struct Fast<'a> {
     unit: Option<usize>,
     /// Whether lengths are in inch by a statement: a callout with a size of its own is doubtful.
     is_inch: bool,
-    /// What the file says of a row's status.
-    status: Option<usize>,
+    /// Columns in which the file says a row's status.
+    statuses: &'a [usize],
     /// Columns in which a row may say that nobody measured, or that the size alone does not decide.
     aside: Vec<usize>,
     /// Columns that say what was measured: with one of its words of a size a row is plain.
@@ -129,7 +129,7 @@ impl<'a> Court<'a> {
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
             // Without a column of callouts no row is fast; simulated rows are counted where each is read as a whole.
             tolerance: columns.tolerance.filter(|_| plain.is_some() && !columns.evidence.are_simulated),
-            status: columns.labels.status,
+            statuses: &columns.labels.statuses,
             unit,
             is_inch,
             aside: columns
@@ -181,7 +181,7 @@ pub struct Judge<'a> {
     /// The verdicts of callouts without a class.
     others: Counts,
     index: Index,
-    /// What the words in the column of the status claim, as they were met.
+    /// What the words in the columns of the status claim, as they were met.
     claims: Vec<(Vec<u8>, Option<Claim>)>,
 }
 
@@ -307,7 +307,7 @@ impl Judge<'_> {
         if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
             tally.note(Kind::Doubt, None, || doubt.message());
         }
-        if let Some(at) = self.court.fast.status {
+        for &at in self.court.fast.statuses {
             self.compare(row.cell(at).unwrap_or_default(), judged.status, tally);
         }
         take.class(class);
@@ -321,13 +321,15 @@ impl Judge<'_> {
             // A column with ever new words claims nothing that is known here.
             self.claims.truncate(MOST_CLAIMS);
             let text = utf8(cell);
-            self.claims.push((cell.to_vec(), Claim::of_word(text.trim().trim_matches('"').trim())));
+            self.claims.push((cell.to_vec(), Claim::of_cell(text.trim().trim_matches('"').trim())));
             self.claims.len() - 1
         });
         let claim = self.claims.get(at).and_then(|(_, claim)| claim.as_ref());
-        if let Some(warning) = claim.and_then(|claim| claim.differs(status)) {
+        if let Some(warning) = claim.and_then(|claim| claim.tells(status)) {
             tally.against += 1;
-            tally.note(Kind::StatusDiffers, None, || warning.message());
+            let is_known = matches!(warning, ImportWarningKind::StatusDiffers { .. });
+            let kind = if is_known { Kind::StatusDiffers } else { Kind::StatusUnknown };
+            tally.note(kind, None, || warning.message());
         }
     }
 

@@ -14,6 +14,8 @@ pub enum Kind {
     Doubt,
     /// Its file says another status.
     StatusDiffers,
+    /// Its file says a status that is not known.
+    StatusUnknown,
     /// It runs over several lines.
     SeveralLines,
     /// It is the last one and may be cut off.
@@ -22,7 +24,8 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind, the most important first.
-    pub const ALL: [Self; 5] = [Self::Refused, Self::Doubt, Self::StatusDiffers, Self::SeveralLines, Self::CutOff];
+    pub const ALL: [Self; 6] =
+        [Self::Refused, Self::Doubt, Self::StatusDiffers, Self::StatusUnknown, Self::SeveralLines, Self::CutOff];
 }
 
 /// Something to be said of a row.

@@ -169,10 +169,11 @@ impl Said<'_> {
             serial: self.either(Role::Serial, |found| found.labels.serial),
             who: self.either(Role::Who, |found| found.labels.who),
             place: [self.place(Role::X, 0)?, self.place(Role::Y, 1)?, self.place(Role::Z, 2)?],
-            status: (0..)
+            statuses: (0..)
                 .zip(&self.names)
-                .find(|(at, name)| !self.is_used(*at) && words::is_status(name))
-                .map(|(at, _)| at),
+                .filter(|(at, name)| !self.is_used(*at) && words::is_status(name))
+                .map(|(at, _)| at)
+                .collect(),
         };
         let beside = |at: Option<usize>| at.filter(|at| *at != measured);
         let nominal = beside(self.either(Role::Nominal, |found| found.nominal.map(|column| column.at)));

@@ -192,9 +192,9 @@ fn used(columns: &Columns) -> Vec<usize> {
     // Without names, what stands before a callout is taken for a name.
     let id = columns.id.filter(|_| columns.header.is_some());
     let one = [id, columns.tolerance, columns.nominal.map(|column| column.at), Some(columns.measured.at)];
-    let more = [columns.simulated, labels.status].into_iter().chain(columns.own.deciding());
+    let more = [columns.simulated].into_iter().chain(columns.own.deciding());
     let all = one.into_iter().chain(more).flatten().chain(columns.time.iter().copied());
-    all.chain(columns.own.of_correction()).chain(labels.iter()).collect()
+    all.chain(columns.own.of_correction()).chain(labels.iter()).chain(labels.statuses.iter().copied()).collect()
 }
 
 /// The units that measured values and nominal sizes state by their names or in the row of units.
