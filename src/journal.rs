@@ -53,7 +53,7 @@ pub use window::{status_variables, status_window};
 
 use crate::budget::Provenance;
 use crate::length::Length;
-use crate::probing::{Measurement, Origin};
+use crate::probing::{Caveat, Measurement, Origin};
 use crate::tolerance::fit::thermal::Correction;
 use crate::tolerance::{Callout, Limits};
 use crate::verdict::{Doubt, PositionVerdict, Rule, Verdict, doubt, judge, judge_by};
@@ -101,6 +101,11 @@ impl Record {
         let measured = measurement.diameter;
         let (verdict, doubt) = (judge(&limits, measured, position), doubt(&limits, measured));
         Self { time, id, callout, limits, measurement, verdict, doubt, correction: None, budget: None }
+    }
+
+    /// What its measurement cannot tell, and what it says against its limits.
+    pub fn caveats(&self) -> Vec<Caveat> {
+        self.measurement.caveats_of(&self.limits.bounds())
     }
 
     /// The same, judged by a rule. An uncertainty that was given with it counts for contacts round the circle; where those that were

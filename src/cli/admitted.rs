@@ -49,7 +49,6 @@ explains! {
     ZoneError: "The time zone of this computer: an entry without one says so itself.",
     ThermalDoubt: "Told where the temperature was said to be meant; elsewhere it is refused.",
     ZoneDoubt: "Told where the zone was said to be meant; elsewhere it is refused.",
-    Caveat: "How well a diameter is known: the rules count it.",
     CircleWarning: "The same of the circles of a file of contacts.",
     DeviationWarning: "Tables: what was not understood of one has no limits.",
     FigureWarning: "Where limits come from: those that were asked for count.",
@@ -76,6 +75,22 @@ impl Admits for ImportWarningKind {
 impl Admits for Doubt {
     fn wants_a_look(&self) -> bool {
         true
+    }
+}
+
+/// How well a diameter is known, which the rules count; a form that the limits do not allow.
+impl Admits for Caveat {
+    fn wants_a_look(&self) -> bool {
+        match self {
+            Self::Form { .. } => true,
+            Self::OnlyADiameter
+            | Self::OnlyACircle
+            | Self::ThreeContacts
+            | Self::FourContacts
+            | Self::FewContacts { .. }
+            | Self::ShortArc { .. }
+            | Self::Heights { .. } => false,
+        }
     }
 }
 

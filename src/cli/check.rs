@@ -267,8 +267,8 @@ fn warn(record: &Record, sources: &Sources, io: &mut Io<'_>) {
     if let Some(doubt) = record.doubt {
         io.warn(&doubt);
     }
-    for caveat in record.measurement.caveats() {
-        if matches!(caveat, Caveat::ShortArc { .. } | Caveat::Heights { .. }) {
+    for caveat in record.caveats() {
+        if matches!(caveat, Caveat::ShortArc { .. } | Caveat::Heights { .. } | Caveat::Form { .. }) {
             io.warn(&caveat);
         }
     }

@@ -3,6 +3,7 @@
 
 use jiff::civil::DateTime;
 
+use super::claim::Answer;
 use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, shorten};
 use super::imported::{Asked, Item, Labels, Unjudged, WhyUnjudged};
 use super::quantity::Quantity;
@@ -43,8 +44,8 @@ impl<'a> ByPlan<'a> {
                 Some(measured) => self.value(Value::of_unjudged(*unjudged, measured), take),
                 None => self.other_quantity(unjudged, take),
             },
-            // By the limits of the file: those of the plan are compared below.
-            Item::Warning(Located { what: ImportWarning { kind, .. }, .. }) if kind.is_of_status() => {}
+            // Compared with the limits of the file: those of the plan are below.
+            Item::Warning(Located { what: ImportWarning { kind, .. }, .. }) if kind.is_of_claim() => {}
             item => take(item),
         }
     }
@@ -88,11 +89,15 @@ impl<'a> ByPlan<'a> {
             Some(rule) => record.by(rule),
             None => record,
         };
+        let (answer, kind) = (Answer::of(&record), &size.feature.kind);
+        // A face has one side, and a point none.
+        let has_sides = !matches!(kind, Kind::Face(..) | Kind::Point(..));
+        let claims = labels.claims.iter().filter(|claim| has_sides || !claim.is_of_feature());
         let told = found(&size.name(), by, &id, &labels.number)
             .into_iter()
             .chain(self.other_part(&labels.part))
             .chain(other_limits(&asked, size))
-            .chain(labels.claims.iter().filter_map(|claim| claim.tells(record.verdict.status())));
+            .chain(claims.filter_map(|claim| claim.tells(&answer)));
         for kind in told {
             take(warning(line, kind));
         }

@@ -8,6 +8,7 @@ use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
+use super::claim::Answer;
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::imported::{Asked, Labels, Sink, Unjudged, WhyUnjudged};
 use super::source::Context;
@@ -102,8 +103,9 @@ impl Characteristic {
                 let time = value.time.unwrap_or(context.now);
                 let record = Record::judged(time, self.id(), callout, limits, measurement, None);
                 self.tell_uncertainty(line, sink);
+                let answer = Answer::of(&record);
                 for claim in &value.labels.claims {
-                    if let Some(warning) = claim.tells(record.verdict.size.status) {
+                    if let Some(warning) = claim.tells(&answer) {
                         sink.warn(Place::line(line), Some(line), warning);
                     }
                 }

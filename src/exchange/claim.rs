@@ -1,7 +1,11 @@
-//! What a file itself says of a value's status: told where the verdict is another one.
+//! What a file itself says of a value beside it: its status, its limits, its deviation, whether it is of a hole or a shaft. It is told where
+//! the answer is another one, and changes none.
 
 use super::error::{ImportWarningKind, shorten};
 use crate::control::status::status_of;
+use crate::journal::Record;
+use crate::length::{Length, Unit};
+use crate::tolerance::{Bounds, Feature};
 use crate::verdict::Status;
 
 /// Words and marks of a value within its limits, without their stops and blanks.
@@ -20,7 +24,7 @@ const NO_VERDICT: &str =
 /// Marks that say something without a letter.
 const MARKS: &str = "✓✔✅☑✗✘✕❌☒?!+";
 
-fn letters(word: &str) -> String {
+pub(super) fn letters(word: &str) -> String {
     word.to_lowercase().chars().filter(|c| c.is_alphanumeric()).collect()
 }
 
@@ -29,16 +33,83 @@ fn says_nothing(text: &str) -> bool {
     NO_VERDICT.split('|').any(|known| known == small)
 }
 
-/// What a file says of a value's status.
+/// What a file says of a value.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Claim {
     /// As the file says it.
-    pub said: String,
-    /// The verdicts that agree with it: all of them where nothing known is said.
-    pub agrees: &'static [Status],
+    said: String,
+    what: What,
+}
+
+#[derive(Debug, Clone, PartialEq, Eq)]
+enum What {
+    /// The verdicts that agree with it.
+    Status(&'static [Status]),
+    /// A status that is not known.
+    Unknown,
+    Upper(Figure),
+    Lower(Figure),
+    Deviation(Figure),
+    Feature(Feature),
+}
+
+/// The answer that a claim is compared with.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Answer {
+    pub(super) bounds: Bounds,
+    pub(super) measured: Length,
+    pub(super) status: Status,
+}
+
+impl Answer {
+    /// That of a record.
+    pub(super) fn of(record: &Record) -> Self {
+        let (measured, status) = (record.measurement.diameter, record.verdict.status());
+        Self { bounds: record.limits.bounds(), measured, status }
+    }
+}
+
+/// A number of which nobody says whether it is a size or a deviation: all readings, each with how far it may be rounded.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Figure([Option<(Length, Length)>; 2]);
+
+impl Figure {
+    /// In its unit, and in micrometres where that may be meant; `None` for what is no number.
+    pub(super) fn read(text: &str, unit: Unit) -> Option<Self> {
+        // "+0.021", and a minus sign of typesetters.
+        let text = text.trim().trim_start_matches('+').replace('\u{2212}', "-");
+        let decimals = text.rsplit_once(['.', ',']).map_or(0, |(_, decimals)| decimals.len());
+        let read = |unit: Unit| Some((Length::parse_in(&text, unit).ok()?, rounded_by(unit, decimals)));
+        let own = read(unit)?;
+        Some(Self([Some(own), read(Unit::Micrometre).filter(|_| unit == Unit::Millimetre)]))
+    }
+
+    /// Whether a reading is one of these lengths, each made of the number.
+    fn is(self, length: Length, made: impl Fn(Length) -> [Option<Length>; 3]) -> bool {
+        let mut readings = self.0.into_iter().flatten();
+        readings.any(|(number, half)| {
+            made(number).into_iter().flatten().any(|made| made.saturating_sub(length).abs() <= half)
+        })
+    }
+}
+
+/// How far a number of so many decimals may be from what it was rounded from. With few decimals it was not rounded: 25 is 25.000.
+fn rounded_by(unit: Unit, decimals: usize) -> Length {
+    let (half, least) = match unit {
+        Unit::Millimetre => (500_000, 2),
+        Unit::Micrometre => (500, 0),
+        Unit::Inch => (12_700_000, 4),
+    };
+    let power = u32::try_from(decimals).ok().and_then(|decimals| 10_i64.checked_pow(decimals));
+    let half = power.filter(|_| least <= decimals).map_or(0, |power| half / power);
+    Length::from_nanometres(half).unwrap_or(Length::ZERO)
 }
 
 impl Claim {
+    const fn new(said: String, what: What) -> Self {
+        Self { said, what }
+    }
+
     /// A claim of one status.
     pub(super) fn of(said: &str, status: Status) -> Self {
         let agrees: &'static [Status] = match status {
@@ -47,29 +118,43 @@ impl Claim {
             Status::Scrap => &[Status::Scrap],
             Status::ReMeasure => &[Status::ReMeasure],
         };
-        Self { said: shorten(said), agrees }
+        Self::new(shorten(said), What::Status(agrees))
     }
 
     /// That a value is out of its limits, or that something else is wrong with it.
     pub(super) fn out(said: &str) -> Self {
         // Whoever knows no rework calls it so as well.
-        Self { said: shorten(said), agrees: &[Status::Rework, Status::Scrap] }
+        Self::new(shorten(said), What::Status(&[Status::Rework, Status::Scrap]))
     }
 
     /// A claim that no verdict agrees with.
     pub(super) fn unknown(said: &str) -> Self {
-        Self { said: shorten(said), agrees: &[] }
+        Self::new(shorten(said), What::Status(&[]))
     }
 
-    /// What a cell of a table claims; `None` where it says nothing of a verdict.
+    /// A limit, which may be a size or a deviation.
+    pub(super) fn limit(said: &str, is_upper: bool, figure: Figure) -> Self {
+        Self::new(shorten(said), if is_upper { What::Upper(figure) } else { What::Lower(figure) })
+    }
+
+    /// A deviation of the value.
+    pub(super) fn deviation(said: &str, figure: Figure) -> Self {
+        Self::new(shorten(said), What::Deviation(figure))
+    }
+
+    /// A hole or a shaft.
+    pub(super) fn feature(said: &str, feature: Feature) -> Self {
+        Self::new(shorten(said), What::Feature(feature))
+    }
+
+    /// What a cell of a table says of the status; `None` where it says nothing of a verdict.
     pub(super) fn of_cell(text: &str) -> Option<Self> {
         let is_said = text.contains(|c: char| c.is_alphanumeric() || MARKS.contains(c)) && !says_nothing(text);
-        let not_known = || Self { said: shorten(text), agrees: &Status::ALL };
-        is_said.then(|| Self::of_word(text).unwrap_or_else(not_known))
+        is_said.then(|| Self::of_word(text).unwrap_or_else(|| Self::new(shorten(text), What::Unknown)))
     }
 
-    /// What a word claims; `None` for one that is not known.
-    fn of_word(word: &str) -> Option<Self> {
+    /// What a word says of the status; `None` for one that is not known.
+    pub(super) fn of_word(word: &str) -> Option<Self> {
         if let Some(status) = status_of(word) {
             return Some(Self::of(word, status));
         }
@@ -86,21 +171,50 @@ impl Claim {
         Some(Self { said: shorten(word), ..Self::of_word(first)? })
     }
 
-    /// What is to be told beside a verdict: that the file says another one, or something that is not known.
-    pub(super) fn tells(&self, status: Status) -> Option<ImportWarningKind> {
-        if self.agrees.len() == Status::ALL.len() {
-            return Some(ImportWarningKind::StatusUnknown {
-                given: self.said.clone(),
-                status: status.word().to_owned(),
-            });
-        }
-        self.differs(status)
+    /// Whether it says that the value is not good.
+    pub(super) fn is_rejection(&self) -> bool {
+        matches!(self.what, What::Status(agrees) if !agrees.contains(&Status::Good))
+    }
+
+    /// As the file says it.
+    pub(super) fn said(&self) -> &str {
+        &self.said
+    }
+
+    /// Whether it says that a value is of a hole or a shaft.
+    pub(super) const fn is_of_feature(&self) -> bool {
+        matches!(self.what, What::Feature(_))
+    }
+
+    /// What is to be told beside an answer: that the file says another one, or something that is not known.
+    pub(super) fn tells(&self, answer: &Answer) -> Option<ImportWarningKind> {
+        let Answer { bounds, measured, status } = answer;
+        let (nominal, given) = (bounds.nominal, self.said.clone());
+        let above = |by: Length| nominal.checked_add(by);
+        let is_so = match &self.what {
+            What::Status(_) => return self.differs(*status),
+            What::Unknown => return Some(ImportWarningKind::StatusUnknown { given, status: status.word().to_owned() }),
+            What::Upper(figure) => figure.is(bounds.maximum(), |number| [Some(number), above(number), None]),
+            // A lower deviation may stand without its sign.
+            What::Lower(figure) => {
+                figure.is(bounds.minimum(), |number| [Some(number), above(number), nominal.checked_sub(number)])
+            }
+            What::Deviation(figure) => figure.is(*measured, |by| [above(by), bounds.middle().checked_add(by), None]),
+            What::Feature(feature) if *feature == bounds.feature => true,
+            What::Feature(_) => return Some(ImportWarningKind::FeatureDiffers { given, feature: bounds.feature }),
+        };
+        let (minimum, maximum) = (bounds.minimum(), bounds.maximum());
+        (!is_so).then(|| match self.what {
+            What::Deviation(_) => ImportWarningKind::DeviationDiffers { given, measured: *measured, nominal },
+            _ => ImportWarningKind::LimitDiffers { given, minimum, maximum },
+        })
     }
 
     /// The warning where a verdict is another one.
     pub(super) fn differs(&self, status: Status) -> Option<ImportWarningKind> {
+        let What::Status(agrees) = self.what else { return None };
         let warning =
             || ImportWarningKind::StatusDiffers { given: self.said.clone(), status: status.word().to_owned() };
-        (!self.agrees.contains(&status)).then(warning)
+        (!agrees.contains(&status)).then(warning)
     }
 }

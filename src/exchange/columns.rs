@@ -5,6 +5,7 @@
 use csv::StringRecord;
 
 use super::batch::cells_of;
+use super::beside::BesideColumn;
 use super::cells::{
     self, WholeNumbers, decimals, is_blank, is_callout, is_class_with_grade, is_comment, is_data, is_number, is_whole,
     may_be_names, own_callout,
@@ -74,6 +75,8 @@ pub(super) struct Columns {
     pub(super) evidence: Evidence,
     /// What is said of a value besides its name.
     pub(super) labels: LabelColumns,
+    /// What stands beside a value and may contradict its answer.
+    pub(super) beside: Vec<BesideColumn>,
     /// The line of the first row, where the user has said it.
     pub(super) first: Option<usize>,
     /// What is stated of units beside the names of the columns.
@@ -88,8 +91,6 @@ pub(super) struct LabelColumns {
     pub(super) serial: Option<usize>,
     pub(super) who: Option<usize>,
     pub(super) place: [Option<LengthColumn>; 3],
-    /// Columns in which the file says a value's status: compared, not read.
-    pub(super) statuses: Vec<usize>,
 }
 
 impl LabelColumns {
@@ -107,7 +108,6 @@ impl LabelColumns {
             serial: at(Role::Serial),
             who: at(Role::Who),
             place: [Role::X, Role::Y, Role::Z].map(place),
-            statuses: labels.iter().filter(|(_, name)| words::is_status(name)).map(|(at, _)| *at).collect(),
         }
     }
 
@@ -129,6 +129,16 @@ impl Columns {
             let row = cells_of(line, separator).filter(|row| 1 < row.len() || self.count == 1);
             row.is_some_and(|row| row.get(self.measured.at).is_some_and(may_be_number))
         })
+    }
+
+    /// The columns that hold something else than what is looked for.
+    pub(super) fn used(&self) -> Vec<usize> {
+        // Without names, what stands before a callout is taken for a name.
+        let id = self.id.filter(|_| self.header.is_some());
+        let one = [id, self.tolerance, self.nominal.map(|column| column.at), Some(self.measured.at)];
+        let more = [self.simulated].into_iter().chain(self.own.deciding());
+        let all = one.into_iter().chain(more).flatten().chain(self.time.iter().copied());
+        all.chain(self.own.of_correction()).chain(self.labels.iter()).collect()
     }
 
     /// That words which say nothing known of what was measured are taken for sizes.
@@ -278,7 +288,8 @@ impl Sample {
             }
             columns
         };
-        self.look_at_values(&mut columns);
+        let names = self.above.checked_sub(1).map(|last| self.header.unwrap_or(last)).and_then(|at| self.rows.get(at));
+        self.look_at_values(&mut columns, names.map_or(&StringRecord::new(), |(_, names)| names));
         if let Some((line, _)) =
             self.rows.iter().take(self.above).find(|(_, row)| columns.hides_rows(row, self.separator))
         {
@@ -289,7 +300,10 @@ impl Sample {
     }
 
     /// What the first measured values look like.
-    pub(super) fn look_at_values(&self, columns: &mut Columns) {
+    pub(super) fn look_at_values(&self, columns: &mut Columns, names: &StringRecord) {
+        let used = columns.used();
+        columns.evidence.word = self.says_simulated(columns, &used);
+        columns.beside = self.beside(names, columns, &used);
         let at = columns.measured.at;
         columns.decimal_sign = cells::decimal_sign(self.cells(at));
         columns.behind = self.behind(at);
@@ -362,6 +376,7 @@ impl Sample {
             own,
             evidence,
             labels,
+            beside: Vec::new(),
             first: None,
             stated: Stated::default(),
         })
@@ -430,6 +445,7 @@ impl Sample {
             own: OwnColumns::default(),
             evidence: Evidence::default(),
             labels: LabelColumns::default(),
+            beside: Vec::new(),
             first: None,
             stated: Stated::default(),
         })

@@ -491,6 +491,16 @@ pub enum ImportErrorKind {
         /// What the file should hold.
         feature: Feature,
     },
+    /// A value that its own file rejects, where parts are to be used.
+    Rejected {
+        /// What the file says.
+        given: String,
+    },
+    /// A row whose name is that of a figure of several parts, or of what a gauge was set by.
+    NoPart {
+        /// The name.
+        given: String,
+    },
     /// The measurement of a hole or of a shaft in a log among the others.
     OtherLog {
         /// What the file should hold.

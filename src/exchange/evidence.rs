@@ -18,6 +18,8 @@ pub(super) struct Evidence {
     corrected: Option<usize>,
     /// Whether the name of the measured values says so.
     are_corrected: bool,
+    /// A column of any other name that says of some value that nobody measured.
+    pub(super) word: Option<usize>,
     /// Whether the mark of a simulation stands above all rows.
     pub(super) are_simulated: bool,
 }
@@ -28,7 +30,8 @@ impl Evidence {
         let at =
             |is: fn(&str) -> bool| (0..).zip(header).find(|(at, name)| *at != measured && is(name)).map(|(at, _)| at);
         let are_corrected = header.get(measured).is_some_and(words::says_corrected);
-        Self { origin: at(words::is_origin), corrected: at(words::is_corrected), are_corrected, are_simulated: false }
+        let (origin, corrected) = (at(words::is_origin), at(words::is_corrected));
+        Self { origin, corrected, are_corrected, word: None, are_simulated: false }
     }
 
     /// Whether a row says that its value was brought to 20 °C. What is neither yes nor no says so as well: it refuses a correction, and
@@ -42,7 +45,8 @@ impl Evidence {
     pub(super) fn is_simulated<'c>(&self, cells: &'c StringRecord) -> Result<bool, Refused<'c>> {
         let text = self.origin.and_then(|at| cells.get(at)).unwrap_or_default().trim();
         let unknown = || (Cell { at: self.origin, text }, ImportErrorKind::Origin { given: shorten(text) });
-        Ok(is_simulated(text).ok_or_else(unknown)? || self.are_simulated)
+        let says_so = self.word.and_then(|at| cells.get(at)).is_some_and(says_simulated);
+        Ok(is_simulated(text).ok_or_else(unknown)? || self.are_simulated || says_so)
     }
 }
 
@@ -54,8 +58,11 @@ pub(super) fn marks_simulation(cells: &StringRecord) -> bool {
 /// What a cell says of a question.
 pub(super) fn yes_or_no(text: &str) -> Option<bool> {
     match text.trim().to_lowercase().as_str() {
-        "true" | "yes" | "y" | "ja" | "j" | "sì" | "si" | "1" | "x" | "wahr" | "waar" | "vero" => Some(true),
-        "false" | "no" | "n" | "nein" | "nee" | "0" | "-" | "falsch" | "onwaar" | "falso" => Some(false),
+        "true" | "yes" | "y" | "ja" | "j" | "sì" | "si" | "1" | "x" | "wahr" | "waar" | "vero" | "on" | "ein"
+        | "aan" => Some(true),
+        "false" | "no" | "n" | "nein" | "nee" | "0" | "-" | "falsch" | "onwaar" | "falso" | "off" | "aus" | "uit" => {
+            Some(false)
+        }
         _ => None,
     }
 }
@@ -63,6 +70,18 @@ pub(super) fn yes_or_no(text: &str) -> Option<bool> {
 /// Words of a value that nobody measured.
 const SIMULATED: &str = "simulated|simulation|simuliert|simulierte|simulierter|simuliertes|gesimuleerd|gesimuleerde|simulatie|simulato|\
     simulata|simulazione";
+
+/// Whether a cell is nothing but such a word.
+pub(super) fn says_simulated(cell: &str) -> bool {
+    let small = cell.trim().to_lowercase();
+    SIMULATED.split('|').any(|known| known == small)
+}
+
+/// Whether a text has such a word.
+pub(super) fn mentions_simulation(text: &str) -> bool {
+    let small = text.to_lowercase();
+    small.split(|c: char| !c.is_alphanumeric()).any(|word| SIMULATED.split('|').any(|known| known == word))
+}
 
 /// Words with which the origin of a measured value begins.
 const MEASURED: &str = "measured|measurement|measuring|typed|manual|imported|recorded|contacts|probed|cmm|gauge|gemessen|messung|messwert|\

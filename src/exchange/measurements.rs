@@ -10,7 +10,7 @@ use csv::StringRecord;
 use jiff::civil::{DateTime, Time};
 
 use super::cells;
-use super::claim::Claim;
+use super::claim::{Answer, Claim};
 use super::columns::{self, Columns, Sample};
 use super::delimited::{Item, LONGEST_ROW, Rows, lines, without_separator_line};
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
@@ -22,6 +22,7 @@ use super::rules::{Cell, Found, Refused, Rules};
 use super::sizes::{Size, SizesOf};
 use super::source::{Context, Source, WHOLE};
 use super::stated;
+use super::words;
 use super::{Format, Labels};
 use crate::journal::Record;
 use crate::length::Length;
@@ -87,6 +88,7 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
         is_open: false,
         is_simulated: false,
         sizes,
+        nominal: Nominal::default(),
     };
     reader.warn_of_columns(first_line);
     let mut rows = Rows::new(text, first_line, separator).going_on(true);
@@ -106,6 +108,7 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
     if reader.sink.rows() == 0 {
         reader.refuse(first_line, NOTHING, ImportErrorKind::NoRows);
     }
+    reader.tell_all_nominal(first_line);
     Ok(())
 }
 
@@ -121,8 +124,17 @@ impl<'a, 's, 'z> Cells<'a, 's, 'z> {
         sizes: Option<SizesOf<'z>>,
     ) -> Self {
         let separator = columns::NO_SEPARATOR;
-        let mut reader =
-            Reader { source, columns, separator, has_plan, sink, is_open: false, is_simulated: false, sizes };
+        let mut reader = Reader {
+            source,
+            columns,
+            separator,
+            has_plan,
+            sink,
+            is_open: false,
+            is_simulated: false,
+            sizes,
+            nominal: Nominal::default(),
+        };
         reader.warn_of_columns(1);
         Self(reader)
     }
@@ -141,6 +153,7 @@ impl<'a, 's, 'z> Cells<'a, 's, 'z> {
         if self.0.sink.rows() == 0 {
             self.0.refuse(1, NOTHING, ImportErrorKind::NoRows);
         }
+        self.0.tell_all_nominal(1);
     }
 }
 
@@ -151,8 +164,17 @@ pub(super) fn read_these<'r>(
     rows: impl Iterator<Item = &'r (usize, StringRecord)>,
     sink: &mut Sink<'_>,
 ) {
-    let mut reader =
-        Reader { source, columns, separator, has_plan, sink, is_open: false, is_simulated: false, sizes: None };
+    let mut reader = Reader {
+        source,
+        columns,
+        separator,
+        has_plan,
+        sink,
+        is_open: false,
+        is_simulated: false,
+        sizes: None,
+        nominal: Nominal::default(),
+    };
     for (line, cells) in rows {
         reader.row(*line, cells);
     }
@@ -182,8 +204,17 @@ pub(super) fn read_row(
     (line, cells): (usize, &StringRecord),
     sink: &mut Sink<'_>,
 ) {
-    let mut reader =
-        Reader { source, columns, separator, has_plan: false, sink, is_open: false, is_simulated: false, sizes: None };
+    let mut reader = Reader {
+        source,
+        columns,
+        separator,
+        has_plan: false,
+        sink,
+        is_open: false,
+        is_simulated: false,
+        sizes: None,
+        nominal: Nominal::default(),
+    };
     if let Err((cell, reason)) = reader.measurement(line, cells) {
         reader.refuse(line, cell, reason);
     }
@@ -201,6 +232,14 @@ struct Reader<'a, 's, 'z> {
     is_simulated: bool,
     /// Where sizes go, if they alone are wanted.
     sizes: Option<SizesOf<'z>>,
+    nominal: Nominal,
+}
+
+/// How many values were judged, and how many of them are exactly the nominal size.
+#[derive(Default)]
+struct Nominal {
+    judged: usize,
+    exact: usize,
 }
 
 impl<'a> Reader<'a, '_, '_> {
@@ -257,6 +296,15 @@ impl<'a> Reader<'a, '_, '_> {
         }
     }
 
+    /// Tells that nobody may have measured: a drawing's list of sizes passes every limit of H and h.
+    fn tell_all_nominal(&mut self, first_line: usize) {
+        let Nominal { judged, exact } = self.nominal;
+        if 1 < judged && judged == exact {
+            let line = self.columns.header.unwrap_or(first_line);
+            self.warn(line, ImportWarningKind::AllNominal { count: judged });
+        }
+    }
+
     fn warn(&mut self, line: usize, reason: ImportWarningKind) {
         self.sink.warn(Place::line(line), None, reason);
     }
@@ -282,6 +330,10 @@ impl<'a> Reader<'a, '_, '_> {
         if cells::is_comment(cells) {
             if let Some(reason) = stray() {
                 return self.refuse(line, Cell { at: None, text: cells.get(0).unwrap_or_default() }, reason);
+            }
+            let spoken = ImportWarningKind::not_used(cells);
+            if matches!(spoken, ImportWarningKind::SpeaksOfSimulation { .. }) {
+                self.warn(line, spoken);
             }
             let rules = self.rules();
             let hides = match &self.sizes {
@@ -318,6 +370,14 @@ impl<'a> Reader<'a, '_, '_> {
         let Some(sizes) = &self.sizes else { return Ok(()) };
         let Found { measured, is_simulated, .. } = rules.size(cells, sizes.feature)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
+        if let Some(claim) = self.columns.claims(cells).into_iter().find(Claim::is_rejection) {
+            return Err((NOTHING, ImportErrorKind::Rejected { given: claim.said().to_owned() }));
+        }
+        if words::is_of_several_parts(&id) {
+            let cell =
+                Cell { at: self.columns.id, text: self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default() };
+            return Err((cell, ImportErrorKind::NoPart { given: shorten(&id) }));
+        }
         self.tell_cut_off(line, cells);
         let is_simulated = is_simulated || self.is_simulated;
         let Some(sizes) = &mut self.sizes else { return Ok(()) };
@@ -371,7 +431,10 @@ impl<'a> Reader<'a, '_, '_> {
         let measurement = Measurement::of_diameter(measured, origin);
         let record = Record::judged(time, id, Some(callout), limits, measurement, None);
         let labels = Labels { quantity, ..self.labels(line, cells) };
-        for warning in labels.claims.iter().filter_map(|claim| claim.tells(record.verdict.size.status)) {
+        self.nominal.judged += 1;
+        self.nominal.exact += usize::from(record.measurement.diameter == record.limits.nominal);
+        let answer = Answer::of(&record);
+        for warning in labels.claims.iter().filter_map(|claim| claim.tells(&answer)) {
             self.warn_row(line, warning);
         }
         self.sink.keep(line, Record { correction, ..record }, labels);
@@ -398,7 +461,7 @@ impl<'a> Reader<'a, '_, '_> {
             part: label(columns.part),
             serial: label(columns.serial),
             who: label(columns.who),
-            claims: columns.statuses.iter().filter_map(|&at| Claim::of_cell(text(at))).collect(),
+            claims: self.columns.claims(cells),
             place,
             is_corrected: self.columns.evidence.is_corrected(cells),
             ..Labels::default()

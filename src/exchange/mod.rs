@@ -70,6 +70,7 @@
 
 pub mod aqdef;
 pub mod batch;
+mod beside;
 mod by_plan;
 pub mod calypso;
 mod cells;

@@ -98,6 +98,10 @@ const SIZES: &str = "size|maß|mass|maat|misura|dimension|dimensione|quota|measu
 const ROUND: &str = "bore|hole|bohrung|boring|gat|foro|shaft|welle|albero|circle|kreis|cirkel|cerchio|cylinder|zylinder|cilinder|\
     cilindro|pin|stift|pen|perno|zapfen|tap";
 
+/// Those of them that are holes; the others are shafts, but for circles and cylinders.
+const HOLES: &str = "bore|hole|bohrung|boring|gat|foro";
+const SHAFTS: &str = "shaft|welle|albero|pin|stift|pen|perno|zapfen|tap";
+
 /// Words that change none of these.
 const NEUTRAL: &str = "inner|outer|inside|outside|innen|außen|aussen|binnen|buiten|interno|esterno|of|a|the|des|der|di|van|nominal|\
     linear|lineare|lineair|min|max|gauss|lsc|mic|mcc|mzc|ls|mi|mc|two|2pt|int|ext|est";
@@ -226,6 +230,25 @@ fn said(cell: &str) -> Option<Said> {
         is_shape: true,
         is_code: false,
     })
+}
+
+/// Whether a text says that it is of a hole, or else of a shaft; `None` where it says neither, or both.
+pub(super) fn is_shape(text: &str) -> Option<bool> {
+    if !text.contains(char::is_alphabetic) {
+        return None;
+    }
+    let words = words_of(text);
+    let any = |list: &str| words.iter().any(|word| has(list, word));
+    match (any(HOLES), any(SHAFTS)) {
+        (true, false) => Some(true),
+        (false, true) => Some(false),
+        _ => None,
+    }
+}
+
+/// Whether the name of a column says that it may tell what was measured.
+pub(super) fn may_be_named(header: &str) -> bool {
+    name(header) != Name::None
 }
 
 impl QuantityColumn {
@@ -370,7 +393,8 @@ impl Sample {
             let is_read = match name {
                 _ if free == Free::NamesToo => seen.shapes == 0 && (seen.are_quantities() || seen.all_known(name)),
                 Name::Strong => true,
-                Name::Weak => 0 < seen.filled,
+                // What is empty in the first rows may say it further down.
+                Name::Weak => true,
                 Name::None => seen.shapes == 0 && seen.are_quantities(),
             };
             is_read.then_some(column)

@@ -95,6 +95,13 @@ impl Sample {
         if self.measured.is_some() {
             return Ok(Chosen { measured, tolerance, nominal });
         }
+        // Names that stood over several columns are written over the first one alone.
+        let unnamed =
+            (measured + 1..header.len()).take_while(|at| header.get(*at).is_some_and(|name| name.trim().is_empty()));
+        let unnamed: Vec<usize> = unnamed.filter(|at| self.mostly(*at, is_number)).collect();
+        if !unnamed.is_empty() {
+            return Err(several(Role::Measured, header, &[&[measured], unnamed.as_slice()].concat()));
+        }
         let weak = others(Role::Measured, &[Rank::Weak], nominal.unwrap_or(measured));
         let weak: Vec<usize> = weak.filter(|at| self.mostly(*at, is_number)).collect();
         let rivals = weak.iter().copied().filter(|at| match (nominal, tolerance) {

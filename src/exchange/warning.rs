@@ -3,10 +3,11 @@
 use super::aqdef::AqdefWarning;
 use super::calypso::CalypsoWarning;
 use super::error::shorten;
+use super::evidence::mentions_simulation;
 use crate::control::log::LogWarningKind;
 use crate::length::Length;
 use crate::message::{Message, Say};
-use crate::tolerance::Callout;
+use crate::tolerance::{Callout, Feature};
 
 /// A warning about a file or row that was still used.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -162,6 +163,46 @@ pub enum ImportWarningKind {
         /// The status by the limits.
         status: String,
     },
+    /// The file has another limit beside the value: that of the callout or the plan counts.
+    LimitDiffers {
+        /// The file's column and number.
+        given: String,
+        /// The smallest permitted value.
+        minimum: Length,
+        /// The largest one.
+        maximum: Length,
+    },
+    /// The file has another deviation beside the value: that of the value counts.
+    DeviationDiffers {
+        /// The file's column and number.
+        given: String,
+        /// The value.
+        measured: Length,
+        /// The nominal size.
+        nominal: Length,
+    },
+    /// The file says that the value is of a shaft, and its limits are those of a hole, or the other way round.
+    FeatureDiffers {
+        /// The file's word.
+        given: String,
+        /// What the limits are of.
+        feature: Feature,
+    },
+    /// A line above or between the measurements that speaks of a simulation.
+    SpeaksOfSimulation {
+        /// The line's text.
+        text: String,
+    },
+    /// Every value is exactly the nominal size: it may be a list of sizes that nobody measured.
+    AllNominal {
+        /// How many values.
+        count: usize,
+    },
+    /// The file does not accept a whole part.
+    PartRejected {
+        /// The file's word.
+        given: String,
+    },
     /// An uncertainty that the file states, which no rule uses.
     UncertaintyNotUsed {
         /// The expanded uncertainty.
@@ -256,6 +297,7 @@ impl ImportWarningKind {
     pub const fn is_loss(&self) -> bool {
         match self {
             Self::NotUsed { .. }
+            | Self::SpeaksOfSimulation { .. }
             | Self::Comment
             | Self::SheetsLeft { .. }
             | Self::QifCount { .. }
@@ -266,9 +308,16 @@ impl ImportWarningKind {
         }
     }
 
-    /// Whether it compares the file's own status with that of the limits.
-    pub(super) const fn is_of_status(&self) -> bool {
-        matches!(self, Self::StatusDiffers { .. } | Self::StatusUnknown { .. })
+    /// Whether it compares what the file says beside a value with its answer.
+    pub(super) const fn is_of_claim(&self) -> bool {
+        matches!(
+            self,
+            Self::StatusDiffers { .. }
+                | Self::StatusUnknown { .. }
+                | Self::LimitDiffers { .. }
+                | Self::DeviationDiffers { .. }
+                | Self::FeatureDiffers { .. }
+        )
     }
 
     /// Whether it stands against the answers of the file, or says that something which may have been measured is left out of them: a run
@@ -282,6 +331,12 @@ impl ImportWarningKind {
             | Self::PlanDiffersAbove { .. }
             | Self::StatusDiffers { .. }
             | Self::StatusUnknown { .. }
+            | Self::LimitDiffers { .. }
+            | Self::DeviationDiffers { .. }
+            | Self::FeatureDiffers { .. }
+            | Self::SpeaksOfSimulation { .. }
+            | Self::AllNominal { .. }
+            | Self::PartRejected { .. }
             | Self::QuantityUnknown { .. }
             | Self::SheetHidden { .. }
             | Self::RowsHidden { .. }
@@ -331,6 +386,8 @@ impl ImportWarningKind {
     /// That the cells of a line above the measurements are not used.
     pub(super) fn not_used(cells: &csv::StringRecord) -> Self {
         let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
-        Self::NotUsed { text: shorten(&text) }
+        let is_simulation = mentions_simulation(&text);
+        let text = shorten(&text);
+        if is_simulation { Self::SpeaksOfSimulation { text } } else { Self::NotUsed { text } }
     }
 }

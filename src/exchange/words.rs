@@ -31,7 +31,8 @@ const NOMINAL: &str = "nominal|nominal size|nominal diameter|nominal value|nom|n
     sollmaß|sollmass|sollwert|soll|nominaal|nominale maat|nominale diameter|nominale|quota nominale|valore nominale|\
     diametro nominale|dimensione nominale|basic size|target";
 const MEASURED: &str = "measured|meas|act|mis|measured value|measured size|measured diameter|measurement|actual|actual value|\
-    actual size|actual diameter|reading|istmaß|istmass|istwert|ist|messwert|gemessen|gemessener wert|gemeten|\
+    actual size|actual diameter|reading|remeasured|re measured|remeasurement|recheck|re check|rechecked|nachgemessen|\
+    nachmessung|hermeten|hermeting|rimisurato|rimisurata|istmaß|istmass|istwert|ist|messwert|gemessen|gemessener wert|gemeten|\
     gemeten waarde|gemeten maat|meetwaarde|meting|werkelijk|werkelijke maat|werkelijke waarde|misurato|misurata|\
     valore misurato|diametro misurato|quota misurata|misurazione|effettivo|valore effettivo|dimensione effettiva";
 const WEAK: &str = "diameter|durchmesser|diametro|ø|dia|d|size|maat|maß|mass|grootte|value|wert|waarde|valore|misura|\
@@ -46,7 +47,9 @@ const ORIGIN: &str = "origin|value origin|data origin|measurement origin|herkunf
     provenienza";
 
 /// Names of a column that says whether a value was brought to 20 °C.
-const CORRECTED: &str = "corrected|is corrected|temperature corrected|corrected to 20 c|at 20 c|temperature compensated|\
+const CORRECTED: &str = "temp comp|temp compensation|temp compensated|temperature compensation|temperature correction|temp correction|\
+    tempkomp|temp komp|temp kompensation|temperaturkompensation|temperaturkorrektur|temperatuurcompensatie|temperatuurcorrectie|\
+    normalized|normalised|compensazione|compensazione termica|corrected|is corrected|temperature corrected|corrected to 20 c|at 20 c|temperature compensated|\
     compensated|gecorrigeerd|temperatuur gecorrigeerd|temperatuurgecorrigeerd|gecompenseerd|bij 20 c|op 20 c|korrigiert|\
     temperaturkorrigiert|temperaturkompensiert|kompensiert|auf 20 c|bei 20 c|corretto|corretta|compensato|a 20 c|correction um";
 
@@ -292,6 +295,18 @@ const STATUS: &str = "status|result|verdict|decision|judgement|judgment|pass fai
 pub(super) fn is_status(header: &str) -> bool {
     let name = bare(header);
     STATUS.split('|').any(|known| known == name)
+}
+
+/// Names of rows that are figures of several parts, or of what a gauge was set by.
+const OF_SEVERAL: &str = "mean|average|avg|max|maximum|min|minimum|range|median|sigma|std|std dev|stdev|standard deviation|cp|cpk|pp|ppk|usl|lsl|\
+    count|sum|total|mittelwert|mittel|spannweite|streuung|standardabweichung|anzahl|summe|gemiddelde|gemiddeld|spreiding|standaarddeviatie|\
+    aantal|totaal|media|mediana|massimo|minimo|deviazione standard|scarto tipo|master|setting master|setting ring|reference ring|master ring|\
+    einstellring|einstellmeister|meister|instelring|meesterring|nominal|nennmaß|sollwert|nominaal|nominale";
+
+/// Whether a row of this name is of no part.
+pub(super) fn is_of_several_parts(name: &str) -> bool {
+    let name = plain(name);
+    OF_SEVERAL.split('|').any(|known| known == name)
 }
 
 /// Whether a column with this name says where a value comes from.

@@ -6,6 +6,7 @@ use super::circle::{Circle, CircleError, TooLarge, least_squares};
 use super::contact::Contact;
 use crate::length::Length;
 use crate::message::Say;
+use crate::tolerance::Bounds;
 
 /// A measured diameter and all that is known about it.
 #[derive(Debug, Clone, PartialEq)]
@@ -82,6 +83,16 @@ pub enum Caveat {
         #[say(name = "arc")]
         arc_deg: u16,
     },
+    /// Diameters across the contacts differ by more than the whole tolerance zone: some of them are out, whatever the mean circle is. By
+    /// default a size holds for each two opposite points (ISO 14405-1).
+    Form {
+        /// The largest radial deviation minus the smallest.
+        #[say(with = three_decimals)]
+        form: Length,
+        /// How wide the zone is.
+        #[say(with = three_decimals)]
+        zone: Length,
+    },
     /// The contacts lie at very different heights.
     Heights {
         /// The largest height minus the smallest, to the nearest micrometre.
@@ -126,6 +137,24 @@ impl Measurement {
     /// A bare diameter that was typed or imported.
     pub const fn of_diameter(diameter: Length, origin: Origin) -> Self {
         Self { diameter, centre: None, contacts: Vec::new(), circle: None, origin }
+    }
+
+    /// The same, and what its contacts say against limits.
+    pub fn caveats_of(&self, bounds: &Bounds) -> Vec<Caveat> {
+        let mut caveats = self.caveats();
+        let zone = bounds.maximum().saturating_sub(bounds.minimum());
+        let form = self.form().filter(|form| zone < form.checked_add(*form).unwrap_or(Length::MAX));
+        caveats.extend(form.map(|form| Caveat::Form { form, zone }));
+        caveats
+    }
+
+    /// The largest radial deviation of its contacts minus the smallest, to the nearest nanometre; `None` without a circle.
+    fn form(&self) -> Option<Length> {
+        let circle = self.circle.as_ref()?;
+        let radii = self.contacts.iter().map(|contact| (contact.x - circle.x).hypot(contact.y - circle.y));
+        let (least, most) =
+            radii.fold((f64::INFINITY, 0.0_f64), |(least, most), radius| (least.min(radius), most.max(radius)));
+        Length::from_mm_f64(most - least).ok()
     }
 
     /// What this measurement cannot tell.

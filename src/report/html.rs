@@ -344,7 +344,7 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
         centre: measurement.centre.map(|[x, y]| {
             words.say(&Message::new("report-centre").text("x", words.mm(x, 3)).text("y", words.mm(y, 3)))
         }),
-        caveats: measurement.caveats().iter().map(|caveat| words.told(caveat)).collect(),
+        caveats: record.caveats().iter().map(|caveat| words.told(caveat)).collect(),
         origins: origins::of(record, words),
         contacts: contacts(&measurement.contacts, measurement.circle, words),
         contacts_at_end: CONTACTS_IN_CHECK < measurement.contacts.len(),

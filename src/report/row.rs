@@ -229,7 +229,7 @@ pub fn position(position: PositionVerdict) -> &'static str {
 
 /// The warnings about the check, then what the measurement cannot tell, in English.
 pub fn warnings(record: &Record) -> Vec<String> {
-    let Record { limits, measurement, verdict, doubt, .. } = record;
+    let Record { limits, verdict, doubt, .. } = record;
     let mut warnings: Vec<String> = doubt.iter().map(ToString::to_string).collect();
     if verdict.status() != verdict.size.status {
         warnings.push(format!("the centre is out of position; the size alone is {}", verdict.size.status));
@@ -242,6 +242,6 @@ pub fn warnings(record: &Record) -> Vec<String> {
     if let Some(budget) = &record.budget {
         warnings.extend(budget.warnings.iter().map(ToString::to_string));
     }
-    warnings.extend(measurement.caveats().iter().map(ToString::to_string));
+    warnings.extend(record.caveats().iter().map(ToString::to_string));
     warnings
 }

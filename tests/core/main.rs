@@ -12,6 +12,7 @@ mod aqdef;
 mod around;
 mod bad_input;
 mod batch;
+mod beside;
 mod budgets;
 mod callout_grammar;
 mod callouts;

@@ -71,6 +71,8 @@ exchange-other-feature = { $given } is { $feature ->
         [hole] a shaft, and these are the holes: are the files swapped?
        *[shaft] a hole, and these are the shafts: are the files swapped?
     }
+exchange-rejected = the file itself rejects this value ({ $given }): leave the row out, or correct it there
+exchange-no-part = { $given } names a figure of several parts, or what a gauge was set by, and no part: leave the row out, or give the part another name
 exchange-other-log = { $feature ->
         [hole] this is the log of a shaft, and these are the holes: are the files swapped?
        *[shaft] this is the log of a hole, and these are the shafts: are the files swapped?
@@ -161,6 +163,15 @@ exchange-warning-limits-differ = { $callout } has the limits { $minimum } to { $
 exchange-warning-class-unknown = class { $given } has no limits here: the file's limits apply
 exchange-warning-status-differs = the file says { $given }, but the limits say { $status }
 exchange-warning-status-unknown = the file says { $given }, which is no status that is known here: the limits say { $status }
+exchange-warning-limit-differs = the file says { $given }, but the limits are { $minimum } to { $maximum }
+exchange-warning-deviation-differs = the file says { $given }, but that is not how far { $measured } is from { $nominal }
+exchange-warning-feature-differs = the file says { $given }, but the limits are those of { $feature ->
+        [hole] a hole
+       *[shaft] a shaft
+    }
+exchange-warning-speaks-of-simulation = this line speaks of a simulation: did anybody measure? { $text }
+exchange-warning-all-nominal = all { $count } values are exactly their nominal sizes: this may be a list of sizes that nobody measured
+exchange-warning-part-rejected = the file says { $given } of the whole part
 exchange-warning-uncertainty-not-used = the file states an expanded uncertainty of { $expanded } mm: no rule uses it, so give --u instead
 exchange-warning-plan-differs = the file has the limits { $minimum } to { $maximum }: the plan's limits apply
 exchange-warning-plan-differs-below = the file has the lower limit { $minimum }: the plan's lower limit applies

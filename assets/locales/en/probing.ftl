@@ -12,6 +12,7 @@ caveat-three-contacts = 3 contacts: form cannot be measured
 caveat-four-contacts = 4 contacts: no form beyond ovality is detected
 caveat-few-contacts = { $contacts } contacts: form between them is not detected
 caveat-short-arc = contacts cover only { $arc }°: scatter is magnified in diameter and centre
+caveat-form = the contacts' radii differ by { $form } mm, so diameters across them differ by more than the zone of { $zone } mm: not every two opposite points are within the limits
 caveat-heights = the contacts' heights differ by { $spread } mm: on a cone or a tilted axis that changes the diameter
 contact-missed = contact { $number }: the probe met nothing on the probing path
 contact-no-height = contact { $number } has no height: give the file a column z

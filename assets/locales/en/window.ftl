@@ -640,6 +640,10 @@ rows-status-unknown = { $count ->
     [one] 1 row has a status in its file that is not known
    *[other] { $number } rows have a status in their file that is not known
 }
+rows-claim-differs = { $count ->
+    [one] 1 limit, deviation or type of feature contradicts its row
+   *[other] { $number } limits, deviations or types of features contradict their rows
+}
 rows-several-lines = { $count ->
     [one] 1 row runs over several lines
    *[other] { $number } rows run over several lines

@@ -71,6 +71,8 @@ exchange-other-feature = { $given } is { $feature ->
         [hole] een as, en dit zijn de boringen: zijn de bestanden verwisseld?
        *[shaft] een boring, en dit zijn de assen: zijn de bestanden verwisseld?
     }
+exchange-rejected = het bestand keurt deze waarde zelf af ({ $given }): laat de rij weg of verbeter haar daar
+exchange-no-part = { $given } is de naam van een getal over meer delen of van waarmee een meter is ingesteld, en geen deel: laat de rij weg of geef het deel een andere naam
 exchange-other-log = { $feature ->
         [hole] dit is het meetprotocol van een as, en dit zijn de boringen: zijn de bestanden verwisseld?
        *[shaft] dit is het meetprotocol van een boring, en dit zijn de assen: zijn de bestanden verwisseld?
@@ -161,6 +163,15 @@ exchange-warning-limits-differ = { $callout } heeft de grensmaten { $minimum } t
 exchange-warning-class-unknown = klasse { $given } heeft hier geen grensmaten: die van het bestand tellen
 exchange-warning-status-differs = het bestand zegt { $given }, de grenzen zeggen { $status }
 exchange-warning-status-unknown = het bestand zegt { $given }, en die status is hier niet bekend: de grenzen zeggen { $status }
+exchange-warning-limit-differs = het bestand zegt { $given }, maar de grenzen zijn { $minimum } tot { $maximum }
+exchange-warning-deviation-differs = het bestand zegt { $given }, maar zo ver ligt { $measured } niet van { $nominal }
+exchange-warning-feature-differs = het bestand zegt { $given }, maar de grenzen zijn die van { $feature ->
+        [hole] een boring
+       *[shaft] een as
+    }
+exchange-warning-speaks-of-simulation = deze regel spreekt van een simulatie: heeft iemand gemeten? { $text }
+exchange-warning-all-nominal = alle { $count } waarden zijn precies de nominale maat: misschien is dit een lijst van maten die niemand heeft gemeten
+exchange-warning-part-rejected = het bestand zegt { $given } over het hele deel
 exchange-warning-uncertainty-not-used = het bestand noemt een uitgebreide onzekerheid van { $expanded } mm: geen regel gebruikt die, geef daarvoor --u
 exchange-warning-plan-differs = het bestand heeft de grensmaten { $minimum } tot { $maximum }: die van het plan tellen
 exchange-warning-plan-differs-below = het bestand heeft de kleinste toegelaten waarde { $minimum }: die van het plan telt

@@ -11,6 +11,7 @@ caveat-three-contacts = 3 meetpunten: de vorm is niet te meten
 caveat-four-contacts = 4 meetpunten: behalve ovaliteit is geen vorm te zien
 caveat-few-contacts = { $contacts } meetpunten: de vorm ertussen is niet te zien
 caveat-short-arc = de meetpunten beslaan maar { $arc }°: spreiding werkt versterkt door in diameter en midden
+caveat-form = de stralen van de aanraakpunten verschillen { $form } mm, dus de diameters daarover meer dan de zone van { $zone } mm: niet elke twee punten tegenover elkaar liggen binnen de grenzen
 caveat-heights = de hoogten van de meetpunten verschillen { $spread } mm: op een kegel of scheve as verandert dat de diameter
 contact-missed = meetpunt { $number }: de taster heeft op de tastweg niets geraakt
 contact-no-height = meetpunt { $number } heeft geen hoogte: geef het bestand een kolom z

@@ -640,6 +640,10 @@ rows-status-unknown = { $count ->
     [one] 1 rij heeft in het bestand een status die niet bekend is
    *[other] { $number } rijen hebben in het bestand een status die niet bekend is
 }
+rows-claim-differs = { $count ->
+    [one] 1 grens, afwijking of soort element spreekt zijn rij tegen
+   *[other] { $number } grenzen, afwijkingen of soorten elementen spreken hun rij tegen
+}
 rows-several-lines = { $count ->
     [one] 1 rij loopt over meer regels
    *[other] { $number } rijen lopen over meer regels

@@ -78,6 +78,9 @@ pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
         return io.fail(ImportErrorKind::NoRows);
     }
     io.tell(counted(tally.rows, summary.counts(), tally.notes(Kind::Refused).count));
+    if let Some(count) = all_nominal(summary).and_then(|count| usize::try_from(count).ok()) {
+        io.tell(said::warning(&ImportWarningKind::AllNominal { count }));
+    }
     for (count, one, many) in [
         (
             tally.notes(Kind::Doubt).count,
@@ -93,6 +96,11 @@ pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
             tally.notes(Kind::StatusUnknown).count,
             "row has a status in its file that is not known",
             "rows have a status in their file that is not known",
+        ),
+        (
+            tally.notes(Kind::ClaimDiffers).count,
+            "limit, deviation or type of feature in the file contradicts its row",
+            "limits, deviations or types of features in the file contradict their rows",
         ),
         (tally.simulated, "row says that nobody measured", "rows say that nobody measured"),
         (tally.notes(Kind::SeveralLines).count, "row runs over several lines", "rows run over several lines"),
@@ -116,6 +124,12 @@ fn counted(rows: u64, counts: Counts, refused: u64) -> String {
     format!("{rows} {}: {}", if rows == 1 { "row" } else { "rows" }, parts.join(", "))
 }
 
+/// How many values there are, where each of them is exactly its nominal size.
+fn all_nominal(summary: &Summary) -> Option<u64> {
+    let judged: u64 = summary.counts().iter().sum();
+    (1 < judged && summary.tally.nominal == judged).then_some(judged)
+}
+
 /// As `import`: bad data where any row has no verdict, else the worst one, and what has to be looked at first.
 pub(super) fn outcome(summary: &Summary) -> Outcome {
     let tally = &summary.tally;
@@ -125,6 +139,6 @@ pub(super) fn outcome(summary: &Summary) -> Outcome {
     let worst =
         Status::ALL.into_iter().zip(summary.counts()).filter(|(_, count)| 0 < *count).map(|(status, _)| status).max();
     let judged = worst.map_or(Outcome::Done, Outcome::Judged);
-    let against = tally.notes(Kind::Doubt).count + tally.simulated + tally.against;
+    let against = tally.notes(Kind::Doubt).count + tally.simulated + tally.against + all_nominal(summary).unwrap_or(0);
     if 0 < against { judged.worse(Outcome::LookFirst) } else { judged }
 }

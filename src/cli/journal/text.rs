@@ -123,7 +123,7 @@ fn print_size(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
         line("position", if position.is_out() { "OUT" } else { "IN" }, io)?;
     }
     print_contacts(&measurement.contacts, io)?;
-    for caveat in measurement.caveats() {
+    for caveat in record.caveats() {
         line("", caveat, io)?;
     }
     Ok(())

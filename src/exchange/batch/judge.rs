@@ -10,8 +10,9 @@ use super::layout::{Layout, utf8};
 use super::row::{Part, Row};
 use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
+use crate::exchange::beside::BesideColumn;
 use crate::exchange::cells;
-use crate::exchange::claim::Claim;
+use crate::exchange::claim::{Answer, Claim};
 use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::evidence::marks_simulation;
 use crate::exchange::imported::WhyUnjudged;
@@ -100,8 +101,8 @@ struct Fast<'a> {
     unit: Option<usize>,
     /// Whether lengths are in inch by a statement: a callout with a size of its own is doubtful.
     is_inch: bool,
-    /// Columns in which the file says a row's status.
-    statuses: &'a [usize],
+    /// What stands beside a value and may contradict its answer.
+    beside: &'a [BesideColumn],
     /// Columns in which a row may say that nobody measured, or that the size alone does not decide.
     aside: Vec<usize>,
     /// Columns that say what was measured: with one of its words of a size a row is plain.
@@ -129,13 +130,14 @@ impl<'a> Court<'a> {
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
             // Without a column of callouts no row is fast; simulated rows are counted where each is read as a whole.
             tolerance: columns.tolerance.filter(|_| plain.is_some() && !columns.evidence.are_simulated),
-            statuses: &columns.labels.statuses,
+            beside: &columns.beside,
             unit,
             is_inch,
             aside: columns
                 .simulated
                 .into_iter()
                 .chain(columns.evidence.origin)
+                .chain(columns.evidence.word)
                 .chain(columns.own.deciding().into_iter().flatten())
                 .collect(),
             quantities: &columns.quantities,
@@ -181,8 +183,8 @@ pub struct Judge<'a> {
     /// The verdicts of callouts without a class.
     others: Counts,
     index: Index,
-    /// What the words in the columns of the status claim, as they were met.
-    claims: Vec<(Vec<u8>, Option<Claim>)>,
+    /// What words in columns beside the value claim, as they were met: the number of the column among these, and the cell.
+    claims: Vec<((usize, Vec<u8>), Option<Claim>)>,
 }
 
 /// How many rows are good, rework, to be measured again, scrap: in the order of [`Status::ALL`].
@@ -307,30 +309,51 @@ impl Judge<'_> {
         if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
             tally.note(Kind::Doubt, None, || doubt.message());
         }
-        for &at in self.court.fast.statuses {
-            self.compare(row.cell(at).unwrap_or_default(), judged.status, tally);
+        tally.nominal += u64::from(judged.measured == judged.bounds.nominal);
+        if !self.court.fast.beside.is_empty() {
+            self.compare(row, judged, tally);
         }
         take.class(class);
         take.judged(row, judged);
     }
 
-    /// Compares a verdict with what the file says of the status.
-    fn compare(&mut self, cell: &[u8], status: Status, tally: &mut Tally) {
-        let known = self.claims.iter().position(|(word, _)| word == cell);
-        let at = known.unwrap_or_else(|| {
-            // A column with ever new words claims nothing that is known here.
-            self.claims.truncate(MOST_CLAIMS);
-            let text = utf8(cell);
-            self.claims.push((cell.to_vec(), Claim::of_cell(text.trim().trim_matches('"').trim())));
-            self.claims.len() - 1
-        });
-        let claim = self.claims.get(at).and_then(|(_, claim)| claim.as_ref());
-        if let Some(warning) = claim.and_then(|claim| claim.tells(status)) {
-            tally.against += 1;
-            let is_known = matches!(warning, ImportWarningKind::StatusDiffers { .. });
-            let kind = if is_known { Kind::StatusDiffers } else { Kind::StatusUnknown };
-            tally.note(kind, None, || warning.message());
+    /// Compares an answer with what the file says beside the value.
+    fn compare(&mut self, row: &Row<'_>, judged: &Judged, tally: &mut Tally) {
+        let answer = Answer { bounds: judged.bounds, measured: judged.measured, status: judged.status };
+        let mut has_figures = false;
+        for (number, column) in self.court.fast.beside.iter().enumerate() {
+            if !column.has_words() {
+                has_figures = true;
+                continue;
+            }
+            let cell = row.cell(column.at()).unwrap_or_default();
+            let known = self.claims.iter().position(|((of, word), _)| *of == number && word == cell);
+            let at = known.unwrap_or_else(|| {
+                // A column with ever new words claims nothing that is known here.
+                self.claims.truncate(MOST_CLAIMS);
+                let claim = column.claim(utf8(cell).trim().trim_matches('"'), Unit::Millimetre);
+                self.claims.push(((number, cell.to_vec()), claim));
+                self.claims.len() - 1
+            });
+            let claim = self.claims.get(at).and_then(|(_, claim)| claim.as_ref());
+            Self::told(claim.and_then(|claim| claim.tells(&answer)), tally);
         }
+        if has_figures {
+            let figures = self.court.layout.columns.figures(&row.record());
+            figures.iter().for_each(|claim| Self::told(claim.tells(&answer), tally));
+        }
+    }
+
+    /// Counts what a file says against an answer.
+    fn told(warning: Option<ImportWarningKind>, tally: &mut Tally) {
+        let Some(warning) = warning else { return };
+        tally.against += 1;
+        let kind = match warning {
+            ImportWarningKind::StatusDiffers { .. } => Kind::StatusDiffers,
+            ImportWarningKind::StatusUnknown { .. } => Kind::StatusUnknown,
+            _ => Kind::ClaimDiffers,
+        };
+        tally.note(kind, None, || warning.message());
     }
 
     /// Room for the verdicts of a class, and its own.
@@ -439,6 +462,10 @@ impl Judge<'_> {
             }
             if let Some(reason) = stray() {
                 return Self::refuse(row, None, &reason, tally, take);
+            }
+            let spoken = ImportWarningKind::not_used(&cells);
+            if matches!(spoken, ImportWarningKind::SpeaksOfSimulation { .. }) {
+                Self::told(Some(spoken), tally);
             }
             tally.comments += 1;
             return take.line(whole);

@@ -239,8 +239,11 @@ impl Above {
             let row = Row::new(text, above.length, ends);
             let cells = row.record();
             if cells::is_comment(&cells) {
+                let spoken = ImportWarningKind::not_used(&cells);
                 if cells::is_data(&cells) {
                     above.warnings.push((above.line, ImportWarningKind::Comment));
+                } else if matches!(spoken, ImportWarningKind::SpeaksOfSimulation { .. }) {
+                    above.warnings.push((above.line, spoken));
                 }
             } else if !cells::is_blank(&cells) {
                 above.warnings.push((above.line, ImportWarningKind::not_used(&cells)));

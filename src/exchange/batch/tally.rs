@@ -16,6 +16,8 @@ pub enum Kind {
     StatusDiffers,
     /// Its file says a status that is not known.
     StatusUnknown,
+    /// Its file says another limit, another deviation or another side.
+    ClaimDiffers,
     /// It runs over several lines.
     SeveralLines,
     /// It is the last one and may be cut off.
@@ -24,8 +26,15 @@ pub enum Kind {
 
 impl Kind {
     /// Every kind, the most important first.
-    pub const ALL: [Self; 6] =
-        [Self::Refused, Self::Doubt, Self::StatusDiffers, Self::StatusUnknown, Self::SeveralLines, Self::CutOff];
+    pub const ALL: [Self; 7] = [
+        Self::Refused,
+        Self::Doubt,
+        Self::StatusDiffers,
+        Self::StatusUnknown,
+        Self::ClaimDiffers,
+        Self::SeveralLines,
+        Self::CutOff,
+    ];
 }
 
 /// Something to be said of a row.
@@ -57,6 +66,8 @@ pub struct Tally {
     pub rows: u64,
     /// Rows that say that nobody measured; they are among the judged ones.
     pub simulated: u64,
+    /// Judged rows whose value is exactly the nominal size.
+    pub nominal: u64,
     /// Judged rows that something else stands against.
     pub against: u64,
     /// Lines that were not UTF-8.
@@ -93,6 +104,7 @@ impl Tally {
         self.rows += next.rows;
         self.simulated += next.simulated;
         self.against += next.against;
+        self.nominal += next.nominal;
         self.not_utf8 += next.not_utf8;
         self.comments += next.comments;
         for (notes, more) in self.notes.iter_mut().zip(next.notes) {

@@ -9,7 +9,6 @@ use crate::exchange::evidence::Evidence;
 use crate::exchange::own::OwnColumns;
 use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::stated::{self, Stated};
-use crate::exchange::words;
 
 /// What a mapping says of the columns of a file, and what is detected beside it.
 struct Said<'a> {
@@ -53,7 +52,7 @@ impl Mapping {
         columns.header = header.map(|(line, _)| line).or_else(|| said.found.as_ref().and_then(|found| found.header));
         columns.names_known = sample.header.is_some();
         columns.ignored = said.ignored(&columns);
-        sample.look_at_values(&mut columns);
+        sample.look_at_values(&mut columns, &said.names);
         columns.decimal_sign = self.decimal().or(columns.decimal_sign);
         stated::decide(sample, &mut columns)?;
         Ok(columns)
@@ -169,11 +168,6 @@ impl Said<'_> {
             serial: self.either(Role::Serial, |found| found.labels.serial),
             who: self.either(Role::Who, |found| found.labels.who),
             place: [self.place(Role::X, 0)?, self.place(Role::Y, 1)?, self.place(Role::Z, 2)?],
-            statuses: (0..)
-                .zip(&self.names)
-                .filter(|(at, name)| !self.is_used(*at) && words::is_status(name))
-                .map(|(at, _)| at)
-                .collect(),
         };
         let beside = |at: Option<usize>| at.filter(|at| *at != measured);
         let nominal = beside(self.either(Role::Nominal, |found| found.nominal.map(|column| column.at)));
@@ -197,6 +191,7 @@ impl Said<'_> {
             own: if self.names.is_empty() { OwnColumns::default() } else { OwnColumns::of(&self.names) },
             evidence: self.evidence(measured),
             labels,
+            beside: Vec::new(),
             first: self.mapping.first_row,
             stated: Stated::default(),
         })

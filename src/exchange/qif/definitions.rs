@@ -387,7 +387,8 @@ impl Definitions {
                 "ActualComponentSets" => {
                     while xml.child()?.is_some() {
                         while let Some(start) = xml.child()? {
-                            let part = xml.element(start, &["SerialNumber"])?;
+                            let part = xml.element(start, &["SerialNumber", "Status", "InspectionStatusEnum"])?;
+                            self.part_status(&part);
                             if self.serials.len() < MOST_PARTS {
                                 self.serials.insert(id(&part), name(part.text_at(&["SerialNumber"])));
                             }
@@ -404,10 +405,10 @@ impl Definitions {
         while xml.child()?.is_some() {
             let mut part = String::new();
             while let Some(start) = xml.child()? {
-                if start.name == "ActualComponentIds" {
-                    part = only_id(Some(&xml.element(start, &["Id"])?));
-                } else {
-                    xml.skip()?;
+                match start.name.as_str() {
+                    "ActualComponentIds" => part = only_id(Some(&xml.element(start, &["Id"])?)),
+                    "InspectionStatus" => self.part_status(&xml.element(start, &["InspectionStatusEnum"])?),
+                    _ => xml.skip()?,
                 }
             }
             if self.measured_parts.len() < MOST_PARTS {
@@ -415,6 +416,16 @@ impl Definitions {
             }
         }
         Ok(())
+    }
+
+    /// What the file says of a whole part: it is told where that part is not accepted.
+    fn part_status(&mut self, element: &Element) {
+        let at_root = element.text_at(&["InspectionStatusEnum"]);
+        let status = if at_root.is_empty() { element.text_at(&["Status", "InspectionStatusEnum"]) } else { at_root };
+        if matches!(status, "FAIL" | "REWORK") && self.warnings.len() < MOST_PARTS {
+            let given = status.to_owned();
+            self.warnings.push((element.start.at, ImportWarningKind::PartRejected { given }));
+        }
     }
 
     /// Each list says how many it has: fewer or more, and somebody has changed the file.

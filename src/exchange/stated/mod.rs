@@ -15,6 +15,7 @@ mod mention;
 
 use csv::StringRecord;
 
+use super::beside::BesideColumn;
 use super::cells;
 use super::columns::{Columns, LengthColumn, Sample, name_of};
 use super::delimited::{SEPARATORS, lines};
@@ -92,7 +93,7 @@ pub(super) fn decide(sample: &Sample, columns: &mut Columns) -> Result<(), Impor
         is_given: sample.given.is_some(),
         ..Stated::default()
     };
-    let is_used = used(columns);
+    let is_used: Vec<usize> = columns.used().into_iter().chain(columns.beside.iter().map(BesideColumn::at)).collect();
     let free: Vec<usize> = (0..columns.count).filter(|at| !is_used.contains(at)).collect();
     // What stands above the rows: titles, comments, and names of columns in which nothing stands.
     let is_row_of_units = |line: usize| stated.row.as_ref().is_some_and(|(row, _)| *row == line);
@@ -184,17 +185,6 @@ fn given_differs(given: Unit, unit: &str, text: &str) -> ImportErrorKind {
 
 fn has_figure(cells: &StringRecord) -> bool {
     cells.iter().any(|cell| cell.contains(|c: char| c.is_ascii_digit()))
-}
-
-/// The columns that hold something else.
-fn used(columns: &Columns) -> Vec<usize> {
-    let labels = &columns.labels;
-    // Without names, what stands before a callout is taken for a name.
-    let id = columns.id.filter(|_| columns.header.is_some());
-    let one = [id, columns.tolerance, columns.nominal.map(|column| column.at), Some(columns.measured.at)];
-    let more = [columns.simulated].into_iter().chain(columns.own.deciding());
-    let all = one.into_iter().chain(more).flatten().chain(columns.time.iter().copied());
-    all.chain(columns.own.of_correction()).chain(labels.iter()).chain(labels.statuses.iter().copied()).collect()
 }
 
 /// The units that measured values and nominal sizes state by their names or in the row of units.

@@ -188,7 +188,7 @@ fn why_ui(ui: &mut Ui, view: &View<'_>, record: &Record) {
         for reason in worth_lines::reasons(view, record) {
             quiet(ui, reason);
         }
-        for caveat in record.measurement.caveats() {
+        for caveat in record.caveats() {
             quiet(ui, said("why-caveat", &caveat));
         }
     });

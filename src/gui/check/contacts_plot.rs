@@ -86,7 +86,7 @@ fn signed_mm(deviation: Length) -> String {
 }
 
 fn remarks(words: &Words, record: &Record) -> String {
-    let said: Vec<String> = record.measurement.caveats().iter().map(|caveat| words.say(&caveat.message())).collect();
+    let said: Vec<String> = record.caveats().iter().map(|caveat| words.say(&caveat.message())).collect();
     said.join("; ")
 }
 

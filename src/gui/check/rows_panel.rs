@@ -248,12 +248,13 @@ fn remarks_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
 }
 
 /// What there is to be said of all rows, and of how many.
-fn counts(tally: &Tally) -> [(&'static str, u64); 8] {
+fn counts(tally: &Tally) -> [(&'static str, u64); 9] {
     [
         ("rows-refused", tally.notes(Kind::Refused).count),
         ("rows-doubted", tally.notes(Kind::Doubt).count),
         ("rows-status-differs", tally.notes(Kind::StatusDiffers).count),
         ("rows-status-unknown", tally.notes(Kind::StatusUnknown).count),
+        ("rows-claim-differs", tally.notes(Kind::ClaimDiffers).count),
         ("rows-simulated", tally.simulated),
         ("rows-several-lines", tally.notes(Kind::SeveralLines).count),
         ("rows-not-utf8", tally.not_utf8),

@@ -95,7 +95,7 @@ fn size(view: &View<'_>, record: &Record, lines: &mut Vec<Line>) {
     lines.extend(said.map(Line::Sentence));
     lines.extend(record.doubt.map(|doubt| Line::Sentence(doubt_text(words, doubt))));
     let caveat = |what: Message| words.say(&Message::new("why-caveat").message("what", what));
-    lines.extend(record.measurement.caveats().into_iter().map(|what| Line::Sentence(caveat(what.message()))));
+    lines.extend(record.caveats().into_iter().map(|what| Line::Sentence(caveat(what.message()))));
 }
 
 /// What a cycle says: its parameters, what it compared, its results.

@@ -1,0 +1,204 @@
+//! Columns beside a value whose cells may contradict its answer: a status, a tick for accepted or rejected, limits, a deviation, whether it
+//! is a hole or a shaft.
+//!
+//! | a column | is compared |
+//! |---|---|
+//! | whose name is one of a status | always; a word that is not known is told |
+//! | whose name says that a value is accepted, or rejected: `Pass`, `NOK`, `Deleted` | with its ticks and its words |
+//! | whose name has a word of a status: `Overall status` | where its words are known |
+//! | with a word of a verdict in one of its cells, whatever it is called | the same |
+//! | of an upper or lower limit, or of a deviation | with the limits and the value, as a size or as a deviation |
+//! | of the type of a feature | where it says hole or shaft |
+//!
+//! The names and words are English, Dutch, German and Italian. Nothing here changes an answer.
+
+use csv::StringRecord;
+
+use super::cells;
+use super::claim::{Claim, Figure, letters};
+use super::columns::{Columns, Sample};
+use super::evidence::{says_simulated, yes_or_no};
+use super::quantity::is_shape;
+use super::units;
+use super::words;
+use crate::length::Unit;
+use crate::tolerance::Feature;
+
+/// What a column says of each value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Says {
+    /// A status; with `is_named` its name says so, and a word that is not known is one as well.
+    Status {
+        is_named: bool,
+    },
+    /// Whether it is accepted, or rejected, by a tick or a word.
+    Accepted,
+    Rejected,
+    Upper,
+    Lower,
+    Deviation,
+    /// Hole or shaft.
+    Feature,
+}
+
+/// Such a column.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct BesideColumn {
+    at: usize,
+    name: String,
+    unit: Option<Unit>,
+    says: Says,
+}
+
+/// Both sides of a decision as one name, without blanks and signs: `i.O./n.i.O.`, `OK/NOK`, `P/F`.
+const BOTH: &str = "ionio|niooio|oknok|nokok|okng|okko|passfail|pf|gutschlecht|goedfout|goedslecht|goedafgekeurd|acceptreject|gonogo|conformenonconforme";
+
+/// Names of a column of ticks for accepted values, written the same way.
+const ACCEPTED: &str = "ok|pass|passed|accept|accepted|approved|conform|conforming|good|valid|intolerance|intol|io|inordnung|gut|gültig|\
+    freigegeben|akkoord|goed|goedgekeurd|geldig|conforme|buono|valido|approvato|accettato";
+
+/// The same for rejected ones, or for how far they are out.
+const REJECTED: &str = "nok|ng|notok|fail|failed|reject|rejected|scrap|scrapped|defect|defective|invalid|deleted|void|voided|superseded|outlier|\
+    outtol|outoftol|outoftolerance|outoflimits|oot|exceed|exceedance|exceeded|nonconforming|nonconformity|nio|ausschuss|ungültig|gelöscht|\
+    ausreißer|überschreitung|toleranzüberschreitung|defekt|afkeur|afgekeurd|ongeldig|verwijderd|vervallen|uitschieter|overschrijding|\
+    tolerantieoverschrijding|scarto|scartato|annullato|nonvalido|fuoritolleranza";
+
+/// Words of a status within a longer name.
+const STATUS_WORDS: &str = "status|state|judge|judged|judgement|judgment|verdict|evaluation|disposition|conformity|conformance|qc|result|check|\
+    inspection|decision|ergebnis|prüfergebnis|prüfurteil|prüfstatus|beurteilung|bewertung|freigabe|resultaat|keuring|keuringsresultaat|goedkeuring|\
+    beoordeling|oordeel|risultato|esito|conformità|giudizio|verdetto|controllo";
+
+const UPPER: &str = "max|maximum|usl|utl|upper|upper limit|upper spec limit|upper specification limit|upper tol|upper tolerance|upper deviation|\
+    upper dev|max limit|max size|max dimension|maximum size|maximum dimension|tol plus|plus tol|plus tolerance|otg|ogw|größtmaß|größtmass|\
+    grösstmaß|grösstmass|groesstmass|höchstmaß|höchstmass|hoechstmass|obergrenze|obere grenze|oberes grenzmaß|oberes grenzmass|oberer grenzwert|\
+    oberes abmaß|oberes abmass|obere toleranz|toleranz oben|tol oben|boven|bovengrens|bovenste grens|bovenmaat|grootste maat|bovenafwijking|\
+    bovenste afwijking|tol boven|tolerantie boven|massimo|limite superiore|superiore|scostamento superiore|tolleranza superiore|quota massima";
+
+const LOWER: &str = "min|minimum|lsl|ltl|lower|lower limit|lower spec limit|lower specification limit|lower tol|lower tolerance|lower deviation|\
+    lower dev|min limit|min size|min dimension|minimum size|minimum dimension|tol minus|minus tol|minus tolerance|utg|ugw|kleinstmaß|kleinstmass|\
+    mindestmaß|mindestmass|untergrenze|untere grenze|unteres grenzmaß|unteres grenzmass|unterer grenzwert|unteres abmaß|unteres abmass|\
+    untere toleranz|toleranz unten|tol unten|onder|ondergrens|onderste grens|ondermaat|kleinste maat|onderafwijking|onderste afwijking|tol onder|\
+    tolerantie onder|minimo|limite inferiore|inferiore|scostamento inferiore|tolleranza inferiore|quota minima";
+
+const DEVIATION: &str = "deviation|dev|deviation from nominal|nominal deviation|diff|difference|delta|abweichung|abw|istabweichung|soll ist abweichung|\
+    afwijking|verschil|scostamento|differenza";
+
+/// Whether a list of names has one.
+fn has(list: &str, name: &str) -> bool {
+    list.split('|').any(|known| known == name)
+}
+
+/// What the name of a column says.
+fn by_name(header: &str) -> Option<Says> {
+    let (name, bare) = (letters(header), words::bare(header));
+    let is_signed = |sign: char| {
+        let text = header.trim().replace('\u{2212}', "-");
+        let rest = text.strip_prefix(sign).or_else(|| text.strip_suffix(sign));
+        rest.is_some_and(|rest| has("tol|tolerance|toleranz|tolerantie|tolleranza|dev", letters(rest).as_str()))
+    };
+    let says = match name.as_str() {
+        _ if words::is_status(header) => Says::Status { is_named: true },
+        name if has(BOTH, name) => Says::Status { is_named: true },
+        name if has(ACCEPTED, name) => Says::Accepted,
+        name if has(REJECTED, name) => Says::Rejected,
+        _ if is_signed('+') || has(UPPER, &bare) => Says::Upper,
+        _ if is_signed('-') || has(LOWER, &bare) => Says::Lower,
+        _ if has(DEVIATION, &bare) => Says::Deviation,
+        _ if bare.split(' ').any(|word| has(STATUS_WORDS, word)) => Says::Status { is_named: false },
+        _ => return None,
+    };
+    Some(says)
+}
+
+impl Sample {
+    /// The columns beside the value of which something is compared; `names` are those of the columns, where there are any.
+    pub(super) fn beside(&self, names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<BesideColumn> {
+        let is_verdict = |cell: &str| Claim::of_word(cell).is_some();
+        let column = |at: usize| {
+            let name = names.get(at).unwrap_or_default();
+            let has_quantity = columns.quantities.iter().any(|column| column.at == at);
+            let is_free = !used.contains(&at) && columns.evidence.origin != Some(at);
+            let says = match by_name(name).filter(|_| is_free && !has_quantity) {
+                Some(says) => Some(says),
+                None if has_quantity || is_free && super::quantity::may_be_named(name) => {
+                    self.cells(at).any(|cell| is_shape(cell).is_some()).then_some(Says::Feature)
+                }
+                None if is_free && self.cells(at).any(is_verdict) => Some(Says::Status { is_named: false }),
+                None => None,
+            };
+            let unit = units::unit(name).ok().flatten();
+            says.map(|says| BesideColumn { at, name: name.trim().to_owned(), unit, says })
+        };
+        (0..columns.count).filter_map(column).collect()
+    }
+
+    /// A column with a cell that says that nobody measured, whatever it is called.
+    pub(super) fn says_simulated(&self, columns: &Columns, used: &[usize]) -> Option<usize> {
+        let is_free = |at: &usize| !used.contains(at) && columns.evidence.origin != Some(*at);
+        (0..columns.count).filter(is_free).find(|at| self.cells(*at).any(says_simulated))
+    }
+}
+
+impl BesideColumn {
+    pub(super) const fn at(&self) -> usize {
+        self.at
+    }
+
+    /// Whether its claims depend on nothing but the cell, and few words are in it.
+    pub(super) const fn has_words(&self) -> bool {
+        matches!(self.says, Says::Status { .. } | Says::Accepted | Says::Rejected | Says::Feature)
+    }
+
+    /// What a cell says; numbers without a unit of their column are in the unit of the row.
+    pub(super) fn claim(&self, text: &str, unit: Unit) -> Option<Claim> {
+        let text = text.trim();
+        if text.is_empty() {
+            return None;
+        }
+        let said = || if self.name.is_empty() { text.to_owned() } else { format!("{} {text}", self.name) };
+        let figure = || Figure::read(text, self.unit.unwrap_or(unit));
+        match self.says {
+            Says::Status { is_named: true } => Claim::of_cell(text),
+            Says::Status { is_named: false } => Claim::of_word(text),
+            Says::Accepted => match yes_or_no(text) {
+                Some(true) => Claim::of_word("OK"),
+                Some(false) => Some(Claim::out(&said())),
+                None => Claim::of_cell(text),
+            },
+            Says::Rejected => match yes_or_no(text) {
+                Some(true) => Some(Claim::out(&said())),
+                Some(false) => None,
+                None if cells::is_number(text) => {
+                    text.contains(|c| ('1'..='9').contains(&c)).then(|| Claim::out(&said()))
+                }
+                None => Claim::of_cell(text),
+            },
+            Says::Upper => figure().map(|figure| Claim::limit(&said(), true, figure)),
+            Says::Lower => figure().map(|figure| Claim::limit(&said(), false, figure)),
+            Says::Deviation => figure().map(|figure| Claim::deviation(&said(), figure)),
+            Says::Feature => {
+                let feature = if is_shape(text)? { Feature::Hole } else { Feature::Shaft };
+                Some(Claim::feature(text, feature))
+            }
+        }
+    }
+}
+
+impl Columns {
+    /// What the cells of a row say of its value beside it.
+    pub(super) fn claims(&self, cells: &StringRecord) -> Vec<Claim> {
+        self.claims_of(cells, |_| true)
+    }
+
+    /// Those of them that are numbers.
+    pub(super) fn figures(&self, cells: &StringRecord) -> Vec<Claim> {
+        self.claims_of(cells, |column| !column.has_words())
+    }
+
+    fn claims_of(&self, cells: &StringRecord, is_asked: impl Fn(&BesideColumn) -> bool) -> Vec<Claim> {
+        let of_row = self.stated.in_row(self.measured, cells);
+        let unit = of_row.map_or(self.measured.unit, |column| column.unit);
+        let asked = self.beside.iter().filter(|column| is_asked(column));
+        asked.filter_map(|column| column.claim(cells.get(column.at)?, unit)).collect()
+    }
+}

@@ -1,0 +1,220 @@
+//! What stands beside a value in a file and contradicts its answer: it is told, the exit code says so, and `import` and `batch` agree.
+
+use std::path::Path;
+
+use assert_cmd::cargo::cargo_bin_cmd;
+
+fn within(folder: &Path, args: &[&str]) -> (i32, String) {
+    let home = folder.join("home");
+    let mut command = cargo_bin_cmd!("fitcheck");
+    command.current_dir(folder).args(args).env("FITCHECK_JOURNAL", folder.join("j.sqlite"));
+    let output = command.env("HOME", &home).env("XDG_STATE_HOME", &home).env("XDG_DATA_HOME", &home).output().unwrap();
+    (output.status.code().unwrap(), String::from_utf8(output.stderr).unwrap())
+}
+
+fn of(files: &[(&str, &str)], args: &[&str]) -> (i32, String) {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, text) in files {
+        fitcheck::files::write(&folder.path().join(name), text.as_bytes()).unwrap();
+    }
+    within(folder.path(), args)
+}
+
+/// Both ways end with this code.
+#[track_caller]
+fn both(text: &str, code: i32) {
+    for args in [&["import", "a.csv"][..], &["batch", "--prefix", "fc_", "a.csv"]] {
+        let (found, err) = of(&[("a.csv", text)], args);
+        assert_eq!(found, code, "{args:?}\n{text}\n{err}");
+    }
+}
+
+/// A file with a column beside a good value: 25 H7 is 25.000 … 25.021.
+#[track_caller]
+fn beside(name: &str, cell: &str, code: i32) {
+    both(&format!("Feature;Callout;Measured;{name}\nB1;25 H7;25.013;{cell}\n"), code);
+}
+
+#[test]
+fn a_rejection_counts_whatever_its_column_is_called() {
+    for (name, cell) in [
+        ("OK?", "NOK"),
+        ("QC", "NG"),
+        ("Test result", "FAIL"),
+        ("Overall status", "NOK"),
+        ("Judge", "NG"),
+        ("Conformity", "nonconforming"),
+        ("State", "REJECTED"),
+        ("Disposition", "Scrap"),
+        ("Accepted", "no"),
+        ("Pass", "FALSE"),
+        ("NOK", "X"),
+        ("Rejected", "x"),
+        ("i.O./n.i.O.", "n.i.O."),
+        ("Prüfergebnis", "n.i.O."),
+        ("Gut/Schlecht", "schlecht"),
+        ("Goedkeuring", "afgekeurd"),
+        ("Conforme", "no"),
+        ("OutTol", "0.005"),
+        ("OOT", "0.02"),
+        ("Deleted", "yes"),
+        ("Valid", "no"),
+        ("Whatever", "NOK"),
+    ] {
+        beside(name, cell, 14);
+    }
+    for (name, cell) in [
+        ("OK?", "OK"),
+        ("Pass", "TRUE"),
+        ("NOK", ""),
+        ("Rejected", "no"),
+        ("OutTol", "0.000"),
+        ("Deleted", "no"),
+        ("Valid", "yes"),
+        ("Order state", "released to packing"),
+        ("Remark", "see the drawing"),
+        ("P/F", "pass"),
+    ] {
+        beside(name, cell, 0);
+    }
+    both("B1;25 H7;25.010;NOK\nB2;25 H7;25.011;OK\n", 14);
+    both("B1;25 H7;25.010;OK\nB2;25 H7;25.011;OK\n", 0);
+}
+
+#[test]
+fn limits_that_contradict_the_callout_are_told() {
+    let row = |names: &str, cells: &str| format!("Nr;Name;{names};Callout;Measured\n1;Bore;{cells};25 H7;25.015\n");
+    for (names, cells, code) in [
+        ("Größtmaß;Kleinstmaß", "25,013;25,000", 14),
+        ("Größtmaß;Kleinstmaß", "25,021;25,000", 0),
+        ("USL;LSL", "25.021;25", 0),
+        ("USL;LSL", "25.02;25.00", 0),
+        ("USL;LSL", "25.013;25", 14),
+        ("Upper tol;Lower tol", "0.021;0", 0),
+        ("Upper tol;Lower tol", "21;0", 0),
+        ("Upper tol;Lower tol", "0.013;0", 14),
+        ("+TOL;-TOL", "0.021;0.000", 0),
+        ("oberes Abmaß;unteres Abmaß", "0,033;0", 14),
+        ("Boven;Onder", "25,033;25", 14),
+        ("Max;Min", "25.021;25.000", 0),
+        ("Max;Min", "-;", 0),
+    ] {
+        both(&row(names, cells), code);
+    }
+    // A shaft's lower deviation, with its sign and without.
+    for lower in ["-0.020", "0.020", "-20", "\u{2212}0.020"] {
+        both(&format!("Name;Callout;Measured;Upper tol;Lower tol\nP;25 g6;24.985;-0.007;{lower}\n"), 0);
+    }
+    both("Name;Callout;Measured;Upper tol;Lower tol\nP;25 g6;24.985;-0.007;-0.033\n", 14);
+    // In inches, as they are printed.
+    both("Name;Nominal [in];Class;Measured [in];USL;LSL\nB;1;H7;1.0004;1.0008;1.0000\n", 0);
+    both("Name;Nominal [in];Class;Measured [in];USL;LSL\nB;1;H7;1.0004;1.0005;1.0000\n", 14);
+    let plan = "fitcheck_plan = 1\npart = \"One\"\n[[feature]]\nname = \"B\"\ncallout = \"25 H7\"\n";
+    for (upper, code) in [("25.021", 0), ("25.013", 14)] {
+        let rows = format!("Feature;Measured;USL;LSL\nB;25.015;{upper};25\n");
+        let (found, err) = of(&[("a.csv", &rows), ("p.toml", plan)], &["import", "--plan", "p.toml", "a.csv"]);
+        assert_eq!(found, code, "{err}");
+    }
+}
+
+#[test]
+fn a_deviation_that_contradicts_the_value_is_told() {
+    for (deviation, code) in
+        [("0.013", 0), ("13", 0), ("+0.013", 0), ("0.01", 0), ("0.113", 14), ("25.05", 14), ("", 0)]
+    {
+        beside("Deviation", deviation, code);
+    }
+    beside("Abweichung [µm]", "13", 0);
+    beside("Abweichung [µm]", "31", 14);
+}
+
+#[test]
+fn a_shaft_with_the_callout_of_a_hole_is_told() {
+    beside("Feature type", "Shaft", 14);
+    beside("Type", "Welle", 14);
+    beside("Feature type", "Bore", 0);
+    both("Feature;Callout;Measured;Feature type\nP;25 h7;24.99;Shaft\n", 0);
+    both("Feature;Callout;Measured;Feature type\nP;25 h7;24.99;Hole\n", 14);
+}
+
+#[test]
+fn a_list_of_nominal_sizes_is_no_measurement() {
+    both("Pos;Feature;Callout;Size\n1;Bore A;25 H7;25\n2;Bore B;30 H7;30\n3;Pin;20 h6;20\n", 14);
+    both("Pos;Feature;Callout;Size\n1;Bore A;25 H7;25.000\n2;Bore B;30 H7;30.001\n3;Pin;20 h6;20\n", 0);
+}
+
+#[test]
+fn columns_under_one_name_are_asked_about() {
+    both("Name;Callout;Measured;;\nBore 1;25 H7;25.013;25.050;24.900\nBore 2;30 H7;30.010;30.011;30.012\n", 1);
+    both("Name;Callout;Measured;;\nBore 1;25 H7;25.013;;\n", 0);
+    both("Name;Callout;Measured;\nBore 1;25 H7;25.013;checked\n", 0);
+    both("Name;Callout;Measured;Remeasured\nBore 1;25 H7;25.013;25.05\n", 1);
+}
+
+#[test]
+fn a_word_of_simulation_counts_wherever_it_stands() {
+    for name in ["Source", "Mode", "Comment"] {
+        beside(name, "simulated", 14);
+        beside(name, "Simulation", 14);
+    }
+    both("B1;25 H7;25.010;simulated\n", 14);
+    both("# Offline simulation run\nFeature;Callout;Measured\nB1;25 H7;25.013\n", 14);
+    both("Run mode;Simulation\nFeature;Callout;Measured\nB1;25 H7;25.013\n", 14);
+    both("# Machine 7\nFeature;Callout;Measured\nB1;25 H7;25.013\n", 0);
+}
+
+#[test]
+fn a_value_that_was_compensated_is_not_corrected_again() {
+    for name in ["Temp comp", "TempKomp", "Normalized", "Temperature compensation"] {
+        let rows = format!("Feature;Callout;Measured;{name}\nB;25 H7;25.023;Yes\n");
+        let args = ["import", "a.csv", "--temperature", "30", "--material", "steel"];
+        assert_eq!(of(&[("a.csv", &rows)], &args).0, 1, "{name}");
+        assert_eq!(of(&[("a.csv", &rows.replace("Yes", "OFF"))], &args).0, 0, "{name}");
+    }
+}
+
+/// Behind the rows by which the columns were found.
+#[test]
+fn another_quantity_far_down_is_not_judged_as_a_size() {
+    let mut rows = "Feature;Callout;Measured;Type\n".to_owned();
+    rows.extend((0..220).map(|n| format!("B{n};25 H7;25.010;\n")));
+    both(&rows, 0);
+    both(&(rows + "B9;25 H7;25.01;Roundness\n"), 1);
+}
+
+#[test]
+fn pairs_are_made_of_parts_that_nobody_rejected() {
+    let shafts = "Feature;Measured\nP1;24.980\nP2;24.985\nP3;24.990\n";
+    for (holes, says) in [
+        ("Feature;Measured\nB1;25.010\nMean;25.010\nMax;25.010\n", "Mean names a figure of several parts"),
+        ("Feature;Measured;Status\nB1;25.010;OK\nB2;25.012;NOK\n", "the file itself rejects this value (NOK)"),
+    ] {
+        let files = [("h.csv", holes), ("s.csv", shafts)];
+        let (code, err) = of(&files, &["pair", "h.csv", "s.csv"]);
+        assert!(code == 1 && err.contains(says), "{code}: {err}");
+    }
+}
+
+/// The mean circle is good, and two points across it are 80 µm out at both ends.
+#[test]
+fn a_bore_that_is_oval_beyond_its_zone_is_looked_at_first() {
+    let oval = "x;y\n12.55;0\n0;12.46\n-12.55;0\n0;-12.46\n";
+    let (code, err) = of(&[("c.csv", oval)], &["check", "25 H7", "--contacts", "c.csv"]);
+    assert!(code == 14 && err.contains("not every two opposite points are within the limits"), "{code}: {err}");
+    let round = "x;y\n12.505;0\n0;12.506\n-12.505;0\n0;-12.506\n";
+    assert_eq!(of(&[("c.csv", round)], &["check", "25 H7", "--contacts", "c.csv"]).0, 0);
+}
+
+#[test]
+fn a_part_that_its_qif_file_rejects_is_looked_at_first() {
+    let qif = include_str!("../data/qif/minimal_bore_25H7.qif");
+    assert_eq!(of(&[("a.qif", qif)], &["import", "a.qif"]).0, 0);
+    let parts: Vec<&str> = qif.split("<InspectionStatusEnum>PASS").collect();
+    for at in 1..parts.len() {
+        let (before, behind) = parts.split_at(at);
+        let pass = "<InspectionStatusEnum>PASS";
+        let text = format!("{}<InspectionStatusEnum>FAIL{}", before.join(pass), behind.join(pass));
+        let (code, err) = of(&[("a.qif", &text)], &["import", "a.qif"]);
+        assert!(code == 14 && err.contains("FAIL of the whole part"), "{code}: {err}");
+    }
+}
