@@ -9,6 +9,7 @@
 //! | with a word of a verdict in one of its cells, whatever it is called | the same |
 //! | of an upper or lower limit, or of a deviation | with the limits and the value, as a size or as a deviation |
 //! | of the type of a feature | where it says hole or shaft |
+//! | of the names, where one of the first speaks of a roundness, a mean or a master | the same names |
 //!
 //! The names and words are English, Dutch, German and Italian. Nothing here changes an answer.
 
@@ -16,12 +17,12 @@ use csv::StringRecord;
 
 use super::cells;
 use super::claim::{Claim, Figure, letters};
-use super::columns::{Columns, Sample};
+use super::columns::{Columns, Sample, name_of};
 use super::evidence::{says_simulated, yes_or_no};
-use super::quantity::is_shape;
+use super::quantity::{is_form, is_shape};
 use super::units;
 use super::words;
-use crate::length::Unit;
+use crate::length::{Length, Unit};
 use crate::tolerance::Feature;
 
 /// What a column says of each value.
@@ -39,6 +40,8 @@ enum Says {
     Deviation,
     /// Hole or shaft.
     Feature,
+    /// What it is of, by a name that speaks of no size of one part.
+    Name,
 }
 
 /// Such a column.
@@ -62,6 +65,9 @@ const REJECTED: &str = "nok|ng|notok|fail|failed|reject|rejected|scrap|scrapped|
     outtol|outoftol|outoftolerance|outoflimits|oot|exceed|exceedance|exceeded|nonconforming|nonconformity|nio|ausschuss|ungültig|gelöscht|\
     ausreißer|überschreitung|toleranzüberschreitung|defekt|afkeur|afgekeurd|ongeldig|verwijderd|vervallen|uitschieter|overschrijding|\
     tolerantieoverschrijding|scarto|scartato|annullato|nonvalido|fuoritolleranza";
+
+/// Words that reject a value where a column says its status, and may say something else elsewhere.
+const REJECTS: &str = "out|red|rot|rood|rosso|aborted|abgebrochen|afgebroken|interrotto";
 
 /// Words of a status within a longer name.
 const STATUS_WORDS: &str = "status|state|judge|judged|judgement|judgment|verdict|evaluation|disposition|conformity|conformance|qc|result|check|\
@@ -110,6 +116,11 @@ fn by_name(header: &str) -> Option<Says> {
     Some(says)
 }
 
+/// What a name says that is not the size of one part: another quantity, or a figure of several parts.
+fn of_no_size(name: &str) -> Option<Claim> {
+    (words::is_of_several_parts(name) || is_form(name)).then(|| Claim::no_size(name))
+}
+
 impl Sample {
     /// The columns beside the value of which something is compared; `names` are those of the columns, where there are any.
     pub(super) fn beside(&self, names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<BesideColumn> {
@@ -118,7 +129,9 @@ impl Sample {
             let name = names.get(at).unwrap_or_default();
             let has_quantity = columns.quantities.iter().any(|column| column.at == at);
             let is_free = !used.contains(&at) && columns.evidence.origin != Some(at);
+            let is_name = columns.id == Some(at) && columns.header.is_some();
             let says = match by_name(name).filter(|_| is_free && !has_quantity) {
+                None if is_name => self.cells(at).any(|cell| of_no_size(cell).is_some()).then_some(Says::Name),
                 Some(says) => Some(says),
                 None if has_quantity || is_free && super::quantity::may_be_named(name) => {
                     self.cells(at).any(|cell| is_shape(cell).is_some()).then_some(Says::Feature)
@@ -130,6 +143,37 @@ impl Sample {
             says.map(|says| BesideColumn { at, name: name.trim().to_owned(), unit, says })
         };
         (0..columns.count).filter_map(column).collect()
+    }
+
+    /// The columns of an unknown name with other sizes near the measured ones: a second reading, another gauge, the largest and the smallest.
+    pub(super) fn other_values(&self, names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<String> {
+        // The user has said which one is the measured value.
+        if self.measured.is_some() {
+            return Vec::new();
+        }
+        let is_free = |at: &usize| {
+            let is_beside = columns.beside.iter().any(|column| column.at == *at);
+            let has_quantity = columns.quantities.iter().any(|column| column.at == *at);
+            let name = names.get(*at).unwrap_or_default();
+            !used.contains(at) && !is_beside && !has_quantity && words::role(name).is_none() && !name.trim().is_empty()
+        };
+        let size = |cells: &StringRecord, at: usize| Length::parse_in(cells.get(at)?.trim(), Unit::Millimetre).ok();
+        let is_other = |at: &usize| {
+            let rows = self.rows.iter().skip(self.above);
+            let pairs = rows.filter_map(|(_, cells)| Some((size(cells, columns.measured.at)?, size(cells, *at)?)));
+            let (mut all, mut near, mut differ) = (0, 0, 0);
+            for (measured, other) in pairs {
+                let off = measured.saturating_sub(other).abs().nanometres();
+                all += 1;
+                // Half a percent: further than a tolerance reaches, and near enough to be no temperature of most rows.
+                near += usize::from(off <= measured.nanometres() / 200);
+                // A whole number is a nominal size.
+                differ += usize::from(off != 0 && other.nanometres() % 1_000_000 != 0);
+            }
+            all < near * 2 && 0 < differ
+        };
+        let all = (0..columns.count).filter(is_free).filter(is_other);
+        all.map(|at| name_of(at, names.get(at).unwrap_or_default())).collect()
     }
 
     /// A column with a cell that says that nobody measured, whatever it is called.
@@ -146,7 +190,7 @@ impl BesideColumn {
 
     /// Whether its claims depend on nothing but the cell, and few words are in it.
     pub(super) const fn has_words(&self) -> bool {
-        matches!(self.says, Says::Status { .. } | Says::Accepted | Says::Rejected | Says::Feature)
+        !matches!(self.says, Says::Upper | Says::Lower | Says::Deviation)
     }
 
     /// What a cell says; numbers without a unit of their column are in the unit of the row.
@@ -158,8 +202,10 @@ impl BesideColumn {
         let said = || if self.name.is_empty() { text.to_owned() } else { format!("{} {text}", self.name) };
         let figure = || Figure::read(text, self.unit.unwrap_or(unit));
         match self.says {
+            Says::Status { .. } if has(REJECTS, &letters(text)) && !self.name.is_empty() => Some(Claim::out(text)),
             Says::Status { is_named: true } => Claim::of_cell(text),
             Says::Status { is_named: false } => Claim::of_word(text),
+            Says::Name => of_no_size(text),
             Says::Accepted => match yes_or_no(text) {
                 Some(true) => Claim::of_word("OK"),
                 Some(false) => Some(Claim::out(&said())),

@@ -51,6 +51,8 @@ enum What {
     Lower(Figure),
     Deviation(Figure),
     Feature(Feature),
+    /// That it is no size of one part.
+    NoSize,
 }
 
 /// The answer that a claim is compared with.
@@ -147,6 +149,11 @@ impl Claim {
         Self::new(shorten(said), What::Feature(feature))
     }
 
+    /// A name that is none of a size of one part.
+    pub(super) fn no_size(said: &str) -> Self {
+        Self::new(shorten(said), What::NoSize)
+    }
+
     /// What a cell of a table says of the status; `None` where it says nothing of a verdict.
     pub(super) fn of_cell(text: &str) -> Option<Self> {
         let is_said = text.contains(|c: char| c.is_alphanumeric() || MARKS.contains(c)) && !says_nothing(text);
@@ -193,6 +200,7 @@ impl Claim {
         let above = |by: Length| nominal.checked_add(by);
         let is_so = match &self.what {
             What::Status(_) => return self.differs(*status),
+            What::NoSize => return Some(ImportWarningKind::NameOfNoSize { given }),
             What::Unknown => return Some(ImportWarningKind::StatusUnknown { given, status: status.word().to_owned() }),
             What::Upper(figure) => figure.is(bounds.maximum(), |number| [Some(number), above(number), None]),
             // A lower deviation may stand without its sign.

@@ -75,6 +75,8 @@ pub(super) struct Columns {
     pub(super) evidence: Evidence,
     /// What is said of a value besides its name.
     pub(super) labels: LabelColumns,
+    /// Columns with other sizes near the measured ones.
+    pub(super) other_values: Vec<String>,
     /// What stands beside a value and may contradict its answer.
     pub(super) beside: Vec<BesideColumn>,
     /// The line of the first row, where the user has said it.
@@ -141,10 +143,17 @@ impl Columns {
         all.chain(self.own.of_correction()).chain(self.labels.iter()).collect()
     }
 
-    /// That words which say nothing known of what was measured are taken for sizes.
+    /// That words which say nothing known of what was measured are taken for sizes, and that other sizes are not judged.
     pub(super) fn taken_as_sizes(&self) -> impl Iterator<Item = ImportWarningKind> {
         let taken = self.quantities.iter().filter_map(QuantityColumn::taken);
-        taken.map(|(column, words)| ImportWarningKind::QuantityUnknown { column: column.clone(), words: words.clone() })
+        let columns = || listed(&self.other_values);
+        let others = (!self.other_values.is_empty()).then(|| ImportWarningKind::OtherValues { columns: columns() });
+        others.into_iter().chain(
+            taken.map(|(column, words)| ImportWarningKind::QuantityUnknown {
+                column: column.clone(),
+                words: words.clone(),
+            }),
+        )
     }
 
     /// The units that unknown names say, where there is one for each column.
@@ -304,6 +313,7 @@ impl Sample {
         let used = columns.used();
         columns.evidence.word = self.says_simulated(columns, &used);
         columns.beside = self.beside(names, columns, &used);
+        columns.other_values = self.other_values(names, columns, &used);
         let at = columns.measured.at;
         columns.decimal_sign = cells::decimal_sign(self.cells(at));
         columns.behind = self.behind(at);
@@ -376,6 +386,7 @@ impl Sample {
             own,
             evidence,
             labels,
+            other_values: Vec::new(),
             beside: Vec::new(),
             first: None,
             stated: Stated::default(),
@@ -445,6 +456,7 @@ impl Sample {
             own: OwnColumns::default(),
             evidence: Evidence::default(),
             labels: LabelColumns::default(),
+            other_values: Vec::new(),
             beside: Vec::new(),
             first: None,
             stated: Stated::default(),

@@ -246,6 +246,45 @@ pub(super) fn is_shape(text: &str) -> Option<bool> {
     }
 }
 
+/// Beginnings of words of form, of roughness and of radii: in the name of a feature they hardly say anything else.
+const FORMS: [&str; 30] = [
+    "roundness",
+    "rundheit",
+    "rondheid",
+    "circularit",
+    "rotondit",
+    "radius",
+    "radii",
+    "raggio",
+    "flatness",
+    "ebenheit",
+    "vlakheid",
+    "planarit",
+    "cylindricit",
+    "zylindrizit",
+    "cilindricit",
+    "straightness",
+    "geradheit",
+    "rechtheid",
+    "rettilin",
+    "parallelis",
+    "perpendicularit",
+    "rechtwinklig",
+    "haaksheid",
+    "concentricit",
+    "konzentrizit",
+    "koaxialit",
+    "runout",
+    "rundlauf",
+    "roughness",
+    "rauheit",
+];
+
+/// Whether the name of a feature says that its form was measured, or its radius.
+pub(super) fn is_form(name: &str) -> bool {
+    words_of(name).iter().any(|word| FORMS.iter().any(|form| word.starts_with(form)))
+}
+
 /// Whether the name of a column says that it may tell what was measured.
 pub(super) fn may_be_named(header: &str) -> bool {
     name(header) != Name::None

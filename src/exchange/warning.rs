@@ -198,6 +198,16 @@ pub enum ImportWarningKind {
         /// How many values.
         count: usize,
     },
+    /// A name that speaks of something else than the size of one part: a roundness, a mean, a master.
+    NameOfNoSize {
+        /// The name.
+        given: String,
+    },
+    /// Columns with other sizes near the measured ones, which are not judged.
+    OtherValues {
+        /// Their names or numbers.
+        columns: String,
+    },
     /// The file does not accept a whole part.
     PartRejected {
         /// The file's word.
@@ -317,6 +327,7 @@ impl ImportWarningKind {
                 | Self::LimitDiffers { .. }
                 | Self::DeviationDiffers { .. }
                 | Self::FeatureDiffers { .. }
+                | Self::NameOfNoSize { .. }
         )
     }
 
@@ -337,6 +348,8 @@ impl ImportWarningKind {
             | Self::SpeaksOfSimulation { .. }
             | Self::AllNominal { .. }
             | Self::PartRejected { .. }
+            | Self::NameOfNoSize { .. }
+            | Self::OtherValues { .. }
             | Self::QuantityUnknown { .. }
             | Self::SheetHidden { .. }
             | Self::RowsHidden { .. }

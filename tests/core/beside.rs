@@ -38,6 +38,8 @@ fn beside(name: &str, cell: &str, code: i32) {
 #[test]
 fn a_rejection_counts_whatever_its_column_is_called() {
     for (name, cell) in [
+        ("Tol. status", "OUT"),
+        ("Program status", "ABORTED"),
         ("OK?", "NOK"),
         ("QC", "NG"),
         ("Test result", "FAIL"),
@@ -190,7 +192,7 @@ fn pairs_are_made_of_parts_that_nobody_rejected() {
         ("Feature;Measured;Status\nB1;25.010;OK\nB2;25.012;NOK\n", "the file itself rejects this value (NOK)"),
     ] {
         let files = [("h.csv", holes), ("s.csv", shafts)];
-        let (code, err) = of(&files, &["pair", "h.csv", "s.csv"]);
+        let (code, err) = of(&files, &["pair", "h.csv", "s.csv", "--clearance", "0.01..0.05"]);
         assert!(code == 1 && err.contains(says), "{code}: {err}");
     }
 }
@@ -217,4 +219,34 @@ fn a_part_that_its_qif_file_rejects_is_looked_at_first() {
         let (code, err) = of(&[("a.qif", &text)], &["import", "a.qif"]);
         assert!(code == 14 && err.contains("FAIL of the whole part"), "{code}: {err}");
     }
+}
+
+#[test]
+fn a_name_of_a_mean_a_master_or_a_form_is_looked_at_first() {
+    for name in
+        ["Mean", "Max", "USL", "Cpk", "Setting master", "Mittelwert", "Roundness bore 1", "Rundheit B2", "Radius 3"]
+    {
+        both(&format!("Feature;Callout;Measured\nB1;25 H7;25.010\n{name};25 H7;25.011\n"), 14);
+    }
+    for name in ["Position 1", "Round bore", "Maxi 3", "Mean street bore"] {
+        both(&format!("Feature;Callout;Measured\nB1;25 H7;25.010\n{name};25 H7;25.011\n"), 0);
+    }
+}
+
+#[test]
+fn other_sizes_beside_the_measured_ones_are_said() {
+    for (names, cells) in [
+        ("M1;M2", "25.05;24.9"),
+        ("#2;#3", "25.05;24.9"),
+        ("CMM;Local max", "25.05;25.10"),
+        ("Reading 2b;n", "25.03;3"),
+    ] {
+        let code = of(
+            &[("a.csv", &format!("Feature;Callout;{names};Measured\nB1;25 H7;{cells};25.013\n"))],
+            &["import", "a.csv"],
+        );
+        assert_ne!(code.0, 0, "{names}");
+    }
+    both("Feature;Callout;Length;Measured;Tip\nB1;25 H7;25;25.013;3.000\n", 0);
+    both("Feature;Callout;Measured;Temp\nB1;25 H7;25.013;21.3\nB2;30 H7;30.01;21.4\n", 0);
 }

@@ -171,6 +171,8 @@ exchange-warning-feature-differs = the file says { $given }, but the limits are 
     }
 exchange-warning-speaks-of-simulation = this line speaks of a simulation: did anybody measure? { $text }
 exchange-warning-all-nominal = all { $count } values are exactly their nominal sizes: this may be a list of sizes that nobody measured
+exchange-warning-name-of-no-size = { $given } is no name of a size of one part, and the value was judged as one
+exchange-warning-other-values = columns with other sizes near the measured ones are not judged: { $columns }
 exchange-warning-part-rejected = the file says { $given } of the whole part
 exchange-warning-uncertainty-not-used = the file states an expanded uncertainty of { $expanded } mm: no rule uses it, so give --u instead
 exchange-warning-plan-differs = the file has the limits { $minimum } to { $maximum }: the plan's limits apply

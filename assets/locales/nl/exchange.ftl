@@ -171,6 +171,8 @@ exchange-warning-feature-differs = het bestand zegt { $given }, maar de grenzen 
     }
 exchange-warning-speaks-of-simulation = deze regel spreekt van een simulatie: heeft iemand gemeten? { $text }
 exchange-warning-all-nominal = alle { $count } waarden zijn precies de nominale maat: misschien is dit een lijst van maten die niemand heeft gemeten
+exchange-warning-name-of-no-size = { $given } is geen naam van een maat van één deel, en de waarde is als zo'n maat beoordeeld
+exchange-warning-other-values = kolommen met andere maten dicht bij de gemeten maten worden niet beoordeeld: { $columns }
 exchange-warning-part-rejected = het bestand zegt { $given } over het hele deel
 exchange-warning-uncertainty-not-used = het bestand noemt een uitgebreide onzekerheid van { $expanded } mm: geen regel gebruikt die, geef daarvoor --u
 exchange-warning-plan-differs = het bestand heeft de grensmaten { $minimum } tot { $maximum }: die van het plan tellen

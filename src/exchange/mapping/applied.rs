@@ -191,6 +191,7 @@ impl Said<'_> {
             own: if self.names.is_empty() { OwnColumns::default() } else { OwnColumns::of(&self.names) },
             evidence: self.evidence(measured),
             labels,
+            other_values: Vec::new(),
             beside: Vec::new(),
             first: self.mapping.first_row,
             stated: Stated::default(),
