@@ -71,7 +71,7 @@ const REJECTS: &str = "out|red|rot|rood|rosso|aborted|abgebrochen|afgebroken|int
 
 /// Words of a status within a longer name.
 const STATUS_WORDS: &str = "status|state|judge|judged|judgement|judgment|verdict|evaluation|disposition|conformity|conformance|qc|result|check|\
-    inspection|decision|ergebnis|prüfergebnis|prüfurteil|prüfstatus|beurteilung|bewertung|freigabe|resultaat|keuring|keuringsresultaat|goedkeuring|\
+    inspection|decision|stato|ergebnis|messergebnis|gesamtergebnis|endergebnis|prüfergebnis|pruefergebnis|prüfurteil|prüfstatus|pruefstatus|prüfbefund|beurteilung|bewertung|freigabe|resultaat|keuring|keuringsresultaat|goedkeuring|\
     beoordeling|oordeel|risultato|esito|conformità|giudizio|verdetto|controllo";
 
 const UPPER: &str = "max|maximum|usl|utl|upper|upper limit|upper spec limit|upper specification limit|upper tol|upper tolerance|upper deviation|\
@@ -124,7 +124,7 @@ fn of_no_size(name: &str) -> Option<Claim> {
 impl Sample {
     /// The columns beside the value of which something is compared; `names` are those of the columns, where there are any.
     pub(super) fn beside(&self, names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<BesideColumn> {
-        let is_verdict = |cell: &str| Claim::of_word(cell).is_some();
+        let is_verdict = |cell: &str| Claim::of_word(cell).is_some_and(|claim| claim.is_known());
         let column = |at: usize| {
             let name = names.get(at).unwrap_or_default();
             let has_quantity = columns.quantities.iter().any(|column| column.at == at);
@@ -204,7 +204,7 @@ impl BesideColumn {
         match self.says {
             Says::Status { .. } if has(REJECTS, &letters(text)) && !self.name.is_empty() => Some(Claim::out(text)),
             Says::Status { is_named: true } => Claim::of_cell(text),
-            Says::Status { is_named: false } => Claim::of_word(text),
+            Says::Status { is_named: false } => Claim::of_word(text).filter(Claim::is_known),
             Says::Name => of_no_size(text),
             Says::Accepted => match yes_or_no(text) {
                 Some(true) => Claim::of_word("OK"),

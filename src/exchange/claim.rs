@@ -15,11 +15,11 @@ const GOOD: &str = "ok|pass|passed|accept|accepted|conform|conforms|conforming|i
 /// The same of one out of its limits.
 const OUT: &str = "nok|notok|ng|fail|failed|reject|rejected|nio|nichtinordnung|nietok|nietakkoord|afgekeurd|nonconform|nonconforme|\
     nonconforming|nonok|ko|bad|schlecht|slecht|scrapped|outoftolerance|outoftol|outoflimits|oot|zurückgewiesen|gesperrt|nichtbestanden|\
-    außerhalb|ausserhalb|fout|fuoritolleranza|nonidoneo|respinto|✗|✘|✕|❌|☒";
+    außerhalb|ausserhalb|fout|fuoritolleranza|nonidoneo|respinto|blocked|✗|✘|✕|❌|☒";
 
 /// Words that say how far a value has come, and nothing of its verdict.
 const NO_VERDICT: &str =
-    "measured|done|complete|completed|finished|gemessen|fertig|erledigt|gemeten|gereed|klaar|misurato|na|none|nv|nvt";
+    "measured|done|complete|completed|finished|gemessen|fertig|erledigt|gemeten|gereed|klaar|misurato|none";
 
 /// Marks that say something without a letter.
 const MARKS: &str = "✓✔✅☑✗✘✕❌☒?!+";
@@ -29,9 +29,14 @@ pub(super) fn letters(word: &str) -> String {
 }
 
 fn says_nothing(text: &str) -> bool {
-    let small = letters(text);
-    NO_VERDICT.split('|').any(|known| known == small)
+    let small = text.trim().to_lowercase();
+    // "NA" without its stroke may be rework.
+    let is_none = matches!(small.as_str(), "n/a" | "n.a." | "n.v.t." | "n. v. t.");
+    is_none || NO_VERDICT.split('|').any(|known| known == small)
 }
+
+/// Marks that turn a word round, or put it in doubt.
+const AGAINST: [char; 8] = ['✗', '✘', '✕', '❌', '☒', '≠', '!', '?'];
 
 /// What a file says of a value.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -167,15 +172,29 @@ impl Claim {
         }
         let small = letters(word);
         let is = |list: &str| list.split('|').any(|known| known == small || known == word.trim());
-        if is(GOOD) {
-            return Some(Self::of(word, Status::Good));
-        }
         if is(OUT) {
             return Some(Self::out(word));
         }
+        if word.contains(AGAINST) {
+            return Some(Self::new(shorten(word), What::Unknown));
+        }
+        if is(GOOD) {
+            return Some(Self::of(word, Status::Good));
+        }
         // "n.i.O. (scratch)", "rejected - burr"
-        let (first, _) = word.split_once(" (").or_else(|| word.split_once(" - ")).or_else(|| word.split_once(": "))?;
-        Some(Self { said: shorten(word), ..Self::of_word(first)? })
+        let (first, rest) =
+            word.split_once(" (").or_else(|| word.split_once(" - ")).or_else(|| word.split_once(": "))?;
+        let claim = Self::of_word(first)?;
+        // "OK (Ausschuss)"
+        let words = rest.split([' ', '(', ')', ',', ';', '/']).filter(|word| !word.is_empty());
+        let is_against = words.filter_map(Self::of_word).any(|more| more.is_rejection() != claim.is_rejection());
+        let what = if is_against { What::Unknown } else { claim.what };
+        Some(Self::new(shorten(word), what))
+    }
+
+    /// Whether it says something that can be compared.
+    pub(super) const fn is_known(&self) -> bool {
+        !matches!(self.what, What::Unknown)
     }
 
     /// Whether it says that the value is not good.

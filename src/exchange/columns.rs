@@ -314,6 +314,11 @@ impl Sample {
         columns.evidence.word = self.says_simulated(columns, &used);
         columns.beside = self.beside(names, columns, &used);
         columns.other_values = self.other_values(names, columns, &used);
+        // What is compared is not skipped.
+        let compared = columns.beside.iter().map(BesideColumn::at).chain(columns.evidence.word);
+        let compared: Vec<String> = compared.map(|at| name_of(at, names.get(at).unwrap_or_default())).collect();
+        columns.ignored.retain(|name| !compared.contains(name));
+        columns.ignored.truncate(NAMED + 1);
         let at = columns.measured.at;
         columns.decimal_sign = cells::decimal_sign(self.cells(at));
         columns.behind = self.behind(at);
@@ -379,7 +384,7 @@ impl Sample {
             count: header.len(),
             header: Some(line),
             names_known: true,
-            ignored: ignored.take(NAMED + 1).map(|(at, name)| name_of(at, name)).collect(),
+            ignored: ignored.map(|(at, name)| name_of(at, name)).collect(),
             decimal_sign: None,
             behind: None,
             decimals: None,
@@ -448,7 +453,7 @@ impl Sample {
             count,
             header: None,
             names_known: false,
-            ignored: (0..count).filter(|at| !is_used(*at)).take(NAMED + 1).map(|at| name_of(at, "")).collect(),
+            ignored: (0..count).filter(|at| !is_used(*at)).map(|at| name_of(at, "")).collect(),
             quantities,
             decimal_sign: None,
             behind: None,

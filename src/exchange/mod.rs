@@ -24,6 +24,8 @@
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
 //! | `sizes` | what was measured alone, of holes or of shafts |
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
+//! | `beside`, `claim` | what stands beside a value and is compared with its answer: a status, limits, a deviation; its words |
+//! | `evidence` | columns that say whether somebody measured, and whether a value is at 20 °C |
 //! | `rivals` | which of several columns is the measured value, the nominal size, the callout: one, or none in silence |
 //! | `quantity` | what a row says that was measured of its feature |
 //! | `stated` | what a file states about units beside the names of its columns |

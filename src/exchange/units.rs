@@ -2,6 +2,8 @@
 //!
 //! What may be a unit and is none that is known is refused: a measured value in another unit is a wrong verdict.
 
+use unicode_normalization::UnicodeNormalization as _;
+
 use super::words;
 use crate::length::Unit;
 
@@ -137,6 +139,9 @@ impl Parts {
 
 /// The words of a text in small letters; `measuredValue` is two of them.
 pub(super) fn words_of(text: &str) -> Vec<String> {
+    // Some systems write "ü" as two characters.
+    let composed = text.contains('\u{308}').then(|| text.nfc().collect::<String>());
+    let text = composed.as_deref().unwrap_or(text);
     let mut spaced = String::new();
     let mut before = ' ';
     for c in text.chars() {

@@ -1,4 +1,7 @@
 //! The words that people use to name columns, in English, Dutch, German and Italian; `units` has the units beside them.
+//!
+//! To add a name of a column: add it to its list, in small letters, with one blank for each sign. Names of what is compared beside a value are
+//! in `beside`, words of a verdict in `claim`, words of what was measured in `quantity`. Tests: `tests/core/beside.rs`, `column_mapping.rs`.
 
 use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
@@ -108,7 +111,9 @@ const STRANGE: &str = "simulated|simulation|sim|previous|prev|prior|old|former|e
     simulato|simulata|precedente|vecchio|vecchia|ultimo|ultima|atteso|attesa|previsto|prevista|stimato|stimata|\
     calcolato|calcolata|riferimento|raggio|rugosità|rugosita|profondità|profondita|angolo|cilindricità|planarità|\
     usura|correzione|incertezza|dispersione|\
-    before|pre|beforehand|vorher|vóór|vooraf|\
+    before|pre|beforehand|vorher|vóór|vooraf|uncoated|prehone|prehoned|rough|rohteil|roh|vorgedreht|vorbearbeitet|vorbearbeitung|\
+    unbeschichtet|voorbewerkt|onbehandeld|ruw|grezzo|grezza|sgrossato|sgrossata|\
+    counterpart|mating|gegenstück|gegenstueck|gegenteil|tegenstuk|controparte|prüfring|pruefring|normal|vorgabe|\
     master|masters|setting|preset|calibration|calibrated|calibrating|cal|zero|zeroing|zeroed|gage|\
     einstellring|einstellmeister|einstellung|einstellmaß|einstellmass|einstellnormal|meister|meisterring|meisterteil|\
     lehrring|kalibrierung|kalibriert|kalibrierring|eichung|eichring|null|nullung|nullpunkt|nullmaß|nullmass|referenzring|\

@@ -16,7 +16,10 @@
 //! 1. Add a variant to the enum of its room, which derives [`Say`]. A place in a file is [`Located`], never a field.
 //! 2. Add its text to every folder of `assets/locales`. Its name is the prefix of the enum and the variant in kebab case; its
 //!    arguments are the fields. `derive/src/lib.rs` has the attributes that change this. `Display` is the English text.
-//! 3. If the command line shows it as a warning or a remark, decide in `cli/admitted.rs` whether it changes the exit code.
+//! 3. If the command line shows it as a warning or a remark, decide in `cli/admitted.rs` whether it changes the exit code. A warning of a
+//!    measurement file decides in `exchange/warning.rs`: `stands_against` (exit code 14), `is_loss` (the note of a watched folder) and
+//!    `is_of_claim` (said again by a plan). If `batch` meets it in a row, it needs a `Kind` in `exchange/batch/tally.rs`, a line in
+//!    `cli/batch/summary.rs` and one in `gui/check/rows_panel.rs` with its text in `window.ftl`.
 //!
 //! A missing English text does not compile, nor does a text with an argument that the variant lacks. The test `locales` finds a
 //! missing text of another language. It also finds ids without a text that a declaration names or that the code composes.

@@ -250,3 +250,51 @@ fn other_sizes_beside_the_measured_ones_are_said() {
     both("Feature;Callout;Length;Measured;Tip\nB1;25 H7;25;25.013;3.000\n", 0);
     both("Feature;Callout;Measured;Temp\nB1;25 H7;25.013;21.3\nB2;30 H7;30.01;21.4\n", 0);
 }
+
+/// A good word with something against it is not good.
+#[test]
+fn a_word_that_is_put_in_doubt_is_looked_at() {
+    for word in [
+        "!OK",
+        "≠OK",
+        "OK?",
+        "OK ✗",
+        "❌ OK",
+        "OK (Ausschuss)",
+        "OK - NOK",
+        "OK: rejected",
+        "GOOD (blocked)",
+        "NA",
+        "NV",
+    ] {
+        beside("Verdict", word, 14);
+    }
+    for word in ["OK (checked twice)", "n/a", "n.v.t.", "i.O."] {
+        beside("Verdict", word, 0);
+    }
+    for name in ["stato", "Prüfstatus", "Pru\u{308}fergebnis", "Inspection result", "OK/NOK", "OK-NOK"] {
+        beside(name, "NOK", 14);
+    }
+}
+
+/// Umlauts of two characters, and values of before the last operation or of another thing.
+#[test]
+fn a_value_of_before_or_of_something_else_is_none() {
+    for name in [
+        "fru\u{308}her gemessen",
+        "Istmaß Rohteil",
+        "Istmaß vorgedreht",
+        "measured uncoated",
+        "Istmaß Gegenstück",
+        "Ist Prüfring",
+    ] {
+        both(&format!("Feature;Callout;{name}\nB1;25 H7;25.013\n"), 1);
+    }
+}
+
+#[test]
+fn what_is_compared_is_not_called_skipped() {
+    let rows = "Feature;Callout;Measured;Status;USL;Remark\nB1;25 H7;25.013;OK;25.021;x\n";
+    let (code, err) = of(&[("a.csv", rows)], &["import", "a.csv"]);
+    assert!(code == 0 && err.contains("columns skipped: 6 (Remark)\n"), "{code}: {err}");
+}

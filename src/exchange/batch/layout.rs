@@ -160,7 +160,7 @@ impl Layout {
         self.separator == b',' && !self.is_typed
     }
 
-    /// Whether a verdict depends on what is in a column.
+    /// Whether a verdict, or what is told of it, depends on what is in a column.
     pub fn is_judged(&self, at: usize) -> bool {
         let columns = &self.columns;
         columns.measured.at == at
@@ -170,7 +170,9 @@ impl Layout {
             || columns.own.deciding().contains(&Some(at))
             || columns.stated.columns.contains(&at)
             || columns.nominal.is_some_and(|nominal| nominal.at == at)
+            || columns.evidence.word == Some(at)
             || columns.quantities.iter().any(|column| column.at == at)
+            || columns.beside.iter().any(|column| column.at() == at)
     }
 
     /// Whether the mark of a simulation stands above its rows.
