@@ -219,8 +219,11 @@ impl BesideColumn {
                 }
                 None => Claim::of_cell(text),
             },
-            Says::Upper => figure().map(|figure| Claim::limit(&said(), true, figure)),
-            Says::Lower => figure().map(|figure| Claim::limit(&said(), false, figure)),
+            Says::Upper | Says::Lower => {
+                // Measuring machines write the largest and the smallest reading below these names, too.
+                let is_sure = !has("max|maximum|min|minimum|massimo|minimo", &words::bare(&self.name));
+                figure().map(|figure| Claim::limit(&said(), self.says == Says::Upper, is_sure, figure))
+            }
             Says::Deviation => figure().map(|figure| Claim::deviation(&said(), figure)),
             Says::Feature => {
                 let feature = if is_shape(text)? { Feature::Hole } else { Feature::Shaft };

@@ -54,6 +54,9 @@ enum What {
     Unknown,
     Upper(Figure),
     Lower(Figure),
+    /// The largest of something: a limit, or one of several readings.
+    Largest(Figure),
+    Smallest(Figure),
     Deviation(Figure),
     Feature(Feature),
     /// That it is no size of one part.
@@ -89,6 +92,11 @@ impl Figure {
         let read = |unit: Unit| Some((Length::parse_in(&text, unit).ok()?, rounded_by(unit, decimals)));
         let own = read(unit)?;
         Some(Self([Some(own), read(Unit::Micrometre).filter(|_| unit == Unit::Millimetre)]))
+    }
+
+    /// Whether it lies between two sizes, as it stands.
+    fn is_within(self, from: Length, to: Length) -> bool {
+        self.0.first().copied().flatten().is_some_and(|(size, _)| from <= size && size <= to)
     }
 
     /// Whether a reading is one of these lengths, each made of the number.
@@ -139,9 +147,15 @@ impl Claim {
         Self::new(shorten(said), What::Status(&[]))
     }
 
-    /// A limit, which may be a size or a deviation.
-    pub(super) fn limit(said: &str, is_upper: bool, figure: Figure) -> Self {
-        Self::new(shorten(said), if is_upper { What::Upper(figure) } else { What::Lower(figure) })
+    /// A limit, which may be a size or a deviation; where it is not sure, it may be the largest or the smallest reading as well.
+    pub(super) fn limit(said: &str, is_upper: bool, is_sure: bool, figure: Figure) -> Self {
+        let what = match (is_upper, is_sure) {
+            (true, true) => What::Upper(figure),
+            (false, true) => What::Lower(figure),
+            (true, false) => What::Largest(figure),
+            (false, false) => What::Smallest(figure),
+        };
+        Self::new(shorten(said), what)
     }
 
     /// A deviation of the value.
@@ -221,9 +235,13 @@ impl Claim {
             What::Status(_) => return self.differs(*status),
             What::NoSize => return Some(ImportWarningKind::NameOfNoSize { given }),
             What::Unknown => return Some(ImportWarningKind::StatusUnknown { given, status: status.word().to_owned() }),
-            What::Upper(figure) => figure.is(bounds.maximum(), |number| [Some(number), above(number), None]),
+            What::Largest(figure) if figure.is_within(*measured, bounds.maximum()) => true,
+            What::Smallest(figure) if figure.is_within(bounds.minimum(), *measured) => true,
+            What::Upper(figure) | What::Largest(figure) => {
+                figure.is(bounds.maximum(), |number| [Some(number), above(number), None])
+            }
             // A lower deviation may stand without its sign.
-            What::Lower(figure) => {
+            What::Lower(figure) | What::Smallest(figure) => {
                 figure.is(bounds.minimum(), |number| [Some(number), above(number), nominal.checked_sub(number)])
             }
             What::Deviation(figure) => figure.is(*measured, |by| [above(by), bounds.middle().checked_add(by), None]),

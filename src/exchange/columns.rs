@@ -107,7 +107,8 @@ impl LabelColumns {
         Self {
             number: at(Role::Number),
             part: at(Role::Part),
-            serial: at(Role::Serial),
+            // A serial number that names the rows is one all the same.
+            serial: (0..).zip(header).find(|(_, name)| words::label(name) == Some(Role::Serial)).map(|(at, _)| at),
             who: at(Role::Who),
             place: [Role::X, Role::Y, Role::Z].map(place),
         }

@@ -128,12 +128,19 @@ impl Reader<'_> {
         if !table.iter().any(|(key, _)| key.get_ref() == VERSION_KEY) {
             self.problem(0, PlanFault::NoColumn { column: VERSION_KEY });
         }
+        let mut seen = Vec::new();
         for (key, value) in table {
             let at = key.span().start;
             match key.get_ref().as_ref() {
                 VERSION_KEY => self.version(value),
                 FEATURE => self.features(value),
-                name => self.head(name, at, value),
+                name => match HeadField::of_key(name).filter(|field| seen.contains(field)) {
+                    Some(twice) => self.problem(at, PlanFault::ColumnTwice { column: twice.key() }),
+                    None => {
+                        seen.extend(HeadField::of_key(name));
+                        self.head(name, at, value);
+                    }
+                },
             }
         }
     }
@@ -172,6 +179,7 @@ impl Reader<'_> {
                 continue;
             };
             let mut row = Row::at(self.lines.place(feature.span().start));
+            let mut seen = Vec::new();
             for (key, value) in table {
                 let name = key.get_ref().as_ref();
                 let Some(column) = Column::of_key(name) else {
@@ -179,6 +187,12 @@ impl Reader<'_> {
                     self.problem(key.span().start, what);
                     continue;
                 };
+                // TOML itself refuses the same spelling alone.
+                if seen.contains(&column) {
+                    self.problem(key.span().start, PlanFault::ColumnTwice { column: column.key() });
+                    continue;
+                }
+                seen.push(column);
                 if let Some(text) = self.text(column.key(), value, "a text or a number") {
                     row.put(column, Cell::at(text, self.lines.place(value.span().start)));
                 }

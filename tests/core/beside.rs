@@ -100,6 +100,10 @@ fn limits_that_contradict_the_callout_are_told() {
         ("Boven;Onder", "25,033;25", 14),
         ("Max;Min", "25.021;25.000", 0),
         ("Max;Min", "-;", 0),
+        // Of several readings, within the limits and not.
+        ("Max;Min", "25.018;25.011", 0),
+        ("Max;Min", "25.024;25.011", 14),
+        ("Max;Min", "25.013;25.000", 14),
     ] {
         both(&row(names, cells), code);
     }
@@ -297,4 +301,114 @@ fn what_is_compared_is_not_called_skipped() {
     let rows = "Feature;Callout;Measured;Status;USL;Remark\nB1;25 H7;25.013;OK;25.021;x\n";
     let (code, err) = of(&[("a.csv", rows)], &["import", "a.csv"]);
     assert!(code == 0 && err.contains("columns skipped: 6 (Remark)\n"), "{code}: {err}");
+}
+
+mod runs {
+    //! Programs whose contacts are another feature's, or whose remarks are more than are listed.
+
+    use super::of;
+
+    fn bore(x: i32, maximum: &str) -> String {
+        let inputs = [
+            ("Q274", "+20"),
+            ("Q262", "+25"),
+            ("Q325", "+0"),
+            ("Q247", "+90"),
+            ("Q261", "-5"),
+            ("Q320", "+0"),
+            ("Q260", "+20"),
+            ("Q301", "+0"),
+            ("Q275", maximum),
+            ("Q276", "+25"),
+            ("Q279", "+0"),
+            ("Q280", "+0"),
+            ("Q281", "+0"),
+            ("Q309", "+0"),
+            ("Q330", "+0"),
+            ("Q423", "+4"),
+            ("Q365", "+1"),
+        ];
+        let inputs: Vec<String> = inputs.iter().map(|(name, value)| format!("{name}={value}")).collect();
+        format!("TCH PROBE 421 MEASURE HOLE ~\nQ273=+{x} ~\n{}\n", inputs.join(" ~\n"))
+    }
+
+    fn program(blocks: &str) -> String {
+        format!("0 BEGIN PGM A MM\nTOOL CALL 1 Z S100\n{blocks}M30\nEND PGM A MM\n")
+    }
+
+    #[test]
+    fn contacts_of_another_bore_are_looked_at_first() {
+        let two = program(&(bore(10, "+25.021") + &bore(60, "+25.13")));
+        let (a, b) = (
+            "22.55,20,-5\n10,32.55,-5\n-2.55,20,-5\n10,7.45,-5\n",
+            "72.505,20,-5\n60,32.505,-5\n47.495,20,-5\n60,7.495,-5\n",
+        );
+        for (order, code) in [(format!("x,y,z\n{a}{b}"), 11), (format!("x,y,z\n{b}{a}"), 14)] {
+            let files = [("a.h", two.as_str()), ("c.csv", order.as_str())];
+            let (found, err) = of(&files, &["run", "a.h", "--contacts", "c.csv"]);
+            assert_eq!(found, code, "{err}");
+        }
+        let far = format!("x,y,z\n{b}");
+        let one = program(&bore(10, "+25.021"));
+        let files = [("a.h", one.as_str()), ("c.csv", far.as_str())];
+        let (found, err) = of(&files, &["cycle", "421", "--block", "a.h", "--contacts", "c.csv"]);
+        assert_eq!(found, 14, "{err}");
+    }
+
+    #[test]
+    fn a_measurement_that_was_skipped_behind_a_thousand_remarks_is_looked_at_first() {
+        let mills = (0..1_100).map(|n| format!("L X+{} Y+20 Z-5 R0 FMAX\n", 100 + n % 2)).collect::<String>();
+        let skipped = "TCH PROBE 420 MEASURE ANGLE ~\nQ263=+0 ~\nQ264=+0\n";
+        let blocks = format!("{mills}L Z+50 R0 FMAX\n{skipped}{}", bore(10, "+25.021"));
+        let workpiece = "[[feature]]\nname = \"A\"\nkind = \"bore\"\ncentre = [10, 20]\ndiameter = 25.01\nbottom = -20\n\
+            [[feature]]\nname = \"BOSS\"\nkind = \"boss\"\ncentre = [100, 20]\nlengths = [40, 40]\ntop = 0\nbottom = -20\n";
+        let files = [("a.h", program(&blocks)), ("p.toml", workpiece.to_owned())];
+        let files = files.each_ref().map(|(name, text)| (*name, text.as_str()));
+        let (code, err) = of(&files, &["run", "a.h", "--skip-unknown", "--workpiece", "p.toml"]);
+        assert!(code == 14 && err.contains("more remarks are not listed"), "{code}: {err}");
+    }
+
+    #[test]
+    fn a_part_that_was_turned_is_looked_at_first() {
+        let files = [("a.h", program(&format!("L C+90 R0 FMAX\n{}", bore(10, "+25.021"))))];
+        let files = files.each_ref().map(|(name, text)| (*name, text.as_str()));
+        let contacts = [files[0], ("c.csv", "x,y,z\n22.505,20,-5\n10,32.505,-5\n-2.505,20,-5\n10,7.495,-5\n")];
+        let (code, err) = of(&contacts, &["run", "a.h", "--contacts", "c.csv"]);
+        assert!(code == 14 && err.contains("as if not turned"), "{code}: {err}");
+    }
+}
+
+/// TOML itself refuses the same spelling alone.
+#[test]
+fn a_key_of_a_plan_in_two_spellings_is_refused() {
+    let head = "fitcheck_plan = 1\npart = \"One\"\n";
+    let feature = "[[feature]]\nname = \"A\"\ncallout = \"25 H11\"\n";
+    for text in [
+        format!("{head}{feature}Callout = \"25 H7\"\n"),
+        format!("{head}rule = \"simple\"\nRULE = \"iso14253-2017\"\n{feature}"),
+    ] {
+        let (code, err) = of(&[("p.toml", &text)], &["plan", "check", "p.toml"]);
+        assert!(code == 1 && err.contains("occurs twice"), "{code}: {err}");
+    }
+}
+
+/// One size of each part: the serial number names the row, and is a serial number all the same.
+#[test]
+fn a_serial_number_that_names_the_rows_is_found_as_one() {
+    let folder = tempfile::tempdir().unwrap();
+    for (name, head, row) in [
+        ("a.csv", "callout;Istmaß;Seriennummer", "25 H7;25,05;S1"),
+        ("b.csv", "callout;measured;serial;part", "25 H7;25.05;S2;Flange"),
+    ] {
+        fitcheck::files::write(&folder.path().join(name), format!("{head}\n{row}\n").as_bytes()).unwrap();
+        assert_eq!(within(folder.path(), &["import", name, "--record"]).0, 11);
+    }
+    for serial in ["serial:S1", "serial:S2"] {
+        let mut command = cargo_bin_cmd!("fitcheck");
+        let command = command.current_dir(folder.path()).env("FITCHECK_JOURNAL", folder.path().join("j.sqlite"));
+        let output =
+            command.env("HOME", folder.path().join("home")).args(["journal", "list", serial]).output().unwrap();
+        let text = String::from_utf8(output.stdout).unwrap();
+        assert!(text.contains("SCRAP"), "{serial}: {text}");
+    }
 }

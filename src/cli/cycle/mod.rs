@@ -216,7 +216,7 @@ impl Args {
             io.fail(broken);
             return Ok(Outcome::BadData);
         }
-        if result.remarks.iter().any(|remark| matches!(remark, CycleRemark::Zone(_))) {
+        if result.remarks.iter().any(CycleRemark::stands_against) {
             io.look_first();
         }
         Ok(result.verdict().map_or(Outcome::Done, Outcome::Judged))

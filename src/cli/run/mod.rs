@@ -168,11 +168,10 @@ impl Args {
             return Ok(Outcome::BadData);
         }
         recorded?;
-        let Some(status) = machine.status() else { return Ok(Outcome::Done) };
-        if machine.remarks().iter().any(|(_, remark)| remark.stands_against()) {
+        if machine.remarks_stand_against() {
             io.look_first();
         }
-        Ok(Outcome::Judged(status))
+        Ok(machine.status().map_or(Outcome::Done, Outcome::Judged))
     }
 
     /// Runs it, and prints what is to be said of it.

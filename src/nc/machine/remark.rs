@@ -10,7 +10,7 @@ use crate::control::variables::Parameter;
 use crate::length::Length;
 use crate::message::{Arg, Message, Say};
 use crate::probing::circle::CircleWarning;
-use crate::probing::cycle::{Control, Cycle, CycleResult, Key, Remark as CycleRemark};
+use crate::probing::cycle::{Control, Cycle, CycleResult, Key};
 use crate::probing::simulated::{Collision, Mover};
 
 /// Something worth knowing.
@@ -115,7 +115,7 @@ pub enum Remark {
         /// What it says.
         what: Message,
     },
-    /// Limits of a measuring cycle that are out of all proportion: what it says of them.
+    /// What a measuring cycle says against its own answer: limits out of all proportion, contacts of somewhere else.
     Doubted {
         /// What it says.
         what: Message,
@@ -267,7 +267,7 @@ impl Remark {
     pub(super) fn of_cycle(cycle: &Cycle, result: &CycleResult) -> Vec<Self> {
         let doubtful = result.warnings().into_iter().filter(CircleWarning::is_of_diameter);
         let said = result.remarks.iter().map(|remark| match remark {
-            CycleRemark::Zone(doubt) => Self::Doubted { what: doubt.message() },
+            against if against.stands_against() => Self::Doubted { what: against.message() },
             other => Self::Measured { what: other.message() },
         });
         let doubtful = doubtful.map(|warning| Self::Measured { what: warning.message() });
@@ -278,7 +278,7 @@ impl Remark {
         remarks
     }
 
-    /// Whether something that may have been measured is left out of what is judged, or limits that it is judged by are doubted.
+    /// Whether something that may have been measured is left out of what is judged, or what it is judged by is doubted or assumed.
     pub const fn stands_against(&self) -> bool {
         matches!(
             self,
@@ -286,6 +286,8 @@ impl Remark {
                 | Self::MeasurementSkipped
                 | Self::DatumSkipped
                 | Self::Doubted { .. }
+                | Self::RotaryMoved { .. }
+                | Self::OtherPreset { .. }
                 | Self::ContactsLeft { .. }
         )
     }
@@ -317,15 +319,18 @@ pub(super) struct Remarks {
     of: BTreeMap<BlockPlace, Vec<usize>>,
     unlisted: usize,
     most: usize,
+    stand_against: bool,
 }
 
 impl Remarks {
     pub(super) const fn new(budget: &Budget) -> Self {
-        Self { list: Vec::new(), of: BTreeMap::new(), unlisted: 0, most: budget.remarks }
+        Self { list: Vec::new(), of: BTreeMap::new(), unlisted: 0, most: budget.remarks, stand_against: false }
     }
 
     /// Adds a remark, unless the block already has the same one.
     pub(super) fn add(&mut self, place: BlockPlace, remark: Remark) {
+        // Also of one that finds no place in the list any more.
+        self.stand_against |= remark.stands_against();
         // Only remarks of the same block are compared: a loop makes the same ones again and again.
         let said = self.of.get(&place).into_iter().flatten();
         if said.filter_map(|number| self.list.get(*number)).any(|(_, said)| *said == remark) {
@@ -361,6 +366,11 @@ impl Remarks {
 
     pub(super) fn list(&self) -> &[(BlockPlace, Remark)] {
         &self.list
+    }
+
+    /// Whether one of them stands against what was judged.
+    pub(super) const fn stand_against(&self) -> bool {
+        self.stand_against
     }
 
     pub(super) const fn unlisted(&self) -> usize {

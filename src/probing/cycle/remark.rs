@@ -58,3 +58,11 @@ pub enum Remark {
         key: Key,
     },
 }
+
+impl Remark {
+    /// Whether it stands against what the cycle says: limits out of all proportion, contacts of somewhere else, or a tolerance that was
+    /// written and not understood.
+    pub const fn stands_against(&self) -> bool {
+        matches!(self, Self::Zone(_) | Self::ContactAstray { .. } | Self::NoTolerance { .. })
+    }
+}

@@ -300,6 +300,11 @@ impl Machine {
         self.run.remarks.list()
     }
 
+    /// Whether something worth knowing stands against what was judged, listed or not.
+    pub const fn remarks_stand_against(&self) -> bool {
+        self.run.remarks.stand_against()
+    }
+
     /// How many remarks are not listed.
     pub const fn unlisted_remarks(&self) -> usize {
         self.run.remarks.unlisted()
