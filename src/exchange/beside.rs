@@ -193,6 +193,12 @@ impl BesideColumn {
         !matches!(self.says, Says::Upper | Says::Lower | Says::Deviation)
     }
 
+    /// Measuring machines write the largest and the smallest reading below short names, too.
+    fn limit(&self, claim: Claim) -> Claim {
+        let is_short = has("max|maximum|min|minimum|massimo|minimo", &words::bare(&self.name));
+        if is_short { claim.or_reading() } else { claim }
+    }
+
     /// What a cell says; numbers without a unit of their column are in the unit of the row.
     pub(super) fn claim(&self, text: &str, unit: Unit) -> Option<Claim> {
         let text = text.trim();
@@ -219,11 +225,8 @@ impl BesideColumn {
                 }
                 None => Claim::of_cell(text),
             },
-            Says::Upper | Says::Lower => {
-                // Measuring machines write the largest and the smallest reading below these names, too.
-                let is_sure = !has("max|maximum|min|minimum|massimo|minimo", &words::bare(&self.name));
-                figure().map(|figure| Claim::limit(&said(), self.says == Says::Upper, is_sure, figure))
-            }
+            Says::Upper => figure().map(|figure| self.limit(Claim::upper(&said(), figure))),
+            Says::Lower => figure().map(|figure| self.limit(Claim::lower(&said(), figure))),
             Says::Deviation => figure().map(|figure| Claim::deviation(&said(), figure)),
             Says::Feature => {
                 let feature = if is_shape(text)? { Feature::Hole } else { Feature::Shaft };

@@ -147,15 +147,25 @@ impl Claim {
         Self::new(shorten(said), What::Status(&[]))
     }
 
-    /// A limit, which may be a size or a deviation; where it is not sure, it may be the largest or the smallest reading as well.
-    pub(super) fn limit(said: &str, is_upper: bool, is_sure: bool, figure: Figure) -> Self {
-        let what = match (is_upper, is_sure) {
-            (true, true) => What::Upper(figure),
-            (false, true) => What::Lower(figure),
-            (true, false) => What::Largest(figure),
-            (false, false) => What::Smallest(figure),
+    /// An upper limit, which may be a size or a deviation.
+    pub(super) fn upper(said: &str, figure: Figure) -> Self {
+        Self::new(shorten(said), What::Upper(figure))
+    }
+
+    /// A lower one.
+    pub(super) fn lower(said: &str, figure: Figure) -> Self {
+        Self::new(shorten(said), What::Lower(figure))
+    }
+
+    /// The same of a limit that may be the largest or the smallest of several readings as well.
+    #[must_use]
+    pub(super) fn or_reading(self) -> Self {
+        let what = match self.what {
+            What::Upper(figure) => What::Largest(figure),
+            What::Lower(figure) => What::Smallest(figure),
+            other => other,
         };
-        Self::new(shorten(said), what)
+        Self { what, ..self }
     }
 
     /// A deviation of the value.
@@ -249,10 +259,11 @@ impl Claim {
             What::Feature(_) => return Some(ImportWarningKind::FeatureDiffers { given, feature: bounds.feature }),
         };
         let (minimum, maximum) = (bounds.minimum(), bounds.maximum());
-        (!is_so).then(|| match self.what {
+        let differs = match self.what {
             What::Deviation(_) => ImportWarningKind::DeviationDiffers { given, measured: *measured, nominal },
             _ => ImportWarningKind::LimitDiffers { given, minimum, maximum },
-        })
+        };
+        (!is_so).then_some(differs)
     }
 
     /// The warning where a verdict is another one.

@@ -431,9 +431,8 @@ impl Sample {
             let (column, seen) = self.look(header, at, name, names)?;
             let is_read = match name {
                 _ if free == Free::NamesToo => seen.shapes == 0 && (seen.are_quantities() || seen.all_known(name)),
-                Name::Strong => true,
                 // What is empty in the first rows may say it further down.
-                Name::Weak => true,
+                Name::Strong | Name::Weak => true,
                 Name::None => seen.shapes == 0 && seen.are_quantities(),
             };
             is_read.then_some(column)

@@ -134,13 +134,15 @@ impl Reader<'_> {
             match key.get_ref().as_ref() {
                 VERSION_KEY => self.version(value),
                 FEATURE => self.features(value),
-                name => match HeadField::of_key(name).filter(|field| seen.contains(field)) {
-                    Some(twice) => self.problem(at, PlanFault::ColumnTwice { column: twice.key() }),
-                    None => {
-                        seen.extend(HeadField::of_key(name));
+                name => {
+                    let field = HeadField::of_key(name);
+                    if let Some(twice) = field.filter(|field| seen.contains(field)) {
+                        self.problem(at, PlanFault::ColumnTwice { column: twice.key() });
+                    } else {
+                        seen.extend(field);
                         self.head(name, at, value);
                     }
-                },
+                }
             }
         }
     }

@@ -1011,6 +1011,25 @@ fn one_changed_key_in_what_questions_look_at_is_named() {
 }
 
 #[test]
+fn what_questions_are_answered_by_is_compared_with_how_it_is_made() {
+    for (change, name) in [
+        ("DROP INDEX find_at", "find_at"),
+        ("DROP INDEX find_status; CREATE INDEX find_status ON find(status, number) WHERE status <> 3", "find_status"),
+        ("CREATE INDEX mine ON find(status)", "mine"),
+        ("CREATE TABLE mine(number INTEGER)", "mine"),
+        ("INSERT INTO indexed VALUES (0)", "indexed"),
+        ("INSERT INTO chain VALUES (randomblob(16))", "chain"),
+    ] {
+        let place = Place::with(20);
+        place.open().tidy().unwrap();
+        assert!(place.verify().is_whole(), "{change}");
+        rusqlite::Connection::open(place.path()).unwrap().execute_batch(change).unwrap();
+        let found = place.verify().findings;
+        assert!(found.contains(&Finding::Altered { name: name.to_owned() }), "{change}: {found:?}");
+    }
+}
+
+#[test]
 fn an_index_that_hides_an_entry_is_named() {
     let place = Place::with(700);
     place.open().tidy().unwrap();

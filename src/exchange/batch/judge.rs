@@ -173,6 +173,9 @@ impl<'a> Court<'a> {
     }
 }
 
+/// A cell beside a value, the number of its column among these, and what it claims.
+type Word = (usize, Vec<u8>, Option<Claim>);
+
 /// Judges blocks of rows, and remembers the classes that it met.
 #[derive(Debug)]
 pub struct Judge<'a> {
@@ -183,8 +186,8 @@ pub struct Judge<'a> {
     /// The verdicts of callouts without a class.
     others: Counts,
     index: Index,
-    /// What words in columns beside the value claim, as they were met: the number of the column among these, and the cell.
-    claims: Vec<((usize, Vec<u8>), Option<Claim>)>,
+    /// What words in columns beside the value claim, as they were met.
+    claims: Vec<Word>,
 }
 
 /// How many rows are good, rework, to be measured again, scrap: in the order of [`Status::ALL`].
@@ -327,20 +330,22 @@ impl Judge<'_> {
                 continue;
             }
             let cell = row.cell(column.at()).unwrap_or_default();
-            let known = self.claims.iter().position(|((of, word), _)| *of == number && word == cell);
+            let known = self.claims.iter().position(|(of, word, _)| *of == number && word == cell);
             let at = known.unwrap_or_else(|| {
                 // A column with ever new words claims nothing that is known here.
                 self.claims.truncate(MOST_CLAIMS);
                 let claim = column.claim(utf8(cell).trim().trim_matches('"'), Unit::Millimetre);
-                self.claims.push(((number, cell.to_vec()), claim));
+                self.claims.push((number, cell.to_vec(), claim));
                 self.claims.len() - 1
             });
-            let claim = self.claims.get(at).and_then(|(_, claim)| claim.as_ref());
+            let claim = self.claims.get(at).and_then(|(.., claim)| claim.as_ref());
             Self::told(claim.and_then(|claim| claim.tells(&answer)), tally);
         }
         if has_figures {
             let figures = self.court.layout.columns.figures(&row.record());
-            figures.iter().for_each(|claim| Self::told(claim.tells(&answer), tally));
+            for claim in figures {
+                Self::told(claim.tells(&answer), tally);
+            }
         }
     }
 

@@ -3,6 +3,8 @@
 //! `entry` is the truth and never changes its form: what was written stays as it was. Everything else is derived from it, serves
 //! questions, and is made anew by every newer version ([`rebuild`]).
 
+use std::collections::BTreeMap;
+
 use rusqlite::{Connection, OptionalExtension as _, Transaction, TransactionBehavior};
 
 use super::index;
@@ -112,4 +114,31 @@ pub(super) fn altered(connection: &Connection) -> rusqlite::Result<Option<String
          AND name NOT IN ('entry_keeps', 'entry_stays', 'entry_follows') LIMIT 1",
     )?;
     others.query_row([], |row| row.get(0)).optional()
+}
+
+/// What questions are answered by is missing or not what it should be, or something else is there beside it; `None` where all is as it was made.
+pub(super) fn derived_altered(connection: &Connection) -> rusqlite::Result<Option<String>> {
+    let made = Connection::open_in_memory()?;
+    made.execute_batch(FIND)?;
+    let (expected, mut there) = (tables(&made)?, tables(connection)?);
+    there.retain(|name, _sql| ENTRY.iter().all(|(kept, _)| kept != name));
+    let mut names = expected.keys().chain(there.keys());
+    if let Some(name) = names.find(|name| expected.get(*name) != there.get(*name)) {
+        return Ok(Some(name.clone()));
+    }
+    // One chain, and one mark up to which entries are found by words.
+    for (name, count) in [("chain", "SELECT count(*) FROM chain"), ("indexed", "SELECT count(*) FROM indexed")] {
+        if connection.query_row(count, [], |row| row.get::<_, i64>(0))? != 1 {
+            return Ok(Some(name.to_owned()));
+        }
+    }
+    Ok(None)
+}
+
+/// The tables and indexes of a file with how they were made, without those that the database keeps for itself.
+fn tables(connection: &Connection) -> rusqlite::Result<BTreeMap<String, Option<String>>> {
+    let mut all = connection.prepare(
+        "SELECT name, sql FROM sqlite_schema WHERE type IN ('table', 'index') AND name NOT LIKE 'sqlite!_%' ESCAPE '!'",
+    )?;
+    all.query_map([], |row| Ok((row.get(0)?, row.get(1)?)))?.collect()
 }

@@ -90,6 +90,7 @@ pub fn verify(
     let failed = |error: rusqlite::Error| StoreError::of(path, &error);
     let mut findings = Vec::new();
     findings.extend(schema::altered(&connection).map_err(failed)?.map(|name| Finding::Altered { name }));
+    findings.extend(schema::derived_altered(&connection).map_err(failed)?.map(|name| Finding::Altered { name }));
     let chain = chain_of(&connection, path, &mut findings)?;
     let mut inspection = Inspection::new(chain, known);
     let (sender, receiver) = sync_channel(AHEAD);
