@@ -292,6 +292,11 @@ impl Remark {
         )
     }
 
+    /// Whether a measurement was left out: that counts also where nothing was judged.
+    const fn leaves_out_a_measurement(&self) -> bool {
+        matches!(self, Self::MeasurementSkipped | Self::DatumSkipped | Self::ContactsLeft { .. })
+    }
+
     /// What the reader of a file has to say.
     pub(super) fn read(path: &NcPath, warnings: &[impl Say]) -> Vec<Self> {
         warnings.iter().map(|warning| Self::Read { path: path.clone(), what: warning.message() }).collect()
@@ -320,17 +325,26 @@ pub(super) struct Remarks {
     unlisted: usize,
     most: usize,
     stand_against: bool,
+    leave_out_a_measurement: bool,
 }
 
 impl Remarks {
     pub(super) const fn new(budget: &Budget) -> Self {
-        Self { list: Vec::new(), of: BTreeMap::new(), unlisted: 0, most: budget.remarks, stand_against: false }
+        Self {
+            list: Vec::new(),
+            of: BTreeMap::new(),
+            unlisted: 0,
+            most: budget.remarks,
+            stand_against: false,
+            leave_out_a_measurement: false,
+        }
     }
 
     /// Adds a remark, unless the block already has the same one.
     pub(super) fn add(&mut self, place: BlockPlace, remark: Remark) {
         // Also of one that finds no place in the list any more.
         self.stand_against |= remark.stands_against();
+        self.leave_out_a_measurement |= remark.leaves_out_a_measurement();
         // Only remarks of the same block are compared: a loop makes the same ones again and again.
         let said = self.of.get(&place).into_iter().flatten();
         if said.filter_map(|number| self.list.get(*number)).any(|(_, said)| *said == remark) {
@@ -368,9 +382,9 @@ impl Remarks {
         &self.list
     }
 
-    /// Whether one of them stands against what was judged.
-    pub(super) const fn stand_against(&self) -> bool {
-        self.stand_against
+    /// Whether one of them stands against what was judged, or says that nothing was judged because a measurement was left out.
+    pub(super) const fn stand_against(&self, is_judged: bool) -> bool {
+        if is_judged { self.stand_against } else { self.leave_out_a_measurement }
     }
 
     pub(super) const fn unlisted(&self) -> usize {

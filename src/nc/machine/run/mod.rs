@@ -300,9 +300,10 @@ impl Machine {
         self.run.remarks.list()
     }
 
-    /// Whether something worth knowing stands against what was judged, listed or not.
-    pub const fn remarks_stand_against(&self) -> bool {
-        self.run.remarks.stand_against()
+    /// Whether something worth knowing stands against what was judged, listed or not; where nothing was judged, whether a measurement was
+    /// left out.
+    pub fn remarks_stand_against(&self) -> bool {
+        self.run.remarks.stand_against(self.status().is_some())
     }
 
     /// How many remarks are not listed.
