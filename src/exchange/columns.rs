@@ -346,7 +346,11 @@ impl Sample {
                 *role = None;
             }
         }
-        let quantities = self.quantities(header, names(header, &roles), |at| free(header, &roles, at));
+        let quantities = self.quantities(header, names(header, &roles), |at| match header.get(at) {
+            // A file of Fitcheck names its values there, whatever they are called.
+            Some("id") if own != OwnColumns::default() => Free::No,
+            _ => free(header, &roles, at),
+        });
         for column in &quantities {
             if let Some(role) = roles.get_mut(column.at) {
                 *role = None;

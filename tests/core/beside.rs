@@ -412,3 +412,19 @@ fn a_serial_number_that_names_the_rows_is_found_as_one() {
         assert!(text.contains("SCRAP"), "{serial}: {text}");
     }
 }
+
+/// A feature may be called like a quantity: in a file of Fitcheck that is its name.
+#[test]
+fn a_name_in_a_file_of_fitcheck_is_no_quantity() {
+    let folder = tempfile::tempdir().unwrap();
+    let rows = "name;callout;measured\nDiameter:;25 H7;25.0134\n";
+    fitcheck::files::write(&folder.path().join("a.csv"), rows.as_bytes()).unwrap();
+    let mut command = cargo_bin_cmd!("fitcheck");
+    let written =
+        command.current_dir(folder.path()).args(["import", "a.csv", "--format", "csv"]).output().unwrap().stdout;
+    fitcheck::files::write(&folder.path().join("b.csv"), &written).unwrap();
+    let mut command = cargo_bin_cmd!("fitcheck");
+    let again = command.current_dir(folder.path()).args(["import", "b.csv", "--format", "csv"]).output().unwrap();
+    let text = String::from_utf8(again.stdout).unwrap();
+    assert!(again.status.code() == Some(0) && text.contains("Diameter:,"), "{text}");
+}
