@@ -44,7 +44,7 @@ enum Says {
     Name,
 }
 
-/// Such a column.
+/// A column beside the value of which something is compared.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct BesideColumn {
     at: usize,

@@ -72,7 +72,7 @@ pub(super) struct Answer {
 }
 
 impl Answer {
-    /// That of a record.
+    /// The answer that a record gives.
     pub(super) fn of(record: &Record) -> Self {
         let (measured, status) = (record.measurement.diameter, record.verdict.status());
         Self { bounds: record.limits.bounds(), measured, status }
@@ -152,7 +152,7 @@ impl Claim {
         Self::new(shorten(said), What::Upper(figure))
     }
 
-    /// A lower one.
+    /// A lower limit, which may stand without its sign as a deviation.
     pub(super) fn lower(said: &str, figure: Figure) -> Self {
         Self::new(shorten(said), What::Lower(figure))
     }

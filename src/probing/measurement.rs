@@ -139,7 +139,7 @@ impl Measurement {
         Self { diameter, centre: None, contacts: Vec::new(), circle: None, origin }
     }
 
-    /// The same, and what its contacts say against limits.
+    /// What this measurement cannot tell, and what its contacts say against limits.
     pub fn caveats_of(&self, bounds: &Bounds) -> Vec<Caveat> {
         let mut caveats = self.caveats();
         let zone = bounds.maximum().saturating_sub(bounds.minimum());
