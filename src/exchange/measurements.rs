@@ -79,17 +79,7 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
     stated::agree(&columns, &unit_lines)?;
     // The first rows are read once more with the rest.
     drop(sample);
-    let mut reader = Reader {
-        source: &context,
-        columns: &columns,
-        separator,
-        has_plan,
-        sink,
-        is_open: false,
-        is_simulated: false,
-        sizes,
-        nominal: Nominal::default(),
-    };
+    let mut reader = Reader { sizes, ..Reader::new(&context, (&columns, separator, has_plan), sink) };
     reader.warn_of_columns(first_line);
     let mut rows = Rows::new(text, first_line, separator).going_on(true);
     let mut next = reader.rows(&mut rows);
@@ -124,17 +114,7 @@ impl<'a, 's, 'z> Cells<'a, 's, 'z> {
         sizes: Option<SizesOf<'z>>,
     ) -> Self {
         let separator = columns::NO_SEPARATOR;
-        let mut reader = Reader {
-            source,
-            columns,
-            separator,
-            has_plan,
-            sink,
-            is_open: false,
-            is_simulated: false,
-            sizes,
-            nominal: Nominal::default(),
-        };
+        let mut reader = Reader { sizes, ..Reader::new(source, (columns, separator, has_plan), sink) };
         reader.warn_of_columns(1);
         Self(reader)
     }
@@ -164,17 +144,7 @@ pub(super) fn read_these<'r>(
     rows: impl Iterator<Item = &'r (usize, StringRecord)>,
     sink: &mut Sink<'_>,
 ) {
-    let mut reader = Reader {
-        source,
-        columns,
-        separator,
-        has_plan,
-        sink,
-        is_open: false,
-        is_simulated: false,
-        sizes: None,
-        nominal: Nominal::default(),
-    };
+    let mut reader = Reader::new(source, (columns, separator, has_plan), sink);
     for (line, cells) in rows {
         reader.row(*line, cells);
     }
@@ -204,17 +174,7 @@ pub(super) fn read_row(
     (line, cells): (usize, &StringRecord),
     sink: &mut Sink<'_>,
 ) {
-    let mut reader = Reader {
-        source,
-        columns,
-        separator,
-        has_plan: false,
-        sink,
-        is_open: false,
-        is_simulated: false,
-        sizes: None,
-        nominal: Nominal::default(),
-    };
+    let mut reader = Reader::new(source, (columns, separator, false), sink);
     if let Err((cell, reason)) = reader.measurement(line, cells) {
         reader.refuse(line, cell, reason);
     }
@@ -242,7 +202,16 @@ struct Nominal {
     exact: usize,
 }
 
-impl<'a> Reader<'a, '_, '_> {
+impl<'a, 's> Reader<'a, 's, '_> {
+    fn new(
+        source: &'a Context<'a>,
+        (columns, separator, has_plan): (&'a Columns, u8, bool),
+        sink: &'a mut Sink<'s>,
+    ) -> Self {
+        let (is_open, is_simulated, sizes, nominal) = (false, false, None, Nominal::default());
+        Self { source, columns, separator, has_plan, sink, is_open, is_simulated, sizes, nominal }
+    }
+
     /// Reads some rows, and gives the number of the line after them; `None` where no more are wanted.
     fn rows(&mut self, rows: &mut Rows<'_>) -> Option<usize> {
         let mut next = rows.next();
