@@ -382,13 +382,9 @@ pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
             }
             Frame::AxisScaling(factors.into_iter().map(|word| word.value).collect())
         }
-        // `CYCL DEF .47` names no cycle.
-        ("", _) => {
-            cursor.take_rest();
-            return Ok(Some(Body::Other));
-        }
-        // Further lines of these are not followed; cycle 12 makes a program into a cycle, which CYCL CALL would run.
-        ("8" | "10" | "11" | "12" | "26", _) => {
+        // Further lines of these are not followed; cycle 12 makes a program into a cycle, which CYCL CALL would run. `CYCL DEF .47`
+        // names no cycle.
+        ("" | "8" | "10" | "11" | "12" | "26", _) => {
             cursor.take_rest();
             return Ok(Some(Body::Other));
         }
