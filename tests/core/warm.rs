@@ -2,7 +2,7 @@
 
 use assert_cmd::Command;
 use fitcheck::length::Length;
-use fitcheck::tolerance::fit::thermal::{Correction, Warm};
+use fitcheck::tolerance::fit::thermal::{Correction, Expansion, Temperature, Warm};
 use proptest::prelude::*;
 use serde_json::Value;
 
@@ -110,8 +110,8 @@ proptest! {
     #[test]
     fn what_warms_alike_needs_no_correction(nm in 1_i64..5_000_000_000, alpha in -20_000_i32..500_000, degrees in -273_000_i32..1_000_000) {
         let measured = Length::from_nanometres(nm).unwrap();
-        let text = |thousandths: i32| format!("{}{}.{:03}", if thousandths < 0 { "-" } else { "" }, thousandths.abs() / 1000, thousandths.abs() % 1000);
-        let warm = Warm { expansion: text(alpha).parse().unwrap(), temperature: text(degrees).parse().unwrap() };
+        let expansion = Expansion::from_thousandths(alpha).unwrap();
+        let warm = Warm { expansion, temperature: Temperature::from_thousandths(degrees).unwrap() };
         prop_assert_eq!(Correction::new(measured, warm, Some(warm)).at_reference, measured);
         let cold = Warm { temperature: "20".parse().unwrap(), ..warm };
         prop_assert_eq!(Correction::new(measured, cold, None).change(), Length::ZERO);
