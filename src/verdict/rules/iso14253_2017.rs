@@ -1,5 +1,6 @@
 //! ISO 14253-1:2017: conformity is proven where its probability is 95 % or more, nonconformity where that of conformity is 5 % or
-//! less; both limits count, exactly (metrology.md, section 5: 1.645 u where the tolerance is six or more u wide).
+//! less and the value lies beyond a limit: with an uncertainty much larger than the zone it is less everywhere. Both limits count, exactly
+//! (metrology.md, section 5: 1.645 u where the tolerance is six or more u wide).
 
 use super::{Bands, Conformity, Declaration, Given, Use};
 use crate::length::Length;
