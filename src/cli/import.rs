@@ -172,8 +172,15 @@ impl Args {
                 Ok(file) => {
                     let beside = |ending: &str| files::beside(path, ending);
                     let (masks, mapping, has_plan) = (masks.as_slice(), mapping.as_ref(), plan.is_some());
-                    let given =
-                        Given { beside: &beside, masks, mapping, most_rows, has_plan, ..Given::new(&sources, now) };
+                    let given = Given {
+                        beside: &beside,
+                        masks,
+                        mapping,
+                        most_rows,
+                        has_plan,
+                        temperature: judge.temperature(),
+                        ..Given::new(&sources, now)
+                    };
                     import.file(path, &file, given, io)?;
                 }
                 Err(error) => {

@@ -15,7 +15,7 @@ use crate::message::{IntoArg as _, Say as _};
 use crate::part::{Plan, Size};
 use crate::report::csv::More;
 use crate::tolerance::fit::materials::Certainty;
-use crate::tolerance::fit::thermal::Correction;
+use crate::tolerance::fit::thermal::{Correction, Temperature};
 use crate::verdict::Rule;
 use crate::verdict::rules::{Given, RuleName, Uncertainty};
 
@@ -153,6 +153,11 @@ impl Judge {
         };
         let (found, uncertainty) = record.assess(budget.clone()).about(name)?;
         Ok(record.by_budget(self.options.rule_with(Some(uncertainty))?, Arc::new(found.provenance())))
+    }
+
+    /// From which temperature values are brought to 20 °C.
+    pub(super) fn temperature(&self) -> Option<Temperature> {
+        self.warmth.as_ref().map(|warmth| warmth.part.warm.temperature)
     }
 
     /// Says once how all records are brought to 20 °C and by which budget they are judged.

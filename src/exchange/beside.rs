@@ -9,6 +9,7 @@
 //! | with a word of a verdict in one of its cells, whatever it is called | the same |
 //! | of an upper or lower limit, or of a deviation | with the limits and the value, as a size or as a deviation |
 //! | of the type of a feature | where it says hole or shaft |
+//! | of a temperature, or with one in its words: `part at 35 °C` | with the one that counts for the part |
 //! | of the names, where one of the first speaks of a roundness, a mean or a master | the same names |
 //!
 //! The names and words are English, Dutch, German and Italian. Nothing here changes an answer.
@@ -21,6 +22,7 @@ use super::columns::{Columns, Sample, name_of};
 use super::evidence::{says_simulated, yes_or_no};
 use super::quantity::{is_form, is_shape};
 use super::units;
+use super::warmth::{self, Scale};
 use super::words;
 use crate::length::{Length, Unit};
 use crate::tolerance::Feature;
@@ -40,8 +42,18 @@ enum Says {
     Deviation,
     /// Hole or shaft.
     Feature,
+    /// How warm the part was, by a number.
+    Temperature(Scale),
+    /// The same, in its words.
+    Warmth,
     /// What it is of, by a name that speaks of no size of one part.
     Name,
+}
+
+impl Says {
+    const fn is_of_temperature(self) -> bool {
+        matches!(self, Self::Temperature(_) | Self::Warmth)
+    }
 }
 
 /// A column beside the value of which something is compared.
@@ -110,8 +122,11 @@ fn by_name(header: &str) -> Option<Says> {
         _ if is_signed('+') || has(UPPER, &bare) => Says::Upper,
         _ if is_signed('-') || has(LOWER, &bare) => Says::Lower,
         _ if has(DEVIATION, &bare) => Says::Deviation,
-        _ if bare.split(' ').any(|word| has(STATUS_WORDS, word)) => Says::Status { is_named: false },
-        _ => return None,
+        _ => match warmth::of_column(header) {
+            Some(scale) => Says::Temperature(scale),
+            None if bare.split(' ').any(|word| has(STATUS_WORDS, word)) => Says::Status { is_named: false },
+            None => return None,
+        },
     };
     Some(says)
 }
@@ -137,8 +152,11 @@ impl Sample {
                     self.cells(at).any(|cell| is_shape(cell).is_some()).then_some(Says::Feature)
                 }
                 None if is_free && self.cells(at).any(is_verdict) => Some(Says::Status { is_named: false }),
+                None if is_free && self.cells(at).any(|cell| warmth::mentioned(cell).is_some()) => Some(Says::Warmth),
                 None => None,
             };
+            // What Fitcheck corrected is at 20 °C, whatever it was measured at.
+            let says = says.filter(|says| !says.is_of_temperature() || !columns.own.are_corrected());
             let unit = units::unit(name).ok().flatten();
             says.map(|says| BesideColumn { at, name: name.trim().to_owned(), unit, says })
         };
@@ -190,7 +208,7 @@ impl BesideColumn {
 
     /// Whether its claims depend on nothing but the cell, and few words are in it.
     pub(super) const fn has_words(&self) -> bool {
-        !matches!(self.says, Says::Upper | Says::Lower | Says::Deviation)
+        !matches!(self.says, Says::Upper | Says::Lower | Says::Deviation) && !self.says.is_of_temperature()
     }
 
     /// Measuring machines write the largest and the smallest reading below short names, too.
@@ -228,6 +246,8 @@ impl BesideColumn {
             Says::Upper => figure().map(|figure| self.limit(Claim::upper(&said(), figure))),
             Says::Lower => figure().map(|figure| self.limit(Claim::lower(&said(), figure))),
             Says::Deviation => figure().map(|figure| Claim::deviation(&said(), figure)),
+            Says::Temperature(scale) => warmth::read(text, scale).map(|warm| Claim::warm(&said(), warm)),
+            Says::Warmth => warmth::mentioned(text).map(|warm| Claim::warm(&said(), warm)),
             Says::Feature => {
                 let feature = if is_shape(text)? { Feature::Hole } else { Feature::Shaft };
                 Some(Claim::feature(text, feature))
@@ -250,7 +270,9 @@ impl Columns {
     fn claims_of(&self, cells: &StringRecord, is_asked: impl Fn(&BesideColumn) -> bool) -> Vec<Claim> {
         let of_row = self.stated.in_row(self.measured, cells);
         let unit = of_row.map_or(self.measured.unit, |column| column.unit);
-        let asked = self.beside.iter().filter(|column| is_asked(column));
+        let is_corrected = self.evidence.is_corrected(cells);
+        let counts = |column: &&BesideColumn| !is_corrected || !column.says.is_of_temperature();
+        let asked = self.beside.iter().filter(|column| is_asked(column)).filter(counts);
         asked.filter_map(|column| column.claim(cells.get(column.at)?, unit)).collect()
     }
 }

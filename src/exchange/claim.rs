@@ -5,6 +5,7 @@ use super::error::{ImportWarningKind, shorten};
 use crate::control::status::status_of;
 use crate::journal::Record;
 use crate::length::{Length, Unit};
+use crate::tolerance::fit::thermal::Temperature;
 use crate::tolerance::{Bounds, Feature};
 use crate::verdict::Status;
 
@@ -59,6 +60,11 @@ enum What {
     Smallest(Figure),
     Deviation(Figure),
     Feature(Feature),
+    /// How warm the part was, and from which temperature its value was brought to 20 °C.
+    Warm {
+        said: Temperature,
+        counted: Temperature,
+    },
     /// That it is no size of one part.
     NoSize,
 }
@@ -178,6 +184,21 @@ impl Claim {
         Self::new(shorten(said), What::Feature(feature))
     }
 
+    /// How warm the part was.
+    pub(super) fn warm(said: &str, warm: Temperature) -> Self {
+        Self::new(shorten(said), What::Warm { said: warm, counted: Temperature::REFERENCE })
+    }
+
+    /// The same beside values that are brought to 20 °C from this temperature.
+    #[must_use]
+    pub(super) fn from(self, counted: Temperature) -> Self {
+        let what = match self.what {
+            What::Warm { said, .. } => What::Warm { said, counted },
+            other => other,
+        };
+        Self { what, ..self }
+    }
+
     /// A name that is none of a size of one part.
     pub(super) fn no_size(said: &str) -> Self {
         Self::new(shorten(said), What::NoSize)
@@ -243,6 +264,10 @@ impl Claim {
         let above = |by: Length| nominal.checked_add(by);
         let is_so = match &self.what {
             What::Status(_) => return self.differs(*status),
+            What::Warm { said, counted } if !is_felt(*said, *counted, bounds) => return None,
+            What::Warm { counted, .. } => {
+                return Some(ImportWarningKind::TemperatureDiffers { given, counted: counted.to_string() });
+            }
             What::NoSize => return Some(ImportWarningKind::NameOfNoSize { given }),
             What::Unknown => return Some(ImportWarningKind::StatusUnknown { given, status: status.word().to_owned() }),
             What::Largest(figure) if figure.is_within(*measured, bounds.maximum()) => true,
@@ -273,4 +298,17 @@ impl Claim {
             || ImportWarningKind::StatusDiffers { given: self.said.clone(), status: status.word().to_owned() };
         (!agrees.contains(&status)).then(warning)
     }
+}
+
+/// The expansion by which a difference of temperatures is weighed, in nanometres per metre and kelvin: that of aluminium, the largest of
+/// what shops turn and mill most.
+const EXPANSION: i128 = 24_000;
+
+/// Whether a part may grow by more than a tenth of its zone between two temperatures: less is within what a station shows of itself.
+fn is_felt(said: Temperature, counted: Temperature, bounds: &Bounds) -> bool {
+    let thousandths = i128::from((said.thousandths() - counted.thousandths()).abs());
+    let zone = i128::from(bounds.maximum().saturating_sub(bounds.minimum()).nanometres());
+    // Nanometres · thousandths of a kelvin · nanometres per metre and kelvin.
+    let growth = i128::from(bounds.nominal.nanometres()) * thousandths * EXPANSION;
+    zone * 1_000_000_000 * 1_000 < growth * 10
 }

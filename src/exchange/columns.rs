@@ -19,6 +19,7 @@ use super::stated::{self, Stated};
 use super::units;
 use super::words::{self, Rank};
 use crate::length::Unit;
+use crate::tolerance::fit::thermal::Temperature;
 
 /// How many rows are examined to find out what a file is.
 pub(super) const SAMPLE: usize = 200;
@@ -134,6 +135,11 @@ impl Columns {
         })
     }
 
+    /// The temperature at which lines beside the rows are compared: none where values were brought to 20 °C already.
+    pub(super) fn counted(&self, counted: Temperature) -> Option<Temperature> {
+        Some(counted).filter(|_| !self.own.are_corrected() && !self.evidence.are_corrected)
+    }
+
     /// The columns that hold something else than what is looked for.
     pub(super) fn used(&self) -> Vec<usize> {
         // Without names, what stands before a callout is taken for a name.
@@ -144,12 +150,18 @@ impl Columns {
         all.chain(self.own.of_correction()).chain(self.labels.iter()).collect()
     }
 
-    /// That words which say nothing known of what was measured are taken for sizes, and that other sizes are not judged.
-    pub(super) fn taken_as_sizes(&self) -> impl Iterator<Item = ImportWarningKind> {
+    /// That words which say nothing known of what was measured are taken for sizes, that other sizes are not judged, and that the name of
+    /// the measured ones says another temperature than the one that counts.
+    pub(super) fn taken_as_sizes(&self, counted: Temperature) -> impl Iterator<Item = ImportWarningKind> {
         let taken = self.quantities.iter().filter_map(QuantityColumn::taken);
         let columns = || listed(&self.other_values);
         let others = (!self.other_values.is_empty()).then(|| ImportWarningKind::OtherValues { columns: columns() });
-        others.into_iter().chain(
+        let warm = self.evidence.warm.zip(self.counted(counted)).filter(|(warm, counted)| warm != counted);
+        let warm = warm.map(|(warm, counted)| ImportWarningKind::SpeaksOfTemperature {
+            text: format!("{warm} °C"),
+            counted: counted.to_string(),
+        });
+        others.into_iter().chain(warm).chain(
             taken.map(|(column, words)| ImportWarningKind::QuantityUnknown {
                 column: column.clone(),
                 words: words.clone(),

@@ -6,8 +6,9 @@ use csv::StringRecord;
 use super::cells;
 use super::error::{ImportErrorKind, shorten};
 use super::rules::{Cell, Refused};
-use super::words;
+use super::{warmth, words};
 use crate::control::simulated::is_mark;
+use crate::tolerance::fit::thermal::Temperature;
 
 /// Where they are.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -17,7 +18,9 @@ pub(super) struct Evidence {
     /// A column that says whether a value was brought to 20 °C.
     corrected: Option<usize>,
     /// Whether the name of the measured values says so.
-    are_corrected: bool,
+    pub(super) are_corrected: bool,
+    /// The temperature in the name of the measured values.
+    pub(super) warm: Option<Temperature>,
     /// A column of any other name that says of some value that nobody measured.
     pub(super) word: Option<usize>,
     /// Whether the mark of a simulation stands above all rows.
@@ -31,7 +34,8 @@ impl Evidence {
             |is: fn(&str) -> bool| (0..).zip(header).find(|(at, name)| *at != measured && is(name)).map(|(at, _)| at);
         let are_corrected = header.get(measured).is_some_and(words::says_corrected);
         let (origin, corrected) = (at(words::is_origin), at(words::is_corrected));
-        Self { origin, corrected, are_corrected, word: None, are_simulated: false }
+        let warm = header.get(measured).and_then(warmth::mentioned);
+        Self { origin, corrected, are_corrected, warm, word: None, are_simulated: false }
     }
 
     /// Whether a row says that its value was brought to 20 °C. What is neither yes nor no says so as well: it refuses a correction, and

@@ -260,7 +260,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
             let columns = columns::listed(&self.columns.ignored);
             self.warn(line, ImportWarningKind::IgnoredColumns { columns });
         }
-        for kind in self.columns.taken_as_sizes() {
+        for kind in self.columns.taken_as_sizes(self.source.counted) {
             self.warn(line, kind);
         }
     }
@@ -300,9 +300,8 @@ impl<'a, 's> Reader<'a, 's, '_> {
             if let Some(reason) = stray() {
                 return self.refuse(line, Cell { at: None, text: cells.get(0).unwrap_or_default() }, reason);
             }
-            let spoken = ImportWarningKind::not_used(cells);
-            if matches!(spoken, ImportWarningKind::SpeaksOfSimulation { .. }) {
-                self.warn(line, spoken);
+            if let Some(told) = self.said_against(cells) {
+                self.warn(line, told);
             }
             let rules = self.rules();
             let hides = match &self.sizes {
@@ -320,17 +319,28 @@ impl<'a, 's> Reader<'a, 's, '_> {
         }
         match self.columns.header {
             Some(header) if line == header && self.columns.names_known => return,
-            _ if self.columns.stated.told(self.columns).is_some_and(|(told, _)| told == line) => return,
-            Some(header) if line <= header => return self.warn(line, ImportWarningKind::not_used(cells)),
-            _ if self.columns.first.is_some_and(|first| line < first) => {
-                return self.warn(line, ImportWarningKind::not_used(cells));
+            _ if self.columns.stated.told(self.columns).is_some_and(|(told, _)| told == line) => {
+                let told = self.said_against(cells);
+                return told.into_iter().for_each(|told| self.warn(line, told));
             }
+            Some(header) if line <= header => return self.not_used(line, cells),
+            _ if self.columns.first.is_some_and(|first| line < first) => return self.not_used(line, cells),
             _ => {}
         }
         let read = if self.sizes.is_some() { self.size(line, cells) } else { self.measurement(line, cells) };
         if let Err((cell, reason)) = read {
             self.refuse(line, cell, stray().unwrap_or(reason));
         }
+    }
+
+    /// Tells that a line is not used, or what it says against the values.
+    fn not_used(&mut self, line: usize, cells: &StringRecord) {
+        self.warn(line, ImportWarningKind::not_used(cells, self.columns.counted(self.source.counted)));
+    }
+
+    /// What a line that is no row says against the values.
+    fn said_against(&self, cells: &StringRecord) -> Option<ImportWarningKind> {
+        ImportWarningKind::said_against(cells, self.columns.counted(self.source.counted))
     }
 
     /// Takes the size of a row, or names the cell that cannot be used.
@@ -430,7 +440,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
             part: label(columns.part),
             serial: label(columns.serial),
             who: label(columns.who),
-            claims: self.columns.claims(cells),
+            claims: self.columns.claims(cells).into_iter().map(|claim| claim.from(self.source.counted)).collect(),
             place,
             is_corrected: self.columns.evidence.is_corrected(cells),
             ..Labels::default()

@@ -25,6 +25,7 @@
 //! | `sizes` | what was measured alone, of holes or of shafts |
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
 //! | `beside`, `claim` | what stands beside a value and is compared with its answer: a status, limits, a deviation; its words |
+//! | `warmth` | the temperature that a file says of a value, or of all |
 //! | `evidence` | columns that say whether somebody measured, and whether a value is at 20 °C |
 //! | `rivals` | which of several columns is the measured value, the nominal size, the callout: one, or none in silence |
 //! | `quantity` | what a row says that was measured of its feature |
@@ -108,6 +109,7 @@ pub mod sql;
 mod stated;
 pub mod tables;
 mod units;
+mod warmth;
 mod warning;
 mod words;
 mod xlsx;

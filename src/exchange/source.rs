@@ -13,6 +13,7 @@ use super::pieces::Pieces;
 use crate::control::mask::Mask;
 use crate::control::text;
 use crate::tolerance::Sources;
+use crate::tolerance::fit::thermal::Temperature;
 
 /// How much of a file is examined to recognise it.
 pub(super) const HEAD: usize = 64 << 10;
@@ -40,6 +41,8 @@ pub struct Given<'a> {
     pub mapping: Option<&'a Mapping>,
     /// Whether a plan judges what is read: a value of zero or less may be a deviation or a coordinate, and the plan knows.
     pub has_plan: bool,
+    /// From which temperature the values are brought to 20 °C later; `None` where they count as they are.
+    pub temperature: Option<Temperature>,
     /// The most rows that are read, where all of them are kept in memory; an error says that there are more.
     pub most_rows: usize,
     /// Hears the first and the last line of each log, print or value that has several lines, also of one that could not be read.
@@ -56,6 +59,7 @@ impl<'a> Given<'a> {
             masks: &[],
             mapping: None,
             has_plan: false,
+            temperature: None,
             most_rows: usize::MAX,
             units: &|_first, _last| {},
         }
@@ -105,6 +109,8 @@ pub(super) struct Context<'a> {
     pub(super) sources: &'a Sources,
     /// The time of measurements whose file has none.
     pub(super) now: DateTime,
+    /// The temperature at which values count as measured.
+    pub(super) counted: Temperature,
     /// What its rows have asked so far.
     pub(super) lookup: Lookup,
 }
@@ -135,8 +141,13 @@ impl<'a> Source<'a> {
             std::io::Result::Ok(length)
         };
         let length = begin(&mut head).map_err(|error| read_error(&error))?;
-        let context =
-            Context { file: file_name.into(), sources: given.sources, now: given.now, lookup: Lookup::default() };
+        let context = Context {
+            file: file_name.into(),
+            sources: given.sources,
+            now: given.now,
+            counted: given.temperature.unwrap_or(Temperature::REFERENCE),
+            lookup: Lookup::default(),
+        };
         Ok(Self { context, head, length, body, given })
     }
 

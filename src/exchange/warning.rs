@@ -4,9 +4,11 @@ use super::aqdef::AqdefWarning;
 use super::calypso::CalypsoWarning;
 use super::error::shorten;
 use super::evidence::mentions_simulation;
+use super::warmth;
 use crate::control::log::LogWarningKind;
 use crate::length::Length;
 use crate::message::{Message, Say};
+use crate::tolerance::fit::thermal::Temperature;
 use crate::tolerance::{Callout, Feature};
 
 /// A warning about a file or row that was still used.
@@ -188,6 +190,20 @@ pub enum ImportWarningKind {
         /// What the limits are of.
         feature: Feature,
     },
+    /// The file says that the part had another temperature than the one that counts.
+    TemperatureDiffers {
+        /// The file's column and number.
+        given: String,
+        /// From how many degrees Celsius the value is brought to 20 °C.
+        counted: String,
+    },
+    /// The same of a line, for all values.
+    SpeaksOfTemperature {
+        /// The line's text.
+        text: String,
+        /// From how many degrees Celsius the values are brought to 20 °C.
+        counted: String,
+    },
     /// A line above or between the measurements that speaks of a simulation.
     SpeaksOfSimulation {
         /// The line's text.
@@ -308,6 +324,7 @@ impl ImportWarningKind {
         match self {
             Self::NotUsed { .. }
             | Self::SpeaksOfSimulation { .. }
+            | Self::SpeaksOfTemperature { .. }
             | Self::Comment
             | Self::SheetsLeft { .. }
             | Self::QifCount { .. }
@@ -327,6 +344,7 @@ impl ImportWarningKind {
                 | Self::LimitDiffers { .. }
                 | Self::DeviationDiffers { .. }
                 | Self::FeatureDiffers { .. }
+                | Self::TemperatureDiffers { .. }
                 | Self::NameOfNoSize { .. }
         )
     }
@@ -345,6 +363,8 @@ impl ImportWarningKind {
             | Self::LimitDiffers { .. }
             | Self::DeviationDiffers { .. }
             | Self::FeatureDiffers { .. }
+            | Self::TemperatureDiffers { .. }
+            | Self::SpeaksOfTemperature { .. }
             | Self::SpeaksOfSimulation { .. }
             | Self::AllNominal { .. }
             | Self::PartRejected { .. }
@@ -396,11 +416,25 @@ impl ImportWarningKind {
         }
     }
 
-    /// That the cells of a line above the measurements are not used.
-    pub(super) fn not_used(cells: &csv::StringRecord) -> Self {
+    /// That the cells of a line beside the measurements are not used, or what they say against them; values count as measured at this
+    /// temperature, where they are not corrected already.
+    pub(super) fn not_used(cells: &csv::StringRecord, counted: Option<Temperature>) -> Self {
         let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
-        let is_simulation = mentions_simulation(&text);
+        if mentions_simulation(&text) {
+            return Self::SpeaksOfSimulation { text: shorten(&text) };
+        }
+        let is_far =
+            |warm: Temperature, counted: Temperature| 1_000 < (warm.thousandths() - counted.thousandths()).abs();
+        let differs = counted.filter(|counted| warmth::mentioned(&text).is_some_and(|warm| is_far(warm, *counted)));
         let text = shorten(&text);
-        if is_simulation { Self::SpeaksOfSimulation { text } } else { Self::NotUsed { text } }
+        match differs {
+            Some(counted) => Self::SpeaksOfTemperature { text, counted: counted.to_string() },
+            None => Self::NotUsed { text },
+        }
+    }
+
+    /// What such a line says against them; `None` where it says nothing.
+    pub(super) fn said_against(cells: &csv::StringRecord, counted: Option<Temperature>) -> Option<Self> {
+        Some(Self::not_used(cells, counted)).filter(|told| !matches!(told, Self::NotUsed { .. }))
     }
 }

@@ -151,7 +151,11 @@ impl App {
         }
         let (sources, columns) = (self.session.sources(), self.session.remembered_columns());
         let (masks, words, now) = (self.session.own_masks(), &self.words, (self.clock)());
-        self.runner.run(ctx, effect, &Beside { sources, columns, masks, words, now });
+        self.runner.run(
+            ctx,
+            effect,
+            &Beside { sources, columns, masks, words, temperature: self.session.temperature(), now },
+        );
     }
 
     /// Closes the window once every record is on disk; a user is asked where that fails or takes too long.

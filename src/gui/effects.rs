@@ -28,6 +28,7 @@ use crate::session::{
     RecordsCommand, RowsCommand, Working, WorkpieceCommand,
 };
 use crate::tolerance::Sources;
+use crate::tolerance::fit::thermal::Temperature;
 use crate::words::Words;
 
 /// How errands are run.
@@ -48,6 +49,8 @@ pub(super) struct Beside<'a> {
     /// The user's own mask.
     pub masks: &'a Arc<Vec<(String, Mask)>>,
     pub words: &'a Words,
+    /// From which temperature values are brought to 20 °C.
+    pub temperature: Option<Temperature>,
     pub now: DateTime,
 }
 
@@ -115,7 +118,7 @@ impl Runner {
 
     /// Runs an effect; the frame itself does the clipboard.
     pub fn run(&self, ctx: &Context, effect: Effect, beside: &Beside<'_>) {
-        let Beside { sources, columns, masks, words, now } = *beside;
+        let Beside { sources, columns, masks, words, temperature, now } = *beside;
         let masks = Arc::clone(masks);
         let Some(effect) = self.desk.run(ctx, effect) else { return };
         let effect = match effect {
@@ -162,7 +165,7 @@ impl Runner {
                 };
                 works.begin(path, is_writing, Box::new(say))
             };
-            let with = With { sources: &sources, columns: &columns, masks: &masks, now, begins: &begins };
+            let with = With { sources: &sources, columns: &columns, masks: &masks, temperature, now, begins: &begins };
             for command in answers(effect, (errands, filters), with) {
                 // A closed window hears no answer; that is not an error.
                 let _closed = sender.send(command);
@@ -385,7 +388,9 @@ mod tests {
             let bytes = vec![b'x'; if number == 0 { 4 << 20 } else { 1 }];
             let now = jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0);
             let (sources, columns) = (Arc::default(), Arc::default());
-            let beside = Beside { sources: &sources, columns: &columns, masks: &Arc::default(), words: &words, now };
+            let (masks, temperature) = (Arc::default(), None);
+            let beside =
+                Beside { sources: &sources, columns: &columns, masks: &masks, words: &words, temperature, now };
             runner.run(&ctx, Effect::Save(path(number), bytes.into()), &beside);
         }
         let answers: Vec<Command> = runner.receiver.iter().take(20).collect();

@@ -179,7 +179,8 @@ fn import(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>
     job.has(bytes.len());
     let beside = |ending: &str| files::beside(path, ending);
     let masks = masks_of(&name(path), &bytes, mapping, with);
-    let given = Given { beside: &beside, mapping, masks, ..Given::new(with.sources, with.now) };
+    let temperature = with.temperature;
+    let given = Given { beside: &beside, mapping, masks, temperature, ..Given::new(with.sources, with.now) };
     let mut body = Cursor::new(bytes);
     let imported = exchange::import_given(&name(path), &mut Watched::new(&mut body, &job), given);
     whole(Box::new(imported), &job)
@@ -192,7 +193,15 @@ fn items(path: &Path, bytes: Vec<u8>, mapping: Option<&Mapping>, with: With<'_>)
     let beside = |ending: &str| files::beside(path, ending);
     let usual = Given::new(with.sources, with.now);
     let masks = masks_of(&name(path), &bytes, mapping, with);
-    let given = Given { beside: &beside, mapping, masks, most_rows: MOST_ROWS, has_plan: true, ..usual };
+    let given = Given {
+        beside: &beside,
+        mapping,
+        masks,
+        most_rows: MOST_ROWS,
+        has_plan: true,
+        temperature: with.temperature,
+        ..usual
+    };
     let (mut items, mut body) = (Vec::new(), Cursor::new(bytes));
     exchange::import_from(&name(path), &mut Watched::new(&mut body, &job), given, &mut |item| {
         if item.is_row() {

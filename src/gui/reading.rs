@@ -29,6 +29,7 @@ use crate::session::{
     PairingCommand, PartsCommand, ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand,
     usable,
 };
+use crate::tolerance::fit::thermal::Temperature;
 use crate::tolerance::{DeviationTable, Feature, Sources};
 
 /// Whether an answer brings what a file holds.
@@ -66,6 +67,8 @@ pub(super) struct With<'a> {
     pub columns: &'a Remembered,
     /// The user's own mask.
     pub masks: &'a [(String, Mask)],
+    /// From which temperature values are brought to 20 °C.
+    pub temperature: Option<Temperature>,
     pub now: DateTime,
     /// Begins a file that is read, or written.
     pub begins: &'a dyn Fn(&Path, bool) -> Job,

@@ -126,6 +126,7 @@ use self::files::Places;
 use self::shared::{PageState as _, Shared};
 use crate::control::mask::Mask;
 use crate::control::shipped_tables;
+use crate::tolerance::fit::thermal::Temperature;
 use crate::tolerance::{Absent, Sources};
 use crate::verdict::Rule;
 use crate::words::Language;
@@ -365,6 +366,11 @@ impl Session {
     /// The check page.
     pub const fn check(&self) -> &CheckPage {
         &self.check
+    }
+
+    /// From which temperature the values of files are brought to 20 °C; `None` where they count as they are.
+    pub fn temperature(&self) -> Option<Temperature> {
+        self.check.own_worth().temperature()
     }
 
     /// The fit page.

@@ -428,3 +428,72 @@ fn a_name_in_a_file_of_fitcheck_is_no_quantity() {
     let text = String::from_utf8(again.stdout).unwrap();
     assert!(again.status.code() == Some(0) && text.contains("Diameter:,"), "{text}");
 }
+
+/// A part measured warm is larger than at 20 °C: by 8 µm at 35 °C, of a zone of 21.
+#[test]
+fn a_temperature_beside_the_value_that_nobody_counted_is_told() {
+    for (name, cell) in [
+        ("Temperature", "35"),
+        ("Temp [°C]", "35,0"),
+        ("Part temperature", "35 °C"),
+        ("Werkstücktemperatur", "35"),
+        ("T (°C)", "35"),
+        ("Temperature [°F]", "95"),
+        ("temperatuur", "35"),
+        ("Temperatura [K]", "308"),
+        ("Remark", "part at 35 °C"),
+    ] {
+        beside(name, cell, 14);
+    }
+    for (name, cell) in [
+        ("Temperature", "20"),
+        ("Temperature", "20.6"),
+        ("Temperature [°F]", "68"),
+        ("Temperature [K]", "293,15"),
+        ("Temperature", ""),
+        ("Spindle temperature", "45"),
+        ("Kühlmitteltemperatur", "35"),
+        ("Remark", "cleaned at 80 °C"),
+        ("Remark", "20 °C ± 1 °C"),
+    ] {
+        beside(name, cell, 0);
+    }
+    let rows = "Feature;Callout;Measured\nB1;25 H7;25.013\n";
+    for line in [
+        "# Werkstücktemperatur: 35 °C",
+        "Part temperature 35 °C",
+        "Messbericht;35 °C",
+        "# temperatuur 35,5 graden Celsius",
+    ] {
+        both(&format!("{line}\n{rows}"), 14);
+        both(&format!("{rows}# {line}\n"), 14);
+    }
+    for line in ["# Raumtemperatur 20,4 °C", "# corrected from 35 °C to 20 °C", "# 20 °C"] {
+        both(&format!("{line}\n{rows}"), 0);
+    }
+    both("Feature;Callout;Measured [mm, 35 °C]\nB1;25 H7;25.013\n", 14);
+    both("Feature;Callout;Measured [mm, 20 °C]\nB1;25 H7;25.013\n", 0);
+}
+
+#[test]
+fn a_temperature_that_counts_is_not_told_again() {
+    let text = "Feature;Callout;Measured;Temperature\nB1;25 H7;25.013;35\n";
+    let warm =
+        |temperature: &str| ["import", "--temperature", temperature, "--material", "steel", "a.csv"].map(str::to_owned);
+    for (temperature, code) in [("35", 0), ("28", 14)] {
+        let args = warm(temperature);
+        let args: Vec<&str> = args.iter().map(String::as_str).collect();
+        let (found, err) = of(&[("a.csv", text)], &args);
+        assert_eq!(found, code, "{temperature}: {err}");
+        if code == 14 {
+            assert!(err.contains("Temperature 35"), "{err}");
+        }
+    }
+    let plan = "fitcheck_plan = 1\npart = \"P\"\n[[feature]]\nname = \"B1\"\ncallout = \"25 H7\"\n";
+    for (more, code) in [(&["--temperature", "35", "--material", "steel"][..], 0), (&[], 14)] {
+        let args: Vec<&str> =
+            ["import", "--plan", "p.toml"].into_iter().chain(more.iter().copied()).chain(["a.csv"]).collect();
+        let (found, err) = of(&[("a.csv", text), ("p.toml", plan)], &args);
+        assert_eq!(found, code, "{err}");
+    }
+}

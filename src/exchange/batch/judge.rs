@@ -21,6 +21,7 @@ use crate::exchange::rules::{Found, Rules};
 use crate::exchange::stated;
 use crate::length::{Length, Unit, Window};
 use crate::message::Say;
+use crate::tolerance::fit::thermal::Temperature;
 use crate::tolerance::{Bounds, Sources, ToleranceClass};
 use crate::verdict::{SizeVerdict, Status, doubt_of, judge_bounds, verdict_of};
 
@@ -468,10 +469,7 @@ impl Judge<'_> {
             if let Some(reason) = stray() {
                 return Self::refuse(row, None, &reason, tally, take);
             }
-            let spoken = ImportWarningKind::not_used(&cells);
-            if matches!(spoken, ImportWarningKind::SpeaksOfSimulation { .. }) {
-                Self::told(Some(spoken), tally);
-            }
+            Self::told(ImportWarningKind::said_against(&cells, columns.counted(Temperature::REFERENCE)), tally);
             tally.comments += 1;
             return take.line(whole);
         }

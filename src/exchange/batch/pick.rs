@@ -18,6 +18,7 @@ use crate::exchange::source::Context;
 use crate::exchange::{cells, measurements, stated};
 use crate::message::{Message, Say as _};
 use crate::tolerance::Sources;
+use crate::tolerance::fit::thermal::Temperature;
 
 /// A row that was read again.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -142,7 +143,8 @@ impl Picked {
     /// What an import makes of this row: a record, or why there is none.
     pub fn imported(&self, layout: &Layout, file: &str, sources: &Sources, now: DateTime) -> Imported {
         let mut imported = Imported::default();
-        let source = Context { file: Arc::from(file), sources, now, lookup: Lookup::default() };
+        let source =
+            Context { file: Arc::from(file), sources, now, counted: Temperature::REFERENCE, lookup: Lookup::default() };
         let cells: StringRecord = self.cells.iter().collect();
         let mut keep = |item| imported.keep(item);
         let columns = (&layout.columns, layout.separator);

@@ -15,6 +15,7 @@ use crate::exchange::lookup::Lookup;
 use crate::exchange::source::{Context, Given, Source};
 use crate::exchange::{FORMATS, cells, measurements, words, xlsx};
 use crate::tolerance::Sources;
+use crate::tolerance::fit::thermal::Temperature;
 
 /// The first rows of a CSV or workbook.
 #[derive(Debug, Clone, PartialEq)]
@@ -161,7 +162,8 @@ impl FirstRows {
         let mut sample = self.sample(mapping);
         let columns = mapping.columns(&mut sample)?;
         let (file, lookup) = (self.file.as_str().into(), Lookup::default());
-        let context = Context { file, sources: given.sources, now: given.now, lookup };
+        let counted = given.temperature.unwrap_or(Temperature::REFERENCE);
+        let context = Context { file, sources: given.sources, now: given.now, counted, lookup };
         let mut items = Vec::new();
         let mut take = |item| items.push(item);
         let mut sink = Sink::up_to(usize::MAX, &mut take);

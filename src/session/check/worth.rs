@@ -269,6 +269,11 @@ impl Worth {
         self.warm.is_some()
     }
 
+    /// From which temperature values are brought to 20 °C.
+    pub(in crate::session) fn temperature(&self) -> Option<Temperature> {
+        self.warm.map(|(part, _scale)| part.temperature)
+    }
+
     /// What goes wrong by the rule for what the process makes; `None` where process or uncertainty is not given.
     pub const fn risks(&self) -> Option<Risks> {
         self.risks
