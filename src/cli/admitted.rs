@@ -8,7 +8,7 @@
 use crate::budget::BudgetWarning;
 use crate::control::deviations::DeviationWarning;
 use crate::control::mask::{MaskWarning, OtherLanguages};
-use crate::control::probe_block::Unused;
+use crate::control::probe_block::{Moved, Unused};
 use crate::control::table::TableWarning;
 use crate::exchange::ImportWarningKind;
 use crate::files::FileError;
@@ -91,6 +91,13 @@ impl Admits for Caveat {
             | Self::ShortArc { .. }
             | Self::Heights { .. } => false,
         }
+    }
+}
+
+/// The block measures where its numbers do not say.
+impl Admits for Moved {
+    fn wants_a_look(&self) -> bool {
+        true
     }
 }
 

@@ -169,6 +169,15 @@ pub(super) enum Recorded {
 pub(super) enum CliWarning<'a> {
     /// Rows were to be recorded together, and were not all read.
     StoppedUnrecorded,
+    /// A correction was withdrawn: neither it nor what it corrected stands.
+    NeitherStands {
+        /// The entry that it corrected.
+        #[say(with = printed)]
+        target: u64,
+        /// The correction.
+        #[say(with = printed)]
+        number: u64,
+    },
     /// Features of a plan without a value.
     PlanMissing { names: String },
     /// The same of one part among several.
@@ -248,6 +257,7 @@ impl Admits for CliWarning<'_> {
             | Self::ContactsLeft { .. }
             | Self::LimitsAlone
             // What was measured contradicts itself.
+            | Self::NeitherStands { .. }
             | Self::Contradiction { .. }
             | Self::ContradictionOf { .. }
             | Self::WorstCounts => true,

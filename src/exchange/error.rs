@@ -467,6 +467,13 @@ pub enum ImportErrorKind {
         /// What was given.
         given: String,
     },
+    /// A row names other columns than those of the file.
+    OtherHeader,
+    /// A row below one that names other columns.
+    BelowOtherHeader {
+        /// The line that names them.
+        line: usize,
+    },
     /// The mark of a simulation stands between rows that are judged in any order.
     SimulatedBelow,
     /// The text of an origin says neither that a value was measured nor that it was simulated.

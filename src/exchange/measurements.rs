@@ -193,6 +193,8 @@ struct Reader<'a, 's, 'z> {
     /// Where sizes go, if they alone are wanted.
     sizes: Option<SizesOf<'z>>,
     nominal: Nominal,
+    /// The line that names other columns: what is below it is not known.
+    renamed: Option<usize>,
 }
 
 /// How many values were judged, and how many of them are exactly the nominal size.
@@ -208,8 +210,9 @@ impl<'a, 's> Reader<'a, 's, '_> {
         (columns, separator, has_plan): (&'a Columns, u8, bool),
         sink: &'a mut Sink<'s>,
     ) -> Self {
-        let (is_open, is_simulated, sizes, nominal) = (false, false, None, Nominal::default());
-        Self { source, columns, separator, has_plan, sink, is_open, is_simulated, sizes, nominal }
+        let (is_open, is_simulated, sizes) = (false, false, None);
+        let (nominal, renamed) = (Nominal::default(), None);
+        Self { source, columns, separator, has_plan, sink, is_open, is_simulated, sizes, nominal, renamed }
     }
 
     /// Reads some rows, and gives the number of the line after them; `None` where no more are wanted.
@@ -327,8 +330,15 @@ impl<'a, 's> Reader<'a, 's, '_> {
             _ if self.columns.first.is_some_and(|first| line < first) => return self.not_used(line, cells),
             _ => {}
         }
+        if let Some(header) = self.renamed {
+            return self.refuse(line, NOTHING, ImportErrorKind::BelowOtherHeader { line: header });
+        }
         let read = if self.sizes.is_some() { self.size(line, cells) } else { self.measurement(line, cells) };
         if let Err((cell, reason)) = read {
+            if self.columns.are_renamed_by(cells) {
+                self.renamed = Some(line);
+                return self.refuse(line, cell, ImportErrorKind::OtherHeader);
+            }
             self.refuse(line, cell, stray().unwrap_or(reason));
         }
     }

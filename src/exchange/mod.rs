@@ -27,6 +27,7 @@
 //! | `beside`, `claim` | what stands beside a value and is compared with its answer: a status, limits, a deviation; its words |
 //! | `warmth` | the temperature that a file says of a value, or of all |
 //! | `evidence` | columns that say whether somebody measured, and whether a value is at 20 °C |
+//! | `headers` | a header among the rows, below which the columns may be others |
 //! | `rivals` | which of several columns is the measured value, the nominal size, the callout: one, or none in silence |
 //! | `quantity` | what a row says that was measured of its feature |
 //! | `stated` | what a file states about units beside the names of its columns |
@@ -87,7 +88,8 @@ mod evidence;
 mod fn16;
 pub mod gauge;
 mod guarded;
-pub mod imported;
+pub mod headers;
+mod imported;
 mod logs;
 mod lookup;
 mod mapping;

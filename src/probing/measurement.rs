@@ -101,6 +101,18 @@ pub enum Caveat {
     },
 }
 
+impl Caveat {
+    /// What the contacts of a circle, in its plane, say against limits of its diameter; `None` where they say nothing.
+    pub(super) fn of_form(contacts: &[Contact], circle: &Circle, (minimum, maximum): (Length, Length)) -> Option<Self> {
+        let radii = contacts.iter().map(|contact| (contact.x - circle.x).hypot(contact.y - circle.y));
+        let (least, most) =
+            radii.fold((f64::INFINITY, 0.0_f64), |(least, most), radius| (least.min(radius), most.max(radius)));
+        let zone = maximum.saturating_sub(minimum);
+        let form = Length::from_mm_f64(most - least).ok()?;
+        (zone < form.checked_add(form).unwrap_or(Length::MAX)).then_some(Self::Form { form, zone })
+    }
+}
+
 /// A length in millimetres with three decimals.
 #[expect(clippy::trivially_copy_pass_by_ref, reason = "derive(Say) hands over references")]
 fn three_decimals(length: &Length) -> String {
@@ -142,19 +154,9 @@ impl Measurement {
     /// What this measurement cannot tell, and what its contacts say against limits.
     pub fn caveats_of(&self, bounds: &Bounds) -> Vec<Caveat> {
         let mut caveats = self.caveats();
-        let zone = bounds.maximum().saturating_sub(bounds.minimum());
-        let form = self.form().filter(|form| zone < form.checked_add(*form).unwrap_or(Length::MAX));
-        caveats.extend(form.map(|form| Caveat::Form { form, zone }));
+        let limits = (bounds.minimum(), bounds.maximum());
+        caveats.extend(self.circle.and_then(|circle| Caveat::of_form(&self.contacts, &circle, limits)));
         caveats
-    }
-
-    /// The largest radial deviation of its contacts minus the smallest, to the nearest nanometre; `None` without a circle.
-    fn form(&self) -> Option<Length> {
-        let circle = self.circle.as_ref()?;
-        let radii = self.contacts.iter().map(|contact| (contact.x - circle.x).hypot(contact.y - circle.y));
-        let (least, most) =
-            radii.fold((f64::INFINITY, 0.0_f64), |(least, most), radius| (least.min(radius), most.max(radius)));
-        Length::from_mm_f64(most - least).ok()
     }
 
     /// What this measurement cannot tell.

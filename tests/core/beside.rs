@@ -368,6 +368,67 @@ mod runs {
         assert!(code == 14 && err.contains("more remarks are not listed"), "{code}: {err}");
     }
 
+    /// The mean circle is good; across the contacts it is 25.040 and 24.980.
+    #[test]
+    fn an_oval_bore_with_a_good_mean_circle_is_looked_at_first() {
+        let contacts = |a: &str, b: &str| format!("x,y,z\n{a},20,-5\n10,{b},-5\n-2.52,20,-5\n10,7.51,-5\n");
+        for oval in [contacts("22.52", "32.49"), contacts("22.512", "32.499")] {
+            let files = [("a.h", program(&bore(10, "+25.021"))), ("c.csv", oval)];
+            let files = files.each_ref().map(|(name, text)| (*name, text.as_str()));
+            for args in
+                [&["run", "a.h", "--contacts", "c.csv"][..], &["cycle", "421", "--block", "a.h", "--contacts", "c.csv"]]
+            {
+                let (found, err) = of(&files, args);
+                assert_eq!(found, 14, "{args:?}: {err}");
+            }
+        }
+        let round = "x,y,z\n22.505,20,-5\n10,32.505,-5\n-2.505,20,-5\n10,7.495,-5\n";
+        let files = [("a.h", program(&bore(10, "+25.021"))), ("c.csv", round.to_owned())];
+        let files = files.each_ref().map(|(name, text)| (*name, text.as_str()));
+        assert_eq!(of(&files, &["run", "a.h", "--contacts", "c.csv"]).0, 0);
+    }
+
+    #[test]
+    fn a_block_whose_coordinates_were_moved_is_looked_at_first() {
+        for (lines, code) in [
+            ("CYCL DEF 10.0 ROTATION\nCYCL DEF 10.1 ROT+15\n", 14),
+            ("CYCL DEF 11.0 SCALING\nCYCL DEF 11.1 SCL 0.99\n", 14),
+            ("PLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY\n", 14),
+            ("CYCL DEF 7.0 DATUM SHIFT\nCYCL DEF 7.1 X+0\n", 0),
+            ("", 0),
+        ] {
+            let files = [("a.h", program(&format!("{lines}{}", bore(10, "+25.021"))))];
+            let files = files.each_ref().map(|(name, text)| (*name, text.as_str()));
+            let (found, err) = of(&files, &["cycle", "421", "--block", "a.h"]);
+            assert_eq!(found, code, "{lines}: {err}");
+        }
+    }
+
+    #[test]
+    fn a_block_without_its_limits_beside_a_good_one_is_looked_at_first() {
+        let unlimited = bore(60, "+25.021").replace("Q275=+25.021 ~\nQ276=+25 ~\n", "");
+        let files = [("a.h", program(&(bore(10, "+25.021") + &unlimited)))];
+        let files = files.each_ref().map(|(name, text)| (*name, text.as_str()));
+        let (code, err) = of(&files, &["run", "a.h"]);
+        assert_eq!(code, 14, "{err}");
+        // Old controls have no Q423 and no Q365.
+        let old = bore(10, "+25.021").replace(" ~\nQ423=+4 ~\nQ365=+1", "");
+        let files = [("a.h", program(&old))];
+        let files = files.each_ref().map(|(name, text)| (*name, text.as_str()));
+        assert_eq!(of(&files, &["run", "a.h"]).0, 0);
+    }
+
+    #[test]
+    fn a_measuring_cycle_behind_the_end_is_looked_at_first() {
+        let text = format!(
+            "0 BEGIN PGM A MM\nTOOL CALL 1 Z S100\n{}END PGM A MM\n{}",
+            bore(10, "+25.021"),
+            bore(60, "+25.021")
+        );
+        let (code, err) = of(&[("a.h", text.as_str())], &["run", "a.h"]);
+        assert_eq!(code, 14, "{err}");
+    }
+
     #[test]
     fn a_part_that_was_turned_is_looked_at_first() {
         let files = [("a.h", program(&format!("L C+90 R0 FMAX\n{}", bore(10, "+25.021"))))];
@@ -495,5 +556,24 @@ fn a_temperature_that_counts_is_not_told_again() {
             ["import", "--plan", "p.toml"].into_iter().chain(more.iter().copied()).chain(["a.csv"]).collect();
         let (found, err) = of(&[("a.csv", text), ("p.toml", plan)], &args);
         assert_eq!(found, code, "{err}");
+    }
+}
+
+/// Below the second header, 25.013 is the nominal size and 25 the value: by the first header it would be good.
+#[test]
+fn rows_below_another_header_are_judged_by_none() {
+    let first = "Feature;Callout;Nominal;Measured\nB1;H7;25;25.013\n";
+    for (second, judged) in [
+        ("Feature;Callout;Measured;Nominal\nB2;H7;25;25.013\n", 1),
+        ("Feature;Callout;Nominal;Measured [µm]\nB2;H7;25;25.013\n", 0),
+        ("Feature;Callout;Nominal;Measured\nB2;H7;25;25.013\n", 2),
+    ] {
+        let folder = tempfile::tempdir().unwrap();
+        fitcheck::files::write(&folder.path().join("a.csv"), format!("{first}{second}").as_bytes()).unwrap();
+        let mut command = cargo_bin_cmd!("fitcheck");
+        let output = command.current_dir(folder.path()).args(["import", "a.csv"]).output().unwrap();
+        let out = String::from_utf8(output.stdout).unwrap();
+        assert_eq!((output.status.code(), out.matches("ISO 286").count()), (Some(1), judged), "{second}: {out}");
+        both(&format!("{first}{second}"), 1);
     }
 }

@@ -527,6 +527,17 @@ fn a_check_is_withdrawn_with_a_reason() {
     assert_eq!(said.code, 2, "{}", said.err);
 }
 
+/// The value of the correction and the one before it are both gone: that is said.
+#[test]
+fn a_correction_that_is_withdrawn_leaves_neither_and_says_so() {
+    let place = Place::new();
+    place.record("25.05", &[]);
+    assert_eq!(place.say("journal correct 2 --reason typing --measured 25.01 --journal j.sqlite").code, 0);
+    let said = place.say("journal correct 3 --reason x --withdraw --journal j.sqlite");
+    assert_eq!(said.code, 14, "{}", said.err);
+    assert!(said.err.contains("entry 3 corrected entry 2: now neither stands"), "{}", said.err);
+}
+
 // ---- verifying and copying ----
 
 fn open(path: &Path) -> rusqlite::Connection {

@@ -62,6 +62,8 @@ exchange-nominal = nominal size: { $reason }
 exchange-nominal-differs = callout { $callout } does not match nominal size { $nominal } in its own column
 exchange-measured = measured: { $reason }
 exchange-simulated = simulated: { $given } is neither true nor false
+exchange-other-header = this line names other columns than the first one: judge the rows below it as a file of their own
+exchange-below-other-header = not judged: line { $line } names other columns. Judge the rows below it as a file of their own
 exchange-simulated-below = the rows below this line are simulated: judge them as a file of their own, or with fitcheck import
 exchange-origin = origin: { $given } says neither measured nor simulated; write measured, typed or simulated, or set simulated=- where this column says something else
 exchange-decimal-sign = measured: { $given } has a different decimal sign than the other values: "{ $sign }"

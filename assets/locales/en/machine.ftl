@@ -118,6 +118,10 @@ machine-remark-given-without-effect = { $parameter } was given before the run an
 machine-remark-doubted = { $what }
 machine-remark-measured = { $what }
 machine-remark-filled = the block leaves out { $parameters }: these values were taken, while a control may refuse the block
+machine-remark-measurement-behind-end = { $count ->
+        [one] a measuring cycle stands
+       *[other] { $count } measuring cycles stand
+    } after this block, where no control reads on: nothing of that was measured
 machine-remark-cycle-skipped = this measuring cycle was skipped at request, because of the / before it
 machine-remark-rounded = table { $table }, column { $column }: { $value } was rounded to { $written }
 machine-remark-not-judged = no verdict here: nothing was compared with limits

@@ -146,6 +146,7 @@ records-page-corrector = Corrected by
 records-page-reason = Reason
 records-page-withdraw = Withdraw the record
 records-page-withdraw-hint = Nothing stands in its place
+records-page-withdraw-neither = Record { $number }, which this one corrects, does not stand again
 records-page-typed = Typed value, mm
 records-page-send-correction = Record the correction
 records-page-leave-correction = Cancel

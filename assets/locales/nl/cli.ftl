@@ -228,6 +228,7 @@ cli-remark-plan-has = { $count ->
 }
 cli-remark-plan-example = geen maat opgegeven: het plan heeft één kenmerk als voorbeeld
 cli-remark-plan-head-left = CSV heeft alleen de kenmerken: { $keys } van het onderdeel blijft weg
+cli-warning-neither-stands = vermelding { $number } corrigeerde vermelding { $target }: nu telt geen van beide. Klopt een van de waarden, leg die dan opnieuw vast
 cli-warning-plan-missing = niet gemeten: { $names }
 cli-warning-plan-missing-of = { $who }: niet gemeten: { $names }
 cli-warning-contradiction = { $name } heeft waarden die elkaar tegenspreken: { $values }

@@ -62,6 +62,8 @@ exchange-nominal = nominale maat: { $reason }
 exchange-nominal-differs = passing { $callout } klopt niet met de nominale maat { $nominal } in de eigen kolom
 exchange-measured = gemeten: { $reason }
 exchange-simulated = gesimuleerd: { $given } is geen true en geen false
+exchange-other-header = deze regel noemt andere kolommen dan de eerste: beoordeel de rijen eronder als een eigen bestand
+exchange-below-other-header = niet beoordeeld: regel { $line } noemt andere kolommen. Beoordeel de rijen eronder als een eigen bestand
 exchange-simulated-below = de rijen onder deze regel zijn gesimuleerd: beoordeel ze als een eigen bestand, of met fitcheck import
 exchange-origin = herkomst: { $given } zegt niet of er gemeten of gesimuleerd is; schrijf gemeten, getypt of gesimuleerd, of stel simulated=- in als deze kolom iets anders zegt
 exchange-decimal-sign = gemeten: { $given } heeft een ander decimaalteken dan de andere waarden: "{ $sign }"
@@ -171,7 +173,7 @@ exchange-warning-feature-differs = het bestand zegt { $given }, maar de grenzen 
     }
 exchange-warning-temperature-differs = het bestand zegt { $given }, maar de waarde telt als gemeten bij { $counted } °C: geef --temperature en --material
 exchange-warning-speaks-of-temperature = het bestand spreekt van een andere temperatuur dan { $counted } °C, waarbij zijn waarden als gemeten tellen: { $text }
-',exchange-warning-speaks-of-simulation = deze regel spreekt van een simulatie: heeft iemand gemeten? { $text }
+exchange-warning-speaks-of-simulation = deze regel spreekt van een simulatie: heeft iemand gemeten? { $text }
 exchange-warning-all-nominal = alle { $count } waarden zijn precies de nominale maat: misschien is dit een lijst van maten die niemand heeft gemeten
 exchange-warning-name-of-no-size = { $given } is geen naam van een maat van één deel, en de waarde is als zo'n maat beoordeeld
 exchange-warning-other-values = kolommen met andere maten dicht bij de gemeten maten worden niet beoordeeld: { $columns }

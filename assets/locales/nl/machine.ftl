@@ -118,6 +118,10 @@ machine-remark-given-without-effect = { $parameter } is vooraf opgegeven en had 
 machine-remark-doubted = { $what }
 machine-remark-measured = { $what }
 machine-remark-filled = de NC-regel laat { $parameters } weg: deze waarden zijn genomen, een besturing weigert de regel misschien
+machine-remark-measurement-behind-end = { $count ->
+        [one] er staat een meetcyclus
+       *[other] er staan { $count } meetcycli
+    } na deze NC-regel, waar geen besturing verder leest: daarvan is niets gemeten
 machine-remark-cycle-skipped = deze meetcyclus is op verzoek overgeslagen, vanwege de / ervoor
 machine-remark-rounded = tabel { $table }, kolom { $column }: { $value } is afgerond op { $written }
 machine-remark-not-judged = hier geen oordeel: er is niets met grenzen vergeleken

@@ -146,6 +146,7 @@ records-page-corrector = Gecorrigeerd door
 records-page-reason = Reden
 records-page-withdraw = De vastlegging intrekken
 records-page-withdraw-hint = Er komt niets in haar plaats
+records-page-withdraw-neither = Vastlegging { $number }, die deze corrigeert, telt daardoor niet opnieuw
 records-page-typed = Getypte waarde, mm
 records-page-send-correction = De correctie vastleggen
 records-page-leave-correction = Annuleren

@@ -288,6 +288,9 @@ impl Args {
         if let Some(unused) = &block.unused {
             io.warn_about(&name, unused);
         }
+        if let Some(moved) = &block.moved {
+            io.warn_about(&name, moved);
+        }
         block.put_into(inputs).about(&name)
     }
 

@@ -6,6 +6,7 @@ use super::show::row;
 use super::{CliError, Io, JournalArgs, Outcome, Refused as _};
 use crate::cli::What;
 use crate::cli::record::keep;
+use crate::cli::said::CliWarning;
 use crate::journal::Record;
 use crate::journal::entry::{About, Check, Checked, Content, Correction, Entry};
 use crate::store::here;
@@ -14,6 +15,7 @@ use crate::store::local::{Reader, Row};
 const HELP: &str = "\
 Nothing is changed: a new entry names the old one and gives the reason, and both stay. A value that
 was typed may be typed again; it is judged by the same limits and the same rule.
+To withdraw a correction leaves nothing: what it corrected does not stand again (exit code 14).
 
 Examples:
   fitcheck journal correct 12 --reason \"serial number of the next part\" --serial 17-0043
@@ -101,6 +103,9 @@ impl Args {
         };
         let entry = Entry { about: about.clone(), content };
         keep(&file, &about, &[entry], io)?;
+        if let (true, Some(corrected)) = (self.withdraw, &check.corrects) {
+            io.warn(&CliWarning::NeitherStands { target: corrected.target.number, number: self.number });
+        }
         Ok(Outcome::Done)
     }
 

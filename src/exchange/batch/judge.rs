@@ -495,6 +495,9 @@ impl Judge<'_> {
                 }
                 None => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
             },
+            Err((cell, _)) if columns.are_renamed_by(&cells) => {
+                Self::refuse(row, cell.at, &ImportErrorKind::OtherHeader, tally, take);
+            }
             Err((cell, reason)) => Self::refuse(row, cell.at, &stray().unwrap_or(reason), tally, take),
         }
     }

@@ -124,6 +124,14 @@ pub enum Remark {
     Filled {
         /// Each with the value that was taken.
         parameters: String,
+        /// Whether limits are among them: the block may have been meant to judge.
+        #[say(skip)]
+        are_limits: bool,
+    },
+    /// Measuring cycles stand behind `END PGM`, where no control reads on.
+    MeasurementBehindEnd {
+        /// How many.
+        count: usize,
     },
     /// A measuring cycle was skipped at request, because of the / before it.
     CycleSkipped,
@@ -283,6 +291,8 @@ impl Remark {
         matches!(
             self,
             Self::Skipped
+                | Self::Filled { are_limits: true, .. }
+                | Self::MeasurementBehindEnd { .. }
                 | Self::MeasurementSkipped
                 | Self::DatumSkipped
                 | Self::Doubted { .. }
@@ -294,7 +304,13 @@ impl Remark {
 
     /// Whether a measurement was left out: that counts also where nothing was judged.
     const fn leaves_out_a_measurement(&self) -> bool {
-        matches!(self, Self::MeasurementSkipped | Self::DatumSkipped | Self::ContactsLeft { .. })
+        matches!(
+            self,
+            Self::MeasurementSkipped
+                | Self::DatumSkipped
+                | Self::MeasurementBehindEnd { .. }
+                | Self::ContactsLeft { .. }
+        )
     }
 
     /// What the reader of a file has to say.
@@ -305,15 +321,17 @@ impl Remark {
 
 /// What a milling control's block leaves out of what has an effect. Letters of a lathe's cycle may be left out.
 fn filled(cycle: &Cycle, result: &CycleResult) -> Option<Remark> {
+    let mut are_limits = false;
     let left_out = cycle.parameters.iter().filter_map(|parameter| {
         let Key::Q(_) = parameter.key else { return None };
         let is_optional = !parameter.has_effect || parameter.meaning.may_be_left_out();
         let is_needed = !is_optional && !result.inputs.is_given(parameter.key);
         let value = result.inputs.value(parameter.key).filter(|_value| is_needed)?;
+        are_limits |= parameter.meaning.other_limit().is_some();
         Some(format!("{} = {}", parameter.key, value.with_unit()))
     });
     let parameters = left_out.collect::<Vec<_>>().join(", ");
-    (!parameters.is_empty()).then_some(Remark::Filled { parameters })
+    (!parameters.is_empty()).then_some(Remark::Filled { parameters, are_limits })
 }
 
 /// The remarks of a run; beyond the limit they are only counted.

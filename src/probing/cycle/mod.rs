@@ -205,7 +205,7 @@ impl Cycle {
             remarks.extend(measured.remarks);
             remarks.extend(self.zone_remarks(&measured.checks));
             remarks.extend(astray);
-            CycleResult {
+            let result = CycleResult {
                 path: path.clone(),
                 contacts: measured.contacts,
                 circle: measured.circle,
@@ -216,7 +216,9 @@ impl Cycle {
                 log: self.log_target(&inputs),
                 remarks,
                 inputs,
-            }
+            };
+            let form = result.form().map(Remark::Form);
+            CycleResult { remarks: result.remarks.into_iter().chain(form).collect(), ..result }
         });
         (path, result)
     }

@@ -3,6 +3,7 @@
 use super::key::Key;
 use crate::length::Length;
 use crate::message::Say;
+use crate::probing::Caveat;
 use crate::tolerance::ZoneDoubt;
 
 /// Something worth knowing about a run.
@@ -39,6 +40,9 @@ pub enum Remark {
     /// Limits that are out of all proportion to the size: the cycle compares with them all the same.
     #[say(transparent)]
     Zone(ZoneDoubt),
+    /// What the contacts say against the limits of the diameter: it is that of the mean circle.
+    #[say(transparent)]
+    Form(Caveat),
     /// Contacts lie apart from where the cycle probes.
     ContactAstray {
         /// How many do.
@@ -60,9 +64,9 @@ pub enum Remark {
 }
 
 impl Remark {
-    /// Whether it stands against what the cycle says: limits out of all proportion, contacts of somewhere else, or a tolerance that was
-    /// written and not understood.
+    /// Whether it stands against what the cycle says: limits out of all proportion, contacts of somewhere else or of no circle, or a
+    /// tolerance that was written and not understood.
     pub const fn stands_against(&self) -> bool {
-        matches!(self, Self::Zone(_) | Self::ContactAstray { .. } | Self::NoTolerance { .. })
+        matches!(self, Self::Zone(_) | Self::Form(_) | Self::ContactAstray { .. } | Self::NoTolerance { .. })
     }
 }

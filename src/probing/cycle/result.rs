@@ -7,6 +7,7 @@ use super::remark::Remark;
 use super::value::Value;
 use crate::length::Length;
 use crate::message::{Message, Say, display};
+use crate::probing::Caveat;
 use crate::probing::circle::{Circle, CircleWarning, Evaluation, evaluate};
 use crate::probing::contact::Contact;
 use crate::verdict::{PositionVerdict, Removal, Status};
@@ -66,6 +67,13 @@ impl CycleResult {
     pub fn plane_contacts(&self) -> Vec<Contact> {
         let plane = self.circle.as_ref().map_or(Plane::Xy, |circle| circle.plane);
         self.contacts.iter().map(|contact| Contact::at(plane.within(contact.place()))).collect()
+    }
+
+    /// What its contacts say against the limits of its diameter.
+    pub(super) fn form(&self) -> Option<Caveat> {
+        let check = self.checks.iter().find(|check| check.what == FoundName::DIAMETER)?;
+        let found = self.circle.as_ref()?;
+        Caveat::of_form(&self.plane_contacts(), &found.circle, (check.minimum, check.maximum))
     }
 
     /// What its contacts cannot tell of the circle; nothing for cycles without one.

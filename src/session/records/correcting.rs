@@ -35,6 +35,11 @@ impl RecordsPage {
         })
     }
 
+    /// The record that the open one corrects: with it withdrawn, neither stands.
+    pub fn corrects(&self) -> Option<u64> {
+        Some(self.opened_row()?.entry.as_ref().ok()?.corrects()?.target.number)
+    }
+
     /// The typed value of the open record, where it was typed and can be typed again.
     pub fn typed_value(&self) -> Option<Length> {
         let record = size(self.opened_row()?)?;

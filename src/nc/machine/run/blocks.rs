@@ -102,7 +102,10 @@ impl Run {
         match &block.body {
             Body::Begin { .. } | Body::Nothing | Body::Heading { .. } => {}
             Body::Label(label) => self.flow.pass_label(label),
-            Body::End { .. } => return self.end_program(),
+            Body::End { .. } => {
+                self.look_behind_end(at);
+                return self.end_program();
+            }
             Body::CallLabel { label, repeat } => self.flow.call_label(at, label, *repeat, &self.values)?,
             Body::CallProgram(path) => {
                 let path = self.path_of(path)?;

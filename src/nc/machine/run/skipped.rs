@@ -9,7 +9,7 @@ use super::super::files::Files;
 use super::super::path::NcPath;
 use super::super::remark::Remark;
 use super::Run;
-use crate::nc::program::{CycleBlock, Unread};
+use crate::nc::program::{Body, CycleBlock, Unread};
 
 /// Cycles of `TCH PROBE` that set no datum and no rotation: one point, angles, calibration, tools, bolt circles, planes, fast probing
 /// (datum-cycles, sections 4 to 6).
@@ -112,6 +112,15 @@ impl Run {
         }
         self.remark(at, Remark::Skipped);
         Ok(())
+    }
+
+    /// Says that measuring cycles stand behind the end of a program: no control reads on.
+    pub(super) fn look_behind_end(&mut self, at: usize) {
+        let behind = self.flow.program().blocks().iter().skip(at + 1);
+        let count = behind.filter(|block| matches!(block.body, Body::Probe(_))).count();
+        if 0 < count {
+            self.remark(at, Remark::MeasurementBehindEnd { count });
+        }
     }
 
     /// Skips a measuring cycle that nothing here runs. What its block states can be read afterwards.
