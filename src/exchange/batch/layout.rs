@@ -242,9 +242,10 @@ impl Above {
             let row = Row::new(text, above.length, ends);
             let cells = row.record();
             if cells::is_comment(&cells) {
-                let told = match cells::is_data(&cells) {
-                    true => Some(ImportWarningKind::Comment),
-                    false => ImportWarningKind::said_against(&cells, counted),
+                let told = if cells::is_data(&cells) {
+                    Some(ImportWarningKind::Comment)
+                } else {
+                    ImportWarningKind::said_against(&cells, counted)
                 };
                 above.warnings.extend(told.map(|told| (above.line, told)));
             } else if !cells::is_blank(&cells) {
