@@ -19,11 +19,9 @@ pub(super) fn moves_coordinates(block: &str) -> bool {
             differs(&values.iter().copied().filter(is_angle).collect::<Vec<_>>(), 0.0)
         }
         ["PLANE", ..] | ["TRANS", "MIRROR", ..] | ["TRANS", "DATUM", "TABLE", ..] => true,
-        ["TRANS", "DATUM" | "ROTATION", values @ ..] => differs(values, 0.0),
-        ["TRANS", "SCALE", values @ ..] => differs(values, 1.0),
+        ["TRANS", "DATUM" | "ROTATION", values @ ..] | ["G54" | "G73" | "G80", values @ ..] => differs(values, 0.0),
+        ["TRANS", "SCALE", values @ ..] | ["G72", values @ ..] => differs(values, 1.0),
         ["G28", axes @ ..] => !axes.is_empty(),
-        ["G54" | "G73" | "G80", values @ ..] => differs(values, 0.0),
-        ["G72", values @ ..] => differs(values, 1.0),
         _ => false,
     }
 }
