@@ -47,7 +47,9 @@ const UNITS: [(&str, Scale); 12] = [
 pub(super) fn of_column(name: &str) -> Option<Scale> {
     let small = name.to_lowercase();
     let words = units::words_of(name);
-    let is_temperature = words.iter().any(|word| ENDS.iter().any(|end| word.ends_with(end)));
+    let is_number =
+        words.iter().any(|word| ["id", "no", "nr", "number", "sensor", "status", "ok"].contains(&word.as_str()));
+    let is_temperature = !is_number && words.iter().any(|word| ENDS.iter().any(|end| word.ends_with(end)));
     let stated = UNITS.iter().find(|(unit, _)| small.contains(unit)).map(|(_, scale)| *scale);
     if speaks_of_other(name) || !is_temperature && (stated.is_none() || mentioned(name).is_some()) {
         return None;
@@ -85,16 +87,38 @@ fn in_celsius(number: &str, scale: Scale) -> Option<Temperature> {
     Temperature::from_thousandths(format!("{:.0}", celsius * 1e3).parse().ok()?)
 }
 
-/// The temperature that a text says of the place or the part, the one furthest from 20 °C: a number with its unit, between 0 and 60 °C.
+/// The number behind the name of a temperature: `Part temperature: 31.0C`, `temperatuur = 31`.
+fn named(small: &str) -> impl Iterator<Item = Temperature> {
+    let is_figure = |c: char| c.is_ascii_digit() || ".,".contains(c);
+    let behind = ["temperatur", "temperatuur"].into_iter().flat_map(|name| small.match_indices(name));
+    behind.filter_map(move |(at, name)| {
+        let rest = small.get(at + name.len()..)?.trim_start_matches(char::is_alphabetic);
+        let rest = rest.trim_start_matches([' ', ':', ';', '=', '\t']);
+        let unit = rest.trim_start_matches(is_figure);
+        let number = rest.strip_suffix(unit)?.trim_end_matches(['.', ',']);
+        // No time, date or share.
+        let is_alone = !unit.starts_with([':', '-', '/', '%']);
+        let unit = unit.trim_start().trim_start_matches(['°', '\u{ba}']);
+        let letters = unit.split(|c: char| !c.is_alphanumeric()).next()?;
+        let scale = match letters {
+            "f" => Scale::Fahrenheit,
+            "k" => Scale::Kelvin,
+            _ => Scale::Celsius,
+        };
+        in_celsius(number, scale).filter(|_| is_alone)
+    })
+}
+
+/// The temperature that a text says of the place or the part, the one furthest from 20 °C: a number with its unit or behind the name of
+/// a temperature, between 0 and 60 °C.
 pub(super) fn mentioned(text: &str) -> Option<Temperature> {
-    if !UNITS.iter().any(|(unit, _)| text.to_lowercase().contains(unit)) {
-        return None;
-    }
     let small = text.to_lowercase();
-    if speaks_of_other(text) || CORRECTED.iter().any(|word| small.contains(word)) {
+    let is_said = small.contains("temperat") || UNITS.iter().any(|(unit, _)| small.contains(unit));
+    if !is_said || speaks_of_other(text) || CORRECTED.iter().any(|word| small.contains(word)) {
         return None;
     }
-    let mut found: Vec<Temperature> = Vec::new();
+    let is_near = |warm: &Temperature| (0..=60_000).contains(&warm.thousandths());
+    let mut found: Vec<Temperature> = named(&small).filter(is_near).collect();
     for (unit, scale) in UNITS {
         for (at, _) in small.match_indices(unit) {
             let before = small.get(..at).unwrap_or_default().trim_end();
@@ -104,7 +128,7 @@ pub(super) fn mentioned(text: &str) -> Option<Temperature> {
             let is_spread = rest.trim_end().ends_with('±') || rest.trim_end().ends_with("+/-");
             let sign = if rest.ends_with(['-', '\u{2212}']) { "-" } else { "" };
             let warm = in_celsius(&format!("{sign}{number}"), scale);
-            found.extend(warm.filter(|warm| !is_spread && (0..=60_000).contains(&warm.thousandths())));
+            found.extend(warm.filter(|warm| !is_spread && is_near(warm)));
         }
     }
     found.into_iter().max_by_key(|warm| (warm.thousandths() - Temperature::REFERENCE.thousandths()).abs())
@@ -137,10 +161,23 @@ mod tests {
     #[test]
     fn a_text_mentions_a_temperature_with_its_unit_and_no_other_number() {
         assert_eq!(mentioned("Raumtemperatur 35,5 °C"), Some(degrees("35.5")));
+        assert_eq!(mentioned("Part temperature: 31.0C"), Some(degrees("31")));
+        assert_eq!(mentioned("Werkstücktemperatur 31,5"), Some(degrees("31.5")));
+        assert_eq!(mentioned("temperatuur = 88 F, 10:00"), Some(degrees("31.111")));
+        assert_eq!(mentioned("Temperature 20.1 C Probe 3 mm"), Some(degrees("20.1")));
         assert_eq!(mentioned("part at 95°F, room 20 °C"), Some(degrees("35")));
         assert_eq!(mentioned("20 °C ± 1 °C"), Some(degrees("20")));
-        for text in ["25 H7", "35 C", "cleaned at 80 °C", "Kühlmittel 35 °C", "from 35 °C corrected to 20 °C", "°C"]
-        {
+        for text in [
+            "25 H7",
+            "35 C",
+            "temperature 10:00",
+            "Temperature 2026-11-01",
+            "temperature:",
+            "cleaned at 80 °C",
+            "Kühlmittel 35 °C",
+            "from 35 °C corrected to 20 °C",
+            "°C",
+        ] {
             assert_eq!(mentioned(text), None, "{text}");
         }
         // In small letters it has more bytes.
@@ -158,6 +195,8 @@ mod tests {
             ("T [°F]", Some(Scale::Fahrenheit)),
             ("measured at 20 °C", None),
             ("Spindeltemperatur", None),
+            ("Temp sensor no", None),
+            ("TempID", None),
             ("temp comp", None),
             ("template", None),
         ] {

@@ -525,6 +525,8 @@ fn a_temperature_beside_the_value_that_nobody_counted_is_told() {
         "Part temperature 35 °C",
         "Messbericht;35 °C",
         "# temperatuur 35,5 graden Celsius",
+        "Part temperature: 35.0C",
+        "Temperature;35.0",
     ] {
         both(&format!("{line}\n{rows}"), 14);
         both(&format!("{rows}# {line}\n"), 14);
