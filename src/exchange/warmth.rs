@@ -18,10 +18,6 @@ const ENDS: [&str; 5] = ["temp", "temperature", "temperatur", "temperatuur", "te
 const OTHER: &str = "spindle|spindel|spil|mandrin|cool|kühl|kuehl|koel|refriger|oil|öl|olie|olio|scale|maßstab|massstab|schaal|harden|härt|haert|temper |\
     anneal|compens|kompens|temp comp|tempcomp|temp_comp|temp. comp|temp komp|tempkomp|correct|korrig|korrekt|gecorrig|corrett|correz|reference|referenz|bezug|referentie|riferimento|wash|clean|gereinigt";
 
-/// Words of a text in which a value was brought to 20 °C.
-const CORRECTED: [&str; 8] =
-    ["corrected", "compensated", "korrigiert", "kompensiert", "gecorrigeerd", "gecompenseerd", "corrett", "compensat"];
-
 fn speaks_of_other(text: &str) -> bool {
     let small = text.to_lowercase();
     OTHER.split('|').any(|part| small.contains(part))
@@ -114,7 +110,7 @@ fn named(small: &str) -> impl Iterator<Item = Temperature> {
 pub(super) fn mentioned(text: &str) -> Option<Temperature> {
     let small = text.to_lowercase();
     let is_said = small.contains("temperat") || UNITS.iter().any(|(unit, _)| small.contains(unit));
-    if !is_said || speaks_of_other(text) || CORRECTED.iter().any(|word| small.contains(word)) {
+    if !is_said || speaks_of_other(text) {
         return None;
     }
     let is_near = |warm: &Temperature| (0..=60_000).contains(&warm.thousandths());
