@@ -10,6 +10,7 @@
 //! | of an upper or lower limit, or of a deviation | with the limits and the value, as a size or as a deviation |
 //! | of the type of a feature | where it says hole or shaft |
 //! | of a temperature, or with one in its words: `part at 35 °C` | with the one that counts for the part |
+//! | any, where the name of the values or a line above all names says a temperature | the same of every row |
 //! | of the names, where one of the first speaks of a roundness, a mean or a master | the same names |
 //!
 //! The names and words are English, Dutch, German and Italian. Nothing here changes an answer.
@@ -22,7 +23,7 @@ use super::columns::{Columns, Sample, name_of};
 use super::evidence::{says_simulated, yes_or_no};
 use super::quantity::{is_form, is_shape};
 use super::units;
-use super::warmth::{self, Scale};
+use super::warmth::{self, OfTemperature, Whose};
 use super::words;
 use crate::length::{Length, Unit};
 use crate::tolerance::Feature;
@@ -43,7 +44,7 @@ enum Says {
     /// Hole or shaft.
     Feature,
     /// How warm the part was, by a number.
-    Temperature(Scale),
+    Temperature(OfTemperature),
     /// The same, in its words.
     Warmth,
     /// What it is of, by a name that speaks of no size of one part.
@@ -123,7 +124,7 @@ fn by_name(header: &str) -> Option<Says> {
         _ if is_signed('-') || has(LOWER, &bare) => Says::Lower,
         _ if has(DEVIATION, &bare) => Says::Deviation,
         _ => match warmth::of_column(header) {
-            Some(scale) => Says::Temperature(scale),
+            Some(column) => Says::Temperature(column),
             None if bare.split(' ').any(|word| has(STATUS_WORDS, word)) => Says::Status { is_named: false },
             None => return None,
         },
@@ -160,7 +161,31 @@ impl Sample {
             let unit = units::unit(name).ok().flatten();
             says.map(|says| BesideColumn { at, name: name.trim().to_owned(), unit, says })
         };
-        (0..columns.count).filter_map(column).collect()
+        let mut all: Vec<BesideColumn> = (0..columns.count).filter_map(column).collect();
+        // How warm the room was says nothing where the part's own temperature stands beside it.
+        let is_of = |column: &BesideColumn, wanted: Whose| matches!(column.says, Says::Temperature(OfTemperature { whose, .. }) if whose == Some(wanted));
+        if all.iter().any(|column| is_of(column, Whose::Part)) {
+            all.retain(|column| !is_of(column, Whose::Place));
+        }
+        all
+    }
+
+    /// At which temperature all values were measured, as the name of their column and the lines above the names say together.
+    pub(super) fn said_of_all(&self, columns: &Columns, names: &StringRecord) -> Option<Claim> {
+        if columns.own.are_corrected() || columns.evidence.are_corrected {
+            return None;
+        }
+        let text = |cells: &StringRecord| {
+            let filled = cells.iter().map(str::trim).filter(|cell| !cell.is_empty());
+            filled.collect::<Vec<_>>().join(" ")
+        };
+        let lines = self.comments.iter().chain(&self.rows);
+        let above = lines.filter(|(line, _)| columns.header.is_some_and(|header| *line < header));
+        let name = names.get(columns.measured.at).map(str::to_owned);
+        let texts: Vec<String> = above.map(|(_, cells)| text(cells)).chain(name).collect();
+        let warm = warmth::mentioned(&texts.join("; "))?;
+        let said = texts.iter().find(|text| warmth::mentioned(text) == Some(warm));
+        Some(Claim::warm(said.map_or(texts.first()?, |said| said), warm))
     }
 
     /// The columns of an unknown name with other sizes near the measured ones: a second reading, another gauge, the largest and the smallest.
@@ -246,7 +271,7 @@ impl BesideColumn {
             Says::Upper => figure().map(|figure| self.limit(Claim::upper(&said(), figure))),
             Says::Lower => figure().map(|figure| self.limit(Claim::lower(&said(), figure))),
             Says::Deviation => figure().map(|figure| Claim::deviation(&said(), figure)),
-            Says::Temperature(scale) => warmth::read(text, scale).map(|warm| Claim::warm(&said(), warm)),
+            Says::Temperature(column) => warmth::read(text, column.scale).map(|warm| Claim::warm(&said(), warm)),
             Says::Warmth => warmth::mentioned(text).map(|warm| Claim::warm(&said(), warm)),
             Says::Feature => {
                 let feature = if is_shape(text)? { Feature::Hole } else { Feature::Shaft };
@@ -273,6 +298,7 @@ impl Columns {
         let is_corrected = self.evidence.is_corrected(cells);
         let counts = |column: &&BesideColumn| !is_corrected || !column.says.is_of_temperature();
         let asked = self.beside.iter().filter(|column| is_asked(column)).filter(counts);
-        asked.filter_map(|column| column.claim(cells.get(column.at)?, unit)).collect()
+        let of_all = self.evidence.warm.iter().filter(|_| !is_corrected).cloned();
+        asked.filter_map(|column| column.claim(cells.get(column.at)?, unit)).chain(of_all).collect()
     }
 }

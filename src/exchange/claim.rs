@@ -189,6 +189,11 @@ impl Claim {
         Self::new(shorten(said), What::Warm { said: warm, counted: Temperature::REFERENCE })
     }
 
+    /// Whether it says 20 °C.
+    pub(super) fn is_of_reference(&self) -> bool {
+        matches!(self.what, What::Warm { said, .. } if said == Temperature::REFERENCE)
+    }
+
     /// The same beside values that are brought to 20 °C from this temperature.
     #[must_use]
     pub(super) fn from(self, counted: Temperature) -> Self {

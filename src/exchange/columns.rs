@@ -17,6 +17,7 @@ use super::own::OwnColumns;
 use super::quantity::{Free, QuantityColumn};
 use super::stated::{self, Stated};
 use super::units;
+use super::warmth;
 use super::words::{self, Rank};
 use crate::length::Unit;
 use crate::tolerance::fit::thermal::Temperature;
@@ -135,9 +136,11 @@ impl Columns {
         })
     }
 
-    /// The temperature at which lines beside the rows are compared: none where values were brought to 20 °C already.
-    pub(super) fn counted(&self, counted: Temperature) -> Option<Temperature> {
-        Some(counted).filter(|_| !self.own.are_corrected() && !self.evidence.are_corrected)
+    /// The temperature with which a line beside the rows is compared: none where values were brought to 20 °C already, and above the names,
+    /// where each row is compared with what the lines say.
+    pub(super) fn counted_at(&self, line: usize, counted: Temperature) -> Option<Temperature> {
+        let is_above = self.header.is_some_and(|header| line < header);
+        Some(counted).filter(|_| !is_above && !self.own.are_corrected() && !self.evidence.are_corrected)
     }
 
     /// The columns that hold something else than what is looked for.
@@ -150,18 +153,12 @@ impl Columns {
         all.chain(self.own.of_correction()).chain(self.labels.iter()).collect()
     }
 
-    /// That words which say nothing known of what was measured are taken for sizes, that other sizes are not judged, and that the name of
-    /// the measured ones says another temperature than the one that counts.
-    pub(super) fn taken_as_sizes(&self, counted: Temperature) -> impl Iterator<Item = ImportWarningKind> {
+    /// That words which say nothing known of what was measured are taken for sizes, and that other sizes are not judged.
+    pub(super) fn taken_as_sizes(&self) -> impl Iterator<Item = ImportWarningKind> {
         let taken = self.quantities.iter().filter_map(QuantityColumn::taken);
         let columns = || listed(&self.other_values);
         let others = (!self.other_values.is_empty()).then(|| ImportWarningKind::OtherValues { columns: columns() });
-        let warm = self.evidence.warm.zip(self.counted(counted)).filter(|(warm, counted)| warm != counted);
-        let warm = warm.map(|(warm, counted)| ImportWarningKind::SpeaksOfTemperature {
-            text: format!("{warm} °C"),
-            counted: counted.to_string(),
-        });
-        others.into_iter().chain(warm).chain(
+        others.into_iter().chain(
             taken.map(|(column, words)| ImportWarningKind::QuantityUnknown {
                 column: column.clone(),
                 words: words.clone(),
@@ -191,7 +188,7 @@ pub(super) struct Sample {
     is_last_open: bool,
     /// The column of measured values, where the user has said it.
     pub(super) measured: Option<usize>,
-    /// Comments that may state a unit.
+    /// Comments that may state a unit or a temperature.
     pub(super) comments: Vec<(usize, StringRecord)>,
     /// The row of units below the header.
     pub(super) units_row: Option<usize>,
@@ -326,6 +323,7 @@ impl Sample {
         let used = columns.used();
         columns.evidence.word = self.says_simulated(columns, &used);
         columns.beside = self.beside(names, columns, &used);
+        columns.evidence.warm = self.said_of_all(columns, names);
         columns.other_values = self.other_values(names, columns, &used);
         // What is compared is not skipped.
         let compared = columns.beside.iter().map(BesideColumn::at).chain(columns.evidence.word);
@@ -363,8 +361,15 @@ impl Sample {
             Some("id") if own != OwnColumns::default() => Free::No,
             _ => free(header, &roles, at),
         });
-        for column in &quantities {
-            if let Some(role) = roles.get_mut(column.at) {
+        // "Part [°C]" names no part.
+        let warm: Vec<usize> = (0..)
+            .zip(header)
+            .zip(&roles)
+            .filter(|((_, name), role)| !matches!(role, Some((Role::Measured, _))) && warmth::of_column(name).is_some())
+            .map(|((at, _), _)| at)
+            .collect();
+        for at in quantities.iter().map(|column| column.at).chain(warm.iter().copied()) {
+            if let Some(role) = roles.get_mut(at) {
                 *role = None;
             }
         }
@@ -387,7 +392,7 @@ impl Sample {
             .chain(quantities.iter().map(|column| column.at))
             .chain(own.of_correction())
             .collect();
-        let labels = LabelColumns::of(header, &used);
+        let labels = LabelColumns::of(header, &[used.as_slice(), &warm].concat());
         let used: Vec<usize> = used.into_iter().chain(labels.iter()).collect();
         let ignored = (0..).zip(header).filter(|(at, name)| !used.contains(at) && !name.trim().is_empty());
         Ok(Columns {
@@ -577,7 +582,7 @@ fn row(line: usize, cells: StringRecord, comments: &mut Vec<(usize, StringRecord
         return None;
     }
     if is_comment(&cells) {
-        if stated::may_state(&cells) {
+        if stated::may_state(&cells) || cells.iter().any(|cell| warmth::mentioned(cell).is_some()) {
             comments.push((line, cells));
         }
         return None;

@@ -4,14 +4,14 @@
 use csv::StringRecord;
 
 use super::cells;
+use super::claim::Claim;
 use super::error::{ImportErrorKind, shorten};
 use super::rules::{Cell, Refused};
 use super::{warmth, words};
 use crate::control::simulated::is_mark;
-use crate::tolerance::fit::thermal::Temperature;
 
 /// Where they are.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Evidence {
     /// A column that says where a value comes from: `simulated, cycle 421`, `typed`.
     pub(super) origin: Option<usize>,
@@ -19,8 +19,8 @@ pub(super) struct Evidence {
     corrected: Option<usize>,
     /// Whether the name of the measured values says so.
     pub(super) are_corrected: bool,
-    /// The temperature in the name of the measured values.
-    pub(super) warm: Option<Temperature>,
+    /// At which temperature all values were measured, as the name of their column or a line above it says.
+    pub(super) warm: Option<Claim>,
     /// A column of any other name that says of some value that nobody measured.
     pub(super) word: Option<usize>,
     /// Whether the mark of a simulation stands above all rows.
@@ -32,10 +32,10 @@ impl Evidence {
     pub(super) fn of(header: &StringRecord, measured: usize) -> Self {
         let at =
             |is: fn(&str) -> bool| (0..).zip(header).find(|(at, name)| *at != measured && is(name)).map(|(at, _)| at);
-        let are_corrected = header.get(measured).is_some_and(words::says_corrected);
+        let is_done = |name: &str| words::says_corrected(name) && !warmth::denies_correction(name);
+        let are_corrected = header.get(measured).is_some_and(is_done);
         let (origin, corrected) = (at(words::is_origin), at(words::is_corrected));
-        let warm = header.get(measured).and_then(warmth::mentioned);
-        Self { origin, corrected, are_corrected, warm, word: None, are_simulated: false }
+        Self { origin, corrected, are_corrected, warm: None, word: None, are_simulated: false }
     }
 
     /// Whether a row says that its value was brought to 20 °C. What is neither yes nor no says so as well: it refuses a correction, and

@@ -263,7 +263,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
             let columns = columns::listed(&self.columns.ignored);
             self.warn(line, ImportWarningKind::IgnoredColumns { columns });
         }
-        for kind in self.columns.taken_as_sizes(self.source.counted) {
+        for kind in self.columns.taken_as_sizes() {
             self.warn(line, kind);
         }
     }
@@ -303,7 +303,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
             if let Some(reason) = stray() {
                 return self.refuse(line, Cell { at: None, text: cells.get(0).unwrap_or_default() }, reason);
             }
-            if let Some(told) = self.said_against(cells) {
+            if let Some(told) = self.said_against(line, cells) {
                 self.warn(line, told);
             }
             let rules = self.rules();
@@ -323,7 +323,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
         match self.columns.header {
             Some(header) if line == header && self.columns.names_known => return,
             _ if self.columns.stated.told(self.columns).is_some_and(|(told, _)| told == line) => {
-                let told = self.said_against(cells);
+                let told = self.said_against(line, cells);
                 return told.into_iter().for_each(|told| self.warn(line, told));
             }
             Some(header) if line <= header => return self.not_used(line, cells),
@@ -345,12 +345,12 @@ impl<'a, 's> Reader<'a, 's, '_> {
 
     /// Tells that a line is not used, or what it says against the values.
     fn not_used(&mut self, line: usize, cells: &StringRecord) {
-        self.warn(line, ImportWarningKind::not_used(cells, self.columns.counted(self.source.counted)));
+        self.warn(line, ImportWarningKind::not_used(cells, self.columns.counted_at(line, self.source.counted)));
     }
 
     /// What a line that is no row says against the values.
-    fn said_against(&self, cells: &StringRecord) -> Option<ImportWarningKind> {
-        ImportWarningKind::said_against(cells, self.columns.counted(self.source.counted))
+    fn said_against(&self, line: usize, cells: &StringRecord) -> Option<ImportWarningKind> {
+        ImportWarningKind::said_against(cells, self.columns.counted_at(line, self.source.counted))
     }
 
     /// Takes the size of a row, or names the cell that cannot be used.

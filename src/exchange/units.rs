@@ -4,6 +4,7 @@
 
 use unicode_normalization::UnicodeNormalization as _;
 
+use super::warmth;
 use super::words;
 use crate::length::Unit;
 
@@ -100,6 +101,7 @@ impl Parts {
                 self.inside.extend(words);
             }
         }
+        let is_known = is_known || !has_unit && warmth::speaks(text);
         is_known && !(has_unit && has_number)
     }
 
@@ -112,6 +114,14 @@ impl Parts {
             self.units.push(("\"".to_owned(), Some(Unit::Inch)));
         }
         let mut words = words_of(&marked);
+        // "measured at 20 °C"
+        if let [before @ .., number, "c" | "f" | "k"] = words.iter().map(String::as_str).collect::<Vec<_>>().as_slice()
+            && is_number(number)
+            && warmth::mentioned(&text).is_some()
+        {
+            let is_before = before.last().is_some_and(|word| ["at", "bei", "bij", "a", "auf", "op"].contains(word));
+            words.truncate(before.len() - usize::from(is_before));
+        }
         // A name that is nothing but a unit is a name: mm.
         while 1 < words.len()
             && let Some(at) = words.iter().rposition(|word| is_full_unit(word))

@@ -503,6 +503,16 @@ fn a_temperature_beside_the_value_that_nobody_counted_is_told() {
         ("temperatuur", "35"),
         ("Temperatura [K]", "308"),
         ("Remark", "part at 35 °C"),
+        ("Remark", "after hardening still 45 °C"),
+        ("Remark", "not compensated, 35 °C"),
+        ("Temp. Teil nach Kühlung", "35"),
+        ("Temperature", "ca. 35 °C"),
+        ("Temperature", "35-36"),
+        ("Temperature", "> 30"),
+        ("Werkstück [°C]", "35"),
+        ("t_part", "35"),
+        ("Bauteil-T", "35"),
+        ("ΔT [K]", "15"),
     ] {
         beside(name, cell, 14);
     }
@@ -516,6 +526,13 @@ fn a_temperature_beside_the_value_that_nobody_counted_is_told() {
         ("Kühlmitteltemperatur", "35"),
         ("Remark", "cleaned at 80 °C"),
         ("Remark", "20 °C ± 1 °C"),
+        ("Remark", "30° C-axis"),
+        ("Remark", "lavato a 45 °C"),
+        ("Temperature uncertainty", "0.5"),
+        ("Temp drift [K]", "0.2"),
+        ("Temperature limit", "30"),
+        ("Werkzeugtemperatur", "40"),
+        ("Temp. difference [K]", "0.2"),
     ] {
         beside(name, cell, 0);
     }
@@ -527,14 +544,33 @@ fn a_temperature_beside_the_value_that_nobody_counted_is_told() {
         "# temperatuur 35,5 graden Celsius",
         "Part temperature: 35.0C",
         "Temperature;35.0",
+        "Temp. 35",
+        "Temperatur [°C];35,0",
+        "# Reference temperature 20 °C, part measured at 35 °C",
+        "# Temp. comp. off, 35 °C",
+        "# Spindle 40 °C / workpiece 35 °C",
+        "# part -3 °C",
     ] {
         both(&format!("{line}\n{rows}"), 14);
         both(&format!("{rows}# {line}\n"), 14);
     }
-    for line in ["# Raumtemperatur 20,4 °C", "# corrected from 35 °C to 20 °C", "# 20 °C"] {
+    for line in [
+        // Of a zone of 21 µm, 1.5 K are less than a tenth.
+        "# Raumtemperatur 21,5 °C",
+        "# corrected from 35 °C to 20 °C",
+        "# Werte auf 20 °C umgerechnet",
+        "# ambient 27 °C, part 20 °C",
+        "# Ambient 27 °C\n# Part 20 °C",
+        "# 20 °C",
+    ] {
         both(&format!("{line}\n{rows}"), 0);
     }
     both("Feature;Callout;Measured [mm, 35 °C]\nB1;25 H7;25.013\n", 14);
+    both("Feature;Callout;Measured (not compensated) [mm, 35 °C]\nB1;25 H7;25.013\n", 14);
+    both("Feature;Callout;Measured;Ambient temperature;Part temperature\nB1;25 H7;25.013;27;20\n", 0);
+    both("Feature;Callout;Measured;Ambient temperature\nB1;25 H7;25.013;29\n", 14);
+    both("Feature;Callout;Measured (compensated to 20 °C)\nB1;25 H7;25.013\n", 0);
+    both("Feature;Callout;Measured at 20 °C\nB1;25 H7;25.013\n", 0);
     both("Feature;Callout;Measured [mm, 20 °C]\nB1;25 H7;25.013\n", 0);
 }
 

@@ -104,6 +104,8 @@ struct Fast<'a> {
     is_inch: bool,
     /// What stands beside a value and may contradict its answer.
     beside: &'a [BesideColumn],
+    /// Whether something says of all values that they were not measured at 20 °C.
+    are_warm: bool,
     /// Columns in which a row may say that nobody measured, or that the size alone does not decide.
     aside: Vec<usize>,
     /// Columns that say what was measured: with one of its words of a size a row is plain.
@@ -132,6 +134,7 @@ impl<'a> Court<'a> {
             // Without a column of callouts no row is fast; simulated rows are counted where each is read as a whole.
             tolerance: columns.tolerance.filter(|_| plain.is_some() && !columns.evidence.are_simulated),
             beside: &columns.beside,
+            are_warm: columns.evidence.warm.as_ref().is_some_and(|warm| !warm.is_of_reference()),
             unit,
             is_inch,
             aside: columns
@@ -314,7 +317,7 @@ impl Judge<'_> {
             tally.note(Kind::Doubt, None, || doubt.message());
         }
         tally.nominal += u64::from(judged.measured == judged.bounds.nominal);
-        if !self.court.fast.beside.is_empty() {
+        if !self.court.fast.beside.is_empty() || self.court.fast.are_warm {
             self.compare(row, judged, tally);
         }
         take.class(class);
@@ -324,7 +327,7 @@ impl Judge<'_> {
     /// Compares an answer with what the file says beside the value.
     fn compare(&mut self, row: &Row<'_>, judged: &Judged, tally: &mut Tally) {
         let answer = Answer { bounds: judged.bounds, measured: judged.measured, status: judged.status };
-        let mut has_figures = false;
+        let mut has_figures = self.court.fast.are_warm;
         for (number, column) in self.court.fast.beside.iter().enumerate() {
             if !column.has_words() {
                 has_figures = true;
@@ -469,7 +472,10 @@ impl Judge<'_> {
             if let Some(reason) = stray() {
                 return Self::refuse(row, None, &reason, tally, take);
             }
-            Self::told(ImportWarningKind::said_against(&cells, columns.counted(Temperature::REFERENCE)), tally);
+            Self::told(
+                ImportWarningKind::said_against(&cells, columns.counted_at(usize::MAX, Temperature::REFERENCE)),
+                tally,
+            );
             tally.comments += 1;
             return take.line(whole);
         }

@@ -14,7 +14,6 @@ use crate::exchange::columns::{self, Columns, Sample};
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::message::Say as _;
-use crate::tolerance::fit::thermal::Temperature;
 
 /// How much of a stream decides at most what its columns are: the longest row and a header.
 pub const HEAD: usize = LONGEST_ROW + (256 << 10);
@@ -73,7 +72,7 @@ impl Layout {
         let above_header = decoded.len() - text.len();
         let rows = text.as_bytes();
         let Above { length, line, header, header_start, mut warnings } = match columns.header {
-            Some(header) => Above::of(rows, separator, first_line, header, columns.counted(Temperature::REFERENCE)),
+            Some(header) => Above::of(rows, separator, first_line, header),
             None => Above { line: first_line, ..Above::default() },
         };
         // A line with other names, or a title.
@@ -193,7 +192,7 @@ fn skipped(columns: &Columns, first_line: usize) -> impl Iterator<Item = (usize,
     let warning = ImportWarningKind::IgnoredColumns { columns: names };
     let ignored = (!columns.ignored.is_empty()).then_some(warning);
     let line = columns.header.unwrap_or(first_line);
-    ignored.into_iter().chain(columns.taken_as_sizes(Temperature::REFERENCE)).map(move |warning| (line, warning))
+    ignored.into_iter().chain(columns.taken_as_sizes()).map(move |warning| (line, warning))
 }
 
 /// Whether a text is of the one format that can be judged row by row.
@@ -225,7 +224,7 @@ struct Above {
 }
 
 impl Above {
-    fn of(text: &[u8], separator: u8, first_line: usize, header: usize, counted: Option<Temperature>) -> Self {
+    fn of(text: &[u8], separator: u8, first_line: usize, header: usize) -> Self {
         /// A header is seldom further from the beginning.
         const MOSTLY: usize = 1 << 14;
         let mut ends = Index::default();
@@ -245,11 +244,11 @@ impl Above {
                 let told = if cells::is_data(&cells) {
                     Some(ImportWarningKind::Comment)
                 } else {
-                    ImportWarningKind::said_against(&cells, counted)
+                    ImportWarningKind::said_against(&cells, None)
                 };
                 above.warnings.extend(told.map(|told| (above.line, told)));
             } else if !cells::is_blank(&cells) {
-                above.warnings.push((above.line, ImportWarningKind::not_used(&cells, counted)));
+                above.warnings.push((above.line, ImportWarningKind::not_used(&cells, None)));
             }
             above.header_start = above.length;
             above.header = cells.iter().map(str::to_owned).collect();
