@@ -374,7 +374,9 @@ impl Judge<'_> {
 
     /// What it has met.
     pub fn met(self) -> Met {
-        let classes = (0..).zip(self.counts).filter_map(|(number, counts)| Some((self.classes.class(number)?, counts)));
+        // A class that was looked up for a row without a verdict counts nothing: whether it has a number here depends on the block.
+        let counted = (0..).zip(self.counts).filter(|(_, counts)| *counts != Counts::default());
+        let classes = counted.filter_map(|(number, counts)| Some((self.classes.class(number)?, counts)));
         Met { by_class: classes.collect(), others: self.others, figures: self.classes.into_figures() }
     }
 
