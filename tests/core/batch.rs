@@ -491,11 +491,14 @@ fn imported(text: &[u8]) -> Vec<(usize, String)> {
 /// A class without a size has no verdict, also where it is the first one of a block.
 #[test]
 fn a_class_without_a_verdict_counts_in_no_block() {
-    let text = b"id,callout,measured\n1,25 H7,25.01\n7,a,7\n2,25 H7,25.01\n";
-    let judged = |cut: Cut| judged::<Csv>(text, cut, &Sources::default(), &mut Vec::new()).unwrap();
-    let cut = judged(Cut { step: 10, piece: 10, is_patient: false, workers: 2 });
-    assert_eq!(cut, judged(WHOLE));
-    assert_eq!(cut.by_class.len(), 1);
+    let text = format!("id,callout,measured\n1,25 H7,25.01\n{}", "7,5a,7.\n2,25 H7,25.01\n".repeat(20));
+    let judged = |cut: Cut| judged::<Csv>(text.as_bytes(), cut, &Sources::default(), &mut Vec::new()).unwrap();
+    let whole = judged(WHOLE);
+    for (step, workers) in (1..60).flat_map(|step| (1..4).map(move |workers| (step, workers))) {
+        let cut = judged(Cut { step, piece: 10, is_patient: false, workers });
+        assert_eq!(cut, whole, "{step}, {workers}");
+    }
+    assert_eq!(whole.by_class.len(), 1);
 }
 
 proptest! {
