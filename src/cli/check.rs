@@ -217,7 +217,7 @@ impl Args {
             return Ok(Measurement::of_diameter(diameter, Origin::Typed));
         }
         if let Some(path) = &self.source.contacts {
-            let (name, Contacts { contacts, .. }) = super::read_contacts(path, io)?;
+            let (name, Contacts { contacts, .. }) = super::read_contacts(path, self.by.warm.counted()?, io)?;
             let origin = Origin::Contacts { file: name.as_str().into() };
             return measure_contacts(&contacts, origin).about(&name);
         }

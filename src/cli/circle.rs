@@ -8,6 +8,7 @@ use super::{CliError, Format, Io, Outcome, Refused as _, read_contacts};
 use crate::exchange::contacts::Contacts;
 use crate::probing::Circle;
 use crate::probing::circle::{Evaluation, TwoPoint, Zone, evaluate};
+use crate::tolerance::fit::thermal::Temperature;
 
 const EXAMPLES: &str = "Examples:
   fitcheck circle bore.csv
@@ -70,7 +71,7 @@ struct Pair {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let (name, Contacts { contacts, .. }) = read_contacts(&self.file, io)?;
+        let (name, Contacts { contacts, .. }) = read_contacts(&self.file, Temperature::REFERENCE, io)?;
         let evaluation = evaluate(&contacts).about(&name)?;
         if self.format != Format::Json {
             for warning in &evaluation.warnings {

@@ -17,6 +17,7 @@ use crate::journal::entry::{FileRole, UsedFile};
 use crate::length::Length;
 use crate::message::{self, IntoArg, Say, is_wild};
 use crate::tolerance::DeviationTable;
+use crate::tolerance::fit::thermal::Temperature;
 
 /// The standard streams, as arguments so that tests can bring their own.
 ///
@@ -304,13 +305,20 @@ pub(super) fn read_input(path: &Path, io: &mut Io<'_>) -> Result<(String, Vec<u8
     Ok((name, files::read(path)?))
 }
 
-/// A file of contacts, and the name to call it by.
-pub(super) fn read_contacts(path: &Path, io: &mut Io<'_>) -> Result<(String, contacts::Contacts), CliError> {
+/// A file of contacts that count as taken at a temperature, and the name to call it by.
+pub(super) fn read_contacts(
+    path: &Path,
+    counted: Temperature,
+    io: &mut Io<'_>,
+) -> Result<(String, contacts::Contacts), CliError> {
     let (name, bytes) = read_input(path, io)?;
     io.used(FileRole::Measurements, &name, &bytes);
     let read = contacts::read(&bytes).about(&name)?;
     for column in &read.ignored {
         io.warn_about(&name, &CliWarning::ColumnNotUsed { column });
+    }
+    if let Some(told) = read.told_of_temperature(counted) {
+        io.warn_about(&name, &told);
     }
     Ok((name, read))
 }

@@ -112,6 +112,11 @@ impl WarmArgs {
         Ok(Some((Correction::new(measured, warmth.part.warm, warmth.scale), warmth)))
     }
 
+    /// From which temperature values are brought to 20 °C, or 20 °C where none was given.
+    pub(super) fn counted(&self) -> Result<Temperature, CliError> {
+        Ok(self.warmth()?.map_or(Temperature::REFERENCE, |warmth| warmth.part.warm.temperature))
+    }
+
     /// The temperatures; `None` where none was given.
     pub(super) fn warmth(&self) -> Result<Option<Warmth>, CliError> {
         let (Some(temperature), Some(material)) = (&self.temperature, &self.material) else { return Ok(None) };

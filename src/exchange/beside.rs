@@ -107,8 +107,8 @@ fn has(list: &str, name: &str) -> bool {
     list.split('|').any(|known| known == name)
 }
 
-/// What the name of a column says.
-fn by_name(header: &str) -> Option<Says> {
+/// What the name of a column says, alone and with its unit.
+fn by_name(header: &str, with_unit: &str) -> Option<Says> {
     let (name, bare) = (letters(header), words::bare(header));
     let is_signed = |sign: char| {
         let text = header.trim().replace('\u{2212}', "-");
@@ -123,7 +123,7 @@ fn by_name(header: &str) -> Option<Says> {
         _ if is_signed('+') || has(UPPER, &bare) => Says::Upper,
         _ if is_signed('-') || has(LOWER, &bare) => Says::Lower,
         _ if has(DEVIATION, &bare) => Says::Deviation,
-        _ => match warmth::of_column(header) {
+        _ => match warmth::of_column(with_unit) {
             Some(column) => Says::Temperature(column),
             None if bare.split(' ').any(|word| has(STATUS_WORDS, word)) => Says::Status { is_named: false },
             None => return None,
@@ -143,10 +143,13 @@ impl Sample {
         let is_verdict = |cell: &str| Claim::of_word(cell).is_some_and(|claim| claim.is_known());
         let column = |at: usize| {
             let name = names.get(at).unwrap_or_default();
+            // With the unit below it.
+            let unit = self.units_row.and_then(|row| self.rows.get(row)?.1.get(at)).unwrap_or_default();
+            let with_unit = format!("{name} {unit}");
             let has_quantity = columns.quantities.iter().any(|column| column.at == at);
             let is_free = !used.contains(&at) && columns.evidence.origin != Some(at);
             let is_name = columns.id == Some(at) && columns.header.is_some();
-            let says = match by_name(name).filter(|_| is_free && !has_quantity) {
+            let says = match by_name(name, &with_unit).filter(|_| is_free && !has_quantity) {
                 None if is_name => self.cells(at).any(|cell| of_no_size(cell).is_some()).then_some(Says::Name),
                 Some(says) => Some(says),
                 None if has_quantity || is_free && super::quantity::may_be_named(name) => {

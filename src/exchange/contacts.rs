@@ -4,13 +4,15 @@
 //! guess. Figures are read as `f64` with all their digits; they are geometry, not sizes.
 
 use super::delimited::{Item, LONGEST_ROW, Rows, SEPARATORS};
-use super::error::Role;
+use super::error::{ImportWarningKind, Role, shorten};
 use super::evidence::{self, marks_simulation};
 use super::stated;
+use super::warmth::{self, Scale};
 use super::words;
 use crate::control::text;
 use crate::message::{Located, Place, Say};
 use crate::probing::Contact;
+use crate::tolerance::fit::thermal::Temperature;
 
 /// The most contacts of a file: a scan of some minutes.
 pub const MOST_CONTACTS: usize = 500_000;
@@ -25,6 +27,27 @@ pub struct Contacts {
     pub has_heights: bool,
     /// Names of the skipped columns.
     pub ignored: Vec<String>,
+    /// What the file says of how warm the part was, and which temperature that is.
+    pub warm: Option<(String, Temperature)>,
+}
+
+impl Contacts {
+    /// That the file says another temperature of its contacts than the one that counts, from 1 K on.
+    pub fn told_of_temperature(&self, counted: Temperature) -> Option<ImportWarningKind> {
+        let (text, warm) = self.warm.as_ref()?;
+        let is_far = 1_000 < (warm.thousandths() - counted.thousandths()).abs();
+        let told = ImportWarningKind::SpeaksOfTemperature { text: shorten(text), counted: counted.to_string() };
+        is_far.then_some(told)
+    }
+
+    /// Takes what a text says of how warm the part was, where that is further from 20 °C than what was said before.
+    fn take_temperature(&mut self, text: &str, said: Option<Temperature>) {
+        let off = |warm: Temperature| (warm.thousandths() - Temperature::REFERENCE.thousandths()).abs();
+        let before = self.warm.as_ref().map(|(_, warm)| off(*warm));
+        if let Some(said) = said.filter(|said| before.is_none_or(|before| before < off(*said))) {
+            self.warm = Some((text.to_owned(), said));
+        }
+    }
 }
 
 /// Why contacts cannot be read.
@@ -117,9 +140,9 @@ struct Places {
 pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
     let text = text::decode(bytes);
     let separator = separator(&text);
-    let mut read = Contacts { contacts: Vec::new(), has_heights: false, ignored: Vec::new() };
+    let mut read = Contacts { contacts: Vec::new(), has_heights: false, ignored: Vec::new(), warm: None };
     let mut places: Option<Places> = None;
-    let (mut decimal_sign, mut unit) = (None, None);
+    let (mut decimal_sign, mut unit, mut warm) = (None, None, None::<(usize, (String, Scale))>);
     for item in Rows::new(&text, 1, separator) {
         let (line, cells) = match item {
             Item::Row { line, cells } => (line, cells),
@@ -145,6 +168,8 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
                 return Err(at_cell(line, 0, ContactsError::Comment));
             }
             in_mm(&row, line)?;
+            let text = row.join(" ");
+            read.take_temperature(&text, warmth::mentioned(&text));
             continue;
         }
         if !is_header(&row) {
@@ -156,11 +181,20 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
                 if let Some(cell) = unit.and_then(|at| row.get(at)) {
                     in_mm(&[*cell], line)?;
                 }
+                if let Some((at, (name, scale))) = &warm
+                    && let Some(cell) = row.get(*at)
+                {
+                    read.take_temperature(&format!("{name} {cell}"), warmth::read(cell, *scale));
+                }
                 read.contacts.push(contact(&row, places, line)?);
             }
             None if is_header(&row) => {
                 places = Some(header(&row, line, &mut read.ignored)?);
                 unit = row.iter().position(|name| stated::names_units(name));
+                let of_column =
+                    |(at, name): (usize, &&str)| Some((at, ((*name).to_owned(), warmth::of_column(name)?.scale)));
+                warm = row.iter().enumerate().find_map(of_column);
+                read.ignored.retain(|name| warm.as_ref().is_none_or(|(_, (warm, _))| warm != name));
             }
             None => {
                 let found = Places {
@@ -184,8 +218,7 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
 
 /// Refuses cells that state another unit than millimetres.
 fn in_mm(row: &[&str], line: usize) -> Result<(), Located<ContactsError>> {
-    let refused =
-        |given: String| Located::in_line(line, ContactsError::OtherUnit { given: super::error::shorten(&given) });
+    let refused = |given: String| Located::in_line(line, ContactsError::OtherUnit { given: shorten(&given) });
     stated::not_mm(row.iter().copied()).map_or(Ok(()), |given| Err(refused(given)))
 }
 
@@ -240,7 +273,7 @@ fn header(row: &[&str], line: usize, ignored: &mut Vec<String>) -> Result<Places
         }
     };
     let (Some(x), Some(y)) = (place('x')?, place('y')?) else {
-        return Err(Located::in_line(line, ContactsError::NoColumns { given: super::error::shorten(&row.join(", ")) }));
+        return Err(Located::in_line(line, ContactsError::NoColumns { given: shorten(&row.join(", ")) }));
     };
     let says =
         |cell: &str| words::is_origin(cell) || words::role(cell).is_some_and(|(role, _)| role == Role::Simulated);
@@ -251,7 +284,7 @@ fn header(row: &[&str], line: usize, ignored: &mut Vec<String>) -> Result<Places
 
 fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, Located<ContactsError>> {
     if row.len() != places.cells {
-        let given = super::error::shorten(&row.join(", "));
+        let given = shorten(&row.join(", "));
         let cells = ContactsError::Cells { cells: row.len(), wanted: places.cells, given };
         return Err(Located::in_line(line, cells));
     }
@@ -259,13 +292,13 @@ fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, Located
         match evidence::yes_or_no(text).or_else(|| evidence::is_simulated(text)) {
             Some(false) => {}
             Some(true) => return Err(at_cell(line, at, ContactsError::Simulated)),
-            None => return Err(at_cell(line, at, ContactsError::Origin { given: super::error::shorten(text) })),
+            None => return Err(at_cell(line, at, ContactsError::Origin { given: shorten(text) })),
         }
     }
     let coordinate = |name: char, at: usize| {
         let cell = row.get(at).copied().unwrap_or_default();
         number(cell).ok_or_else(|| {
-            let given = if cell.is_empty() { "empty".to_owned() } else { super::error::shorten(cell) };
+            let given = if cell.is_empty() { "empty".to_owned() } else { shorten(cell) };
             at_cell(line, at, ContactsError::NotANumber { name, given })
         })
     };

@@ -335,6 +335,9 @@ impl<'a, 's> Reader<'a, 's, '_> {
         }
         let read = if self.sizes.is_some() { self.size(line, cells) } else { self.measurement(line, cells) };
         if let Err((cell, reason)) = read {
+            if self.columns.stated.repeats_names(cells) {
+                return self.not_used(line, cells);
+            }
             if self.columns.are_renamed_by(cells) {
                 self.renamed = Some(line);
                 return self.refuse(line, cell, ImportErrorKind::OtherHeader);

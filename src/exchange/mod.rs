@@ -302,6 +302,9 @@ fn read_contacts(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), Imp
         correction: None,
         why: WhyUnjudged::Contacts { count: read.contacts.len() },
     });
+    if let Some(told) = read.told_of_temperature(source.context.counted) {
+        sink.warn(crate::message::Place::default(), None, told);
+    }
     sink.contacts(read.contacts);
     Ok(())
 }

@@ -181,8 +181,9 @@ fn read_contacts(path: &Path, seen: &mut Option<Hash>) -> Result<(Contacts, Vec<
     let bytes = bytes_of(path, seen)?;
     let read = contacts::read(&bytes).map_err(|error| error.message())?;
     let ignored = read.ignored.iter().map(|column| Message::new("cycles-column-ignored").text("column", column));
-    let ignored = ignored.collect();
-    Ok((read, ignored))
+    let warm = read.told_of_temperature(Temperature::REFERENCE).map(|told| told.message());
+    let told = ignored.chain(warm).collect();
+    Ok((read, told))
 }
 
 /// A workpiece with one surface, or a part of several features: its file says which.

@@ -567,6 +567,10 @@ fn a_temperature_beside_the_value_that_nobody_counted_is_told() {
     }
     both("Feature;Callout;Measured [mm, 35 °C]\nB1;25 H7;25.013\n", 14);
     both("Feature;Callout;Measured (not compensated) [mm, 35 °C]\nB1;25 H7;25.013\n", 14);
+    both("Feature;Callout;Measured;Temp\n;;;°C\nB1;25 H7;25.013;20\n", 0);
+    both("Feature;Callout;Measured;Temp\n;;mm;K\nB1;25 H7;25.013;308\n", 14);
+    both("Feature;Callout;Measured;Temp\n;;mm;°F\nB1;25 H7;25.013;68\n", 0);
+    both("Feature;Callout;Measured;Temp\nB1;25 H7;25.013;308\n", 14);
     both("Feature;Callout;Measured;Ambient temperature;Part temperature\nB1;25 H7;25.013;27;20\n", 0);
     both("Feature;Callout;Measured;Ambient temperature\nB1;25 H7;25.013;29\n", 14);
     both("Feature;Callout;Measured (compensated to 20 °C)\nB1;25 H7;25.013\n", 0);
@@ -604,7 +608,6 @@ fn rows_below_another_header_are_judged_by_none() {
     for (second, judged) in [
         ("Feature;Callout;Measured;Nominal\nB2;H7;25;25.013\n", 1),
         ("Feature;Callout;Nominal;Measured [µm]\nB2;H7;25;25.013\n", 0),
-        ("Feature;Callout;Nominal;Measured\nB2;H7;25;25.013\n", 2),
     ] {
         let folder = tempfile::tempdir().unwrap();
         fitcheck::files::write(&folder.path().join("a.csv"), format!("{first}{second}").as_bytes()).unwrap();
@@ -614,4 +617,37 @@ fn rows_below_another_header_are_judged_by_none() {
         assert_eq!((output.status.code(), out.matches("ISO 286").count()), (Some(1), judged), "{second}: {out}");
         both(&format!("{first}{second}"), 1);
     }
+}
+
+/// 25.013 between four contacts, on a part that was warm.
+#[test]
+fn a_temperature_in_a_file_of_contacts_is_told() {
+    let contacts = "x;y\n12.5065;0\n0;12.5065\n-12.5065;0\n0;-12.5065\n";
+    let in_column = "x;y;Temp\n12.5065;0;20\n0;12.5065;35\n-12.5065;0;35\n0;-12.5065;35\n";
+    let block = "TCH PROBE 421 MEASURE HOLE ~\n Q273=+0 ~\n Q274=+0 ~\n Q262=+25 ~\n Q275=+25.021 ~\n Q276=+25";
+    for (text, code) in [(contacts, 0), (&format!("# part 35 °C\n{contacts}"), 14), (in_column, 14)] {
+        let files = [("c.csv", text), ("b.h", block)];
+        for args in [
+            &["check", "25 H7", "--contacts", "c.csv"][..],
+            &["cycle", "421", "--block", "b.h", "--contacts", "c.csv"],
+            &["import", "c.csv"],
+        ] {
+            let (found, err) = of(&files, args);
+            // A file of contacts alone says nothing of its limits.
+            let code = if args.contains(&"import") { found } else { code };
+            assert_eq!(found, code, "{args:?}: {err}");
+            assert_eq!(err.contains("speaks of another temperature"), text != contacts, "{args:?}: {err}");
+        }
+    }
+    let args = ["check", "25 H7", "--contacts", "c.csv", "--temperature", "35", "--material", "steel"];
+    assert_eq!(of(&[("c.csv", in_column)], &args).0, 0);
+}
+
+/// As where two exports were put together, or pages were printed.
+#[test]
+fn the_same_header_once_more_is_no_row() {
+    let text = "Feature;Callout;Measured\nB1;25 H7;25.013\nfeature; Callout;Measured\nB2;25 H7;25.013\n";
+    both(text, 0);
+    let (_, err) = of(&[("a.csv", text)], &["import", "a.csv"]);
+    assert!(err.contains("a.csv:3"), "{err}");
 }

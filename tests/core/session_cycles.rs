@@ -15,7 +15,7 @@ use fitcheck::words::{Dialogue, Language, Words};
 
 /// Contacts as a file with x, y and z gives them.
 fn read(contacts: &[Contact]) -> Contacts {
-    Contacts { contacts: contacts.to_vec(), has_heights: true, ignored: Vec::new() }
+    Contacts { contacts: contacts.to_vec(), has_heights: true, ignored: Vec::new(), warm: None }
 }
 
 fn send(session: &mut Session, command: impl Into<Command>) -> Vec<Effect> {

@@ -239,7 +239,8 @@ fn hole(tool: &str) -> Session {
     }
     let radius = [[12.515, 0.0], [0.0, 12.515], [-12.515, 0.0], [0.0, -12.515]];
     let contacts = radius.map(|[x, y]| fitcheck::probing::Contact { x, y, z: -4.0 }).to_vec();
-    let contacts = fitcheck::exchange::contacts::Contacts { contacts, has_heights: true, ignored: Vec::new() };
+    let contacts =
+        fitcheck::exchange::contacts::Contacts { contacts, has_heights: true, ignored: Vec::new(), warm: None };
     let result = Ok((contacts, Vec::new()));
     send(&mut session, fitcheck::session::WorkpieceCommand::ContactsRead { name: "bore.csv".to_owned(), result });
     session

@@ -19,6 +19,7 @@ use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_
 use crate::budget::{Assessment, Basis, Conditions, Geometry, Kind};
 use crate::length::Length;
 use crate::report::pairing::Parts;
+use crate::tolerance::fit::thermal::Temperature;
 pub(super) use found::{assess, head, introduce, read};
 
 const EXAMPLES: &str = "\
@@ -119,7 +120,7 @@ impl Args {
 
     fn geometry(&self, io: &mut Io<'_>) -> Result<Option<Geometry>, CliError> {
         if let Some(path) = &self.contacts {
-            let (name, read) = read_contacts(path, io)?;
+            let (name, read) = read_contacts(path, Temperature::REFERENCE, io)?;
             return Geometry::of_contacts(&read.contacts).map(Some).about(&name);
         }
         let (Some(touches), Some(step)) = (self.touches, &self.step) else { return Ok(None) };

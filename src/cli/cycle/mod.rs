@@ -39,6 +39,7 @@ use crate::probing::cycle::{Control, Cycle, CycleResult, Inputs, Key, Remark as 
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::Shape;
 use crate::probing::{self, Prober, Recorded, SourceError, TouchProbe};
+use crate::tolerance::fit::thermal::Temperature;
 use crate::words::Dialogue;
 
 /// The examples and a description of the files; the names of logs and workpieces come from the declarations.
@@ -329,7 +330,8 @@ impl Args {
 
     fn source(&self, inputs: &Inputs, io: &mut Io<'_>) -> Result<(Source, Box<dyn Prober>), CliError> {
         if let Some(path) = &self.contacts {
-            let (file, contacts::Contacts { contacts, has_heights, .. }) = read_contacts(path, io)?;
+            let (file, contacts::Contacts { contacts, has_heights, .. }) =
+                read_contacts(path, Temperature::REFERENCE, io)?;
             let prober = Box::new(Recorded::new(contacts.clone()).with_heights(has_heights));
             return Ok((Source::Contacts { file, contacts, has_heights }, prober));
         }

@@ -26,6 +26,7 @@ use crate::files::{self, FileError, Folders};
 use crate::journal::entry::{CycleCheck, FileRole};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::{Program, ProgramWarning};
+use crate::tolerance::fit::thermal::Temperature;
 use crate::words::Dialogue;
 
 /// How much of a block's text is shown, in characters: a control's line has some 250.
@@ -268,7 +269,8 @@ impl Args {
 
     fn source(&self, io: &mut Io<'_>) -> Result<Source, CliError> {
         if let Some(path) = &self.contacts {
-            let (file, contacts::Contacts { contacts, has_heights, .. }) = read_contacts(path, io)?;
+            let (file, contacts::Contacts { contacts, has_heights, .. }) =
+                read_contacts(path, Temperature::REFERENCE, io)?;
             return Ok(Source::Contacts { file, contacts, has_heights });
         }
         let Some(path) = &self.workpiece else { return Ok(Source::Perfect) };

@@ -503,6 +503,7 @@ impl Judge<'_> {
                 }
                 None => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
             },
+            Err(_) if columns.stated.repeats_names(&cells) => take.refused(row, ""),
             Err((cell, _)) if columns.are_renamed_by(&cells) => {
                 Self::refuse(row, cell.at, &ImportErrorKind::OtherHeader, tally, take);
             }

@@ -252,9 +252,12 @@ pub(super) fn of_name(name: &str) -> Result<Option<Unit>, String> {
 
 /// Whether the row below a header gives the units of its columns.
 pub(in crate::exchange) fn is_row_of_units(header: &StringRecord, cells: &StringRecord) -> bool {
-    let is_unit = |(at, cell): (usize, &str)| {
-        matches!(word(cell), Word::Length(_) | Word::Foreign) && header.get(at).is_none_or(|name| key(name).is_none())
+    let is_sign = |cell: &str| match word(cell) {
+        Word::Length(_) | Word::Foreign => true,
+        Word::Other => cell.contains('\u{b0}'),
+        Word::Unknown => false,
     };
+    let is_unit = |(at, cell): (usize, &str)| is_sign(cell) && header.get(at).is_none_or(|name| key(name).is_none());
     // A name beside a unit is a row without its value.
     let is_name = |cell: &str| word(cell) == Word::Unknown && cell.contains(char::is_alphanumeric);
     !cells.iter().any(is_name) && cells.iter().enumerate().any(is_unit)

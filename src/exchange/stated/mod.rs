@@ -431,6 +431,11 @@ impl Stated {
         self.row.as_ref().is_some_and(|(_, row)| row == cells)
     }
 
+    /// Whether a row is the names of the columns once more.
+    pub(super) fn repeats_names(&self, cells: &StringRecord) -> bool {
+        !self.header.is_empty() && squeezed(cells.iter()) == self.header
+    }
+
     /// The line of the first row.
     pub(super) const fn first(&self) -> usize {
         self.first

@@ -282,8 +282,12 @@ impl<'a> Text<'a> {
             let scale = unit.scale().or(self.column).unwrap_or(Scale::Celsius);
             let whose = self.whose(from, at, behind);
             from = behind;
-            let is_sure = whose == Some(Whose::Part) || self.column.is_some() || self.is_named(at);
-            let far = if is_sure { -100_000..=150_000 } else { -20_000..=60_000 };
+            let is_sure = whose == Some(Whose::Part) || self.is_named(at);
+            let far = match self.column {
+                Some(_) => i32::MIN..=i32::MAX,
+                None if is_sure => -100_000..=150_000,
+                None => -20_000..=60_000,
+            };
             let degrees = scale.degrees(number).filter(|warm| far.contains(&warm.thousandths()));
             // "300 K" is a number of pieces as well.
             let is_kelvin = unit != Unit::Letter(Scale::Kelvin) || (200.0..400.0).contains(&number);
