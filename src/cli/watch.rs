@@ -179,8 +179,14 @@ impl Run<'_> {
         let begun = Instant::now();
         let (mut last, mut told, mut refused) = (begun, None, BTreeSet::new());
         loop {
-            let judging =
-                Judging { plan: self.plan, sources: self.sources, masks: self.masks, columns: None, now: super::now() };
+            let judging = Judging {
+                plan: self.plan,
+                sources: self.sources,
+                masks: self.masks,
+                columns: None,
+                now: super::now(),
+                temperature: None,
+            };
             match watcher.look(judging, begun.elapsed()) {
                 Ok(look) => {
                     if !look.is_idle() {

@@ -133,8 +133,21 @@ impl Runner {
                 let (known, journal, language) = (self.desk.known(), self.desk.file(), words.language());
                 let (ctx, answers, clock) = (ctx.clone(), self.sender.clone(), self.clock);
                 let (sources, columns) = (Arc::clone(sources), Arc::clone(columns));
-                let watch =
-                    Watch { run, folder, plan, sources, columns, masks, language, clock, known, journal, ctx, answers };
+                let watch = Watch {
+                    temperature,
+                    run,
+                    folder,
+                    plan,
+                    sources,
+                    columns,
+                    masks,
+                    language,
+                    clock,
+                    known,
+                    journal,
+                    ctx,
+                    answers,
+                };
                 return self.watching.begin(watch);
             }
             Effect::WatchTaken { run, look } => return self.watching.taken(run, look),

@@ -15,6 +15,7 @@ use crate::part::Plan;
 use crate::session::Command;
 use crate::session::parts::{WalkCommand, WatchNews, WatchedFile};
 use crate::tolerance::Sources;
+use crate::tolerance::fit::thermal::Temperature;
 use crate::watch::{Alone, Batch, EVERY, Judging, Known, Look, PATIENCE, Watcher};
 use crate::words::{Language, Words};
 
@@ -34,6 +35,8 @@ pub(super) struct Watch {
     /// Of what is written beside files that cannot be used.
     pub language: Language,
     pub clock: fn() -> DateTime,
+    /// From which temperature values are brought to 20 °C.
+    pub temperature: Option<Temperature>,
     pub known: KnownOf,
     /// The journal, where there is one: nobody else watches the folder for it.
     pub journal: Option<PathBuf>,
@@ -103,7 +106,14 @@ impl Watch {
         let (mut told, mut number) = (Told::default(), 0);
         loop {
             let (plan, sources, columns) = (Some(&*self.plan), &*self.sources, Some(&*self.columns));
-            let judging = Judging { plan, sources, masks: &self.masks, columns, now: (self.clock)() };
+            let judging = Judging {
+                plan,
+                sources,
+                masks: &self.masks,
+                columns,
+                now: (self.clock)(),
+                temperature: self.temperature,
+            };
             let look = watcher.look(judging, begun.elapsed()).map_err(|error| error.message());
             let ready = self.tell(look, &mut told);
             if let Err(error) = watcher.tell(&|message| words.say(message)) {

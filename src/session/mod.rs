@@ -241,7 +241,11 @@ impl Session {
         self.shared.recording.named = self.check.named();
         let shared = &mut self.shared;
         let mut effects = match command {
-            Command::Check(command) => self.check.apply(command, shared, now),
+            Command::Check(command) => {
+                let effects = self.check.apply(command, shared, now);
+                shared.take_worth(self.check.own_worth());
+                effects
+            }
             Command::Fit(command) => self.fit.apply(command, shared, now),
             Command::Cycles(command) => self.cycles.apply(command, shared, now),
             Command::Tables(command) => self.tables.apply(command, shared, now),
@@ -250,7 +254,7 @@ impl Session {
             Command::Budget(command) => self.budget.apply(command, shared, now),
             Command::Records(command) => self.records.apply(command, shared, now),
             Command::Parts(command) => {
-                shared.worth = self.check.own_worth();
+                shared.take_worth(self.check.own_worth());
                 self.parts.apply(command, shared, now)
             }
             command => self.apply_shared(command, now),

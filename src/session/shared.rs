@@ -118,6 +118,8 @@ pub(super) enum News {
     },
     /// Other columns of files are remembered.
     Columns,
+    /// Values are brought to 20 °C from another temperature, or no longer.
+    Temperature,
     /// The journal is open, or cannot be opened.
     Journal,
     /// The journal has answered about a batch of checks: whether they are on disk.
@@ -202,6 +204,15 @@ impl Shared {
     pub fn new(language: Language, theme: Theme, records: SavedRecords) -> Self {
         let recording = Recording::new(records);
         Self { language, theme, recording, materials: Materials::shipped().clone(), ..Self::default() }
+    }
+
+    /// Takes what a measured value is worth from now on.
+    pub(super) fn take_worth(&mut self, worth: Worth) {
+        let is_other = worth.temperature() != self.worth.temperature();
+        self.worth = worth;
+        if is_other {
+            self.spread(News::Temperature);
+        }
     }
 
     /// Announces news to the other pages.

@@ -42,6 +42,7 @@ use crate::journal::chain::Hash;
 use crate::message::{Message, Say};
 use crate::part::Plan;
 use crate::tolerance::Sources;
+use crate::tolerance::fit::thermal::Temperature;
 pub use alone::Alone;
 use folder::{Folder, Found};
 pub use known::Known;
@@ -73,6 +74,8 @@ pub struct Judging<'a> {
     pub columns: Option<&'a Remembered>,
     /// The time of values whose file has none.
     pub now: DateTime,
+    /// From which temperature values are brought to 20 °C; what a file says of it is compared.
+    pub temperature: Option<Temperature>,
 }
 
 /// What is ready to be recorded of a file: it is [`Watcher::taken`] once it is.

@@ -252,7 +252,7 @@ impl Reading<'_> {
 
     /// What the first bytes of the file hold, judged by the plan.
     fn read_all(&self, end: Mark) -> Units {
-        let Judging { plan, sources, masks, now, .. } = self.judging;
+        let Judging { plan, sources, masks, now, temperature, .. } = self.judging;
         let beside = |ending: &str| files::beside(&self.found.path, ending);
         let (mapping, has_plan) = (self.remembered(end), plan.is_some());
         let (mapping, lasts) = (mapping.as_ref(), RefCell::new(BTreeMap::new()));
@@ -266,6 +266,7 @@ impl Reading<'_> {
             most_rows: MOST_ROWS,
             has_plan,
             units: &units,
+            temperature,
             ..Given::new(sources, now)
         };
         let (mut items, by_plan) = (Vec::new(), plan.map(ByPlan::new));

@@ -508,6 +508,18 @@ fn a_watch_begins_anew_only_once_what_it_found_before_is_on_disk() {
 }
 
 #[test]
+fn a_watch_begins_anew_when_values_are_brought_to_20_degrees_from_another_temperature() {
+    let mut session = walking();
+    let run = watched(&mut session);
+    let mut edit = |field: CheckField, text: &str| send(&mut session, Field::from(field).typed(text.to_owned()));
+    assert_eq!(edit(CheckField::PartExpansion, "11.5"), []);
+    let effects = edit(CheckField::PartTemperature, "35");
+    let [Effect::Watch { run: anew, .. }] = effects[..] else { panic!("{effects:?}") };
+    assert!(run < anew);
+    assert_eq!(edit(CheckField::Uncertainty, "0.001"), []);
+}
+
+#[test]
 fn a_watch_that_was_ended_changes_nothing_any_more() {
     let mut session = walking();
     let run = watched(&mut session);

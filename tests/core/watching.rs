@@ -11,6 +11,7 @@ use fitcheck::exchange::Item;
 use fitcheck::files;
 use fitcheck::journal::chain::Hash;
 use fitcheck::tolerance::Sources;
+use fitcheck::tolerance::fit::thermal::Temperature;
 use fitcheck::watch::{Batch, Judging, Known, Look, Watcher};
 
 pub(crate) const PLAN: &str = "name;callout;x;y;z\nBORE_A;12 F9;50;65;-8\nPIN;20 g6;100;65;-8\n";
@@ -30,6 +31,7 @@ pub(crate) struct Watched {
     recorded: Vec<(String, Hash)>,
     /// What else was told.
     pub(crate) remarks: Vec<String>,
+    pub(crate) temperature: Option<Temperature>,
     pub(crate) masks: Vec<(String, Mask)>,
     /// What the last look has found.
     pub(crate) looked: Option<Look>,
@@ -40,7 +42,17 @@ impl Watched {
         let folder = tempfile::tempdir().unwrap();
         let watcher = Watcher::new(folder.path(), Known::default());
         let (clock, same, recorded) = (Duration::ZERO, Vec::new(), Vec::new());
-        Self { folder, watcher, clock, same, recorded, remarks: Vec::new(), masks: Vec::new(), looked: None }
+        Self {
+            folder,
+            watcher,
+            clock,
+            same,
+            recorded,
+            remarks: Vec::new(),
+            masks: Vec::new(),
+            temperature: None,
+            looked: None,
+        }
     }
 
     pub(crate) fn path(&self, name: &str) -> PathBuf {
@@ -75,7 +87,17 @@ impl Watched {
         let now = jiff::civil::date(2026, 11, 23).at(8, 0, 0, 0);
         let look = self
             .watcher
-            .look(Judging { plan: Some(&plan), sources: &sources, masks: &self.masks, columns: None, now }, self.clock)
+            .look(
+                Judging {
+                    plan: Some(&plan),
+                    sources: &sources,
+                    masks: &self.masks,
+                    columns: None,
+                    now,
+                    temperature: self.temperature,
+                },
+                self.clock,
+            )
             .unwrap();
         self.same.extend(look.same.clone());
         let ready = look.ready.clone();
@@ -407,4 +429,24 @@ fn files_come_in_the_order_in_which_they_were_written_and_unfinished_names_are_l
     assert_eq!(watched.take(150), ["z.csv BORE_A 12.03 GOOD", "a.csv BORE_A 12.04 GOOD"]);
     std::fs::rename(watched.path("b.csv.part"), watched.path("b.csv")).unwrap();
     assert_eq!(watched.take(150), ["b.csv BORE_A 12.05 GOOD"]);
+}
+
+/// At 60 °C a bore of 12 mm may be 11 µm larger than at 20 °C, of a zone of 43.
+#[test]
+fn a_temperature_in_a_file_is_compared_with_the_one_that_counts() {
+    let mut watched = Watched::new();
+    for (measured, temperature, said, is_told) in [
+        ("12.03", None, "60", true),
+        ("12.03", None, "20", false),
+        ("12.04", Some("60"), "60", false),
+        ("12.04", Some("60"), "20", true),
+    ] {
+        watched.temperature = temperature.map(|text| text.parse().unwrap());
+        watched
+            .put(&format!("{measured}_{said}.csv"), &format!("name;measured;temperature\nBORE_A;{measured};{said}\n"));
+        let [batch] = [watched.look(0), watched.look(150)].concat().try_into().unwrap();
+        let is_told_of = |item: &Item| matches!(item, Item::Warning(told) if told.to_string().contains("temperature"));
+        assert_eq!(batch.items.iter().any(is_told_of), is_told, "{temperature:?} {said}");
+        watched.watcher.taken(&batch, &|message| message.to_string()).unwrap();
+    }
 }

@@ -127,10 +127,21 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
     if !others.is_empty() {
         // Who names a sheet has left the others.
         let is_named = mapping.is_some_and(|mapping| mapping.sheet().is_some());
-        let may_hold_rows = !is_named && others.iter().any(|name| may_hold_rows(&mut workbook, name));
+        let others_hold: Vec<Other> =
+            others.iter().filter(|_| !is_named).map(|name| Other::of(&mut workbook, name)).collect();
+        let may_hold_rows = others_hold.iter().any(|other| matches!(other, Other::Rows));
         let left = others.iter().map(|name| shorten(name)).collect::<Vec<_>>().join(", ");
         let kind = ImportWarningKind::SheetsLeft { sheet: shorten(&chosen), left: shorten(&left), may_hold_rows };
         sink.warn(Place::line(1), None, kind);
+        // A cover sheet speaks of the values, too.
+        let counted = columns.counted_at(usize::MAX, context.counted);
+        let lines = others_hold.iter().flat_map(|other| match other {
+            Other::Lines(lines) => lines.as_slice(),
+            Other::Rows | Other::Chart => &[],
+        });
+        for told in lines.filter_map(|cells| ImportWarningKind::said_against(cells, counted)) {
+            sink.warn(Place::line(1), None, told);
+        }
     }
     if is_hidden(&workbook, &chosen) {
         sink.warn(Place::line(1), None, ImportWarningKind::SheetHidden { sheet: shorten(&chosen) });
@@ -160,26 +171,38 @@ fn agree(rows: &mut Rows<'_, BufReader<&mut dyn Body>>, columns: &Columns) -> Re
     Ok(())
 }
 
-/// Whether a sheet looks as if something measured were in it: its columns are found, or a row of it has a callout and a value. What cannot
-/// be read may hold anything, but for charts.
-fn may_hold_rows(workbook: &mut Workbook<'_>, name: &str) -> bool {
-    let is_table = |sheet: &calamine::Sheet| sheet.name != name || sheet.typ == SheetType::WorkSheet;
-    if !workbook.sheets_metadata().iter().all(is_table) {
-        return false;
-    }
-    let units = UnitsShown::default();
-    let sampled = rows(workbook, name, &units).and_then(|mut rows| {
-        let mut sample = Vec::new();
-        while sample.len() < SAMPLE
-            && let Some(row) = calm(|| rows.next())?
-        {
-            sample.push(row);
+/// What a sheet holds that is not read.
+enum Other {
+    /// It looks as if something measured were in it: its columns are found, or a row of it has a callout and a value. What cannot be read
+    /// may hold anything.
+    Rows,
+    /// Its first lines, none of them measured.
+    Lines(Vec<StringRecord>),
+    Chart,
+}
+
+impl Other {
+    fn of(workbook: &mut Workbook<'_>, name: &str) -> Self {
+        let is_table = |sheet: &calamine::Sheet| sheet.name != name || sheet.typ == SheetType::WorkSheet;
+        if !workbook.sheets_metadata().iter().all(is_table) {
+            return Self::Chart;
         }
-        Ok(sample)
-    });
-    let Ok(sample) = sampled else { return true };
-    sample.iter().any(|(_, cells)| cells::is_data(cells))
-        || Mapping::default().columns(&mut Sample::of_cells(sample.into_iter())).is_ok()
+        let units = UnitsShown::default();
+        let sampled = rows(workbook, name, &units).and_then(|mut rows| {
+            let mut sample = Vec::new();
+            while sample.len() < SAMPLE
+                && let Some(row) = calm(|| rows.next())?
+            {
+                sample.push(row);
+            }
+            Ok(sample)
+        });
+        let Ok(sample) = sampled else { return Self::Rows };
+        let lines: Vec<StringRecord> = sample.iter().map(|(_, cells)| cells.clone()).collect();
+        let has_rows = lines.iter().any(cells::is_data);
+        let has_columns = || Mapping::default().columns(&mut Sample::of_cells(sample.into_iter())).is_ok();
+        if has_rows || has_columns() { Self::Rows } else { Self::Lines(lines) }
+    }
 }
 
 fn is_hidden(workbook: &Workbook<'_>, name: &str) -> bool {

@@ -130,6 +130,7 @@ impl PageState for CheckPage {
             | News::PartTaken
             | News::Tools
             | News::Columns
+            | News::Temperature
             | News::Journal
             | News::TakenBack { .. }
             | News::Kept(..)

@@ -61,7 +61,7 @@ impl PageState for PartsPage {
         match news {
             News::Kept(run, is_kept) => self.batch_kept(*run, *is_kept, shared),
             // Notes are in the language of the window, and prints are read through the user's own mask.
-            News::Columns | News::StatusWindow => self.watch_anew(shared),
+            News::Columns | News::StatusWindow | News::Temperature => self.watch_anew(shared),
             News::OwnMask => self.begin_watch(shared),
             News::TakenBack { number, by } => self.taken_back(*number, by.as_deref(), shared),
             News::Journal => {
