@@ -354,22 +354,44 @@ fn shared_texts_are_counted_and_not_their_tags() {
     assert_eq!(records(&read(&bytes)), ["2 A 25 H7 25.01 GOOD 2030-01-01T00:00:00"]);
 }
 
+/// A workbook of two sheets, S and T, with further attributes.
+fn two_sheets([first, second]: [&str; 2], [s, t]: [&str; 2]) -> Vec<u8> {
+    let sheets = format!(
+        "<sheet name=\"S\" sheetId=\"1\" r:id=\"rId1\"{first}/><sheet name=\"T\" sheetId=\"2\" r:id=\"rId2\"{second}/>"
+    );
+    let rel = BOOK_RELS.replace("sheet1.xml\"/>", "sheet1.xml\"/><Relationship Id=\"rId2\" Type=\"http://schemas.openxmlformats.org/officeDocument/2006/relationships/worksheet\" Target=\"worksheets/sheet2.xml\"/>");
+    zipped(&[
+        ("_rels/.rels", RELS.as_bytes()),
+        ("xl/workbook.xml", BOOK.replace("<sheet name=\"S\" sheetId=\"1\" r:id=\"rId1\"/>", &sheets).as_bytes()),
+        ("xl/_rels/workbook.xml.rels", rel.as_bytes()),
+        ("xl/worksheets/sheet1.xml", s.as_bytes()),
+        ("xl/worksheets/sheet2.xml", t.as_bytes()),
+    ])
+}
+
+#[test]
+fn a_cover_sheet_says_how_warm_the_part_was() {
+    let rows = sheet(&[HEADER, &["A", "25 H7", "25.01"]]);
+    for (temperature, is_told) in [("35", true), ("20.5", false)] {
+        let cover = sheet(&[
+            &["Report"],
+            &["Customer", "ACME"],
+            &["Part temperature [°C]", temperature],
+            &["Inspector", "Meier"],
+        ]);
+        let imported = read(&two_sheets(["", ""], [&cover, &rows]));
+        assert_eq!(records(&imported), ["2 A 25 H7 25.01 GOOD 2030-01-01T00:00:00"]);
+        let against: Vec<String> =
+            imported.warnings.iter().filter(|told| told.what.kind.stands_against()).map(ToString::to_string).collect();
+        assert_eq!(against.len(), usize::from(is_told), "{against:?}");
+        assert!(against.iter().all(|told| told.contains("Part temperature [°C] 35")), "{against:?}");
+    }
+}
+
 #[test]
 fn a_sheet_that_is_seen_comes_before_a_hidden_one_and_a_hidden_one_is_told() {
     let sheet_of = |value: &str| sheet(&[HEADER, &["A", "25 H7", value]]);
-    let state = |first: &str, second: &str| {
-        let sheets = format!(
-            "<sheet name=\"S\" sheetId=\"1\" r:id=\"rId1\"{first}/><sheet name=\"T\" sheetId=\"2\" r:id=\"rId2\"{second}/>"
-        );
-        let rel = BOOK_RELS.replace("sheet1.xml\"/>", "sheet1.xml\"/><Relationship Id=\"rId2\" Type=\"http://schemas.openxmlformats.org/officeDocument/2006/relationships/worksheet\" Target=\"worksheets/sheet2.xml\"/>");
-        zipped(&[
-            ("_rels/.rels", RELS.as_bytes()),
-            ("xl/workbook.xml", BOOK.replace("<sheet name=\"S\" sheetId=\"1\" r:id=\"rId1\"/>", &sheets).as_bytes()),
-            ("xl/_rels/workbook.xml.rels", rel.as_bytes()),
-            ("xl/worksheets/sheet1.xml", sheet_of("25.01").as_bytes()),
-            ("xl/worksheets/sheet2.xml", sheet_of("25.05").as_bytes()),
-        ])
-    };
+    let state = |first: &str, second: &str| two_sheets([first, second], [&sheet_of("25.01"), &sheet_of("25.05")]);
     let imported = read(&state(" state=\"hidden\"", ""));
     assert_eq!(records(&imported), ["2 A 25 H7 25.05 SCRAP 2030-01-01T00:00:00"]);
     assert_eq!(warnings(&imported), ["line 1: sheet T is read; other sheets are not: S"]);
