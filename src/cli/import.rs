@@ -113,7 +113,8 @@ The exit code is that of the worst verdict, a centre out of position counting as
 it is 1 if any row or file could not be used or judged, and 14 (judged, but look first: see fitcheck --help) instead of 0, 10 or 12 \
 if something stands against a verdict. With --plan it is that of the worst part, by the value of \
 each feature that counts (the last one by its time; of values that contradict each other the worst one), and 1 if none is worse than good but features of a part have no value. Features without \
-a value are named at the end; in CSV and JSON each is a row with the plan as its file. \
+a value are named at the end; in CSV and JSON each is a row with the plan as its file, and what stands against all values of a file \
+is one without a value. \
 Files may have any size that a disk holds, but a log of points, a pipe and a .dfx that is read beside its .dfd have up to \
 {largest} MiB, and a sheet of a workbook unpacks to at most 512 MiB. \
 With --record, up to {MOST_ROWS} rows of a file are read.",
@@ -230,6 +231,11 @@ impl Import<'_> {
                 work.row();
             }
             warn(path, &item, io);
+            if let Some(row) = Row::against(path, &item)
+                && self.printed.is_ok()
+            {
+                self.printed = self.printer.against(&row, io);
+            }
             if let Some(row) = rows.row(item) {
                 if let Some(keeping) = &mut self.keeping {
                     keeping.see(&row);

@@ -301,6 +301,9 @@ impl Run<'_> {
             }
             for item in &batch.items {
                 super::import::warn(Path::new(&batch.name), item, io);
+                if let Some(row) = Row::against(Path::new(&batch.name), item) {
+                    self.printer.against(&row, io)?;
+                }
             }
             for row in rows {
                 self.is_bad |= row.error.is_some();

@@ -651,3 +651,23 @@ fn the_same_header_once_more_is_no_row() {
     let (_, err) = of(&[("a.csv", text)], &["import", "a.csv"]);
     assert!(err.contains("a.csv:3"), "{err}");
 }
+
+/// What makes the exit code 14 stands in what machines read, too.
+#[test]
+fn what_stands_against_all_values_of_a_file_is_a_row_for_machines() {
+    let folder = tempfile::tempdir().unwrap();
+    let text = "Feature;Callout;Measured\nB1;25 H7;25.013\n# part 35 °C\n# Meier\n";
+    fitcheck::files::write(&folder.path().join("a.csv"), text.as_bytes()).unwrap();
+    let out = |format: &str| {
+        let mut command = cargo_bin_cmd!("fitcheck");
+        let output = command.current_dir(folder.path()).args(["import", "a.csv", "--format", format]).output().unwrap();
+        assert_eq!(output.status.code(), Some(14));
+        String::from_utf8(output.stdout).unwrap()
+    };
+    let json: serde_json::Value = serde_json::from_str(&out("json")).unwrap();
+    let [value, told] = json.as_array().unwrap().as_slice() else { panic!("{json}") };
+    assert_eq!((&value["status"], &value["line"]), (&"GOOD".into(), &2.into()));
+    assert_eq!((&told["status"], &told["measured_mm"], &told["line"]), (&().into(), &().into(), &3.into()));
+    assert!(told["warnings"][0].as_str().unwrap().contains("# part 35 °C"), "{told}");
+    assert_eq!(out("csv").lines().filter(|line| line.contains("# part 35 °C")).count(), 1);
+}

@@ -64,6 +64,11 @@ impl Printer {
         }
     }
 
+    /// What stands against all values of a file is a row for machines, too: people are told it already.
+    pub(in crate::cli) fn against(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
+        if self.format == Format::Text { Ok(()) } else { self.row(row, io) }
+    }
+
     pub(in crate::cli) fn end(&mut self, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
             Format::Text => {

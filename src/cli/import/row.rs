@@ -313,6 +313,14 @@ impl Row {
         Self { column: error.place.column, error: Some(error.what.kind.to_string()), ..Self::default() }
     }
 
+    /// The row for what stands against the values of a file, and of none of its rows alone.
+    pub(in crate::cli) fn against(path: &Path, item: &Item) -> Option<Self> {
+        let Item::Warning(Located { what: warning, place }) = item else { return None };
+        let file = path.display().to_string().into();
+        let row = || Self { file, line: place.line, warnings: vec![warning.kind.to_string()], ..Self::default() };
+        (warning.row.is_none() && warning.kind.wants_a_look()).then(row)
+    }
+
     /// The row for a file that could not be read at all.
     pub(in crate::cli) fn of_file(path: &Path, error: String) -> Self {
         Self { file: path.display().to_string().into(), error: Some(error), ..Self::default() }
