@@ -287,7 +287,15 @@ impl BesideColumn {
 impl Columns {
     /// What the cells of a row say of its value beside it.
     pub(super) fn claims(&self, cells: &StringRecord) -> Vec<Claim> {
-        self.claims_of(cells, |_| true)
+        let mut claims = self.claims_of(cells, |_| true);
+        let asks = self.asks_temperature(cells);
+        claims.extend(self.remarks.iter().filter_map(|column| column.claim(cells.get(column.at)?, asks)));
+        claims
+    }
+
+    /// Whether what a row says of a temperature counts: its value was not brought to 20 °C already.
+    pub(super) fn asks_temperature(&self, cells: &StringRecord) -> bool {
+        !self.own.are_corrected() && !self.evidence.is_corrected(cells)
     }
 
     /// Those of them that are numbers.

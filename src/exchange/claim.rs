@@ -67,6 +67,8 @@ enum What {
     },
     /// That it is no size of one part.
     NoSize,
+    /// That nobody measured it.
+    Simulated,
 }
 
 /// The answer that a claim is compared with.
@@ -204,6 +206,11 @@ impl Claim {
         Self { what, ..self }
     }
 
+    /// That nobody measured a value.
+    pub(super) fn simulated(said: &str) -> Self {
+        Self::new(shorten(said), What::Simulated)
+    }
+
     /// A name that is none of a size of one part.
     pub(super) fn no_size(said: &str) -> Self {
         Self::new(shorten(said), What::NoSize)
@@ -274,6 +281,7 @@ impl Claim {
                 return Some(ImportWarningKind::TemperatureDiffers { given, counted: counted.to_string() });
             }
             What::NoSize => return Some(ImportWarningKind::NameOfNoSize { given }),
+            What::Simulated => return Some(ImportWarningKind::SpeaksOfSimulation { text: given }),
             What::Unknown => return Some(ImportWarningKind::StatusUnknown { given, status: status.word().to_owned() }),
             What::Largest(figure) if figure.is_within(*measured, bounds.maximum()) => true,
             What::Smallest(figure) if figure.is_within(bounds.minimum(), *measured) => true,

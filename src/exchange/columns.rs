@@ -15,6 +15,7 @@ use super::error::{ImportErrorKind, ImportWarningKind, Role};
 use super::evidence::Evidence;
 use super::own::OwnColumns;
 use super::quantity::{Free, QuantityColumn};
+use super::remarks::RemarkColumn;
 use super::stated::{self, Stated};
 use super::units;
 use super::warmth;
@@ -81,6 +82,8 @@ pub(super) struct Columns {
     pub(super) other_values: Vec<String>,
     /// What stands beside a value and may contradict its answer.
     pub(super) beside: Vec<BesideColumn>,
+    /// Columns of no known name.
+    pub(super) remarks: Vec<RemarkColumn>,
     /// The line of the first row, where the user has said it.
     pub(super) first: Option<usize>,
     /// What is stated of units beside the names of the columns.
@@ -175,6 +178,18 @@ impl Columns {
         }
         Ok(())
     }
+}
+
+/// The columns that are used for nothing and compared with nothing.
+fn remarks(names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<RemarkColumn> {
+    let is_free = |at: &usize| {
+        let is_beside = columns.beside.iter().any(|column| column.at() == *at);
+        let has_quantity = columns.quantities.iter().any(|column| column.at == *at);
+        let is_evidence = columns.evidence.origin == Some(*at) || columns.evidence.word == Some(*at);
+        !used.contains(at) && !is_beside && !has_quantity && !is_evidence
+    };
+    let name = |at: usize| names.get(at).unwrap_or_default().trim().to_owned();
+    (0..columns.count).filter(is_free).map(|at| RemarkColumn { at, name: name(at) }).collect()
 }
 
 /// The first rows of a text, split at one separator.
@@ -325,6 +340,7 @@ impl Sample {
         columns.beside = self.beside(names, columns, &used);
         columns.evidence.warm = self.said_of_all(columns, names);
         columns.other_values = self.other_values(names, columns, &used);
+        columns.remarks = remarks(names, columns, &used);
         // What is compared is not skipped.
         let compared = columns.beside.iter().map(BesideColumn::at).chain(columns.evidence.word);
         let compared: Vec<String> = compared.map(|at| name_of(at, names.get(at).unwrap_or_default())).collect();
@@ -415,6 +431,7 @@ impl Sample {
             labels,
             other_values: Vec::new(),
             beside: Vec::new(),
+            remarks: Vec::new(),
             first: None,
             stated: Stated::default(),
         })
@@ -485,6 +502,7 @@ impl Sample {
             labels: LabelColumns::default(),
             other_values: Vec::new(),
             beside: Vec::new(),
+            remarks: Vec::new(),
             first: None,
             stated: Stated::default(),
         })

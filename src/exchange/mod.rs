@@ -27,6 +27,7 @@
 //! | `beside`, `claim` | what stands beside a value and is compared with its answer: a status, limits, a deviation; its words |
 //! | `warmth` | the temperature that a file says of a value, or of all |
 //! | `evidence` | columns that say whether somebody measured, and whether a value is at 20 °C |
+//! | `remarks` | columns of no known name, in which a row may say something against its value |
 //! | `headers` | a header among the rows, below which the columns may be others |
 //! | `rivals` | which of several columns is the measured value, the nominal size, the callout: one, or none in silence |
 //! | `quantity` | what a row says that was measured of its feature |
@@ -103,6 +104,7 @@ mod plans;
 mod point_log;
 mod qif;
 mod quantity;
+mod remarks;
 mod rivals;
 mod rules;
 mod sizes;

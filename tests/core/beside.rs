@@ -671,3 +671,30 @@ fn what_stands_against_all_values_of_a_file_is_a_row_for_machines() {
     assert!(told["warnings"][0].as_str().unwrap().contains("# part 35 °C"), "{told}");
     assert_eq!(out("csv").lines().filter(|line| line.contains("# part 35 °C")).count(), 1);
 }
+
+/// Somebody wrote it where nothing stood in a thousand rows.
+#[test]
+fn a_remark_far_down_counts_as_one_in_the_first_row() {
+    let rows = |last: &str| {
+        let plain = |at: usize| {
+            format!("B{at};25 H7;25.013;{};SN-{at:06}\n", if at.is_multiple_of(3) { "burr 3 mm" } else { "" })
+        };
+        let rows: String = (1..1000).map(plain).collect();
+        format!("Feature;Callout;Measured;Bemerkung;Code\n{rows}B1000;25 H7;25.013;{last};SN-001000\n")
+    };
+    for (last, code) in [
+        ("rejected", 14),
+        ("n.i.O.", 14),
+        ("NOK: Grat", 14),
+        ("simulated", 14),
+        ("part at 35 °C", 14),
+        ("Teil 35C", 14),
+        ("part 308 K", 14),
+        ("burr 4 mm", 0),
+        ("part at 20 °C", 0),
+        ("OK", 0),
+        ("", 0),
+    ] {
+        both(&rows(last), code);
+    }
+}

@@ -3,6 +3,7 @@
 use std::fmt;
 
 use super::LONGEST_ROW;
+use super::compared::{Compared, told};
 use super::cut::Block;
 use super::index::{Broken, Index, line_end};
 use super::known::{Classes, Figures, Steps};
@@ -10,9 +11,7 @@ use super::layout::{Layout, utf8};
 use super::row::{Part, Row};
 use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
-use crate::exchange::beside::BesideColumn;
 use crate::exchange::cells;
-use crate::exchange::claim::{Answer, Claim};
 use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::evidence::marks_simulation;
 use crate::exchange::imported::WhyUnjudged;
@@ -102,10 +101,6 @@ struct Fast<'a> {
     unit: Option<usize>,
     /// Whether lengths are in inch by a statement: a callout with a size of its own is doubtful.
     is_inch: bool,
-    /// What stands beside a value and may contradict its answer.
-    beside: &'a [BesideColumn],
-    /// Whether something says of all values that they were not measured at 20 °C.
-    are_warm: bool,
     /// Columns in which a row may say that nobody measured, or that the size alone does not decide.
     aside: Vec<usize>,
     /// Columns that say what was measured: with one of its words of a size a row is plain.
@@ -133,8 +128,6 @@ impl<'a> Court<'a> {
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
             // Without a column of callouts no row is fast; simulated rows are counted where each is read as a whole.
             tolerance: columns.tolerance.filter(|_| plain.is_some() && !columns.evidence.are_simulated),
-            beside: &columns.beside,
-            are_warm: columns.evidence.warm.as_ref().is_some_and(|warm| !warm.is_of_reference()),
             unit,
             is_inch,
             aside: columns
@@ -172,13 +165,10 @@ impl<'a> Court<'a> {
             counts: Vec::new(),
             others: Counts::default(),
             index: Index::default(),
-            claims: Vec::new(),
+            compared: Compared::with(&self.layout.columns),
         }
     }
 }
-
-/// A cell beside a value, the number of its column among these, and what it claims.
-type Word = (usize, Vec<u8>, Option<Claim>);
 
 /// Judges blocks of rows, and remembers the classes that it met.
 #[derive(Debug)]
@@ -190,8 +180,8 @@ pub struct Judge<'a> {
     /// The verdicts of callouts without a class.
     others: Counts,
     index: Index,
-    /// What words in columns beside the value claim, as they were met.
-    claims: Vec<Word>,
+    /// What stands beside a value and may contradict its answer.
+    compared: Compared<'a>,
 }
 
 /// How many rows are good, rework, to be measured again, scrap: in the order of [`Status::ALL`].
@@ -317,52 +307,9 @@ impl Judge<'_> {
             tally.note(Kind::Doubt, None, || doubt.message());
         }
         tally.nominal += u64::from(judged.measured == judged.bounds.nominal);
-        if !self.court.fast.beside.is_empty() || self.court.fast.are_warm {
-            self.compare(row, judged, tally);
-        }
+        self.compared.compare(row, judged, tally);
         take.class(class);
         take.judged(row, judged);
-    }
-
-    /// Compares an answer with what the file says beside the value.
-    fn compare(&mut self, row: &Row<'_>, judged: &Judged, tally: &mut Tally) {
-        let answer = Answer { bounds: judged.bounds, measured: judged.measured, status: judged.status };
-        let mut has_figures = self.court.fast.are_warm;
-        for (number, column) in self.court.fast.beside.iter().enumerate() {
-            if !column.has_words() {
-                has_figures = true;
-                continue;
-            }
-            let cell = row.cell(column.at()).unwrap_or_default();
-            let known = self.claims.iter().position(|(of, word, _)| *of == number && word == cell);
-            let at = known.unwrap_or_else(|| {
-                // A column with ever new words claims nothing that is known here.
-                self.claims.truncate(MOST_CLAIMS);
-                let claim = column.claim(utf8(cell).trim().trim_matches('"'), Unit::Millimetre);
-                self.claims.push((number, cell.to_vec(), claim));
-                self.claims.len() - 1
-            });
-            let claim = self.claims.get(at).and_then(|(.., claim)| claim.as_ref());
-            Self::told(claim.and_then(|claim| claim.tells(&answer)), tally);
-        }
-        if has_figures {
-            let figures = self.court.layout.columns.figures(&row.record());
-            for claim in figures {
-                Self::told(claim.tells(&answer), tally);
-            }
-        }
-    }
-
-    /// Counts what a file says against an answer.
-    fn told(warning: Option<ImportWarningKind>, tally: &mut Tally) {
-        let Some(warning) = warning else { return };
-        tally.against += 1;
-        let kind = match warning {
-            ImportWarningKind::StatusDiffers { .. } => Kind::StatusDiffers,
-            ImportWarningKind::StatusUnknown { .. } => Kind::StatusUnknown,
-            _ => Kind::ClaimDiffers,
-        };
-        tally.note(kind, None, || warning.message());
     }
 
     /// Room for the verdicts of a class, and its own.
@@ -474,7 +421,7 @@ impl Judge<'_> {
             if let Some(reason) = stray() {
                 return Self::refuse(row, None, &reason, tally, take);
             }
-            Self::told(
+            told(
                 ImportWarningKind::said_against(&cells, columns.counted_at(usize::MAX, Temperature::REFERENCE)),
                 tally,
             );
@@ -547,9 +494,6 @@ impl Judge<'_> {
         take.broken(&shown, reason);
     }
 }
-
-/// So many words of a status are remembered.
-const MOST_CLAIMS: usize = 15;
 
 /// How much of a broken line is kept, in bytes.
 const BEGINNING: usize = 200;

@@ -175,6 +175,11 @@ impl Layout {
             || columns.beside.iter().any(|column| column.at() == at)
     }
 
+    /// Whether a column has a text that may say something against a value.
+    pub fn may_say(&self, at: usize) -> bool {
+        self.columns.remarks.iter().any(|column| column.at == at)
+    }
+
     /// Whether the mark of a simulation stands above its rows.
     pub const fn are_simulated(&self) -> bool {
         self.columns.evidence.are_simulated

@@ -19,6 +19,7 @@ use std::borrow::Cow;
 
 #[cfg(feature = "parquet")]
 mod answers;
+mod compared;
 mod csv;
 mod cut;
 mod index;

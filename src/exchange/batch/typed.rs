@@ -88,8 +88,10 @@ impl Typed {
     /// Judges all rows.
     pub fn judge(&mut self, fields: &[Field], purpose: Purpose, judge: &mut Judge<'_>, take: &mut impl Take) -> Tally {
         let mut tally = Tally::default();
-        let needed: Vec<bool> =
-            (0..).zip(fields).map(|(at, _)| purpose == Purpose::Text || judge.layout().is_judged(at)).collect();
+        let layout = judge.layout();
+        let may_say = |at: usize, field: &Field| field.kind == Kind::Text && layout.may_say(at);
+        let is_needed = |(at, field)| purpose == Purpose::Text || layout.is_judged(at) || may_say(at, field);
+        let needed: Vec<bool> = (0..).zip(fields).map(is_needed).collect();
         let mut cells = self.rows.cells();
         let mut left = self.rows.count;
         while 0 < left {

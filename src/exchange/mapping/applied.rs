@@ -193,6 +193,7 @@ impl Said<'_> {
             labels,
             other_values: Vec::new(),
             beside: Vec::new(),
+            remarks: Vec::new(),
             first: self.mapping.first_row,
             stated: Stated::default(),
         })
