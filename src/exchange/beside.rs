@@ -133,7 +133,7 @@ fn by_name(header: &str, with_unit: &str) -> Option<Says> {
 }
 
 /// What a name says that is not the size of one part: another quantity, or a figure of several parts.
-fn of_no_size(name: &str) -> Option<Claim> {
+pub(super) fn of_no_size(name: &str) -> Option<Claim> {
     (words::is_of_several_parts(name) || is_form(name)).then(|| Claim::no_size(name))
 }
 

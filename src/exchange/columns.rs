@@ -180,16 +180,19 @@ impl Columns {
     }
 }
 
-/// The columns that are used for nothing and compared with nothing.
+/// The columns that are used for nothing and compared with nothing, and that of the names.
 fn remarks(names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<RemarkColumn> {
+    let is_compared = |at: &usize| columns.beside.iter().any(|column| column.at() == *at);
     let is_free = |at: &usize| {
-        let is_beside = columns.beside.iter().any(|column| column.at() == *at);
         let has_quantity = columns.quantities.iter().any(|column| column.at == *at);
         let is_evidence = columns.evidence.origin == Some(*at) || columns.evidence.word == Some(*at);
-        !used.contains(at) && !is_beside && !has_quantity && !is_evidence
+        !used.contains(at) && !is_compared(at) && !has_quantity && !is_evidence
     };
     let name = |at: usize| names.get(at).unwrap_or_default().trim().to_owned();
-    (0..columns.count).filter(is_free).map(|at| RemarkColumn { at, name: name(at) }).collect()
+    let names = columns.id.filter(|at| columns.header.is_some() && !is_compared(at));
+    let free = (0..columns.count).filter(is_free).map(|at| (at, false));
+    let all = free.chain(names.map(|at| (at, true)));
+    all.map(|(at, is_of_names)| RemarkColumn { at, name: name(at), is_of_names }).collect()
 }
 
 /// The first rows of a text, split at one separator.

@@ -1,6 +1,7 @@
 //! Columns whose names say nothing known: somebody may have written into any of their cells that a value is rejected, simulated or warm. Most
 //! of these cells are empty, numbers or names, so that a row is asked at little cost.
 
+use super::beside::of_no_size;
 use super::claim::Claim;
 use super::evidence::says_simulated;
 use super::warmth;
@@ -10,6 +11,8 @@ use super::warmth;
 pub(super) struct RemarkColumn {
     pub(super) at: usize,
     pub(super) name: String,
+    /// Whether it holds the names of what was measured: they say something where they are those of a mean or a roundness.
+    pub(super) is_of_names: bool,
 }
 
 impl RemarkColumn {
@@ -18,6 +21,9 @@ impl RemarkColumn {
         let text = text.trim();
         if !may_say(text.as_bytes()) {
             return None;
+        }
+        if self.is_of_names {
+            return of_no_size(text);
         }
         let said = || if self.name.is_empty() { text.to_owned() } else { format!("{} {text}", self.name) };
         if says_simulated(text) {
@@ -67,7 +73,7 @@ mod tests {
     use super::*;
 
     fn said(text: &str) -> bool {
-        let column = RemarkColumn { at: 0, name: "Remark".to_owned() };
+        let column = RemarkColumn { at: 0, name: "Remark".to_owned(), is_of_names: false };
         let is_said = column.claim(text, true).is_some();
         let mut of = Vec::new();
         shape(text.as_bytes(), &mut of);

@@ -697,4 +697,7 @@ fn a_remark_far_down_counts_as_one_in_the_first_row() {
     ] {
         both(&rows(last), code);
     }
+    for name in ["Mean", "Rundheit", "Master ring"] {
+        both(&rows("").replace("\nB1000;", &format!("\n{name};")), 14);
+    }
 }
