@@ -449,6 +449,29 @@ fn a_unit_that_the_number_format_shows_counts() {
     );
 }
 
+/// Somebody has crossed it out.
+#[test]
+fn a_number_that_is_struck_through_is_no_value() {
+    let row = |name: &str, style: usize, value: &str| {
+        format!("<row><c t=\"str\"><v>{name}</v></c><c t=\"str\"><v>25 H7</v></c><c s=\"{style}\">{value}</c></row>")
+    };
+    let rows = [row("A", 0, "<v>25.01</v>"), row("B", 1, "<v>25.01</v>")].concat();
+    let typed =
+        "<row><c t=\"str\"><v>C</v></c><c t=\"str\"><v>25 H7</v></c><c s=\"1\" t=\"str\"><v>25,01</v></c></row>";
+    let sheet = sheet(&[HEADER]).replace("</sheetData>", &format!("{rows}{typed}</sheetData>"));
+    let styles = "<styleSheet><fonts><font/><font><strike/></font></fonts>\
+        <cellXfs><xf fontId=\"0\"/><xf fontId=\"1\" applyFont=\"1\"/></cellXfs></styleSheet>";
+    let imported = read(&book(&sheet, &[("xl/styles.xml", styles.as_bytes())]));
+    assert_eq!(records(&imported), ["2 A 25 H7 25.01 GOOD 2030-01-01T00:00:00"]);
+    assert_eq!(
+        errors(&imported),
+        [
+            "line 3, column 3: S!C3: measured: 25.01 (struck through) is not a number",
+            "line 4, column 3: S!C4: measured: 25,01 (struck through) is not a number",
+        ]
+    );
+}
+
 #[test]
 fn cells_without_a_style_of_their_own_show_the_unit_of_the_plain_one() {
     let row = |name: &str, style: &str, value: &str| {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 use std::io::{Read, Seek};
 
-use calamine::{DataRef, ExcelDateTime, XlsxCellReader, XlsxError, XlsxFormulaMetadata};
+use calamine::{DataRef, ExcelDateTime, Font, Style, XlsxCellReader, XlsxError, XlsxFormulaMetadata};
 use csv::StringRecord;
 
 use super::shown;
@@ -100,7 +100,10 @@ impl<'x, R: Read + Seek> Rows<'x, R> {
 /// The most runs of cells whose number formats show a unit.
 const MOST_RUNS: usize = 1_000_000;
 
-/// The units that number formats of a sheet show, where any do.
+/// What stands behind a number that somebody has crossed out, so that it is none.
+const STRUCK: &str = "(struck through)";
+
+/// The units that number formats of a sheet show, where any do; a number that is struck through shows that as its unit.
 #[derive(Debug, Default)]
 pub(super) struct UnitsShown {
     /// By style: the text of its unit, or nothing.
@@ -115,8 +118,12 @@ impl UnitsShown {
     /// # Errors
     /// Why the sheet cannot be read on.
     pub(super) fn of_sheet<R: Read + Seek>(mut cells: XlsxCellReader<'_, R>) -> Result<Self, ImportErrorKind> {
-        let codes = cells.styles().iter().map(|style| style.number_format.as_ref());
-        let shown: Vec<_> = codes.map(|format| format.and_then(|format| shown::unit(&format.format_code))).collect();
+        let shown = |style: &Style| {
+            let is_struck = style.font.as_ref().is_some_and(Font::has_strikethrough);
+            let unit = || shown::unit(&style.number_format.as_ref()?.format_code);
+            if is_struck { Some(STRUCK.to_owned()) } else { unit() }
+        };
+        let shown: Vec<_> = cells.styles().iter().map(shown).collect();
         let mut all = Self::default();
         if shown.iter().all(Option::is_none) {
             return Ok(all);
