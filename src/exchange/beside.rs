@@ -234,9 +234,9 @@ impl BesideColumn {
         self.at
     }
 
-    /// Whether its claims depend on nothing but the cell, and few words are in it.
+    /// Whether its claims depend on nothing but the cell.
     pub(super) const fn has_words(&self) -> bool {
-        !matches!(self.says, Says::Upper | Says::Lower | Says::Deviation) && !self.says.is_of_temperature()
+        !matches!(self.says, Says::Upper | Says::Lower | Says::Deviation)
     }
 
     /// Measuring machines write the largest and the smallest reading below short names, too.

@@ -191,6 +191,11 @@ impl Claim {
         Self::new(shorten(said), What::Warm { said: warm, counted: Temperature::REFERENCE })
     }
 
+    /// Whether it says how warm the part was.
+    pub(super) const fn is_of_temperature(&self) -> bool {
+        matches!(self.what, What::Warm { .. })
+    }
+
     /// Whether it says 20 °C.
     pub(super) fn is_of_reference(&self) -> bool {
         matches!(self.what, What::Warm { said, .. } if said == Temperature::REFERENCE)

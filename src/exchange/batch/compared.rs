@@ -19,7 +19,7 @@ const MOST_CLAIMS: usize = 15;
 /// So many shapes of remarks are remembered.
 const MOST_SHAPES: usize = 64;
 
-/// A cell beside a value, the number of its column among these, and what it claims.
+/// The column of a cell beside a value, the cell, and what it claims.
 type Word = (usize, Vec<u8>, Option<Claim>);
 
 /// What stands beside values, as far as it was met.
@@ -30,8 +30,8 @@ pub(super) struct Compared<'a> {
     are_warm: bool,
     /// What words in columns beside the value claim.
     claims: Vec<Word>,
-    /// Shapes of remarks that say nothing, with their columns.
-    shapes: VecDeque<(usize, Vec<u8>)>,
+    /// Shapes of remarks with their columns, and whether they say nothing.
+    shapes: VecDeque<(usize, Vec<u8>, bool)>,
     shape: Vec<u8>,
 }
 
@@ -47,7 +47,8 @@ impl<'a> Compared<'a> {
         if self.are_warm || !self.columns.beside.is_empty() {
             self.ask(row, judged, tally);
         }
-        for column in &self.columns.remarks {
+        let columns = self.columns;
+        for column in &columns.remarks {
             let cell = row.cell(column.at).unwrap_or_default();
             if may_say(cell) {
                 self.hear(row, (column, cell), judged, tally);
@@ -56,28 +57,21 @@ impl<'a> Compared<'a> {
     }
 
     fn ask(&mut self, row: &Row<'_>, judged: &Judged, tally: &mut Tally) {
-        let answer = answer(judged);
+        let columns = self.columns;
         let mut has_figures = self.are_warm;
-        for (number, column) in self.columns.beside.iter().enumerate() {
+        for column in &columns.beside {
             if !column.has_words() {
                 has_figures = true;
                 continue;
             }
             let cell = row.cell(column.at()).unwrap_or_default();
-            let known = self.claims.iter().position(|(of, word, _)| *of == number && word == cell);
-            let at = known.unwrap_or_else(|| {
-                // A column with ever new words claims nothing that is known here.
-                self.claims.truncate(MOST_CLAIMS);
-                let claim = column.claim(utf8(cell).trim().trim_matches('"'), Unit::Millimetre);
-                self.claims.push((number, cell.to_vec(), claim));
-                self.claims.len() - 1
-            });
-            let claim = self.claims.get(at).and_then(|(.., claim)| claim.as_ref());
-            told(claim.and_then(|claim| claim.tells(&answer)), tally);
+            let claim = self.claim(column.at(), cell, |text| column.claim(text, Unit::Millimetre));
+            let said = claim.and_then(|claim| Some((claim.is_of_temperature(), claim.tells(&answer(judged))?)));
+            self.tell(row, said, tally);
         }
         if has_figures {
-            for claim in self.columns.figures(&row.record()) {
-                told(claim.tells(&answer), tally);
+            for claim in columns.figures(&row.record()) {
+                told(claim.tells(&answer(judged)), tally);
             }
         }
     }
@@ -85,18 +79,43 @@ impl<'a> Compared<'a> {
     /// Compares an answer with a remark, unless another one like it has said nothing.
     fn hear(&mut self, row: &Row<'_>, (column, cell): (&RemarkColumn, &[u8]), judged: &Judged, tally: &mut Tally) {
         shape(cell, &mut self.shape);
-        if self.shapes.iter().any(|(of, known)| *of == column.at && *known == self.shape) {
-            return;
-        }
-        if says_nothing(column, unquoted(&utf8(&self.shape))) {
+        let known = self.shapes.iter().find(|(of, known, _)| *of == column.at && *known == self.shape);
+        let says_nothing = if let Some((.., says_nothing)) = known {
+            *says_nothing
+        } else {
+            let says_nothing = says_nothing(column, unquoted(&utf8(&self.shape)));
             if self.shapes.len() == MOST_SHAPES {
                 self.shapes.pop_front();
             }
-            return self.shapes.push_back((column.at, self.shape.clone()));
+            self.shapes.push_back((column.at, self.shape.clone(), says_nothing));
+            says_nothing
+        };
+        if !says_nothing {
+            let claim = self.claim(column.at, cell, |text| column.claim(text, true));
+            let said = claim.and_then(|claim| Some((claim.is_of_temperature(), claim.tells(&answer(judged))?)));
+            self.tell(row, said, tally);
         }
-        let asks = self.columns.asks_temperature(&row.record());
-        let claim = column.claim(unquoted(&utf8(cell)), asks);
-        told(claim.and_then(|claim| claim.tells(&answer(judged))), tally);
+    }
+
+    /// What a cell of a column claims, which is read once where its words come again.
+    fn claim(&mut self, at: usize, cell: &[u8], read: impl FnOnce(&str) -> Option<Claim>) -> Option<&Claim> {
+        let known = self.claims.iter().position(|(of, word, _)| *of == at && word == cell);
+        let place = known.unwrap_or_else(|| {
+            // A column with ever new words claims nothing that is known here.
+            self.claims.truncate(MOST_CLAIMS);
+            self.claims.push((at, cell.to_vec(), read(unquoted(&utf8(cell)))));
+            self.claims.len() - 1
+        });
+        self.claims.get(place).and_then(|(.., claim)| claim.as_ref())
+    }
+
+    /// Counts what a cell says against an answer; a temperature only where the value was not brought to 20 °C already.
+    fn tell(&self, row: &Row<'_>, said: Option<(bool, ImportWarningKind)>, tally: &mut Tally) {
+        if let Some((is_of_temperature, warning)) = said
+            && (!is_of_temperature || self.columns.asks_temperature(&row.record()))
+        {
+            told(Some(warning), tally);
+        }
     }
 }
 

@@ -90,7 +90,12 @@ fn scale_of(letter: Kind<'_>) -> Option<Scale> {
 
 /// The temperature in a cell of such a column; `None` where it has none.
 pub(super) fn read(cell: &str, scale: Scale) -> Option<Temperature> {
-    said::said(cell, Some(scale))
+    let text = cell.trim();
+    let is_plain = text.bytes().all(|byte| byte.is_ascii_digit() || b".,".contains(&byte));
+    match text.replace(',', ".").parse() {
+        Ok(number) if is_plain => scale.degrees(number),
+        _ => said::said(text, Some(scale)),
+    }
 }
 
 /// Whether a text says a temperature, or whether values were corrected to one.

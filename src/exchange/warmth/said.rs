@@ -38,6 +38,9 @@ struct Mention {
 
 /// The temperature that a text says, the one furthest from 20 °C; with `column`, it stands in one of temperatures, in this unit.
 pub(super) fn said(text: &str, column: Option<Scale>) -> Option<Temperature> {
+    if column.is_none() && !may_say(text.as_bytes()) {
+        return None;
+    }
     let text = plain(text);
     let tokens = tokens(&text);
     let text = Text::of(&tokens, column);
@@ -54,6 +57,24 @@ pub(super) fn said(text: &str, column: Option<Scale>) -> Option<Temperature> {
         Some(Whose::Part) | None => true,
     };
     found.iter().filter(counts).max_by_key(|mention| off(mention)).map(|mention| mention.degrees)
+}
+
+/// Whether a text has a sign of degrees, the name of a temperature or a number before the letter of a unit: most have none.
+fn may_say(text: &[u8]) -> bool {
+    // What begins so: temp, °, º, ℃, ℉, degrees, grad, Celsius, Fahrenheit, Kelvin.
+    const BEGIN: [&[u8]; 8] = [b"temp", b"\xc2\xb0", b"\xc2\xba", b"\xe2\x84", b"deg", b"gra", b"kel", b"fah"];
+    let begins =
+        |at: usize, begin: &[u8]| text.get(at..at + begin.len()).is_some_and(|here| here.eq_ignore_ascii_case(begin));
+    let is_letter = |at: usize| {
+        let before = text.get(..at).unwrap_or_default().trim_ascii_end();
+        let is_alone = text.get(at + 1).is_none_or(|next| !next.is_ascii_alphabetic());
+        before.last().is_some_and(u8::is_ascii_digit) && (is_alone || begins(at, b"cel") || begins(at, b"cen"))
+    };
+    text.iter().enumerate().any(|(at, byte)| match byte {
+        b't' | b'T' | 0xc2 | 0xe2 | b'd' | b'D' | b'g' | b'G' => BEGIN.iter().any(|begin| begins(at, begin)),
+        b'c' | b'C' | b'k' | b'K' | b'f' | b'F' => is_letter(at) || BEGIN.iter().any(|begin| begins(at, begin)),
+        _ => false,
+    })
 }
 
 /// Whether a text says that values were not corrected.
