@@ -8,13 +8,14 @@
 use crate::budget::BudgetWarning;
 use crate::control::deviations::DeviationWarning;
 use crate::control::mask::{MaskWarning, OtherLanguages};
-use crate::control::probe_block::{Moved, Unused};
+use crate::control::probe_block::Unused;
 use crate::control::table::TableWarning;
 use crate::exchange::ImportWarningKind;
 use crate::files::FileError;
 use crate::files::ZoneError;
 use crate::journal::entry::CheckRemark;
 use crate::message::{Located, Say};
+use crate::nc::machine::Alone;
 use crate::nc::program::ProgramWarning;
 use crate::part::PlanRemark;
 use crate::probing::Caveat;
@@ -94,8 +95,8 @@ impl Admits for Caveat {
     }
 }
 
-/// The block measures where its numbers do not say.
-impl Admits for Moved {
+/// The block measures where its numbers do not say, or not at all.
+impl Admits for Located<Alone> {
     fn wants_a_look(&self) -> bool {
         true
     }

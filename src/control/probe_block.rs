@@ -3,7 +3,6 @@
 //! | file | what |
 //! |---|---|
 //! | `read` | a block as pairs of name and text |
-//! | `moved` | lines before it that move the system of coordinates |
 //! | `write` | the block of a cycle's inputs, from its declaration |
 //! | `fault` | what is wrong with a block |
 //!
@@ -12,7 +11,6 @@
 //! value that is a Q parameter stays a text.
 
 mod fault;
-mod moved;
 mod read;
 mod write;
 
@@ -35,8 +33,6 @@ pub struct ProbeBlock {
     pub settings: Vec<Setting>,
     /// The first skipped line that is not part of any block, if there is one.
     pub unused: Option<Unused>,
-    /// The first one before the block that moves, turns, mirrors or scales the system of coordinates.
-    pub moved: Option<Moved>,
 }
 
 /// A parameter of a block.
@@ -59,16 +55,6 @@ pub struct Unused {
     pub text: String,
     /// How many more there are.
     pub more: usize,
-}
-
-/// A line of a program after which its block does not measure where its numbers say.
-#[derive(Debug, Clone, PartialEq, Eq, Say)]
-#[say(id = "block-moved")]
-pub struct Moved {
-    /// The line, from 1.
-    pub line: usize,
-    /// Its text.
-    pub text: String,
 }
 
 display!(Unused);

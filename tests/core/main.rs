@@ -13,6 +13,7 @@ mod around;
 mod bad_input;
 mod batch;
 mod beside;
+mod block_alone;
 mod budgets;
 mod callout_grammar;
 mod callouts;

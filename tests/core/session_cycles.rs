@@ -311,6 +311,16 @@ fn a_block_fills_the_form_or_changes_nothing() {
             format!("L Z+50\n{}", block.replace(" ~\nQ999=+1 ;? ~\n", "\n")),
             "line 1: L Z+50 is not part of the probing cycle and was skipped",
         ),
+        // Nor is one that a control may skip, or does not reach.
+        (
+            block.replace(" ~\nQ999=+1 ;? ~\n", "\n").replace("11 ", "/11 "),
+            "line 1: a control may skip the probing cycle because of the / before it: delete the / if it has to measure",
+        ),
+        (
+            format!("END PGM A MM\n{}", block.replace(" ~\nQ999=+1 ;? ~\n", "\n")),
+            "line 1: the program goes no further than END PGM A MM and does not reach the probing cycle after it, so a control does not \
+                measure here: check the program",
+        ),
     ] {
         send(&mut session, CyclesCommand::TypeBlock(changed));
         send(&mut session, CyclesCommand::TakeBlock);

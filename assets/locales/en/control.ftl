@@ -172,6 +172,5 @@ block-too-many-parts = the line has more than { $most } parts between ~
 block-cut-off = the block ends with ~, so a line is missing: it may be cut off
 block-reference = { $key } = { $given }: the value of { $given } is known only while a program runs
 block-not-writable = { $key } = { $given }: a text in a block cannot contain quotation marks or line ends
-block-moved = line { $line }: { $text } moves the coordinates of the probing cycle after it, and the cycle is run as if it did not
 block-unused = line { $line }: { $text } is not part of the probing cycle and was skipped
 block-unused-more = line { $line }: { $text } is not part of the probing cycle and was skipped, and { $more } more

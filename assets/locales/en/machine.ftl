@@ -161,3 +161,11 @@ machine-pause-stop = the program has stopped: STOP or M0
 machine-pause-optional-stop = the program has stopped: M1
 machine-pause-breakpoint = the next block has a breakpoint
 machine-pause-log = the measuring log is on the screen (Q281 = 2)
+
+## A block of a measuring cycle without its program
+alone-moved = { $text } moves the probing cycle after it or changes its axes, and the cycle is run as if it did not: run the whole program instead
+alone-called = { $text } runs blocks that may move the probing cycle after it, and they are not read: run the whole program instead
+alone-not-understood = { $text } is not understood and may move the probing cycle after it: check the program, or run it as a whole
+alone-not-run = the program goes no further than { $text } and does not reach the probing cycle after it, so a control does not measure here: check the program
+alone-passed = { $text } can go past the probing cycle, so a control may not measure here: run the whole program instead
+alone-skipped = a control may skip the probing cycle because of the / before it: delete the / if it has to measure

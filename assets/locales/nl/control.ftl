@@ -172,6 +172,5 @@ block-too-many-parts = de tekstregel heeft meer dan { $most } delen tussen ~
 block-cut-off = de NC-regel eindigt op ~, dus er ontbreekt een tekstregel: misschien is hij afgekapt
 block-reference = { $key } = { $given }: de waarde van { $given } is alleen bekend terwijl een programma loopt
 block-not-writable = { $key } = { $given }: een tekst in een NC-regel mag geen aanhalingstekens of regeleinden bevatten
-block-moved = regel { $line }: { $text } verplaatst de coördinaten van de tastcyclus erna, en de cyclus wordt uitgevoerd alsof dat niet zo is
 block-unused = regel { $line }: { $text } hoort niet bij de tastcyclus en is overgeslagen
 block-unused-more = regel { $line }: { $text } hoort niet bij de tastcyclus en is overgeslagen, en nog { $more }

@@ -161,3 +161,11 @@ machine-pause-stop = het programma is gestopt: STOP of M0
 machine-pause-optional-stop = het programma is gestopt: M1
 machine-pause-breakpoint = de volgende NC-regel heeft een breekpunt
 machine-pause-log = het meetprotocol staat op het scherm (Q281 = 2)
+
+## A block of a measuring cycle without its program
+alone-moved = { $text } verplaatst de tastcyclus erna of verandert zijn assen, en de cyclus wordt uitgevoerd alsof dat niet zo is: voer het hele programma uit
+alone-called = { $text } voert regels uit die de tastcyclus erna kunnen verplaatsen, en die zijn niet gelezen: voer het hele programma uit
+alone-not-understood = { $text } wordt niet begrepen en kan de tastcyclus erna verplaatsen: controleer het programma, of voer het in zijn geheel uit
+alone-not-run = het programma komt niet verder dan { $text } en bereikt de tastcyclus erna niet, dus een besturing meet hier niet: controleer het programma
+alone-passed = { $text } kan de tastcyclus overslaan, dus een besturing meet hier misschien niet: voer het hele programma uit
+alone-skipped = een besturing kan de tastcyclus overslaan vanwege de / ervoor: verwijder de / als er gemeten moet worden

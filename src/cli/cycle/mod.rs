@@ -34,7 +34,7 @@ use crate::exchange::contacts;
 use crate::journal::entry::CycleCheck;
 use crate::length::Length;
 use crate::message::Located;
-use crate::nc::machine::Remark;
+use crate::nc::machine::{Remark, alone};
 use crate::probing::cycle::{Control, Cycle, CycleResult, Inputs, Key, Remark as CycleRemark, Value};
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::Shape;
@@ -281,7 +281,8 @@ impl Args {
 
     fn with_block(&self, inputs: Inputs, path: &Path, io: &mut Io<'_>) -> Result<Inputs, CliError> {
         let (name, bytes) = read_input(path, io)?;
-        let block = probe_block::read(&decode(&bytes)).about(&name)?;
+        let text = decode(&bytes);
+        let block = probe_block::read(&text).about(&name)?;
         if block.cycle.number != self.cycle.number {
             let other = CliError::OtherCycle { given: block.cycle.code, wanted: self.cycle.code };
             return Err(Located::in_line(block.line, other)).about(&name);
@@ -289,8 +290,8 @@ impl Args {
         if let Some(unused) = &block.unused {
             io.warn_about(&name, unused);
         }
-        if let Some(moved) = &block.moved {
-            io.warn_about(&name, moved);
+        for lost in &alone(&text, &block) {
+            io.warn_about(&name, lost);
         }
         block.put_into(inputs).about(&name)
     }

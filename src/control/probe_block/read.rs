@@ -1,8 +1,7 @@
 //! A block as pairs of name and text: one line at a time, split at every `~`.
 
 use super::fault::{ProbeBlockError, ProbeBlockFault};
-use super::moved::moves_coordinates;
-use super::{Moved, ProbeBlock, Setting, Unused, shown};
+use super::{ProbeBlock, Setting, Unused, shown};
 use crate::control::text::lines;
 use crate::probing::cycle::{Control, Cycle, Inputs, Range};
 use crate::probing::cycles::{cycle_named, cycles_of};
@@ -125,7 +124,6 @@ struct Reader {
     state: State,
     block: Option<ProbeBlock>,
     unused: Option<Unused>,
-    moved: Option<Moved>,
     last: usize,
 }
 
@@ -166,7 +164,7 @@ impl Reader {
         if let Some(first) = &self.block {
             return Err(ProbeBlockFault::SecondBlock { first: first.line }.at(line));
         }
-        self.block = Some(ProbeBlock { line, cycle, settings: Vec::new(), unused: None, moved: None });
+        self.block = Some(ProbeBlock { line, cycle, settings: Vec::new(), unused: None });
         let Some(words) = words else {
             self.follow(segment);
             return Ok(());
@@ -202,9 +200,6 @@ impl Reader {
         }
         if upper.starts_with("BEGIN PGM") || upper.starts_with("END PGM") || upper.starts_with('*') || upper == "%" {
             return Ok(());
-        }
-        if self.block.is_none() && self.moved.is_none() && moves_coordinates(&upper) {
-            self.moved = Some(Moved { line, text: shown(segment.code) });
         }
         match &mut self.unused {
             Some(unused) => unused.more += 1,
@@ -271,7 +266,7 @@ impl Reader {
             return Err(ProbeBlockFault::CutOff.at(self.last.max(1)));
         }
         let block = self.block.ok_or_else(|| ProbeBlockFault::NoBlock.at(1))?;
-        Ok(ProbeBlock { unused: self.unused, moved: self.moved, ..block })
+        Ok(ProbeBlock { unused: self.unused, ..block })
     }
 }
 

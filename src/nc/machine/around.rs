@@ -116,6 +116,43 @@ pub(super) struct Global {
     pub unit: Option<Unit>,
 }
 
+/// The value of an operand in a block; not a number where nobody knows it: it is then never neutral, and no zero.
+pub(super) type ValueOf<'a> = dyn Fn(Operand) -> Result<f64, FaultKind> + 'a;
+
+/// Whether a value is another one than that which changes nothing.
+fn is_other(value: f64, neutral: f64) -> bool {
+    value.is_nan() || 0.0 < (value - neutral).abs()
+}
+
+/// M functions that change the datum: M104 makes the one active that was set last, M142 deletes shifts, rotations and the like.
+const RESETS: [u32; 2] = [104, 142];
+
+/// Whether M functions of a milling control change the datum.
+pub(super) fn reset_datum(functions: &[MachineFunction]) -> bool {
+    functions.iter().any(|function| RESETS.contains(&function.number))
+}
+
+/// The number of a cycle of the control itself that machines; those of the machine's builder may do anything.
+pub(super) fn machining(cycle: &CycleBlock) -> Option<u32> {
+    cycle.number.parse().ok().filter(|number: &u32| {
+        // Machining, turning and grinding; below them are the control's oldest.
+        *number <= 39 || matches!(number, 200..=299 | 800..=899 | 1000..=1099 | 1271..=1274 | 1278 | 1281 | 1282)
+    })
+}
+
+/// Something that a block behind it loses where it is taken out of its program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Kept {
+    /// The zero is not where the preset is.
+    Zero,
+    Change(Change),
+    /// A rotary axis is not known to be at zero.
+    Turned,
+    /// The tool axis is not Z.
+    Plane,
+    Mode,
+}
+
 impl Around {
     /// Before the first block. A lathe has no tool axis to name: its cycles say in which plane they measure.
     pub(super) fn new(notation: Notation) -> Self {
@@ -238,13 +275,13 @@ impl Around {
     }
 
     /// Rotary axes of a move, or of a shift: at zero they change nothing. A move along U, V or W may bring another workpiece.
-    pub(super) fn turn(&mut self, axes: &[AxisWord], values: &Values) {
+    pub(super) fn turn(&mut self, axes: &[AxisWord], value: &ValueOf<'_>) {
         for word in axes {
             if matches!(word.axis, Axis::U | Axis::V | Axis::W) {
                 self.stops += 1;
             }
             if matches!(word.axis, Axis::A | Axis::B | Axis::C) {
-                let is_zero = !word.is_incremental && values.operand(word.value).is_ok_and(|value| value.abs() < 1e-9);
+                let is_zero = !word.is_incremental && value(word.value).is_ok_and(|value| value.abs() < 1e-9);
                 if is_zero {
                     self.turned.remove(&word.axis);
                 } else {
@@ -260,22 +297,21 @@ impl Around {
         frame: &Frame,
         made: Made,
         unit: Option<Unit>,
-        values: &Values,
+        value: &ValueOf<'_>,
     ) -> Result<Option<Remark>, FaultKind> {
-        let is_not = |operand: Operand, neutral: f64| -> Result<bool, FaultKind> {
-            Ok(0.0 < (values.operand(operand)? - neutral).abs())
-        };
+        let is_not = |operand: Operand, neutral: f64| Ok::<_, FaultKind>(is_other(value(operand)?, neutral));
         match frame {
             Frame::Title => {}
-            Frame::Shift(axes) => self.shift(axes, unit, values)?,
+            Frame::Shift(axes) => self.shift(axes, unit, value)?,
             Frame::NoShift => {
                 self.zero = [0.0; 3];
                 self.changes.remove(&Change::DatumTable);
             }
             Frame::ShiftFromTable => self.set(Change::DatumTable, true, made),
-            Frame::Preset(number) => return self.activate(*number, values),
+            Frame::Preset(number) => return self.activate(*number, value),
             Frame::Rotation { angle, is_incremental } => {
-                let is_turned = is_not(*angle, 0.0)?;
+                // A whole turn is none.
+                let is_turned = is_other(value(*angle)? % 360.0, 0.0);
                 let stays = *is_incremental && self.changes.contains_key(&Change::Rotation);
                 if !stays {
                     self.set(Change::Rotation, is_turned, made);
@@ -341,9 +377,9 @@ impl Around {
         }
     }
 
-    fn shift(&mut self, axes: &[AxisWord], unit: Option<Unit>, values: &Values) -> Result<(), FaultKind> {
+    fn shift(&mut self, axes: &[AxisWord], unit: Option<Unit>, value: &ValueOf<'_>) -> Result<(), FaultKind> {
         for word in axes {
-            let value = values.operand(word.value)? * millimetres(unit);
+            let by = value(word.value)? * millimetres(unit);
             let [x, y, z] = &mut self.zero;
             let zero = match word.axis {
                 Axis::X => x,
@@ -351,9 +387,9 @@ impl Around {
                 Axis::Z => z,
                 Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => continue,
             };
-            *zero = if word.is_incremental { *zero + value } else { value };
+            *zero = if word.is_incremental { *zero + by } else { by };
         }
-        self.turn(axes, values);
+        self.turn(axes, value);
         // A shift that is written takes the place of one from a table in the axes that it names.
         let is_written = |axis| axes.iter().any(|word| word.axis == axis && !word.is_incremental);
         if [Axis::X, Axis::Y, Axis::Z].into_iter().all(is_written) {
@@ -363,8 +399,8 @@ impl Around {
     }
 
     /// Cycle 247: shift, rotation, mirror and scaling end. Fitcheck has no preset table: the workpiece lies at each preset.
-    fn activate(&mut self, number: Option<Operand>, values: &Values) -> Result<Option<Remark>, FaultKind> {
-        let number = number.map(|number| values.operand(number)).transpose()?;
+    fn activate(&mut self, number: Option<Operand>, value: &ValueOf<'_>) -> Result<Option<Remark>, FaultKind> {
+        let number = number.map(value).transpose()?;
         let is_other = self.preset.is_some() && self.preset != number;
         // A preset that is not named may be any.
         self.stops += u64::from(number.is_none());
@@ -372,6 +408,16 @@ impl Around {
         self.changes.retain(|change, _| matches!(change, Change::Tilt | Change::NotKnown | Change::Turning));
         self.preset = number.or(self.preset);
         Ok(number.filter(|_| is_other).map(|number| Remark::OtherPreset { number: number.to_string() }))
+    }
+
+    /// What is in force that is not so at the beginning of a program.
+    pub(super) fn kept(&self) -> impl Iterator<Item = Kept> {
+        let zero = self.zero.into_iter().any(|part| is_other(part, 0.0)).then_some(Kept::Zero);
+        let turned = (!self.turned.is_empty()).then_some(Kept::Turned);
+        let plane = (self.plane() != Plane::default()).then_some(Kept::Plane);
+        let mode = (self.mode != Mode::Mill).then_some(Kept::Mode);
+        let changes = self.changes.keys().copied().map(Kept::Change);
+        zero.into_iter().chain(changes).chain(turned).chain(plane).chain(mode)
     }
 
     /// Whether coordinates can be followed: under a rotation and its like they cannot.

@@ -8,6 +8,7 @@
 //! | `tables` | FN 26, FN 27, FN 28 |
 //! | `prints`, `logs` | FN 16: windows and files; the measuring logs of cycles (Q281) |
 //! | `around`, `placement` | what is set up around measurements: tool axis, mode, global values, zero; where a cycle measures |
+//! | `alone` | what a measuring block loses where it is taken out of its program |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
 //! | `tool_call` | the tool in the spindle, as TOOL CALL says |
 //! | `tools` | the tool table: the called tool, the tool of Q330 |
@@ -21,6 +22,7 @@
 //! only the store that the machine is given reads and writes files. A step takes no longer in a long program than in a
 //! short one.
 
+mod alone;
 mod around;
 mod budget;
 mod contacts;
@@ -42,6 +44,7 @@ mod tool_call;
 mod tools;
 mod values;
 
+pub use alone::{Alone, alone};
 pub use around::Change;
 pub use budget::{Budget, Settings, UsedUp};
 pub use contacts::Contacts;

@@ -8,6 +8,7 @@
 //! | `notation`, `klartext`, `iso`, `din_plus` | which notation it is; the readers |
 //! | `source`, `lines`, `cursor` | the text while it is read; parts of lines; the place in a block's text that moves forward |
 //! | `formula`, `text_formula` | formulas, read |
+//! | `course` | which blocks may run before a block, and whether it runs |
 //! | `labels`, `numbering` | where the labels are; block numbers that do not rise |
 //! | `unread` | what a block that is not understood may do |
 //! | `weight` | how much text becomes trees in memory |
@@ -42,6 +43,7 @@
 
 mod around;
 mod block;
+mod course;
 mod cursor;
 mod cycle_block;
 mod din_plus;
@@ -70,6 +72,7 @@ pub use block::{
     Axis, AxisWord, Block, Body, Columns, Condition, Feed, MachineFunction, Movement, Operand, Place, Relation, Target,
     TextOperand, Tool, Unit,
 };
+pub use course::Course;
 pub use cycle_block::{CycleBlock, CycleLine, CycleName, CycleValue};
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
 pub use expression::{Expression, NumberFunction, Operation, Test, TextExpression};

@@ -3,6 +3,7 @@
 use super::CyclesPage;
 use crate::control::probe_block;
 use crate::message::{Message, Say as _};
+use crate::nc::machine::alone;
 use crate::probing::Source;
 use crate::probing::cycles::cycle;
 use crate::probing::simulated::{Probe, Simulation};
@@ -52,6 +53,9 @@ impl CyclesPage {
         let block = probe_block::read_or_lines(text, self.cycle).map_err(|error| error.message())?;
         if let Some(unused) = &block.unused {
             return Err(unused.message());
+        }
+        if let Some(lost) = alone(text, &block).first() {
+            return Err(lost.message());
         }
         let cycle = block.cycle;
         self.texts.retain(|(number, _), _| *number != cycle.number);

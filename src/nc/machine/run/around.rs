@@ -1,5 +1,6 @@
 //! Blocks that set something up for the measurements behind them.
 
+use super::super::around::machining;
 use super::super::fault::FaultKind;
 use super::super::remark::Remark;
 use super::Run;
@@ -33,11 +34,7 @@ impl Run {
 
     /// `CYCL DEF` of a cycle that machines: those of the machine's builder may do anything.
     fn machining(&mut self, at: usize, cycle: &CycleBlock) {
-        let number = cycle.number.parse().ok().filter(|number: &u32| {
-            // Machining, turning and grinding; below them are the control's oldest.
-            *number <= 39 || matches!(number, 200..=299 | 800..=899 | 1000..=1099 | 1271..=1274 | 1278 | 1281 | 1282)
-        });
-        if let Some(number) = number {
+        if let Some(number) = machining(cycle) {
             self.around.pass_over(&format!("CYCL DEF {}", cycle.number));
             self.around.turning(number, self.flow.made(at));
         } else {
@@ -48,7 +45,8 @@ impl Run {
 
     /// A change of the system that coordinates count in.
     fn change(&mut self, at: usize, frame: &Frame) -> Result<(), FaultKind> {
-        let remark = self.around.change(frame, self.flow.made(at), self.flow.unit(), &self.values)?;
+        let remark =
+            self.around.change(frame, self.flow.made(at), self.flow.unit(), &|operand| self.values.operand(operand))?;
         self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
         Ok(())
     }

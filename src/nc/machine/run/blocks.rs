@@ -2,6 +2,7 @@
 
 use std::sync::Arc;
 
+use super::super::around::reset_datum;
 use super::super::budget::{Settings, UsedUp};
 use super::super::cycles::{Asked, CycleRun, cycle_of, hand_over};
 use super::super::fault::{BlockPlace, Counted, Fault, FaultKind};
@@ -20,9 +21,6 @@ use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
 use crate::nc::program::{Axis, Block, Body, CycleBlock, MachineFunction, PassedOver, TextOperand, Tool};
 use crate::probing::cycle::{Control, LogTarget, Plane};
-
-/// M functions that change the datum: M104 makes the one active that was set last, M142 deletes shifts, rotations and the like.
-const RESETS: [u32; 2] = [104, 142];
 
 impl Run {
     /// Runs the next block.
@@ -141,7 +139,7 @@ impl Run {
                 self.remarks.add_all(&self.flow.place_of(at), remarks);
             }
             Body::Move(movement) => {
-                self.around.turn(&movement.axes, &self.values);
+                self.around.turn(&movement.axes, &|operand| self.values.operand(operand));
                 self.way.travel(self.flow.place_of(at), movement, self.flow.unit(), &self.around, &self.values)?;
                 return Ok(self.machine_functions(at, &movement.machine, settings));
             }
@@ -150,7 +148,7 @@ impl Run {
                     self.tools.lose(|| Arc::new(self.flow.made(at)));
                 }
                 self.around.pass_over(words);
-                self.around.turn(&goes.axes, &self.values);
+                self.around.turn(&goes.axes, &|operand| self.values.operand(operand));
                 self.way.jump(goes, self.flow.unit(), &self.around, &self.values)?;
                 return Ok(self.machine_functions(at, machine, settings));
             }
@@ -319,7 +317,7 @@ impl Run {
     fn machine_functions(&mut self, at: usize, functions: &[MachineFunction], settings: &Settings) -> Step {
         self.around.machine_functions(functions);
         let is_milling = self.flow.program().notation().control() == Control::Milling;
-        if is_milling && functions.iter().any(|function| RESETS.contains(&function.number)) {
+        if is_milling && reset_datum(functions) {
             self.around.lose_system(|| self.flow.made(at));
             self.remark(at, Remark::NotFollowed);
         }

@@ -215,6 +215,9 @@ fn plane(cursor: &mut Cursor<'_>) -> Read<Frame> {
         cursor.take_rest();
         return Ok(if goes_back { Frame::TurnedBack } else { Frame::NoTilt });
     }
+    if cursor.take_word("VECTOR") {
+        return vectors(cursor);
+    }
     if !cursor.take_word("SPATIAL") {
         cursor.take_rest();
         return Ok(Frame::OtherTilt);
@@ -228,6 +231,26 @@ fn plane(cursor: &mut Cursor<'_>) -> Read<Frame> {
     cursor.take_rest();
     // Without all three it is not known what the plane is.
     Ok(if left.is_empty() { Frame::Tilt(angles) } else { Frame::OtherTilt })
+}
+
+/// `PLANE VECTOR BX1 BY0 BZ0 NX0 NY0 NZ1 …`, after the words: the base along X and the normal along Z tilt nothing.
+fn vectors(cursor: &mut Cursor<'_>) -> Read<Frame> {
+    let mut is_level = true;
+    for (word, is_along) in [("BX", true), ("BY", false), ("BZ", false), ("NX", false), ("NY", false), ("NZ", true)] {
+        is_level &= cursor.take_prefix(word)
+            && match cursor.operand()? {
+                Operand::Number(value) => {
+                    if is_along {
+                        0.0 < value
+                    } else {
+                        value.abs() <= 0.0
+                    }
+                }
+                Operand::Parameter { .. } => false,
+            };
+    }
+    cursor.take_rest();
+    Ok(if is_level { Frame::Tilt(vec![Operand::Number(0.0)]) } else { Frame::OtherTilt })
 }
 
 /// `TRANS …`, after the word: the newer form of cycles 7, 8, 10 and 11.
