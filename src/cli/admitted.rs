@@ -83,7 +83,7 @@ impl Admits for Doubt {
 impl Admits for Caveat {
     fn wants_a_look(&self) -> bool {
         match self {
-            Self::Form { .. } => true,
+            Self::TwoPoint { .. } | Self::Form { .. } => true,
             Self::OnlyADiameter
             | Self::OnlyACircle
             | Self::ThreeContacts

@@ -4,6 +4,7 @@ use std::path::PathBuf;
 use std::str::FromStr;
 use std::sync::Arc;
 
+use super::admitted::Admits as _;
 use super::args::dialogue;
 use super::budget;
 use super::judging::JudgeArgs;
@@ -268,7 +269,7 @@ fn warn(record: &Record, sources: &Sources, io: &mut Io<'_>) {
         io.warn(&doubt);
     }
     for caveat in record.caveats() {
-        if matches!(caveat, Caveat::ShortArc { .. } | Caveat::Heights { .. } | Caveat::Form { .. }) {
+        if caveat.wants_a_look() || matches!(caveat, Caveat::ShortArc { .. } | Caveat::Heights { .. }) {
             io.warn(&caveat);
         }
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use super::circle::{Circle, CircleError, TooLarge, least_squares};
+use super::circle::{Circle, CircleError, TooLarge, TwoPoint, least_squares};
 use super::contact::Contact;
 use crate::length::Length;
 use crate::message::Say;
@@ -83,8 +83,20 @@ pub enum Caveat {
         #[say(name = "arc")]
         arc_deg: u16,
     },
-    /// Diameters across the contacts differ by more than the whole tolerance zone: some of them are out, whatever the mean circle is. By
-    /// default a size holds for each two opposite points (ISO 14405-1).
+    /// The diameter across two opposite contacts is beyond a limit that the mean circle keeps: by default a size holds for each two
+    /// opposite points (ISO 14405-1, LP).
+    TwoPoint {
+        /// The contacts, from 1.
+        one: usize,
+        /// The other one.
+        other: usize,
+        /// The diameter, to the nearest nanometre.
+        size: Length,
+        /// The limit that it is beyond.
+        limit: Length,
+    },
+    /// Diameters across the contacts may differ by more than the whole tolerance zone: some of them are out then, whatever the mean
+    /// circle is.
     Form {
         /// The largest radial deviation minus the smallest.
         #[say(with = three_decimals)]
@@ -102,12 +114,44 @@ pub enum Caveat {
 }
 
 impl Caveat {
-    /// What the contacts of a circle, in its plane, say against limits of its diameter; `None` where they say nothing.
-    pub(super) fn of_form(contacts: &[Contact], circle: &Circle, (minimum, maximum): (Length, Length)) -> Option<Self> {
+    /// What the contacts of a circle, in its plane, say against limits of its diameter; `None` where they say nothing. `judged` is the
+    /// diameter that was compared with the limits: it may have been brought to 20 °C, and what lies across the contacts with it.
+    pub(super) fn of_form(
+        contacts: &[Contact],
+        circle: &Circle,
+        judged: Length,
+        [minimum, maximum]: [Length; 2],
+    ) -> Option<Self> {
+        let two_point = Self::of_two_points(contacts, circle, judged, [minimum, maximum]);
+        two_point.or_else(|| Self::of_spread(contacts, circle, maximum.saturating_sub(minimum)))
+    }
+
+    /// The diameter across two contacts that is farthest beyond a limit which the mean circle keeps. Where that is beyond the same
+    /// limit the verdict says so already.
+    fn of_two_points(
+        contacts: &[Contact],
+        circle: &Circle,
+        judged: Length,
+        [minimum, maximum]: [Length; 2],
+    ) -> Option<Self> {
+        let correction = judged.saturating_sub(Length::from_mm_f64(circle.diameter).ok()?);
+        let beyond = |found: &TwoPoint| {
+            let size = Length::from_mm_f64(found.through_centre()).ok()?.checked_add(correction)?;
+            let [one, other] = found.contacts;
+            let below = (size < minimum && minimum <= judged).then(|| (minimum.saturating_sub(size), minimum));
+            let above = (maximum < size && judged <= maximum).then(|| (size.saturating_sub(maximum), maximum));
+            let (by, limit) = below.or(above)?;
+            Some((by, Self::TwoPoint { one, other, size, limit }))
+        };
+        let found = super::circle::two_point(contacts, circle);
+        found.iter().filter_map(beyond).max_by_key(|(by, _)| *by).map(|(_, caveat)| caveat)
+    }
+
+    /// Radii that differ by more than half the zone.
+    fn of_spread(contacts: &[Contact], circle: &Circle, zone: Length) -> Option<Self> {
         let radii = contacts.iter().map(|contact| (contact.x - circle.x).hypot(contact.y - circle.y));
         let (least, most) =
             radii.fold((f64::INFINITY, 0.0_f64), |(least, most), radius| (least.min(radius), most.max(radius)));
-        let zone = maximum.saturating_sub(minimum);
         let form = Length::from_mm_f64(most - least).ok()?;
         (zone < form.checked_add(form).unwrap_or(Length::MAX)).then_some(Self::Form { form, zone })
     }
@@ -154,8 +198,9 @@ impl Measurement {
     /// What this measurement cannot tell, and what its contacts say against limits.
     pub fn caveats_of(&self, bounds: &Bounds) -> Vec<Caveat> {
         let mut caveats = self.caveats();
-        let limits = (bounds.minimum(), bounds.maximum());
-        caveats.extend(self.circle.and_then(|circle| Caveat::of_form(&self.contacts, &circle, limits)));
+        let limits = [bounds.minimum(), bounds.maximum()];
+        let of_form = |circle| Caveat::of_form(&self.contacts, &circle, self.diameter, limits);
+        caveats.extend(self.circle.and_then(of_form));
         caveats
     }
 

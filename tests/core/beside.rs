@@ -206,9 +206,51 @@ fn pairs_are_made_of_parts_that_nobody_rejected() {
 fn a_bore_that_is_oval_beyond_its_zone_is_looked_at_first() {
     let oval = "x;y\n12.55;0\n0;12.46\n-12.55;0\n0;-12.46\n";
     let (code, err) = of(&[("c.csv", oval)], &["check", "25 H7", "--contacts", "c.csv"]);
-    assert!(code == 14 && err.contains("not every two opposite points are within the limits"), "{code}: {err}");
+    assert!(code == 14 && err.contains("contacts 2 and 4 is 24.92 mm"), "{code}: {err}");
     let round = "x;y\n12.505;0\n0;12.506\n-12.505;0\n0;-12.506\n";
     assert_eq!(of(&[("c.csv", round)], &["check", "25 H7", "--contacts", "c.csv"]).0, 0);
+}
+
+/// Across two contacts the size is beyond a limit that the mean circle keeps: 25 H7 is 25.000 … 25.021.
+#[test]
+fn a_size_across_two_contacts_that_is_out_is_looked_at_first() {
+    let four = |one: &str, other: &str| format!("x;y\n{one};0\n0;{other}\n-{one};0\n0;-{other}\n");
+    let at = |radius: f64, angles: &[f64]| {
+        let line = |angle: &f64| {
+            let (sin, cos) = angle.to_radians().sin_cos();
+            format!("{:.7};{:.7}\n", radius * cos, radius * sin)
+        };
+        format!("x;y\n{}", angles.iter().map(line).collect::<String>())
+    };
+    for (contacts, code, says) in [
+        (four("12.498", "12.507"), 14, "contacts 1 and 3 is 24.996 mm, beyond the limit of 25 mm"),
+        (four("12.503", "12.511"), 14, "contacts 2 and 4 is 25.022 mm, beyond the limit of 25.021 mm"),
+        // On the limits, and one nanometre beyond.
+        (four("12.5", "12.5105"), 0, ""),
+        (four("12.5", "12.5105005"), 14, "25.021001 mm"),
+        (four("12.4999995", "12.5105"), 14, "24.999999 mm"),
+        (four("12.5105", "12.5105"), 0, ""),
+        // The mean is too small, too, and the verdict says so: rework.
+        (four("12.49", "12.495"), 10, ""),
+        // It is rework by the mean, and too large across two contacts.
+        (four("12.48", "12.515"), 14, "25.03 mm"),
+        // Nearly opposite: the chords are 24.9996 mm because they miss the centre, and the bore is round.
+        (at(12.5002, &[0.0, 90.0, 180.9, 270.9]), 0, ""),
+        // The size through the centre is 24.9996 mm.
+        (at(12.4998, &[0.0, 180.9]) + at(12.505, &[90.0, 270.9]).trim_start_matches("x;y\n"), 14, "24.99"),
+    ] {
+        let (found, err) = of(&[("c.csv", &contacts)], &["check", "25 H7", "--contacts", "c.csv"]);
+        assert!(found == code && err.contains(says), "{found}: {err}\n{contacts}");
+    }
+    // A part that was measured warm is compared as it is at 20 °C.
+    let warm = |by: &str| {
+        of(
+            &[("c.csv", &four("12.509", by))],
+            &["check", "25 H7", "--contacts", "c.csv", "--temperature", "26", "--material", "steel"],
+        )
+    };
+    assert_eq!(warm("12.511").0, 0);
+    assert_eq!(warm("12.512").0, 14);
 }
 
 #[test]

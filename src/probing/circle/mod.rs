@@ -141,6 +141,13 @@ pub fn evaluate(contacts: &[Contact]) -> Result<Evaluation, CircleError> {
     Ok(evaluation)
 }
 
+/// Two-point sizes (LP) where contacts are opposite each other, seen from a circle's centre; none where they make no circle.
+pub fn two_point(contacts: &[Contact], circle: &Circle) -> Vec<TwoPoint> {
+    let Ok(frame) = Frame::new(contacts) else { return Vec::new() };
+    let centre = frame.place(&Contact { x: circle.x, y: circle.y, z: 0.0 });
+    two_point::opposed(contacts, &frame, centre)
+}
+
 /// The arc in degrees that contacts cover, seen from a circle's centre: 360 minus the largest gap.
 ///
 /// A single contact covers no arc, nor does an empty list.

@@ -20,6 +20,13 @@ pub struct TwoPoint {
     pub short_by: f64,
 }
 
+impl TwoPoint {
+    /// The size through the centre, in millimetres: what the chord would be if it met it.
+    pub fn through_centre(&self) -> f64 {
+        self.size + self.short_by
+    }
+}
+
 /// Pairs of contacts that are each other's best opposite, sorted by the lower number.
 pub(super) fn opposed(contacts: &[Contact], frame: &Frame, centre: [f64; 2]) -> Vec<TwoPoint> {
     let places: Vec<_> = contacts.iter().map(|contact| minus(frame.place(contact), centre)).collect();

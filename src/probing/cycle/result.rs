@@ -73,7 +73,7 @@ impl CycleResult {
     pub(super) fn form(&self) -> Option<Caveat> {
         let check = self.checks.iter().find(|check| check.what == FoundName::DIAMETER)?;
         let found = self.circle.as_ref()?;
-        Caveat::of_form(&self.plane_contacts(), &found.circle, (check.minimum, check.maximum))
+        Caveat::of_form(&self.plane_contacts(), &found.circle, check.measured, [check.minimum, check.maximum])
     }
 
     /// What its contacts cannot tell of the circle; nothing for cycles without one.
