@@ -110,7 +110,7 @@ Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 14 judged, but 
 
 14 takes the place of 0, 10 and 12: everything has an answer, yet something stands against it (the file's own status, another value of the \
 same feature, a value that may be another quantity, nobody measured) or something measured was left out of it (another sheet, a file with \
-the bytes of another). Standard error says what. With scrap the exit code stays 11, with bad data 1.";
+the bytes of another, limits that a measuring block leaves out). Standard error says what. With scrap the exit code stays 11, with bad data 1.";
 
 subcommands! {
     Limits(limits::Args),

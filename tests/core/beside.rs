@@ -453,6 +453,19 @@ mod runs {
         let files = files.each_ref().map(|(name, text)| (*name, text.as_str()));
         let (code, err) = of(&files, &["run", "a.h"]);
         assert_eq!(code, 14, "{err}");
+        // Alone, too; limits of zero are a measurement that nobody judges.
+        let zero = unlimited.replacen("Q262", "Q275=+0 ~\nQ276=+0 ~\nQ262", 1);
+        for (block, code) in [(unlimited, 14), (zero, 0)] {
+            let files = [("a.h", program(&block))];
+            let files = files.each_ref().map(|(name, text)| (*name, text.as_str()));
+            for args in [&["run", "a.h"][..], &["cycle", "421", "--block", "a.h"]] {
+                let (found, err) = of(&files, args);
+                assert_eq!(found, code, "{args:?}: {err}");
+            }
+        }
+        // Typed, nothing was left out.
+        let typed = ["cycle", "421", "--set", "Q273=50", "Q274=50", "Q262=25"];
+        assert_eq!(of(&[], &typed).0, 0);
         // Old controls have no Q423 and no Q365.
         let old = bore(10, "+25.021").replace(" ~\nQ423=+4 ~\nQ365=+1", "");
         let files = [("a.h", program(&old))];

@@ -220,6 +220,7 @@ impl Args {
         if result.remarks.iter().any(CycleRemark::stands_against) {
             io.look_first();
         }
+        self.look_at_limits(&result, io);
         Ok(result.verdict().map_or(Outcome::Done, Outcome::Judged))
     }
 
@@ -233,6 +234,15 @@ impl Args {
             if key.and_then(|key| inputs.value(key)) != Some(&Value::Predef) {
                 io.warn(&CliWarning::PredefUnused { name });
             }
+        }
+    }
+
+    /// A block that leaves its limits out may have been meant to judge; one that only measures has limits of zero.
+    fn look_at_limits(&self, result: &CycleResult, io: &mut Io<'_>) {
+        let filled = self.block.as_ref().and_then(|_| Remark::filled(self.cycle, result));
+        if let Some(filled @ Remark::Filled { are_limits: true, .. }) = filled {
+            io.remark(&filled);
+            io.look_first();
         }
     }
 

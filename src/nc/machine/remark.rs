@@ -280,7 +280,7 @@ impl Remark {
         });
         let doubtful = doubtful.map(|warning| Self::Measured { what: warning.message() });
         let mut remarks: Vec<_> = said.chain(doubtful).collect();
-        remarks.extend(filled(cycle, result));
+        remarks.extend(Self::filled(cycle, result));
         let is_unjudged = cycle.control == Control::Milling && result.verdict().is_none();
         remarks.extend(is_unjudged.then_some(Self::NotJudged));
         remarks
@@ -302,36 +302,38 @@ impl Remark {
         )
     }
 
-    /// Whether a measurement was left out: that counts also where nothing was judged.
+    /// Whether a measurement was left out, or the limits of one: that counts also where nothing was judged. A block that is meant to measure
+    /// only says so by limits of zero.
     const fn leaves_out_a_measurement(&self) -> bool {
         matches!(
             self,
-            Self::MeasurementSkipped
+            Self::Filled { are_limits: true, .. }
+                | Self::MeasurementSkipped
                 | Self::DatumSkipped
                 | Self::MeasurementBehindEnd { .. }
                 | Self::ContactsLeft { .. }
         )
     }
 
+    /// What a milling control's block leaves out of what has an effect. Letters of a lathe's cycle may be left out.
+    pub fn filled(cycle: &Cycle, result: &CycleResult) -> Option<Self> {
+        let mut are_limits = false;
+        let left_out = cycle.parameters.iter().filter_map(|parameter| {
+            let Key::Q(_) = parameter.key else { return None };
+            let is_optional = !parameter.has_effect || parameter.meaning.may_be_left_out();
+            let is_needed = !is_optional && !result.inputs.is_given(parameter.key);
+            let value = result.inputs.value(parameter.key).filter(|_value| is_needed)?;
+            are_limits |= parameter.meaning.other_limit().is_some();
+            Some(format!("{} = {}", parameter.key, value.with_unit()))
+        });
+        let parameters = left_out.collect::<Vec<_>>().join(", ");
+        (!parameters.is_empty()).then_some(Self::Filled { parameters, are_limits })
+    }
+
     /// What the reader of a file has to say.
     pub(super) fn read(path: &NcPath, warnings: &[impl Say]) -> Vec<Self> {
         warnings.iter().map(|warning| Self::Read { path: path.clone(), what: warning.message() }).collect()
     }
-}
-
-/// What a milling control's block leaves out of what has an effect. Letters of a lathe's cycle may be left out.
-fn filled(cycle: &Cycle, result: &CycleResult) -> Option<Remark> {
-    let mut are_limits = false;
-    let left_out = cycle.parameters.iter().filter_map(|parameter| {
-        let Key::Q(_) = parameter.key else { return None };
-        let is_optional = !parameter.has_effect || parameter.meaning.may_be_left_out();
-        let is_needed = !is_optional && !result.inputs.is_given(parameter.key);
-        let value = result.inputs.value(parameter.key).filter(|_value| is_needed)?;
-        are_limits |= parameter.meaning.other_limit().is_some();
-        Some(format!("{} = {}", parameter.key, value.with_unit()))
-    });
-    let parameters = left_out.collect::<Vec<_>>().join(", ");
-    (!parameters.is_empty()).then_some(Remark::Filled { parameters, are_limits })
 }
 
 /// The remarks of a run; beyond the limit they are only counted.
