@@ -4,7 +4,7 @@
 use std::sync::Arc;
 
 use fitcheck::control::probe_block::{ProbeBlock, read, read_or_lines, write};
-use fitcheck::nc::machine::{Contacts, InMemory, Machine, Settings, Step};
+use fitcheck::nc::machine::{Contacts, InMemory, Machine, Settings, Step, alone};
 use fitcheck::nc::program::Program;
 use fitcheck::probing::Source;
 use fitcheck::probing::cycle::{Control, Cycle, Inputs};
@@ -20,6 +20,9 @@ pub fn run(bytes: &[u8]) {
         Ok(block) => block,
         Err(error) => return told(bytes, &error),
     };
+    for lost in alone(&text, &block) {
+        told(bytes, &lost);
+    }
     let ProbeBlock { cycle, .. } = block;
     let inputs = match block.put_into(Inputs::new()) {
         Ok(inputs) => inputs,
@@ -32,6 +35,7 @@ pub fn run(bytes: &[u8]) {
     };
     let again = read(&written).expect("a block that was written");
     assert_eq!((again.cycle.code, &again.unused), (cycle.code, &None));
+    assert_eq!(alone(&written, &again), []);
     let again = again.put_into(Inputs::new()).expect("values that were written");
     for parameter in cycle.parameters {
         let given = inputs.value(parameter.key).cloned().or_else(|| parameter.default_with(&inputs));
