@@ -134,7 +134,6 @@ impl Runner {
                 let (ctx, answers, clock) = (ctx.clone(), self.sender.clone(), self.clock);
                 let (sources, columns) = (Arc::clone(sources), Arc::clone(columns));
                 let watch = Watch {
-                    temperature,
                     run,
                     folder,
                     plan,
@@ -143,6 +142,7 @@ impl Runner {
                     masks,
                     language,
                     clock,
+                    temperature,
                     known,
                     journal,
                     ctx,

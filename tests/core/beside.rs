@@ -568,6 +568,8 @@ fn a_temperature_beside_the_value_that_nobody_counted_is_told() {
         ("t_part", "35"),
         ("Bauteil-T", "35"),
         ("ΔT [K]", "15"),
+        ("Temp 1", "35"),
+        ("Temp [°C] uncorrected", "35"),
     ] {
         beside(name, cell, 14);
     }

@@ -68,10 +68,14 @@ pub(super) fn of_column(name: &str) -> Option<OfTemperature> {
         all.iter().any(|word| words::names_temperature(word) || ["celsius", "degc", "fahrenheit"].contains(word))
             || is_of_part && all.contains(&"t")
             || is_difference && letter == Some(Scale::Kelvin);
-    let is_none = all
-        .iter()
-        .any(|word| NO_VALUE.contains(word) || words::is_no_temperature(word) || words::correction(word).is_some());
-    if is_none || !is_named && unit.is_none() || mentioned(name).is_some() {
+    let is_denied = denies_correction(name);
+    let is_none = all.iter().any(|word| {
+        let is_corrected = words::correction(word).is_some() && !is_denied;
+        NO_VALUE.contains(word) || words::is_no_temperature(word) || is_corrected
+    });
+    // "Temp 1" is the first of several.
+    let is_said = mentioned(name.trim().trim_end_matches(|c: char| c.is_ascii_digit())).is_some();
+    if is_none || !is_named && unit.is_none() || is_said {
         return None;
     }
     let whose = whose(Whose::Part).or_else(|| whose(Whose::Other)).or_else(|| whose(Whose::Place));
@@ -188,6 +192,12 @@ mod tests {
             ("20-35 °C", "35"),
             ("from 20 to 35 °C", "35"),
             ("Teil 70 °C", "70"),
+            ("# 35 degrees C", "35"),
+            ("deel 35 graden", "35"),
+            ("35° warm", "35"),
+            ("part temp (after coolant) 35", "35"),
+            ("35 °C (Teil), 20 °C (Raum)", "35"),
+            ("compensation = 0, T = 35 °C", "35"),
         ] {
             assert_eq!(mentioned(text), Some(degrees(expected)), "{text}");
         }
@@ -297,6 +307,10 @@ mod tests {
             ("Ofentemperatur", None),
             ("Waschtemperatur", None),
             ("T", None),
+            ("TempC", Some(Scale::Celsius)),
+            ("Temp 1", Some(Scale::Celsius)),
+            ("Temp. (comp. off)", Some(Scale::Celsius)),
+            ("Temp [°C] uncorrected", Some(Scale::Celsius)),
         ] {
             assert_eq!(of_column(name).map(|column| column.scale), expected, "{name}");
         }

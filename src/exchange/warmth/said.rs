@@ -86,6 +86,7 @@ pub(super) fn denies_correction(text: &str) -> bool {
 
 /// What the words of a clause say together.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[expect(clippy::struct_excessive_bools, reason = "each answers another question about the words")]
 struct Clause {
     /// A correction, and whether a word alone says that it is done.
     corrects: Option<bool>,
@@ -244,7 +245,13 @@ impl<'a> Text<'a> {
         let is_date = date.0 && (date.1 || 3 < at && of_three(at - 3, at - 4)) || date.1 && of_three(at + 3, at + 4);
         let before = |sign: char| 0 < at && self.is(at - 1, sign);
         let is_rate = self.is(behind, '/') && matches!(self.word(behind + 1), Some("h" | "min" | "s" | "m" | "k"));
-        time.0 || time.1 || is_date || before('±') || before('#') || self.is(behind, '%') || is_rate
+        time.0
+            || time.1
+            || is_date
+            || before('±')
+            || before('#') && self.is_glued(at)
+            || self.is(behind, '%')
+            || is_rate
     }
 
     /// Whether the name of a temperature, or a unit without a number, stands before a number, with words of the part between them at most.
@@ -255,9 +262,9 @@ impl<'a> Text<'a> {
                     return at < 2 || self.number(at - 2).is_none();
                 }
                 Some(Kind::Word(word)) if words::names_temperature(word) => return true,
-                Some(Kind::Word(word)) if words::is_filler(word) || words::whose(word).is_some() => {}
-                Some(Kind::Word(_) | Kind::Number(_)) | None => return false,
-                Some(Kind::Sign(',' | ';' | '|' | '#' | '%')) => return false,
+                Some(Kind::Word(word))
+                    if words::is_filler(word) || words::is_time(word) || words::whose(word).is_some() => {}
+                Some(Kind::Word(_) | Kind::Number(_) | Kind::Sign(',' | ';' | '|' | '#' | '%')) | None => return false,
                 Some(Kind::Sign(_)) => {}
             }
         }

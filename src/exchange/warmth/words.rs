@@ -1,8 +1,20 @@
 //! What a word says of a temperature: English, Dutch, German and Italian, in small letters.
 
 /// How the names of temperatures end.
-const NAMES: [&str; 8] =
-    ["temp", "temps", "temperature", "temperatures", "temperatur", "temperaturen", "temperatuur", "temperatura"];
+const NAMES: [&str; 12] = [
+    "temp",
+    "tempc",
+    "tempf",
+    "warm",
+    "heiß",
+    "temps",
+    "temperature",
+    "temperatures",
+    "temperatur",
+    "temperaturen",
+    "temperatuur",
+    "temperatura",
+];
 
 /// Parts of words of what is warm beside the part, and of what is done to it at another time.
 const OTHER: &str = "spindle|spindel|mandrin|cool|kühl|kuehl|koel|refriger|emulsi|scale|maßst|massst|schaal|harden|härt|haert|tempering|\
@@ -14,7 +26,7 @@ const OTHER: &str = "spindle|spindel|mandrin|cool|kühl|kuehl|koel|refriger|emul
 const OTHER_BEGINS: &str = "oil|öl|olie|olio|kss|dry|dried|tool|spil|oven|ofen|forno";
 
 /// Parts of words of the part itself, or of its measuring.
-const PART: &str = "part|teil|workpiece|werkst|pezz|component|measur|gemess|gemeten|misur|mess|meet|meting|probed|still|noch|nog|ancora|warm|heiß|heet|caldo";
+const PART: &str = "part|teil|deel|workpiece|werkst|pezz|component|measur|gemess|gemeten|misur|mess|meet|meting|probed|still|noch|nog|ancora|warm|heiß|heet|caldo";
 
 /// Whole words behind which a step is over: what is warm then is the part.
 const TIMES: [&str; 8] = ["after", "nach", "na", "dopo", "before", "vor", "voor", "prima"];
@@ -33,8 +45,8 @@ const ANGLE: &str = "rotat|clockwise|dreh|drehen|gedreht|winkel|angle|angol|hoek
     conic|axis|achse|taper|orient|index";
 
 /// Parts of words of a correction that is done.
-const CORRECTED: &str = "corrected|compensated|korrigiert|kompensiert|gecorrigeerd|gecompenseerd|corrett|compensat|umgerechnet|omgerekend|\
-    converted|normalised|normalized";
+const CORRECTED: &str = "corrected|compensated|korrigiert|kompensiert|gecorrigeerd|gecompenseerd|corretto|corretta|corretti|compensato|compensata|\
+    umgerechnet|omgerekend|converted|normalised|normalized";
 
 /// Parts of words of a correction; whether it is done another word says.
 const CORRECTION: &str =
