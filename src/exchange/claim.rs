@@ -67,6 +67,8 @@ enum What {
     },
     /// That it is no size of one part.
     NoSize,
+    /// That it is in another unit.
+    Unit,
     /// That nobody measured it.
     Simulated,
 }
@@ -211,6 +213,11 @@ impl Claim {
         Self { what, ..self }
     }
 
+    /// That a value is in another unit.
+    pub(super) fn of_unit(said: &str) -> Self {
+        Self::new(shorten(said), What::Unit)
+    }
+
     /// That nobody measured a value.
     pub(super) fn simulated(said: &str) -> Self {
         Self::new(shorten(said), What::Simulated)
@@ -286,6 +293,7 @@ impl Claim {
                 return Some(ImportWarningKind::TemperatureDiffers { given, counted: counted.to_string() });
             }
             What::NoSize => return Some(ImportWarningKind::NameOfNoSize { given }),
+            What::Unit => return Some(ImportWarningKind::SpeaksOfUnit { text: given }),
             What::Simulated => return Some(ImportWarningKind::SpeaksOfSimulation { text: given }),
             What::Unknown => return Some(ImportWarningKind::StatusUnknown { given, status: status.word().to_owned() }),
             What::Largest(figure) if figure.is_within(*measured, bounds.maximum()) => true,

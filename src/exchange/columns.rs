@@ -192,7 +192,8 @@ fn remarks(names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<Remar
     let names = columns.id.filter(|at| columns.header.is_some() && !is_compared(at));
     let free = (0..columns.count).filter(is_free).map(|at| (at, false));
     let all = free.chain(names.map(|at| (at, true)));
-    all.map(|(at, is_of_names)| RemarkColumn { at, name: name(at), is_of_names }).collect()
+    let unit = columns.measured.unit;
+    all.map(|(at, is_of_names)| RemarkColumn { at, name: name(at), is_of_names, unit }).collect()
 }
 
 /// The first rows of a text, split at one separator.

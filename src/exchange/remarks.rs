@@ -4,7 +4,9 @@
 use super::beside::of_no_size;
 use super::claim::Claim;
 use super::evidence::says_simulated;
+use super::stated;
 use super::warmth;
+use crate::length::Unit;
 
 /// Such a column.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -13,6 +15,8 @@ pub(super) struct RemarkColumn {
     pub(super) name: String,
     /// Whether it holds the names of what was measured: they say something where they are those of a mean or a roundness.
     pub(super) is_of_names: bool,
+    /// The unit of the measured values.
+    pub(super) unit: Unit,
 }
 
 impl RemarkColumn {
@@ -28,6 +32,9 @@ impl RemarkColumn {
         let said = || if self.name.is_empty() { text.to_owned() } else { format!("{} {text}", self.name) };
         if says_simulated(text) {
             return Some(Claim::simulated(&said()));
+        }
+        if stated::states_other(text, self.unit) {
+            return Some(Claim::of_unit(&said()));
         }
         let warm = || warmth::mentioned(text).filter(|_| asks_temperature);
         Claim::of_word(text).filter(Claim::is_known).or_else(|| warm().map(|warm| Claim::warm(&said(), warm)))
@@ -73,7 +80,7 @@ mod tests {
     use super::*;
 
     fn said(text: &str) -> bool {
-        let column = RemarkColumn { at: 0, name: "Remark".to_owned(), is_of_names: false };
+        let column = RemarkColumn { at: 0, name: "Remark".to_owned(), is_of_names: false, unit: Unit::Millimetre };
         let is_said = column.claim(text, true).is_some();
         let mut of = Vec::new();
         shape(text.as_bytes(), &mut of);

@@ -204,6 +204,11 @@ pub enum ImportWarningKind {
         /// From how many degrees Celsius the values are brought to 20 °C.
         counted: String,
     },
+    /// A remark that says clearly another unit than that of the values.
+    SpeaksOfUnit {
+        /// What it says.
+        text: String,
+    },
     /// A line above or between the measurements that speaks of a simulation.
     SpeaksOfSimulation {
         /// The line's text.
@@ -323,6 +328,7 @@ impl ImportWarningKind {
     pub const fn is_loss(&self) -> bool {
         match self {
             Self::NotUsed { .. }
+            | Self::SpeaksOfUnit { .. }
             | Self::SpeaksOfSimulation { .. }
             | Self::SpeaksOfTemperature { .. }
             | Self::Comment
@@ -365,6 +371,7 @@ impl ImportWarningKind {
             | Self::FeatureDiffers { .. }
             | Self::TemperatureDiffers { .. }
             | Self::SpeaksOfTemperature { .. }
+            | Self::SpeaksOfUnit { .. }
             | Self::SpeaksOfSimulation { .. }
             | Self::AllNominal { .. }
             | Self::PartRejected { .. }

@@ -622,6 +622,10 @@ fn a_temperature_beside_the_value_that_nobody_counted_is_told() {
     ] {
         both(&format!("{line}\n{rows}"), 0);
     }
+}
+
+#[test]
+fn a_temperature_in_the_names_of_columns_or_below_them_is_compared() {
     both("Feature;Callout;Measured [mm, 35 °C]\nB1;25 H7;25.013\n", 14);
     both("Feature;Callout;Measured (not compensated) [mm, 35 °C]\nB1;25 H7;25.013\n", 14);
     both("Feature;Callout;Measured;Temp\n;;;°C\nB1;25 H7;25.013;20\n", 0);
@@ -744,6 +748,9 @@ fn a_remark_far_down_counts_as_one_in_the_first_row() {
         ("n.i.O.", 14),
         ("NOK: Grat", 14),
         ("simulated", 14),
+        ("all values in inch", 14),
+        ("thread 1/4 inch", 0),
+        ("depth 3 mm", 0),
         ("part at 35 °C", 14),
         ("Teil 35C", 14),
         ("part 308 K", 14),
@@ -753,6 +760,12 @@ fn a_remark_far_down_counts_as_one_in_the_first_row() {
         ("", 0),
     ] {
         both(&rows(last), code);
+    }
+    // In the first row as well, and over several lines; import refuses these lines.
+    both("Feature;Callout;Measured;Remark\nB1;25 H7;25.013;all values in inch\n", 14);
+    let lines = "Feature;Callout;Measured;Remark\nB1;25 H7;25.013;\"first line\nall values in inch\"\n";
+    for (args, code) in [(["import", "a.csv"], 1), (["batch", "a.csv"], 14)] {
+        assert_eq!(of(&[("a.csv", lines)], &args).0, code, "{args:?}");
     }
     for name in ["Mean", "Rundheit", "Master ring"] {
         both(&rows("").replace("\nB1000;", &format!("\n{name};")), 14);

@@ -173,6 +173,7 @@ exchange-warning-feature-differs = the file says { $given }, but the limits are 
     }
 exchange-warning-temperature-differs = the file says { $given }, but the value counts as measured at { $counted } °C: give --temperature and --material
 exchange-warning-speaks-of-temperature = the file speaks of another temperature than { $counted } °C, at which its values count as measured: { $text }
+exchange-warning-speaks-of-unit = a remark states another unit than that of the values: { $text }
 exchange-warning-speaks-of-simulation = this line speaks of a simulation: did anybody measure? { $text }
 exchange-warning-all-nominal = all { $count } values are exactly their nominal sizes: this may be a list of sizes that nobody measured
 exchange-warning-name-of-no-size = { $given } is no name of a size of one part, and the value was judged as one

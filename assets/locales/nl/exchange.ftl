@@ -173,6 +173,7 @@ exchange-warning-feature-differs = het bestand zegt { $given }, maar de grenzen 
     }
 exchange-warning-temperature-differs = het bestand zegt { $given }, maar de waarde telt als gemeten bij { $counted } °C: geef --temperature en --material
 exchange-warning-speaks-of-temperature = het bestand spreekt van een andere temperatuur dan { $counted } °C, waarbij zijn waarden als gemeten tellen: { $text }
+exchange-warning-speaks-of-unit = een opmerking noemt een andere eenheid dan die van de waarden: { $text }
 exchange-warning-speaks-of-simulation = deze regel spreekt van een simulatie: heeft iemand gemeten? { $text }
 exchange-warning-all-nominal = alle { $count } waarden zijn precies de nominale maat: misschien is dit een lijst van maten die niemand heeft gemeten
 exchange-warning-name-of-no-size = { $given } is geen naam van een maat van één deel, en de waarde is als zo'n maat beoordeeld

@@ -269,6 +269,11 @@ pub(super) fn behind_number(text: &str) -> Option<Unit> {
     units::known(unit).filter(|_| unit.len() < text.len())
 }
 
+/// Whether a text states clearly that values are in another unit than this one.
+pub(in crate::exchange) fn states_other(text: &str, unit: Unit) -> bool {
+    mentions([text].into_iter()).into_iter().any(|(said, is_clear)| is_clear && said != Ok(unit))
+}
+
 /// What a line of contacts, which are in mm, says against that: another unit, or one that is not known.
 pub(in crate::exchange) fn not_mm<'c>(cells: impl Iterator<Item = &'c str>) -> Option<String> {
     mentions(cells).into_iter().find_map(|(unit, _)| match unit {

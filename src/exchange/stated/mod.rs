@@ -26,7 +26,9 @@ use super::units;
 use super::words::Rank;
 use crate::length::Unit;
 use mention::{Mention, Word, behind_number, key, mentions, of_name, word};
-pub(super) use mention::{are_units, inch_in, is_row_of_units, may_state, names_units, not_mm, plain_unit};
+pub(super) use mention::{
+    are_units, inch_in, is_row_of_units, may_state, names_units, not_mm, plain_unit, states_other,
+};
 
 /// What a file states.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -141,6 +143,7 @@ pub(super) fn decide(sample: &Sample, columns: &mut Columns) -> Result<(), Impor
     if let Some(nominal) = &mut columns.nominal {
         nominal.unit = unit(nominal.at);
     }
+    columns.remarks.iter_mut().for_each(|remark| remark.unit = columns.measured.unit);
     if stated.from.is_some() && !sample.has_place_unit {
         for place in columns.labels.place.iter_mut().flatten() {
             place.unit = unit(place.at);
