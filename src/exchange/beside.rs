@@ -22,6 +22,7 @@ use super::claim::{Claim, Figure, letters};
 use super::columns::{Columns, Sample, name_of};
 use super::evidence::{says_simulated, yes_or_no};
 use super::quantity::{is_form, is_shape};
+use super::remarks::{Heard, may_say};
 use super::units;
 use super::warmth::{self, OfTemperature, Whose};
 use super::words;
@@ -286,10 +287,14 @@ impl BesideColumn {
 
 impl Columns {
     /// What the cells of a row say of its value beside it.
-    pub(super) fn claims(&self, cells: &StringRecord) -> Vec<Claim> {
+    pub(super) fn claims(&self, cells: &StringRecord, heard: &mut Heard) -> Vec<Claim> {
         let mut claims = self.claims_of(cells, |_| true);
-        let asks = self.asks_temperature(cells);
-        claims.extend(self.remarks.iter().filter_map(|column| column.claim(cells.get(column.at)?, asks)));
+        for column in &self.remarks {
+            let cell = cells.get(column.at).unwrap_or_default();
+            if may_say(cell.as_bytes()) && !heard.says_nothing(column, cell) {
+                claims.extend(column.claim(cell, self.asks_temperature(cells)));
+            }
+        }
         claims
     }
 

@@ -146,6 +146,12 @@ impl Columns {
         Some(counted).filter(|_| !is_above && !self.own.are_corrected() && !self.evidence.are_corrected)
     }
 
+    /// Measured values are in this unit.
+    pub(super) fn set_unit(&mut self, unit: Unit) {
+        self.measured.unit = unit;
+        self.remarks.iter_mut().for_each(|remark| remark.unit = unit);
+    }
+
     /// The columns that hold something else than what is looked for.
     pub(super) fn used(&self) -> Vec<usize> {
         // Without names, what stands before a callout is taken for a name.

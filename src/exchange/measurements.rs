@@ -18,6 +18,7 @@ use super::evidence::marks_simulation;
 use super::imported::{Sink, Unjudged, WhyUnjudged};
 use super::mapping::Mapping;
 use super::pieces::Pieces;
+use super::remarks::Heard;
 use super::rules::{Cell, Found, Refused, Rules};
 use super::sizes::{Size, SizesOf};
 use super::source::{Context, Source, WHOLE};
@@ -195,6 +196,8 @@ struct Reader<'a, 's, 'z> {
     nominal: Nominal,
     /// The line that names other columns: what is below it is not known.
     renamed: Option<usize>,
+    /// What remarks have said so far.
+    heard: Heard,
 }
 
 /// How many values were judged, and how many of them are exactly the nominal size.
@@ -211,8 +214,8 @@ impl<'a, 's> Reader<'a, 's, '_> {
         sink: &'a mut Sink<'s>,
     ) -> Self {
         let (is_open, is_simulated, sizes) = (false, false, None);
-        let (nominal, renamed) = (Nominal::default(), None);
-        Self { source, columns, separator, has_plan, sink, is_open, is_simulated, sizes, nominal, renamed }
+        let (nominal, renamed, heard) = (Nominal::default(), None, Heard::default());
+        Self { source, columns, separator, has_plan, sink, is_open, is_simulated, sizes, nominal, renamed, heard }
     }
 
     /// Reads some rows, and gives the number of the line after them; `None` where no more are wanted.
@@ -362,7 +365,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
         let Some(sizes) = &self.sizes else { return Ok(()) };
         let Found { measured, is_simulated, .. } = rules.size(cells, sizes.feature)?;
         let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
-        if let Some(claim) = self.columns.claims(cells).into_iter().find(Claim::is_rejection) {
+        if let Some(claim) = self.columns.claims(cells, &mut self.heard).into_iter().find(Claim::is_rejection) {
             return Err((NOTHING, ImportErrorKind::Rejected { given: claim.said().to_owned() }));
         }
         if words::is_of_several_parts(&id) {
@@ -453,7 +456,12 @@ impl<'a, 's> Reader<'a, 's, '_> {
             part: label(columns.part),
             serial: label(columns.serial),
             who: label(columns.who),
-            claims: self.columns.claims(cells).into_iter().map(|claim| claim.from(self.source.counted)).collect(),
+            claims: self
+                .columns
+                .claims(cells, &mut self.heard)
+                .into_iter()
+                .map(|claim| claim.from(self.source.counted))
+                .collect(),
             place,
             is_corrected: self.columns.evidence.is_corrected(cells),
             ..Labels::default()

@@ -1,6 +1,8 @@
 //! Columns whose names say nothing known: somebody may have written into any of their cells that a value is rejected, simulated or warm. Most
 //! of these cells are empty, numbers or names, so that a row is asked at little cost.
 
+use std::collections::VecDeque;
+
 use super::beside::of_no_size;
 use super::claim::Claim;
 use super::evidence::says_simulated;
@@ -57,22 +59,48 @@ pub(super) fn may_say(cell: &[u8]) -> bool {
     has_sign || has_letter && (has_blank || !has_digit)
 }
 
-/// A cell without what its numbers are: what one of a shape does not say, none of the shape says.
-pub(super) fn shape(cell: &[u8], shape: &mut Vec<u8>) {
-    shape.clear();
-    for byte in cell {
-        match byte {
-            b'0'..=b'9' if shape.last() == Some(&b'0') => {}
-            b'0'..=b'9' => shape.push(b'0'),
-            byte => shape.push(*byte),
-        }
-    }
+/// So many shapes are remembered.
+const MOST_SHAPES: usize = 64;
+
+/// Shapes of cells that were met: what one of a shape does not say, none of it says, whatever its numbers are.
+#[derive(Debug, Default)]
+pub(super) struct Heard {
+    /// With the column, and whether they say nothing.
+    shapes: VecDeque<(usize, String, bool)>,
+    shape: String,
 }
 
-/// Whether no cell of a shape says anything, whatever its numbers are.
-pub(super) fn says_nothing(column: &RemarkColumn, shape: &str) -> bool {
-    // Degrees Celsius and kelvins of a part.
-    ["35", "300"].iter().all(|number| column.claim(&shape.replace('0', number), true).is_none())
+impl Heard {
+    /// Whether a cell says nothing, because no other one of its shape does.
+    pub(super) fn says_nothing(&mut self, column: &RemarkColumn, cell: &str) -> bool {
+        self.take_shape(cell);
+        if let Some((.., says_nothing)) =
+            self.shapes.iter().find(|(at, known, _)| *at == column.at && *known == self.shape)
+        {
+            return *says_nothing;
+        }
+        // Degrees Celsius and kelvins of a part.
+        let says_nothing =
+            ["35", "300"].iter().all(|number| column.claim(&self.shape.replace('0', number), true).is_none());
+        if self.shapes.len() == MOST_SHAPES {
+            self.shapes.pop_front();
+        }
+        self.shapes.push_back((column.at, self.shape.clone(), says_nothing));
+        says_nothing
+    }
+
+    /// Takes a cell with a single zero for each number.
+    fn take_shape(&mut self, cell: &str) {
+        self.shape.clear();
+        let mut is_number = false;
+        for c in cell.chars() {
+            let is_digit = c.is_ascii_digit();
+            if !(is_digit && is_number) {
+                self.shape.push(if is_digit { '0' } else { c });
+            }
+            is_number = is_digit;
+        }
+    }
 }
 
 #[cfg(test)]
@@ -82,10 +110,8 @@ mod tests {
     fn said(text: &str) -> bool {
         let column = RemarkColumn { at: 0, name: "Remark".to_owned(), is_of_names: false, unit: Unit::Millimetre };
         let is_said = column.claim(text, true).is_some();
-        let mut of = Vec::new();
-        shape(text.as_bytes(), &mut of);
         // What is said is said by its shape, too.
-        assert!(!is_said || !says_nothing(&column, std::str::from_utf8(&of).unwrap()), "{text}");
+        assert!(!is_said || !Heard::default().says_nothing(&column, text), "{text}");
         is_said
     }
 

@@ -1,7 +1,5 @@
 //! Answers compared with what the file says beside the value. Words and shapes that were met before are not read again.
 
-use std::collections::VecDeque;
-
 use super::judge::Judged;
 use super::layout::utf8;
 use super::row::Row;
@@ -9,15 +7,12 @@ use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::claim::{Answer, Claim};
 use crate::exchange::columns::Columns;
-use crate::exchange::remarks::{RemarkColumn, may_say, says_nothing, shape};
+use crate::exchange::remarks::{Heard, RemarkColumn, may_say};
 use crate::length::Unit;
 use crate::message::Say as _;
 
 /// So many words of a status are remembered.
 const MOST_CLAIMS: usize = 15;
-
-/// So many shapes of remarks are remembered.
-const MOST_SHAPES: usize = 64;
 
 /// The column of a cell beside a value, the cell, and what it claims.
 type Word = (usize, Vec<u8>, Option<Claim>);
@@ -30,15 +25,14 @@ pub(super) struct Compared<'a> {
     are_warm: bool,
     /// What words in columns beside the value claim.
     claims: Vec<Word>,
-    /// Shapes of remarks with their columns, and whether they say nothing.
-    shapes: VecDeque<(usize, Vec<u8>, bool)>,
-    shape: Vec<u8>,
+    /// What remarks have said.
+    heard: Heard,
 }
 
 impl<'a> Compared<'a> {
     pub(super) fn with(columns: &'a Columns) -> Self {
         let are_warm = columns.evidence.warm.as_ref().is_some_and(|warm| !warm.is_of_reference());
-        Self { columns, are_warm, claims: Vec::new(), shapes: VecDeque::new(), shape: Vec::new() }
+        Self { columns, are_warm, claims: Vec::new(), heard: Heard::default() }
     }
 
     /// Compares an answer with what the file says beside the value.
@@ -78,19 +72,7 @@ impl<'a> Compared<'a> {
 
     /// Compares an answer with a remark, unless another one like it has said nothing.
     fn hear(&mut self, row: &Row<'_>, (column, cell): (&RemarkColumn, &[u8]), judged: &Judged, tally: &mut Tally) {
-        shape(cell, &mut self.shape);
-        let known = self.shapes.iter().find(|(of, known, _)| *of == column.at && *known == self.shape);
-        let says_nothing = if let Some((.., says_nothing)) = known {
-            *says_nothing
-        } else {
-            let says_nothing = says_nothing(column, unquoted(&utf8(&self.shape)));
-            if self.shapes.len() == MOST_SHAPES {
-                self.shapes.pop_front();
-            }
-            self.shapes.push_back((column.at, self.shape.clone(), says_nothing));
-            says_nothing
-        };
-        if !says_nothing {
+        if !self.heard.says_nothing(column, unquoted(&utf8(cell))) {
             let claim = self.claim(column.at, cell, |text| column.claim(text, true));
             let said = claim.and_then(|claim| Some((claim.is_of_temperature(), claim.tells(&answer(judged))?)));
             self.tell(row, said, tally);

@@ -139,11 +139,10 @@ pub(super) fn decide(sample: &Sample, columns: &mut Columns) -> Result<(), Impor
     halves(&stated, columns, &name)?;
     let own = |at: usize| stated.own.iter().find(|(own, _)| *own == at).map(|(_, unit)| *unit);
     let unit = |at: usize| own(at).or(stated.file).unwrap_or(Unit::Millimetre);
-    columns.measured.unit = unit(columns.measured.at);
+    columns.set_unit(unit(columns.measured.at));
     if let Some(nominal) = &mut columns.nominal {
         nominal.unit = unit(nominal.at);
     }
-    columns.remarks.iter_mut().for_each(|remark| remark.unit = columns.measured.unit);
     if stated.from.is_some() && !sample.has_place_unit {
         for place in columns.labels.place.iter_mut().flatten() {
             place.unit = unit(place.at);
