@@ -35,7 +35,7 @@ impl RemarkColumn {
         if says_simulated(text) {
             return Some(Claim::simulated(&said()));
         }
-        if stated::states_other(text, self.unit) {
+        if may_state_unit(text) && stated::states_other(text, self.unit) {
             return Some(Claim::of_unit(&said()));
         }
         let warm = || warmth::mentioned(text).filter(|_| asks_temperature);
@@ -57,6 +57,16 @@ pub(super) fn may_say(cell: &[u8]) -> bool {
         }
     }
     has_sign || has_letter && (has_blank || !has_digit)
+}
+
+/// Whether a text has a part of a word for units or of their names: most remarks have none.
+fn may_state_unit(text: &str) -> bool {
+    const PARTS: [&str; 16] = [
+        "inch", "zoll", "duim", "pollic", "mm", "\u{b5}m", "\u{3bc}m", "um", "mil", "micr", "mikr", "metr", "cm",
+        "unit", "einheit", "eenheid",
+    ];
+    let small = text.to_lowercase();
+    PARTS.iter().any(|part| small.contains(part)) || small.contains(['"', '\u{2033}']) || small.contains(" in")
 }
 
 /// So many shapes are remembered.
