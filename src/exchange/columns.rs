@@ -610,7 +610,7 @@ fn row(line: usize, cells: StringRecord, comments: &mut Vec<(usize, StringRecord
         return None;
     }
     if is_comment(&cells) {
-        if stated::may_state(&cells) || cells.iter().any(|cell| warmth::mentioned(cell).is_some()) {
+        if stated::may_state(&cells) || warmth::mentioned(&cells.iter().collect::<Vec<_>>().join(" ")).is_some() {
             comments.push((line, cells));
         }
         return None;

@@ -607,6 +607,7 @@ fn a_temperature_beside_the_value_that_nobody_counted_is_told() {
         "# Temp. comp. off, 35 °C",
         "# Spindle 40 °C / workpiece 35 °C",
         "# part -3 °C",
+        "# Part temperature;35",
     ] {
         both(&format!("{line}\n{rows}"), 14);
         both(&format!("{rows}# {line}\n"), 14);

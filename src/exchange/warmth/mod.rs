@@ -216,6 +216,7 @@ mod tests {
             ("temperature compensation off 35 °C", "35"),
             ("to be corrected, 35 °C", "35"),
             ("tool radius corrected, part 35 °C", "35"),
+            ("spindle compensated, part 35 °C", "35"),
             ("Kühlmittel 25 °C, Teil 35 °C", "35"),
             ("Coolant 35 °C, part 35 °C", "35"),
             ("Temperatur 35 °C Kühlmittel 25 °C", "35"),

@@ -126,7 +126,7 @@ impl Clause {
         self.of_angle |= words::is_of_angle(word);
         self.is_of_values &= of_temperature
             || correction.is_some()
-            || whose.is_some()
+            || whose.is_some_and(|whose| whose != Whose::Other)
             || words::is_filler(word)
             || words::says_done(word);
     }
