@@ -186,22 +186,6 @@ impl Columns {
     }
 }
 
-/// The columns that are used for nothing and compared with nothing, and that of the names.
-fn remarks(names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<RemarkColumn> {
-    let is_compared = |at: &usize| columns.beside.iter().any(|column| column.at() == *at);
-    let is_free = |at: &usize| {
-        let has_quantity = columns.quantities.iter().any(|column| column.at == *at);
-        let is_evidence = columns.evidence.origin == Some(*at) || columns.evidence.word == Some(*at);
-        !used.contains(at) && !is_compared(at) && !has_quantity && !is_evidence
-    };
-    let name = |at: usize| names.get(at).unwrap_or_default().trim().to_owned();
-    let names = columns.id.filter(|at| columns.header.is_some() && !is_compared(at));
-    let free = (0..columns.count).filter(is_free).map(|at| (at, false));
-    let all = free.chain(names.map(|at| (at, true)));
-    let unit = columns.measured.unit;
-    all.map(|(at, is_of_names)| RemarkColumn { at, name: name(at), is_of_names, unit }).collect()
-}
-
 /// The first rows of a text, split at one separator.
 pub(super) struct Sample {
     pub(super) separator: u8,
@@ -350,7 +334,7 @@ impl Sample {
         columns.beside = self.beside(names, columns, &used);
         columns.evidence.warm = self.said_of_all(columns, names);
         columns.other_values = self.other_values(names, columns, &used);
-        columns.remarks = remarks(names, columns, &used);
+        columns.remarks = RemarkColumn::all(names, columns, &used);
         // What is compared is not skipped.
         let compared = columns.beside.iter().map(BesideColumn::at).chain(columns.evidence.word);
         let compared: Vec<String> = compared.map(|at| name_of(at, names.get(at).unwrap_or_default())).collect();

@@ -35,9 +35,8 @@ impl Contacts {
     /// That the file says another temperature of its contacts than the one that counts, from 1 K on.
     pub fn told_of_temperature(&self, counted: Temperature) -> Option<ImportWarningKind> {
         let (text, warm) = self.warm.as_ref()?;
-        let is_far = 1_000 < (warm.thousandths() - counted.thousandths()).abs();
         let told = ImportWarningKind::SpeaksOfTemperature { text: shorten(text), counted: counted.to_string() };
-        is_far.then_some(told)
+        warmth::differ(*warm, counted).then_some(told)
     }
 
     /// Takes what a text says of how warm the part was, where that is further from 20 °C than what was said before.

@@ -430,9 +430,8 @@ impl ImportWarningKind {
         if mentions_simulation(&text) {
             return Self::SpeaksOfSimulation { text: shorten(&text) };
         }
-        let is_far =
-            |warm: Temperature, counted: Temperature| 1_000 < (warm.thousandths() - counted.thousandths()).abs();
-        let differs = counted.filter(|counted| warmth::mentioned(&text).is_some_and(|warm| is_far(warm, *counted)));
+        let differs =
+            counted.filter(|counted| warmth::mentioned(&text).is_some_and(|warm| warmth::differ(warm, *counted)));
         let text = shorten(&text);
         match differs {
             Some(counted) => Self::SpeaksOfTemperature { text, counted: counted.to_string() },

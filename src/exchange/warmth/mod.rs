@@ -102,6 +102,11 @@ pub(super) fn read(cell: &str, scale: Scale) -> Option<Temperature> {
     }
 }
 
+/// Whether two temperatures differ by more than 1 K: what counts where no zone is known.
+pub(super) fn differ(one: Temperature, other: Temperature) -> bool {
+    1_000 < (one.thousandths() - other.thousandths()).abs()
+}
+
 /// Whether a text says a temperature, or whether values were corrected to one.
 pub(super) fn speaks(text: &str) -> bool {
     mentioned(text).is_some() || denies_correction(text)
