@@ -1,6 +1,7 @@
 //! Fitcheck tells whether a probed hole or shaft is good, rework or scrap, and why.
 //!
-//! The rooms of the house, in the order in which data goes through them:
+//! The rooms of the house are crates below `crates/`, in the order in which data goes through them; here they have one
+//! roof, with the command line and the window.
 //!
 //! | module | what |
 //! |---|---|
@@ -11,40 +12,29 @@
 //! | [`verdict`] | good, rework, scrap |
 //! | [`pairing`] | which measured holes go with which measured shafts |
 //! | [`budget`] | how sure a measured value is |
-//! | [`control`] | the control's tables, masks and logs |
 //! | [`part`] | whole parts: plans of features |
+//! | [`control`] | the control's tables, masks and logs |
 //! | [`nc`] | NC programs: read, written, run |
 //! | [`exchange`] | files of other tools |
 //! | [`batch`] | rows by the million, judged by several workers |
 //! | [`journal`] | what was checked, when, by which rule |
 //! | [`report`] | inspection reports |
+//! | [`files`] | reading and writing files safely |
 //! | [`store`] | where records are kept: a file of one station, the server of a shop |
 //! | [`watch`] | a folder that files are dropped into |
 //! | `gui` | the window, with the feature `gui` |
 //! | [`session`] | the state of the application |
 //! | [`cli`] | the command line |
-//! | [`words`], [`files`] | texts in the user's language; reading and writing files safely |
+//! | [`words`], [`text`] | texts in the user's language; bytes of a text file to lines |
 
-pub mod batch;
-pub mod budget;
 pub mod cli;
-pub mod control;
-pub mod exchange;
-pub mod files;
 #[cfg(feature = "gui")]
 pub mod gui;
-pub mod journal;
-pub mod length;
-pub mod message;
-pub mod nc;
-pub mod pairing;
-pub mod part;
-pub mod probing;
-pub mod report;
-pub mod session;
-pub mod shipped;
-pub mod store;
-pub mod tolerance;
-pub mod verdict;
-pub mod watch;
-pub mod words;
+
+pub use fitcheck_core::{budget, length, message, pairing, part, probing, text, tolerance, verdict, words};
+pub use fitcheck_exchange::{batch, exchange, journal, report};
+pub use fitcheck_files as files;
+pub use fitcheck_nc::{self as nc, control};
+pub use fitcheck_session as session;
+pub use fitcheck_shipped as shipped;
+pub use fitcheck_store::{self as store, watch};

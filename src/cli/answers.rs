@@ -8,8 +8,8 @@ use std::io::Write;
 use serde::Serialize;
 
 use super::{CliError, CliRemark, Format, Io};
-use crate::control::text::decode;
 use crate::report::csv::{CsvLine, cell};
+use crate::text::decode;
 pub(super) use lines::LONGEST_LINE;
 use lines::{Found, Line};
 

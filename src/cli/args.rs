@@ -9,7 +9,7 @@ use clap::{ArgMatches, Command, FromArgMatches, ValueEnum};
 
 use super::{CliError, Io, Refused as _};
 use crate::control::shipped_tables;
-use crate::files;
+use crate::store::tables::read_tables;
 use crate::tolerance::table_edit::MakeError;
 use crate::tolerance::{Base, Feature, Sources, ToleranceClass, iso286};
 use crate::words::Dialogue;
@@ -28,6 +28,13 @@ pub(super) fn one_of<T: Clone + Send + Sync + 'static>(
 /// A language of the control's dialogue, by its code.
 pub(super) fn dialogue() -> impl TypedValueParser<Value = Dialogue> {
     one_of(Dialogue::ALL, |dialogue| dialogue.code())
+}
+
+/// A source of limits, by its name; its help stands in the help of the option.
+fn bases() -> impl TypedValueParser<Value = Base> {
+    let names = Base::ALL.map(|base| PossibleValue::new(base.name()).help(base.help()));
+    PossibleValuesParser::new(names)
+        .try_map(|given| Base::ALL.into_iter().find(|base| base.name() == given).ok_or(std::fmt::Error))
 }
 
 /// How a result is printed.
@@ -53,23 +60,13 @@ struct GivenTables {
     #[arg(long, value_name = "FOLDER", global = false)]
     tables: Option<PathBuf>,
     /// Where limits come from that your own tables do not have
-    #[arg(long, value_enum, default_value_t)]
+    #[arg(long, value_parser = bases(), default_value = Base::default().name())]
     source: Base,
     #[command(flatten)]
     standard: StandardArgs,
     /// Take a tolerance zone as it is given that is wider than IT 18 of its size or reaches to zero
     #[arg(long)]
     wide_zone: bool,
-}
-
-impl ValueEnum for Base {
-    fn value_variants<'a>() -> &'a [Self] {
-        &Self::ALL
-    }
-
-    fn to_possible_value(&self) -> Option<PossibleValue> {
-        Some(PossibleValue::new(self.name()).help(self.help()))
-    }
 }
 
 const EDITIONS: [(&str, iso286::Edition); 2] = [("1988", iso286::Edition::Of1988), ("2010", iso286::Edition::Of2010)];
@@ -141,7 +138,7 @@ impl TableArgs {
         let sources = Sources::default().with_base(*source, shipped_tables).with_options(standard.options());
         let sources = sources.with_wide_zones(*wide_zone);
         let Some(folder) = tables else { return Ok(sources) };
-        let own = files::read_tables(folder).said()?;
+        let own = read_tables(folder).said()?;
         for warning in &own.warnings {
             io.warn(warning);
         }

@@ -3,10 +3,10 @@
 use std::path::{Path, PathBuf};
 
 use super::{CliError, Refused as _, What};
-use crate::control::text::decode;
 use crate::files;
 use crate::length::Length;
 use crate::message::IntoArg as _;
+use crate::text::decode;
 use crate::tolerance::fit::materials::{Certainty, Materials};
 use crate::tolerance::fit::thermal::{Correction, Expansion, Range, Temperature, ThermalDoubt, ThermalError, Warm};
 

@@ -17,6 +17,7 @@ use super::{budget, check, cycles, dialogs, field, fit, keys, pairing, parts, pr
 use crate::files;
 use crate::message::{Message, Say as _};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Session, Theme};
+use crate::store::programs::Folders;
 use crate::words::{Language, Words};
 
 /// The settings that the window starts with.
@@ -98,6 +99,7 @@ impl App {
             Some(Err(told)) => session.tell(told),
             None => {}
         }
+        session.use_program_files(|program| Box::new(Folders::beside(program)));
         if let Some(home) = setup.home {
             session.use_home(home);
         }

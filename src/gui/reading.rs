@@ -11,7 +11,6 @@ use super::working::{Job, Watched};
 use crate::control::deviations;
 use crate::control::mask::Mask;
 use crate::control::probe_table::ProbeTable;
-use crate::control::text::decode;
 use crate::control::tool_table::ToolTable;
 use crate::exchange::contacts::{self, Contacts};
 use crate::exchange::{self, Given, Remembered};
@@ -29,6 +28,7 @@ use crate::session::{
     PairingCommand, PartsCommand, ProgramCommand, Purpose, RowsCommand, TablesCommand, ToolsCommand, WorkpieceCommand,
     usable,
 };
+use crate::text::decode;
 use crate::tolerance::fit::thermal::Temperature;
 use crate::tolerance::{DeviationTable, Feature, Sources};
 
@@ -153,7 +153,7 @@ fn read_mask(path: &Path) -> Result<(Box<Mask>, Vec<Message>), Message> {
 }
 
 fn read_tables(folder: &Path) -> Result<(Vec<DeviationTable>, Vec<Message>), Message> {
-    let own = files::read_tables(folder).map_err(|error| error.message())?;
+    let own = crate::store::tables::read_tables(folder).map_err(|error| error.message())?;
     let warnings = own.warnings.iter().map(crate::message::Say::message).collect();
     Ok((own.tables, warnings))
 }

@@ -10,12 +10,12 @@ use super::dialogs::just_opened;
 use super::shapes::times;
 use super::theme::{self, control, palette, sizes, space};
 use super::view::{View, keep_focus, list_height, list_ui, problem, quiet};
-use crate::control::text::cut;
 use crate::control::tool_table::{Tool, ToolTable};
 use crate::control::variables::Parameter;
 use crate::length::Length;
 use crate::message::Message;
 use crate::session::{Action, NamedTool, text_of_tool, tool_message};
+use crate::text::cut;
 
 /// The widths of the list's columns in characters: T and NAME, then the lengths.
 const NUMBER: usize = 8;

@@ -1,6 +1,6 @@
 //! From the bytes of a control's text files to lines: encodings and line ends.
 
-use fitcheck::control::text::{decode, lines};
+use fitcheck::text::{decode, lines};
 
 #[test]
 fn decodes_utf8_and_windows_1252() {

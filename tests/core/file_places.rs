@@ -9,7 +9,8 @@ use std::path::Path;
 use std::process::Command;
 use std::time::Duration;
 
-use fitcheck::files::{FileError, no_half_set, read_file, read_tables, save, write, write_folder, write_new};
+use fitcheck::files::{FileError, no_half_set, read_file, save, write, write_folder, write_new};
+use fitcheck::store::tables::read_tables;
 
 const PROGRAM: &str = env!("CARGO_BIN_EXE_fitcheck");
 

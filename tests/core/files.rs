@@ -4,10 +4,11 @@ use std::path::Path;
 
 use fitcheck::control::mask::FileUse;
 use fitcheck::files::{
-    FileError, Folders, LARGEST, list, list_up_to, make_folder, read, read_head, save, save_with, set_aside, write,
+    FileError, LARGEST, list, list_up_to, make_folder, read, read_head, save, save_with, set_aside, write,
     write_folder, write_new, write_with,
 };
 use fitcheck::nc::machine::{NcPath, Store as _};
+use fitcheck::store::programs::Folders;
 
 #[test]
 fn a_written_file_is_whole_and_leaves_nothing_beside_it() {

@@ -10,6 +10,8 @@ use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::{Language, Words};
 use fluent_bundle::FluentResource;
 
+use crate::house::source_folders;
+
 /// What comes before the name of a text in the source, `Message::new("file-missing")`: within these brackets every
 /// literal that looks like a name is one, so that `Message::new(match self { … })` is also searched.
 const CALLS: [&str; 9] = [
@@ -90,8 +92,9 @@ fn all(language: Language) -> Texts {
 /// The source and the report's templates without tests, line breaks and indents, so that a call is found however it
 /// is wrapped.
 fn source() -> String {
-    let (src, assets) = (root().join("src"), root().join("assets"));
-    let all = [files(&src, "rs"), files(&assets, "html"), files(&assets, "svg")].concat();
+    let assets = root().join("assets");
+    let mut all: Vec<_> = source_folders().iter().flat_map(|folder| files(folder, "rs")).collect();
+    all.extend([files(&assets, "html"), files(&assets, "svg")].concat());
     let texts =
         all.iter().filter(|path| !path.ends_with("tests.rs")).map(|path| std::fs::read_to_string(path).unwrap());
     let mut source = String::new();
@@ -129,7 +132,7 @@ fn kebab(name: &str) -> String {
 /// The names of texts that `#[derive(Say)]` makes: the prefix of the enum and each variant.
 fn derived() -> BTreeSet<String> {
     let mut found = BTreeSet::new();
-    for path in files(&root().join("src"), "rs") {
+    for path in source_folders().iter().flat_map(|folder| files(folder, "rs")) {
         let text = std::fs::read_to_string(path).unwrap();
         for rest in text.split("#[say(prefix = \"").skip(1) {
             let (prefix, rest) = rest.split_once('"').unwrap();

@@ -5,7 +5,6 @@ use std::sync::Arc;
 use fitcheck::control::log::{self, Log};
 use fitcheck::control::shipped_tables;
 use fitcheck::control::variables::{Family, Parameter, Value};
-use fitcheck::files::Folders;
 use fitcheck::journal::{Record, status_window};
 use fitcheck::length::Length;
 use fitcheck::nc::machine::{
@@ -17,6 +16,7 @@ use fitcheck::probing::cycle::{Control, Move, Phase};
 use fitcheck::probing::cycles::cycles_of;
 use fitcheck::probing::simulated::Simulation;
 use fitcheck::probing::{Measurement, Origin};
+use fitcheck::store::programs::Folders;
 use fitcheck::tolerance::{Callout, Sources};
 use fitcheck::verdict::{Status, judge};
 use fitcheck::words::Dialogue;

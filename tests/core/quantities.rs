@@ -391,8 +391,7 @@ fn batch_and_import_set_the_same_rows_aside() {
     for name in ["o.csv", "o.tsv", "o.jsonl"] {
         let answer = place.say(&["batch", "m.csv", "-o", name]);
         assert_eq!(answer.code, 1, "{}", answer.said());
-        let made = fitcheck::control::text::decode(&fitcheck::files::read_file(&place.path().join(name)).unwrap())
-            .into_owned();
+        let made = fitcheck::text::decode(&fitcheck::files::read_file(&place.path().join(name)).unwrap()).into_owned();
         let counts = ["GOOD", "SCRAP", "REWORK", "not a size"].map(|word| made.matches(word).count());
         assert_eq!(counts, [2, 1, 0, 2], "{name}: {made}");
     }

@@ -9,6 +9,7 @@ use fitcheck::message::Message;
 use fitcheck::nc::machine::BlockPlace;
 use fitcheck::session::program::{Agreement, Document, Input, NoteKind, Run, Speed, State, Switch, WorkpieceFrom};
 use fitcheck::session::{Command, Effect, Page, ProgramCommand, ProgramField, Purpose, Session, Step};
+use fitcheck::store::programs::Folders;
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
@@ -19,6 +20,7 @@ fn now() -> DateTime {
 
 fn session() -> Session {
     let mut session = Session::new(Language::En);
+    session.use_program_files(|program| Box::new(Folders::beside(program)));
     session.apply(Command::OpenPage(Page::Program), now());
     session
 }

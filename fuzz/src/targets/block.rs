@@ -14,7 +14,7 @@ use fitcheck::words::Dialogue;
 use super::shared::{NOW, told};
 
 pub fn run(bytes: &[u8]) {
-    let text = fitcheck::control::text::decode(bytes);
+    let text = fitcheck::text::decode(bytes);
     let lines = read_or_lines(&text, cycle_named("427").expect("a cycle"));
     let block = match read(&text).or(lines) {
         Ok(block) => block,

@@ -8,8 +8,8 @@ use crate::budget::{Assessment, Budget, Conditions, Geometry};
 use crate::cli::io::read_input;
 use crate::cli::said::CliRemark;
 use crate::cli::{CliError, Io, Refused as _};
-use crate::control::text::decode;
 use crate::journal::entry::FileRole;
+use crate::text::decode;
 use crate::verdict::rules::Uncertainty;
 
 /// A budget's file, and the name to call it by.

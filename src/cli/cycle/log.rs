@@ -6,11 +6,11 @@ use super::super::io::not_dash;
 use super::super::{CliWarning, Refused as _, What};
 use super::{CliError, Io, Source};
 use crate::control::cycle_log::{CycleLog, Heading, OtherVerdict};
-use crate::control::text::decode;
 use crate::files::{self, FileError};
 use crate::length::Unit;
 use crate::message::{Located, Place};
 use crate::probing::cycle::{Cycle, CycleResult, LogTarget};
+use crate::text::decode;
 use crate::words::Dialogue;
 
 /// Where and how the log is kept.

@@ -28,7 +28,6 @@ use super::tools::ToolArgs;
 use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts, read_input};
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
-use crate::control::text::decode;
 use crate::control::tool_table::{Changed, ToolChange};
 use crate::exchange::contacts;
 use crate::journal::entry::CycleCheck;
@@ -39,6 +38,7 @@ use crate::probing::cycle::{Control, Cycle, CycleResult, Inputs, Key, Remark as 
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::Shape;
 use crate::probing::{self, Prober, Recorded, SourceError, TouchProbe};
+use crate::text::decode;
 use crate::tolerance::fit::thermal::Temperature;
 use crate::words::Dialogue;
 

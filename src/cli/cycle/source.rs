@@ -3,12 +3,12 @@
 use std::path::Path;
 
 use crate::cli::{CliError, CliWarning, Io, Refused as _, read_input};
-use crate::control::text::decode;
 use crate::journal::entry::{CycleOrigin, FileRole};
 use crate::nc::machine::Remark;
 use crate::probing::cycle::{Inputs, Move, Phase};
 use crate::probing::simulated::Part;
 use crate::probing::{self, Contact};
+use crate::text::decode;
 
 /// Where the contacts come from.
 #[derive(Debug)]

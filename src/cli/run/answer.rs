@@ -10,11 +10,11 @@ use super::super::cycle::Source;
 use super::super::cycle::answer::{check, source as result_source, value as result_value};
 use super::super::tools;
 use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
-use crate::control::text::cut;
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
 use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written};
 use crate::probing::cycle::Found;
+use crate::text::cut;
 
 /// The most blocks that a trace keeps.
 const MOST: usize = 100_000;

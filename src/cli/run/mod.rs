@@ -22,10 +22,11 @@ use super::tools::ToolArgs;
 use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input};
 use crate::control::variables::{Parameter, Value};
 use crate::exchange::contacts;
-use crate::files::{self, FileError, Folders};
+use crate::files::{self, FileError};
 use crate::journal::entry::{CycleCheck, FileRole};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::{Program, ProgramWarning};
+use crate::store::programs::Folders;
 use crate::tolerance::fit::thermal::Temperature;
 use crate::words::Dialogue;
 

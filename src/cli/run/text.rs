@@ -3,9 +3,9 @@
 use super::super::CliRemark;
 use super::super::cycle::Source;
 use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
-use crate::control::text::cut;
 use crate::message::Message;
 use crate::nc::machine::{BlockPlace, Fault, FileRead, Machine, Pause, ToolChanged, shown};
+use crate::text::cut;
 use crate::words::{Language, Words};
 
 /// Prints windows as they open, and with a trace every block before.

@@ -25,8 +25,8 @@ use fitcheck::control::shipped_tables;
 use fitcheck::control::table::{
     Column, Comment, CommentPlace, ControlTable, Generation, TableFile, TableUnit, WriteError,
 };
-use fitcheck::files::read_tables;
 use fitcheck::length::{Length, Unit};
+use fitcheck::store::tables::read_tables;
 use fitcheck::tolerance::table::Column as ClassColumn;
 use fitcheck::tolerance::{Callout, DeviationTable, Deviations, Feature, ToleranceClass};
 use proptest::prelude::*;

@@ -1,0 +1,100 @@
+//! From the bytes of a control's text file to text.
+//!
+//! Controls write UTF-8 or Windows-1252, with LF, CRLF, CR or byte 0 between lines: text transfer over LSV2 separates
+//! lines with byte 0 (`docs/SOURCES.md`).
+
+use std::borrow::Cow;
+
+/// Text of a file: UTF-8 if it is valid (a byte order mark is dropped), else Windows-1252. Never fails.
+pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
+    let bytes = bytes.strip_prefix(b"\xef\xbb\xbf").unwrap_or(bytes);
+    match std::str::from_utf8(bytes) {
+        Ok(text) => Cow::Borrowed(text),
+        Err(_not_utf8) => Cow::Owned(windows_1252(bytes)),
+    }
+}
+
+/// The text of bytes in Windows-1252: one character per byte.
+pub fn windows_1252(bytes: &[u8]) -> String {
+    encoding_rs::WINDOWS_1252.decode_without_bom_handling(bytes).0.into_owned()
+}
+
+/// The beginning of a text, short enough for a message: at most 40 characters.
+pub fn beginning(text: &str) -> String {
+    cut(text.trim(), 40)
+}
+
+/// At most this many characters of a text, and a sign if there are more.
+pub fn cut(text: &str, most: usize) -> String {
+    match text.char_indices().nth(most) {
+        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or_default()),
+        None => text.to_owned(),
+    }
+}
+
+/// What ends a line; CR LF is one end.
+pub const LINE_ENDS: [char; 3] = ['\n', '\r', '\0'];
+
+/// What ends a line in formats of other programs than a control's.
+pub const PLAIN_LINE_ENDS: [char; 2] = ['\n', '\r'];
+
+/// The same as bytes.
+pub const PLAIN_LINE_END_BYTES: &[u8] = b"\n\r";
+
+/// The bytes of [`LINE_ENDS`].
+pub const LINE_END_BYTES: &[u8] = b"\n\r\0";
+
+/// The lines of a text, numbered from 1, without their ends: LF, CRLF, CR or byte 0.
+pub fn lines(text: &str) -> impl Iterator<Item = (usize, &str)> {
+    lines_from(text, 1)
+}
+
+/// The same for a text whose first line has this number.
+pub fn lines_from(text: &str, first: usize) -> impl Iterator<Item = (usize, &str)> {
+    lines_ended_by(text, first, &LINE_ENDS)
+}
+
+/// The same of formats that know no byte 0: a line that has one was not written to its end.
+pub fn plain_lines_from(text: &str, first: usize) -> impl Iterator<Item = (usize, &str)> {
+    lines_ended_by(text, first, &PLAIN_LINE_ENDS)
+}
+
+/// The lines of a control's text, each with whether text may be missing behind it: where it has no end, and where its end is byte 0, as
+/// in a file that was not written to its end.
+pub fn lines_open_from(text: &str, first: usize) -> impl Iterator<Item = (usize, &str, bool)> {
+    let mut at = 0;
+    lines_from(text, first).map(move |(number, line)| {
+        let behind = text.get(at + line.len()..).unwrap_or_default();
+        at += line.len() + if behind.starts_with("\r\n") { 2 } else { 1 };
+        (number, line, !behind.starts_with(PLAIN_LINE_ENDS))
+    })
+}
+
+fn lines_ended_by<'t>(text: &'t str, first: usize, ends: &'static [char]) -> impl Iterator<Item = (usize, &'t str)> {
+    let mut rest = Some(text);
+    let mut number = first.saturating_sub(1);
+    std::iter::from_fn(move || {
+        let text = rest.filter(|text| !text.is_empty())?;
+        number += 1;
+        let (line, after) = match text.find(ends) {
+            Some(end) => {
+                let (line, after) = text.split_at_checked(end)?;
+                (line, after.strip_prefix("\r\n").or_else(|| after.get(1..)).unwrap_or_default())
+            }
+            None => (text, ""),
+        };
+        rest = Some(after);
+        Some((number, line))
+    })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::beginning;
+
+    #[test]
+    fn long_texts_are_cut_in_messages() {
+        assert_eq!(beginning("  short "), "short");
+        assert_eq!(beginning(&"ß".repeat(41)), format!("{}…", "ß".repeat(40)));
+    }
+}

@@ -1,0 +1,532 @@
+//! Rows judged one after the other: most of them fast, the others exactly as `import` reads them, with the same answer.
+
+use std::fmt;
+
+use fitcheck_core::length::{Length, Unit, Window};
+use fitcheck_core::message::Say;
+use fitcheck_core::tolerance::fit::thermal::Temperature;
+use fitcheck_core::tolerance::{Bounds, Sources, ToleranceClass};
+use fitcheck_core::verdict::{SizeVerdict, Status, doubt_of, judge_bounds, verdict_of};
+
+use super::LONGEST_ROW;
+use super::compared::{Compared, told};
+use super::cut::Block;
+use super::index::{Broken, Index, line_end};
+use super::known::{Classes, Figures, Steps};
+use super::layout::{Layout, utf8};
+use super::row::{Part, Row};
+use super::tally::{Kind, Tally};
+use crate::exchange::ImportWarningKind;
+use crate::exchange::cells;
+use crate::exchange::error::{ImportErrorKind, shorten};
+use crate::exchange::evidence::marks_simulation;
+use crate::exchange::imported::WhyUnjudged;
+use crate::exchange::quantity::QuantityColumn;
+use crate::exchange::rules::{Found, Rules};
+use crate::exchange::stated;
+
+/// A row that was judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Judged {
+    /// Its limits and nominal size.
+    pub bounds: Bounds,
+    /// What was measured.
+    pub measured: Length,
+    /// Good, rework or scrap.
+    pub status: Status,
+}
+
+impl Judged {
+    #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
+    #[inline(always)]
+    fn new(bounds: Bounds, measured: Length) -> Self {
+        Self { bounds, measured, status: judge_bounds(&bounds, measured).status }
+    }
+
+    /// The whole verdict; what nobody asks of it is not computed.
+    #[expect(clippy::inline_always, reason = "as above")]
+    #[inline(always)]
+    pub fn verdict(&self) -> SizeVerdict {
+        verdict_of(&self.bounds, self.measured, self.status)
+    }
+
+    /// Appends the limits in millimetres and the deviation in micrometres, each behind a separator.
+    #[expect(clippy::inline_always, reason = "as above")]
+    #[inline(always)]
+    pub(super) fn put_figures(&self, separator: u8, out: &mut Window<'_>) {
+        out.push(separator);
+        self.bounds.minimum().put_mm(3, out);
+        out.push(separator);
+        self.bounds.maximum().put_mm(3, out);
+        out.push(separator);
+        self.verdict().deviation.put_um(0, out);
+    }
+}
+
+/// Takes what is found in a block, in its order.
+pub trait Take {
+    /// The line at which the next thing begins, from 0 in its block; for those who count lines.
+    #[inline]
+    fn at(&mut self, _line: usize) {}
+    /// The class of the row that comes next, with the number that the judge has given it; `None` for a callout without a
+    /// class. For those who tell classes apart.
+    #[inline]
+    fn class(&mut self, _class: Option<(usize, ToleranceClass)>) {}
+    /// A row with its verdict. The text of rows is UTF-8.
+    fn judged(&mut self, row: &Row<'_>, judged: &Judged);
+    /// A row without a verdict, and why; nothing where there is nothing in its cells.
+    fn refused(&mut self, row: &Row<'_>, reason: &str);
+    /// A line that cannot be split into cells, or only its beginning, with the reason.
+    fn broken(&mut self, line: &str, reason: &ImportErrorKind);
+    /// A line that is no row: empty, or a comment. With its line end.
+    fn line(&mut self, line: &[u8]);
+}
+
+/// What every worker needs to judge: the layout of the stream and where limits come from.
+#[derive(Debug)]
+pub struct Court<'a> {
+    layout: &'a Layout,
+    sources: &'a Sources,
+    steps: Steps,
+    fast: Fast<'a>,
+}
+
+/// Which rows can be judged fast.
+#[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each answers another question about the rows")]
+struct Fast<'a> {
+    measured: (usize, Unit),
+    nominal: Option<(usize, Unit)>,
+    tolerance: Option<usize>,
+    /// The only column that states the unit of each row.
+    unit: Option<usize>,
+    /// Whether lengths are in inch by a statement: a callout with a size of its own is doubtful.
+    is_inch: bool,
+    /// Columns in which a row may say that nobody measured, or that the size alone does not decide.
+    aside: Vec<usize>,
+    /// Columns that say what was measured: with one of its words of a size a row is plain.
+    quantities: &'a [QuantityColumn],
+    count: usize,
+    /// A decimal sign that the measured values do not have.
+    foreign_sign: Option<u8>,
+    /// Cells between commas, where a decimal comma may have become a separator.
+    has_commas: bool,
+    /// Whether the cell before the callout may belong to it.
+    may_join: bool,
+    /// Whether a line may be a comment.
+    has_comments: bool,
+}
+
+impl<'a> Court<'a> {
+    /// For rows of a layout, with limits from these sources.
+    pub fn new(layout: &'a Layout, sources: &'a Sources) -> Self {
+        let columns = &layout.columns;
+        let has_commas = layout.has_commas();
+        let plain = columns.stated.plain();
+        let (unit, is_inch) = plain.unwrap_or_default();
+        let fast = Fast {
+            measured: (columns.measured.at, columns.measured.unit),
+            nominal: columns.nominal.map(|column| (column.at, column.unit)),
+            // Without a column of callouts no row is fast; simulated rows are counted where each is read as a whole.
+            tolerance: columns.tolerance.filter(|_| plain.is_some() && !columns.evidence.are_simulated),
+            unit,
+            is_inch,
+            aside: columns
+                .simulated
+                .into_iter()
+                .chain(columns.evidence.origin)
+                .chain(columns.evidence.word)
+                .chain(columns.own.deciding().into_iter().flatten())
+                .collect(),
+            quantities: &columns.quantities,
+            count: columns.count,
+            foreign_sign: columns.decimal_sign.map(|sign| if sign == '.' { b',' } else { b'.' }),
+            has_commas,
+            may_join: has_commas && !columns.names_known,
+            has_comments: !layout.is_typed,
+        };
+        Self { layout, sources, steps: Steps::of(sources), fast }
+    }
+
+    /// The layout of the rows.
+    pub const fn layout(&self) -> &'a Layout {
+        self.layout
+    }
+
+    /// Where limits come from.
+    pub const fn sources(&self) -> &Sources {
+        self.sources
+    }
+
+    /// A worker's own judge.
+    pub fn judge(&self) -> Judge<'_> {
+        Judge {
+            court: self,
+            classes: Classes::new(self.sources, &self.steps),
+            counts: Vec::new(),
+            others: Counts::default(),
+            index: Index::default(),
+            compared: Compared::with(&self.layout.columns),
+        }
+    }
+}
+
+/// Judges blocks of rows, and remembers the classes that it met.
+#[derive(Debug)]
+pub struct Judge<'a> {
+    court: &'a Court<'a>,
+    classes: Classes<'a>,
+    /// The verdicts of each class, by its number.
+    counts: Vec<Counts>,
+    /// The verdicts of callouts without a class.
+    others: Counts,
+    index: Index,
+    /// What stands beside a value and may contradict its answer.
+    compared: Compared<'a>,
+}
+
+/// How many rows are good, rework, to be measured again, scrap: in the order of [`Status::ALL`].
+pub type Counts = [u64; Status::ALL.len()];
+
+/// What a judge has met.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Met {
+    /// The classes with their verdicts.
+    pub by_class: Vec<(ToleranceClass, Counts)>,
+    /// The verdicts of callouts without a class.
+    pub others: Counts,
+    /// What to check about the figures behind the limits.
+    pub figures: Figures,
+}
+
+impl Judge<'_> {
+    /// The layout of the rows.
+    #[cfg(feature = "parquet")]
+    pub(super) const fn layout(&self) -> &Layout {
+        self.court.layout
+    }
+
+    /// Judges the rows of a block. The lines of the tally count from the beginning of the block, from 0.
+    pub fn block(&mut self, block: &Block, take: &mut impl Take) -> Tally {
+        let mut tally = Tally::default();
+        let text = block.text.as_slice();
+        if let Some(broken) = block.broken {
+            Self::broken(broken, text, &mut tally, take);
+            tally.lines = 1;
+            return tally;
+        }
+        let mut own = std::mem::take(&mut self.index);
+        if block.index.is_none() {
+            own.find_plain(text, self.court.layout.separator);
+        }
+        let is_utf8 = std::str::from_utf8(text).is_ok();
+        let mut start = 0;
+        for ends in block.index.as_ref().unwrap_or(&own).rows() {
+            let row = Row::new(text, start, ends);
+            start = row.next();
+            let lines = if block.index.is_some() && !self.court.layout.is_typed { row.lines() } else { 1 };
+            if 1 < lines && self.hides_rows(&row) {
+                Self::torn(&row, &mut tally, take);
+                continue;
+            }
+            take.at(tally.lines);
+            if is_utf8 || std::str::from_utf8(row.bytes()).is_ok() {
+                self.row(&row, &mut tally, take);
+            } else {
+                tally.not_utf8 += 1;
+                let whole = text.get(row.start..start).unwrap_or_default();
+                self.other_text(&utf8(whole), &mut tally, take);
+            }
+            if 1 < lines {
+                tally.note(Kind::SeveralLines, None, || ImportWarningKind::SeveralLines { lines }.message());
+            }
+            tally.lines += lines;
+        }
+        self.index = own;
+        tally
+    }
+
+    /// Whether lines within the quotation marks of a row look like rows.
+    #[cold]
+    fn hides_rows(&self, row: &Row<'_>) -> bool {
+        self.court.layout.columns.hides_rows(&row.record(), self.court.layout.separator)
+    }
+
+    /// A row with such lines: none of them has a verdict.
+    #[cold]
+    fn torn(row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
+        let mut start = row.start;
+        while start < row.next() {
+            take.at(tally.lines);
+            let rest = row.text.get(start..row.next()).unwrap_or_default();
+            let end = memchr::memchr2(b'\n', b'\r', rest).map_or(rest.len(), |at| at + line_end(rest, at));
+            let is_first = start == row.start;
+            let reason = if is_first { ImportErrorKind::OpenQuote } else { ImportErrorKind::WithinQuotes };
+            Self::no_row(&reason, rest.get(..end).unwrap_or_default(), tally, take);
+            tally.lines += 1;
+            start += end;
+        }
+    }
+
+    /// A row whose bytes are not those of the stream any more.
+    #[cold]
+    fn other_text(&mut self, text: &str, tally: &mut Tally, take: &mut impl Take) {
+        let mut index = Index::default();
+        let _whole = index.find_quoted(text.as_bytes(), self.court.layout.separator, true);
+        if let Some(ends) = index.rows().next() {
+            self.row(&Row::new(text.as_bytes(), 0, ends), tally, take);
+        }
+    }
+
+    #[inline]
+    fn row(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
+        if self.fast(row, tally, take).is_none() {
+            self.slow(row, tally, take);
+        }
+    }
+
+    #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
+    #[inline(always)]
+    fn give(
+        &mut self,
+        row: &Row<'_>,
+        judged: &Judged,
+        class: Option<(usize, ToleranceClass)>,
+        tally: &mut Tally,
+        take: &mut impl Take,
+    ) {
+        tally.rows += 1;
+        let counts = match class.map(|(number, _)| (number, self.counts.get_mut(number))) {
+            Some((_, Some(counts))) => counts,
+            Some((number, None)) => Self::more(&mut self.counts, number),
+            None => &mut self.others,
+        };
+        if let Some(count) = counts.get_mut(judged.status.at()) {
+            *count += 1;
+        }
+        if let Some(doubt) = doubt_of(&judged.bounds, judged.measured) {
+            tally.note(Kind::Doubt, None, || doubt.message());
+        }
+        tally.nominal += u64::from(judged.measured == judged.bounds.nominal);
+        self.compared.compare(row, judged, tally);
+        take.class(class);
+        take.judged(row, judged);
+    }
+
+    /// Room for the verdicts of a class, and its own.
+    #[cold]
+    fn more(counts: &mut Vec<Counts>, number: usize) -> &mut Counts {
+        counts.resize(counts.len().max(number), Counts::default());
+        counts.push_mut(Counts::default())
+    }
+
+    /// What it has met.
+    pub fn met(self) -> Met {
+        // A class that was looked up for a row without a verdict counts nothing: whether it has a number here depends on the block.
+        let counted = (0..).zip(self.counts).filter(|(_, counts)| *counts != Counts::default());
+        let classes = counted.filter_map(|(number, counts)| Some((self.classes.class(number)?, counts)));
+        Met { by_class: classes.collect(), others: self.others, figures: self.classes.into_figures() }
+    }
+
+    /// Judges a plain row; `None` for every row that is not plain.
+    #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
+    #[inline(always)]
+    fn fast(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) -> Option<()> {
+        let fast = &self.court.fast;
+        if row.len() != fast.count
+            || LONGEST_ROW < row.end - row.start
+            || fast.has_comments && (may_be_comment(row) || row.text.len() == row.end)
+        {
+            return None;
+        }
+        let said = match fast.unit {
+            Some(at) => Some(stated::plain_unit(row.cell(at)?)?),
+            None => None,
+        };
+        let in_unit = |(at, unit): (usize, Unit)| (at, said.unwrap_or(unit));
+        let (measured, sign) = number(row, in_unit(fast.measured))?;
+        if measured <= Length::ZERO || sign.is_some() && sign == fast.foreign_sign || sign.is_none() && fast.has_commas
+        {
+            return None;
+        }
+        let at = fast.tolerance?;
+        if fast.may_join && at.checked_sub(1).and_then(|before| row.cell(before)).is_some_and(may_be_number) {
+            return None;
+        }
+        let callout = row.part(at)?.plain()?;
+        let letters = callout.bytes().iter().position(u8::is_ascii_alphabetic)?;
+        let (size, class) = callout.split(letters);
+        let nominal = match (letters, fast.nominal) {
+            (0, Some(own)) => number(row, in_unit(own))?.0,
+            (0, None) => return None,
+            _ if fast.is_inch || said == Some(Unit::Inch) => return None,
+            (_, own) => {
+                let nominal = size.without_spaces_behind().number(Unit::Millimetre)?.0;
+                if let Some(own) = own
+                    && !row.part(own.0)?.plain()?.bytes().is_empty()
+                    && number(row, in_unit(own))?.0 != nominal
+                {
+                    return None;
+                }
+                nominal
+            }
+        };
+        if nominal <= Length::ZERO {
+            return None;
+        }
+        for at in &fast.aside {
+            if !row.cell(*at)?.is_empty() {
+                return None;
+            }
+        }
+        for column in fast.quantities {
+            if !column.is_known_size(row.cell(column.at)?) {
+                return None;
+            }
+        }
+        let number = self.classes.number(class)?;
+        let (class, feature, deviations) = self.classes.deviations(number, nominal)?;
+        // Within a step a zone is as wide everywhere; whether it reaches to zero depends on the size.
+        let bounds = Bounds::new(feature, nominal, deviations).filter(|bounds| Length::ZERO < bounds.minimum())?;
+        self.give(row, &Judged::new(bounds, measured), Some((number, class)), tally, take);
+        Some(())
+    }
+
+    /// A row as `import` reads it.
+    #[cold]
+    fn slow(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
+        let whole = row.text.get(row.start..row.next()).unwrap_or_default();
+        if LONGEST_ROW < row.bytes().len() {
+            return Self::broken(Broken::TooLong, whole, tally, take);
+        }
+        let cells = row.record();
+        if cells::is_blank(&cells) {
+            // With separators alone it has the cells of a row, and gets those that are added.
+            let is_line = row.len() == 1 && !self.court.layout.is_typed;
+            return if is_line { take.line(whole) } else { take.refused(row, "") };
+        }
+        let columns = &self.court.layout.columns;
+        if columns.stated.is_row_of_units(&cells) {
+            return take.refused(row, "");
+        }
+        let stray = || stated::stray(columns, &cells);
+        let (has_commas, sources) = (self.court.fast.has_commas, self.court.sources);
+        let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
+        if self.court.fast.has_comments && cells::is_comment(&cells) {
+            if marks_simulation(&cells) && !columns.evidence.are_simulated {
+                return Self::refuse(row, None, &ImportErrorKind::SimulatedBelow, tally, take);
+            }
+            if rules.hides_measurement(&cells) {
+                return Self::refuse(row, None, &ImportErrorKind::Comment, tally, take);
+            }
+            if let Some(reason) = stray() {
+                return Self::refuse(row, None, &reason, tally, take);
+            }
+            told(
+                ImportWarningKind::said_against(&cells, columns.counted_at(usize::MAX, Temperature::REFERENCE)),
+                tally,
+            );
+            tally.comments += 1;
+            return take.line(whole);
+        }
+        match rules.read(&cells) {
+            Ok(Found { measured, asked: Some((callout, limits)), is_simulated, .. }) => {
+                if self.court.fast.has_comments
+                    && row.line_end().is_empty()
+                    && let Some(warning) = rules.cut_off(&cells)
+                {
+                    tally.against += u64::from(warning.stands_against());
+                    tally.note(Kind::CutOff, Some(columns.measured.at), || warning.message());
+                }
+                let bounds = limits.bounds();
+                let class = callout.class().map(|class| (self.classes.number_of(class), class));
+                self.classes.note(&callout, &limits);
+                tally.simulated += u64::from(is_simulated);
+                self.give(row, &Judged::new(bounds, measured), class, tally, take);
+            }
+            Ok(Found { asked: None, .. }) => match rules.other_than_size(&cells) {
+                Some(cell) => {
+                    let why = WhyUnjudged::NotASize { what: shorten(cell.text) };
+                    Self::refuse(row, cell.at, &why, tally, take);
+                }
+                None => Self::refuse(row, None, &WhyUnjudged::NoCallout, tally, take),
+            },
+            Err(_) if columns.stated.repeats_names(&cells) => take.refused(row, ""),
+            Err((cell, _)) if columns.are_renamed_by(&cells) => {
+                Self::refuse(row, cell.at, &ImportErrorKind::OtherHeader, tally, take);
+            }
+            Err((cell, reason)) => Self::refuse(row, cell.at, &stray().unwrap_or(reason), tally, take),
+        }
+    }
+
+    fn refuse(
+        row: &Row<'_>,
+        at: Option<usize>,
+        reason: &(impl Say + fmt::Display),
+        tally: &mut Tally,
+        take: &mut impl Take,
+    ) {
+        tally.rows += 1;
+        tally.note(Kind::Refused, at, || reason.message());
+        take.refused(row, &reason.to_string());
+    }
+
+    #[cold]
+    fn broken(broken: Broken, line: &[u8], tally: &mut Tally, take: &mut impl Take) {
+        let reason = match broken {
+            Broken::OpenQuote => ImportErrorKind::OpenQuote,
+            Broken::TooLong => ImportErrorKind::RowTooLong { most: LONGEST_ROW >> 10 },
+        };
+        Self::no_row(&reason, line, tally, take);
+    }
+
+    /// A line that is no row.
+    #[cold]
+    fn no_row(reason: &ImportErrorKind, line: &[u8], tally: &mut Tally, take: &mut impl Take) {
+        tally.rows += 1;
+        tally.note(Kind::Refused, None, || reason.message());
+        let line = line.strip_suffix(b"\n").unwrap_or(line);
+        let line = line.strip_suffix(b"\r").unwrap_or(line);
+        // Of a megabyte, the beginning tells which line it was; a character is not cut in two.
+        let shown = line.get(..BEGINNING).map_or_else(
+            || utf8(line).into_owned(),
+            |beginning| format!("{}…", String::from_utf8_lossy(beginning).trim_end_matches('\u{fffd}')),
+        );
+        take.broken(&shown, reason);
+    }
+}
+
+/// How much of a broken line is kept, in bytes.
+const BEGINNING: usize = 200;
+
+/// A cell that is a plain number, and its decimal sign.
+#[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
+#[inline(always)]
+fn number(row: &Row<'_>, (at, unit): (usize, Unit)) -> Option<(Length, Option<u8>)> {
+    let part = row.part(at)?;
+    part.number(unit).or_else(|| wrapped_number(part, unit))
+}
+
+/// A number in quotation marks or between blanks.
+#[cold]
+fn wrapped_number(part: Part<'_>, unit: Unit) -> Option<(Length, Option<u8>)> {
+    part.plain()?.number(unit)
+}
+
+/// Whether a row begins like a comment, or with something that may hide the mark of one.
+#[inline]
+fn may_be_comment(row: &Row<'_>) -> bool {
+    let first = row.text.get(row.start).copied().unwrap_or_default();
+    first <= b' ' || first == b'#' || 0x80 <= first || first == b'"' && may_be_quoted_comment(row)
+}
+
+#[inline(never)]
+fn may_be_quoted_comment(row: &Row<'_>) -> bool {
+    row.text.get(row.start + 1).is_none_or(|byte| *byte <= b' ' || matches!(byte, b'#' | b'"') || 0x80 <= *byte)
+}
+
+/// Whether a cell may be the first half of a callout whose decimal comma became a separator.
+#[inline]
+fn may_be_number(cell: &[u8]) -> bool {
+    !cell.first().is_some_and(u8::is_ascii_alphabetic)
+}

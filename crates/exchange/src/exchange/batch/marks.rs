@@ -1,0 +1,301 @@
+//! Which verdict and class each row has, in two bytes a row, and how many there are of each in every block: enough to
+//! count, filter and walk millions of rows. What is in their cells is read again from the stream ([`super::pick`]).
+
+use std::collections::BTreeSet;
+
+use fitcheck_core::tolerance::ToleranceClass;
+use fitcheck_core::verdict::Status;
+
+use super::cut::Block;
+use super::index::Broken;
+use super::judge::{Judged, Take};
+use super::row::Row;
+use super::tally::Tally;
+use crate::exchange::error::ImportErrorKind;
+
+/// How many fates there are.
+pub const FATES: usize = Status::ALL.len() + 1;
+
+/// What became of a row: a verdict, or none.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Fate {
+    /// It was judged.
+    Judged(Status),
+    /// It has no verdict: it was refused, or nothing says what it should be.
+    NotJudged,
+}
+
+impl Fate {
+    /// Every fate: the verdicts, best first, then none.
+    pub const ALL: [Self; FATES] = [
+        Self::Judged(Status::Good),
+        Self::Judged(Status::Rework),
+        Self::Judged(Status::ReMeasure),
+        Self::Judged(Status::Scrap),
+        Self::NotJudged,
+    ];
+
+    /// The verdict, if there is one.
+    pub const fn status(self) -> Option<Status> {
+        match self {
+            Self::Judged(status) => Some(status),
+            Self::NotJudged => None,
+        }
+    }
+
+    /// Its place in [`Self::ALL`].
+    const fn number(self) -> u16 {
+        match self {
+            Self::Judged(Status::Good) => 0,
+            Self::Judged(Status::Rework) => 1,
+            Self::Judged(Status::ReMeasure) => 2,
+            Self::Judged(Status::Scrap) => 3,
+            Self::NotJudged => 4,
+        }
+    }
+}
+
+/// The fate in the lower three bits; above them 0, or the number of the class from 1.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+struct Mark(u16);
+
+/// The most classes that are told apart; rows of others count as those without a class.
+const MOST_CLASSES: usize = (1 << 13) - 2;
+
+impl Mark {
+    fn new(class: Option<usize>, fate: Fate) -> Self {
+        let class = class.filter(|number| *number < MOST_CLASSES).map_or(0, |number| number + 1);
+        Self(u16::try_from(class << 3).unwrap_or_default() | fate.number())
+    }
+
+    const fn fate(self) -> Fate {
+        match self.0 & 7 {
+            0 => Fate::Judged(Status::Good),
+            1 => Fate::Judged(Status::Rework),
+            2 => Fate::Judged(Status::ReMeasure),
+            3 => Fate::Judged(Status::Scrap),
+            _ => Fate::NotJudged,
+        }
+    }
+
+    /// The class: 0 for none, else its number from 1.
+    fn class(self) -> usize {
+        usize::from(self.0 >> 3)
+    }
+}
+
+/// The marks of a block while it is judged. One of these goes with one judge.
+#[derive(Debug, Default)]
+pub struct Marks {
+    rows: Vec<Mark>,
+    /// The number of the next row's class, as the judge has it.
+    next: Option<usize>,
+    /// The classes by the numbers of the judge.
+    classes: Vec<Option<ToleranceClass>>,
+}
+
+impl Marks {
+    /// Forgets the rows, for the next block.
+    pub fn clear(&mut self) {
+        self.rows.clear();
+    }
+
+    #[cold]
+    fn learn(&mut self, number: usize, class: ToleranceClass) {
+        if self.classes.len() <= number {
+            self.classes.resize(number + 1, None);
+        }
+        if let Some(known) = self.classes.get_mut(number) {
+            *known = Some(class);
+        }
+    }
+}
+
+impl Take for Marks {
+    #[inline]
+    fn class(&mut self, class: Option<(usize, ToleranceClass)>) {
+        self.next = class.map(|(number, _)| number);
+        if let Some((number, class)) = class
+            && self.classes.get(number).is_none_or(Option::is_none)
+        {
+            self.learn(number, class);
+        }
+    }
+
+    #[inline]
+    fn judged(&mut self, _row: &Row<'_>, judged: &Judged) {
+        self.rows.push(Mark::new(self.next, Fate::Judged(judged.status)));
+    }
+
+    fn refused(&mut self, _row: &Row<'_>, reason: &str) {
+        // A row of empty cells is none.
+        if !reason.is_empty() {
+            self.rows.push(Mark::new(None, Fate::NotJudged));
+        }
+    }
+
+    fn broken(&mut self, _line: &str, _reason: &ImportErrorKind) {
+        self.rows.push(Mark::new(None, Fate::NotJudged));
+    }
+
+    fn line(&mut self, _line: &[u8]) {}
+}
+
+/// The rows of a block: where it lies in the stream, and what became of them.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Part {
+    /// Where it begins, in bytes from the stream's first row on.
+    pub start: u64,
+    /// How many bytes it has.
+    pub bytes: usize,
+    /// The number of its first row among all, from 0.
+    pub first: u64,
+    /// Its first line, from 0 at the stream's first row.
+    pub line: usize,
+    pub(super) broken: Option<Broken>,
+    rows: Box<[Mark]>,
+    /// How many rows of each class that occurs have each fate; class 0 is none.
+    counts: Vec<(usize, [u32; FATES])>,
+}
+
+/// Which rows are listed. An empty set leaves nothing out.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Filter {
+    /// Rows of these fates.
+    pub fates: BTreeSet<Fate>,
+    /// Rows of these classes; 0 is none, the others are numbers of a [`Store`] from 1.
+    pub classes: BTreeSet<usize>,
+}
+
+impl Filter {
+    /// Whether it leaves nothing out.
+    pub fn is_all(&self) -> bool {
+        self.fates.is_empty() && self.classes.is_empty()
+    }
+
+    /// The filter as a table, for this many classes: one look-up a row.
+    pub fn sieve(&self, classes: usize) -> Sieve {
+        let takes_fate = |fate: &Fate| self.fates.is_empty() || self.fates.contains(fate);
+        let fates = Fate::ALL.map(|fate| takes_fate(&fate));
+        let of_class = |class: usize| {
+            let takes_class = self.classes.is_empty() || self.classes.contains(&class);
+            std::array::from_fn(|fate| takes_class && fates.get(fate).copied().unwrap_or_default())
+        };
+        Sieve { takes: (0..=classes).map(of_class).collect(), is_all: self.is_all() }
+    }
+}
+
+/// A filter as a table.
+#[derive(Debug, Clone, Default)]
+pub struct Sieve {
+    /// Whether a row of each class, 0 for none, and of each fate is taken; a mark has room for eight fates.
+    takes: Vec<[bool; 8]>,
+    is_all: bool,
+}
+
+impl Sieve {
+    fn takes(&self, mark: Mark) -> bool {
+        self.takes.get(mark.class()).and_then(|fates| fates.get(usize::from(mark.0 & 7))).copied().unwrap_or_default()
+    }
+}
+
+impl Part {
+    /// How many rows it has.
+    pub const fn len(&self) -> usize {
+        self.rows.len()
+    }
+
+    /// Whether it has none.
+    pub const fn is_empty(&self) -> bool {
+        self.rows.is_empty()
+    }
+
+    /// How many bytes of memory it takes.
+    pub fn bytes_kept(&self) -> usize {
+        size_of::<Self>() + size_of_val(&*self.rows) + size_of_val(self.counts.as_slice())
+    }
+
+    /// What became of a row, and its class; the rows count from 0.
+    pub fn row(&self, number: usize) -> Option<(Fate, usize)> {
+        self.rows.get(number).map(|mark| (mark.fate(), mark.class()))
+    }
+
+    /// How many rows a filter takes; no row is looked at.
+    pub fn count(&self, sieve: &Sieve) -> usize {
+        if sieve.is_all {
+            return self.len();
+        }
+        let classes = self.counts.iter().filter_map(|(class, counts)| Some((sieve.takes.get(*class)?, counts)));
+        let fates = classes.flat_map(|(takes, counts)| takes.iter().zip(counts));
+        fates.filter(|(takes, _)| **takes).map(|(_, count)| super::wide(*count)).sum()
+    }
+
+    /// One of the rows that a filter takes, from 0.
+    pub fn nth(&self, place: usize, sieve: &Sieve) -> Option<usize> {
+        if sieve.is_all { Some(place).filter(|place| *place < self.len()) } else { self.listed(sieve).nth(place) }
+    }
+
+    /// The rows that a filter takes, from 0.
+    pub fn listed<'a>(&'a self, sieve: &'a Sieve) -> impl Iterator<Item = usize> + 'a {
+        let rows = self.rows.iter().enumerate();
+        rows.filter(|(_, mark)| sieve.takes(**mark)).map(|(number, _)| number)
+    }
+
+    /// How many rows of each class have each fate; class 0 is none.
+    pub fn by_class(&self) -> &[(usize, [u32; FATES])] {
+        &self.counts
+    }
+}
+
+/// Numbers the classes of all workers alike and knows where the next part begins.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Store {
+    /// The classes, in the order in which they were met: the first one has the number 1.
+    pub classes: Vec<ToleranceClass>,
+    rows: u64,
+    lines: usize,
+}
+
+impl Store {
+    /// The part of the next block of the stream. The marks are taken.
+    pub fn part(&mut self, marks: &mut Marks, block: &Block, tally: &Tally) -> Part {
+        let numbers: Vec<usize> =
+            marks.classes.iter().map(|class| class.map_or(0, |class| self.number(class))).collect();
+        let mut rows: Box<[Mark]> = marks.rows.as_slice().into();
+        marks.rows.clear();
+        let mut counts = vec![[0_u32; FATES]; self.classes.len() + 1];
+        for mark in &mut rows {
+            let own = mark.class().checked_sub(1).and_then(|number| numbers.get(number)).copied().unwrap_or_default();
+            *mark = Mark::new(own.checked_sub(1), mark.fate());
+            let fates = counts.get_mut(own);
+            if let Some(count) = fates.and_then(|fates| fates.get_mut(usize::from(mark.0 & 7))) {
+                *count += 1;
+            }
+        }
+        let occurs = |(_, fates): &(usize, [u32; FATES])| fates.iter().any(|count| 0 < *count);
+        let part = Part {
+            start: block.start(),
+            bytes: block.len(),
+            first: self.rows,
+            line: self.lines,
+            broken: block.broken,
+            rows,
+            counts: counts.into_iter().enumerate().filter(occurs).collect(),
+        };
+        self.rows += u64::try_from(part.len()).unwrap_or_default();
+        self.lines += tally.lines;
+        part
+    }
+
+    /// The number of a class from 1, new if it was not met before; 0 where there are too many.
+    fn number(&mut self, class: ToleranceClass) -> usize {
+        if let Some(at) = self.classes.iter().position(|known| *known == class) {
+            return at + 1;
+        }
+        if MOST_CLASSES <= self.classes.len() {
+            return 0;
+        }
+        self.classes.push(class);
+        self.classes.len()
+    }
+}

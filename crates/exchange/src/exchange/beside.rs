@@ -1,0 +1,320 @@
+//! Columns beside a value whose cells may contradict its answer: a status, a tick for accepted or rejected, limits, a deviation, whether it
+//! is a hole or a shaft.
+//!
+//! | a column | is compared |
+//! |---|---|
+//! | whose name is one of a status | always; a word that is not known is told |
+//! | whose name says that a value is accepted, or rejected: `Pass`, `NOK`, `Deleted` | with its ticks and its words |
+//! | whose name has a word of a status: `Overall status` | where its words are known |
+//! | with a word of a verdict in one of its cells, whatever it is called | the same |
+//! | of an upper or lower limit, or of a deviation | with the limits and the value, as a size or as a deviation |
+//! | of the type of a feature | where it says hole or shaft |
+//! | of a temperature, or with one in its words: `part at 35 °C` | with the one that counts for the part |
+//! | any, where the name of the values or a line above all names says a temperature | the same of every row |
+//! | of the names, where one of the first speaks of a roundness, a mean or a master | the same names |
+//!
+//! The names and words are English, Dutch, German and Italian. Nothing here changes an answer.
+
+use csv::StringRecord;
+use fitcheck_core::length::{Length, Unit};
+use fitcheck_core::tolerance::Feature;
+
+use super::cells;
+use super::claim::{Claim, Figure, letters};
+use super::columns::{Columns, Sample, name_of};
+use super::evidence::{says_simulated, yes_or_no};
+use super::quantity::{is_form, is_shape};
+use super::remarks::{Heard, may_say};
+use super::units;
+use super::warmth::{self, OfTemperature, Whose};
+use super::words;
+
+/// What a column says of each value.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Says {
+    /// A status; with `is_named` its name says so, and a word that is not known is one as well.
+    Status {
+        is_named: bool,
+    },
+    /// Whether it is accepted, or rejected, by a tick or a word.
+    Accepted,
+    Rejected,
+    Upper,
+    Lower,
+    Deviation,
+    /// Hole or shaft.
+    Feature,
+    /// How warm the part was, by a number.
+    Temperature(OfTemperature),
+    /// The same, in its words.
+    Warmth,
+    /// What it is of, by a name that speaks of no size of one part.
+    Name,
+}
+
+impl Says {
+    const fn is_of_temperature(self) -> bool {
+        matches!(self, Self::Temperature(_) | Self::Warmth)
+    }
+}
+
+/// A column beside the value of which something is compared.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct BesideColumn {
+    at: usize,
+    name: String,
+    unit: Option<Unit>,
+    says: Says,
+}
+
+/// Both sides of a decision as one name, without blanks and signs: `i.O./n.i.O.`, `OK/NOK`, `P/F`.
+const BOTH: &str = "ionio|niooio|oknok|nokok|okng|okko|passfail|pf|gutschlecht|goedfout|goedslecht|goedafgekeurd|acceptreject|gonogo|conformenonconforme";
+
+/// Names of a column of ticks for accepted values, written the same way.
+const ACCEPTED: &str = "ok|pass|passed|accept|accepted|approved|conform|conforming|good|valid|intolerance|intol|io|inordnung|gut|gültig|\
+    freigegeben|akkoord|goed|goedgekeurd|geldig|conforme|buono|valido|approvato|accettato";
+
+/// The same for rejected ones, or for how far they are out.
+const REJECTED: &str = "nok|ng|notok|fail|failed|reject|rejected|scrap|scrapped|defect|defective|invalid|deleted|void|voided|superseded|outlier|\
+    outtol|outoftol|outoftolerance|outoflimits|oot|exceed|exceedance|exceeded|nonconforming|nonconformity|nio|ausschuss|ungültig|gelöscht|\
+    ausreißer|überschreitung|toleranzüberschreitung|defekt|afkeur|afgekeurd|ongeldig|verwijderd|vervallen|uitschieter|overschrijding|\
+    tolerantieoverschrijding|scarto|scartato|annullato|nonvalido|fuoritolleranza";
+
+/// Words that reject a value where a column says its status, and may say something else elsewhere.
+const REJECTS: &str = "out|red|rot|rood|rosso|aborted|abgebrochen|afgebroken|interrotto";
+
+/// Words of a status within a longer name.
+const STATUS_WORDS: &str = "status|state|judge|judged|judgement|judgment|verdict|evaluation|disposition|conformity|conformance|qc|result|check|\
+    inspection|decision|stato|ergebnis|messergebnis|gesamtergebnis|endergebnis|prüfergebnis|pruefergebnis|prüfurteil|prüfstatus|pruefstatus|prüfbefund|beurteilung|bewertung|freigabe|resultaat|keuring|keuringsresultaat|goedkeuring|\
+    beoordeling|oordeel|risultato|esito|conformità|giudizio|verdetto|controllo";
+
+const UPPER: &str = "max|maximum|usl|utl|upper|upper limit|upper spec limit|upper specification limit|upper tol|upper tolerance|upper deviation|\
+    upper dev|max limit|max size|max dimension|maximum size|maximum dimension|tol plus|plus tol|plus tolerance|otg|ogw|größtmaß|größtmass|\
+    grösstmaß|grösstmass|groesstmass|höchstmaß|höchstmass|hoechstmass|obergrenze|obere grenze|oberes grenzmaß|oberes grenzmass|oberer grenzwert|\
+    oberes abmaß|oberes abmass|obere toleranz|toleranz oben|tol oben|boven|bovengrens|bovenste grens|bovenmaat|grootste maat|bovenafwijking|\
+    bovenste afwijking|tol boven|tolerantie boven|massimo|limite superiore|superiore|scostamento superiore|tolleranza superiore|quota massima";
+
+const LOWER: &str = "min|minimum|lsl|ltl|lower|lower limit|lower spec limit|lower specification limit|lower tol|lower tolerance|lower deviation|\
+    lower dev|min limit|min size|min dimension|minimum size|minimum dimension|tol minus|minus tol|minus tolerance|utg|ugw|kleinstmaß|kleinstmass|\
+    mindestmaß|mindestmass|untergrenze|untere grenze|unteres grenzmaß|unteres grenzmass|unterer grenzwert|unteres abmaß|unteres abmass|\
+    untere toleranz|toleranz unten|tol unten|onder|ondergrens|onderste grens|ondermaat|kleinste maat|onderafwijking|onderste afwijking|tol onder|\
+    tolerantie onder|minimo|limite inferiore|inferiore|scostamento inferiore|tolleranza inferiore|quota minima";
+
+const DEVIATION: &str = "deviation|dev|deviation from nominal|nominal deviation|diff|difference|delta|abweichung|abw|istabweichung|soll ist abweichung|\
+    afwijking|verschil|scostamento|differenza";
+
+/// Whether a list of names has one.
+fn has(list: &str, name: &str) -> bool {
+    list.split('|').any(|known| known == name)
+}
+
+/// What the name of a column says, alone and with its unit.
+fn by_name(header: &str, with_unit: &str) -> Option<Says> {
+    let (name, bare) = (letters(header), words::bare(header));
+    let is_signed = |sign: char| {
+        let text = header.trim().replace('\u{2212}', "-");
+        let rest = text.strip_prefix(sign).or_else(|| text.strip_suffix(sign));
+        rest.is_some_and(|rest| has("tol|tolerance|toleranz|tolerantie|tolleranza|dev", letters(rest).as_str()))
+    };
+    let says = match name.as_str() {
+        _ if words::is_status(header) => Says::Status { is_named: true },
+        name if has(BOTH, name) => Says::Status { is_named: true },
+        name if has(ACCEPTED, name) => Says::Accepted,
+        name if has(REJECTED, name) => Says::Rejected,
+        _ if is_signed('+') || has(UPPER, &bare) => Says::Upper,
+        _ if is_signed('-') || has(LOWER, &bare) => Says::Lower,
+        _ if has(DEVIATION, &bare) => Says::Deviation,
+        _ => match warmth::of_column(with_unit) {
+            Some(column) => Says::Temperature(column),
+            None if bare.split(' ').any(|word| has(STATUS_WORDS, word)) => Says::Status { is_named: false },
+            None => return None,
+        },
+    };
+    Some(says)
+}
+
+/// What a name says that is not the size of one part: another quantity, or a figure of several parts.
+pub(super) fn of_no_size(name: &str) -> Option<Claim> {
+    (words::is_of_several_parts(name) || is_form(name)).then(|| Claim::no_size(name))
+}
+
+impl Sample {
+    /// The columns beside the value of which something is compared; `names` are those of the columns, where there are any.
+    pub(super) fn beside(&self, names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<BesideColumn> {
+        let is_verdict = |cell: &str| Claim::of_word(cell).is_some_and(|claim| claim.is_known());
+        let column = |at: usize| {
+            let name = names.get(at).unwrap_or_default();
+            // With the unit below it.
+            let unit = self.units_row.and_then(|row| self.rows.get(row)?.1.get(at)).unwrap_or_default();
+            let with_unit = format!("{name} {unit}");
+            let has_quantity = columns.quantities.iter().any(|column| column.at == at);
+            let is_free = !used.contains(&at) && columns.evidence.origin != Some(at);
+            let is_name = columns.id == Some(at) && columns.header.is_some();
+            let says = match by_name(name, &with_unit).filter(|_| is_free && !has_quantity) {
+                None if is_name => self.cells(at).any(|cell| of_no_size(cell).is_some()).then_some(Says::Name),
+                Some(says) => Some(says),
+                None if has_quantity || is_free && super::quantity::may_be_named(name) => {
+                    self.cells(at).any(|cell| is_shape(cell).is_some()).then_some(Says::Feature)
+                }
+                None if is_free && self.cells(at).any(is_verdict) => Some(Says::Status { is_named: false }),
+                None if is_free && self.cells(at).any(|cell| warmth::mentioned(cell).is_some()) => Some(Says::Warmth),
+                None => None,
+            };
+            // What Fitcheck corrected is at 20 °C, whatever it was measured at.
+            let says = says.filter(|says| !says.is_of_temperature() || !columns.own.are_corrected());
+            let unit = units::unit(name).ok().flatten();
+            says.map(|says| BesideColumn { at, name: name.trim().to_owned(), unit, says })
+        };
+        let mut all: Vec<BesideColumn> = (0..columns.count).filter_map(column).collect();
+        // How warm the room was says nothing where the part's own temperature stands beside it.
+        let is_of = |column: &BesideColumn, wanted: Whose| matches!(column.says, Says::Temperature(OfTemperature { whose, .. }) if whose == Some(wanted));
+        if all.iter().any(|column| is_of(column, Whose::Part)) {
+            all.retain(|column| !is_of(column, Whose::Place));
+        }
+        all
+    }
+
+    /// At which temperature all values were measured, as the name of their column and the lines above the names say together.
+    pub(super) fn said_of_all(&self, columns: &Columns, names: &StringRecord) -> Option<Claim> {
+        if columns.own.are_corrected() || columns.evidence.are_corrected {
+            return None;
+        }
+        let text = |cells: &StringRecord| {
+            let filled = cells.iter().map(str::trim).filter(|cell| !cell.is_empty());
+            filled.collect::<Vec<_>>().join(" ")
+        };
+        let lines = self.comments.iter().chain(&self.rows);
+        let above = lines.filter(|(line, _)| columns.header.is_some_and(|header| *line < header));
+        let name = names.get(columns.measured.at).map(str::to_owned);
+        let texts: Vec<String> = above.map(|(_, cells)| text(cells)).chain(name).collect();
+        let warm = warmth::mentioned(&texts.join("; "))?;
+        let said = texts.iter().find(|text| warmth::mentioned(text) == Some(warm));
+        Some(Claim::warm(said.map_or(texts.first()?, |said| said), warm))
+    }
+
+    /// The columns of an unknown name with other sizes near the measured ones: a second reading, another gauge, the largest and the smallest.
+    pub(super) fn other_values(&self, names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<String> {
+        // The user has said which one is the measured value.
+        if self.measured.is_some() {
+            return Vec::new();
+        }
+        let is_free = |at: &usize| {
+            let is_beside = columns.beside.iter().any(|column| column.at == *at);
+            let has_quantity = columns.quantities.iter().any(|column| column.at == *at);
+            let name = names.get(*at).unwrap_or_default();
+            !used.contains(at) && !is_beside && !has_quantity && words::role(name).is_none() && !name.trim().is_empty()
+        };
+        let size = |cells: &StringRecord, at: usize| Length::parse_in(cells.get(at)?.trim(), Unit::Millimetre).ok();
+        let is_other = |at: &usize| {
+            let rows = self.rows.iter().skip(self.above);
+            let pairs = rows.filter_map(|(_, cells)| Some((size(cells, columns.measured.at)?, size(cells, *at)?)));
+            let (mut all, mut near, mut differ) = (0, 0, 0);
+            for (measured, other) in pairs {
+                let off = measured.saturating_sub(other).abs().nanometres();
+                all += 1;
+                // Half a percent: further than a tolerance reaches, and near enough to be no temperature of most rows.
+                near += usize::from(off <= measured.nanometres() / 200);
+                // A whole number is a nominal size.
+                differ += usize::from(off != 0 && other.nanometres() % 1_000_000 != 0);
+            }
+            all < near * 2 && 0 < differ
+        };
+        let all = (0..columns.count).filter(is_free).filter(is_other);
+        all.map(|at| name_of(at, names.get(at).unwrap_or_default())).collect()
+    }
+
+    /// A column with a cell that says that nobody measured, whatever it is called.
+    pub(super) fn says_simulated(&self, columns: &Columns, used: &[usize]) -> Option<usize> {
+        let is_free = |at: &usize| !used.contains(at) && columns.evidence.origin != Some(*at);
+        (0..columns.count).filter(is_free).find(|at| self.cells(*at).any(says_simulated))
+    }
+}
+
+impl BesideColumn {
+    pub(super) const fn at(&self) -> usize {
+        self.at
+    }
+
+    /// Whether its claims depend on nothing but the cell.
+    pub(super) const fn has_words(&self) -> bool {
+        !matches!(self.says, Says::Upper | Says::Lower | Says::Deviation)
+    }
+
+    /// Measuring machines write the largest and the smallest reading below short names, too.
+    fn limit(&self, claim: Claim) -> Claim {
+        let is_short = has("max|maximum|min|minimum|massimo|minimo", &words::bare(&self.name));
+        if is_short { claim.or_reading() } else { claim }
+    }
+
+    /// What a cell says; numbers without a unit of their column are in the unit of the row.
+    pub(super) fn claim(&self, text: &str, unit: Unit) -> Option<Claim> {
+        let text = text.trim();
+        if text.is_empty() {
+            return None;
+        }
+        let said = || if self.name.is_empty() { text.to_owned() } else { format!("{} {text}", self.name) };
+        let figure = || Figure::read(text, self.unit.unwrap_or(unit));
+        match self.says {
+            Says::Status { .. } if has(REJECTS, &letters(text)) && !self.name.is_empty() => Some(Claim::out(text)),
+            Says::Status { is_named: true } => Claim::of_cell(text),
+            Says::Status { is_named: false } => Claim::of_word(text).filter(Claim::is_known),
+            Says::Name => of_no_size(text),
+            Says::Accepted => match yes_or_no(text) {
+                Some(true) => Claim::of_word("OK"),
+                Some(false) => Some(Claim::out(&said())),
+                None => Claim::of_cell(text),
+            },
+            Says::Rejected => match yes_or_no(text) {
+                Some(true) => Some(Claim::out(&said())),
+                Some(false) => None,
+                None if cells::is_number(text) => {
+                    text.contains(|c| ('1'..='9').contains(&c)).then(|| Claim::out(&said()))
+                }
+                None => Claim::of_cell(text),
+            },
+            Says::Upper => figure().map(|figure| self.limit(Claim::upper(&said(), figure))),
+            Says::Lower => figure().map(|figure| self.limit(Claim::lower(&said(), figure))),
+            Says::Deviation => figure().map(|figure| Claim::deviation(&said(), figure)),
+            Says::Temperature(column) => warmth::read(text, column.scale).map(|warm| Claim::warm(&said(), warm)),
+            Says::Warmth => warmth::mentioned(text).map(|warm| Claim::warm(&said(), warm)),
+            Says::Feature => {
+                let feature = if is_shape(text)? { Feature::Hole } else { Feature::Shaft };
+                Some(Claim::feature(text, feature))
+            }
+        }
+    }
+}
+
+impl Columns {
+    /// What the cells of a row say of its value beside it.
+    pub(super) fn claims(&self, cells: &StringRecord, heard: &mut Heard) -> Vec<Claim> {
+        let mut claims = self.claims_of(cells, |_| true);
+        for column in &self.remarks {
+            let cell = cells.get(column.at).unwrap_or_default();
+            if may_say(cell.as_bytes()) && !heard.says_nothing(column, cell) {
+                claims.extend(column.claim(cell, self.asks_temperature(cells)));
+            }
+        }
+        claims
+    }
+
+    /// Whether what a row says of a temperature counts: its value was not brought to 20 °C already.
+    pub(super) fn asks_temperature(&self, cells: &StringRecord) -> bool {
+        !self.own.are_corrected() && !self.evidence.is_corrected(cells)
+    }
+
+    /// Those of them that are numbers.
+    pub(super) fn figures(&self, cells: &StringRecord) -> Vec<Claim> {
+        self.claims_of(cells, |column| !column.has_words())
+    }
+
+    fn claims_of(&self, cells: &StringRecord, is_asked: impl Fn(&BesideColumn) -> bool) -> Vec<Claim> {
+        let of_row = self.stated.in_row(self.measured, cells);
+        let unit = of_row.map_or(self.measured.unit, |column| column.unit);
+        let is_corrected = self.evidence.is_corrected(cells);
+        let counts = |column: &&BesideColumn| !is_corrected || !column.says.is_of_temperature();
+        let asked = self.beside.iter().filter(|column| is_asked(column)).filter(counts);
+        let of_all = self.evidence.warm.iter().filter(|_| !is_corrected).cloned();
+        asked.filter_map(|column| column.claim(cells.get(column.at)?, unit)).chain(of_all).collect()
+    }
+}

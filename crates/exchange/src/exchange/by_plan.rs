@@ -1,0 +1,317 @@
+//! Values judged by a plan: each finds its feature, and the plan's limits and rule decide. What the file itself says of limits is
+//! compared, and what finds no feature is set aside.
+
+use fitcheck_core::length::Length;
+use fitcheck_core::message::{Located, Place};
+use fitcheck_core::part::{By, Clues, Finder, Kind, NotFound, Plan, Size};
+use fitcheck_core::probing::Measurement;
+use fitcheck_core::tolerance::fit::thermal::Correction;
+use fitcheck_core::verdict::{PositionVerdict, judge_size};
+use jiff::civil::DateTime;
+
+use super::claim::Answer;
+use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, shorten};
+use super::imported::{Asked, Item, Labels, Unjudged, WhyUnjudged};
+use super::quantity::Quantity;
+use crate::journal::Record;
+
+/// Judges what files hold by a plan.
+#[derive(Debug)]
+pub struct ByPlan<'a> {
+    plan: &'a Plan,
+    finder: Finder,
+    /// The sizes of the plan, as the finder counts them.
+    sizes: Vec<Size<'a>>,
+}
+
+impl<'a> ByPlan<'a> {
+    /// Of no file yet.
+    pub fn new(plan: &'a Plan) -> Self {
+        let (finder, sizes) = (Finder::new(plan), plan.sizes().collect());
+        Self { plan, finder, sizes }
+    }
+
+    /// The plan.
+    pub const fn plan(&self) -> &'a Plan {
+        self.plan
+    }
+
+    /// Judges one thing of a file by the plan; warnings about it come before it.
+    pub fn item(&self, item: Item, take: &mut dyn FnMut(Item)) {
+        match item {
+            Item::Record { line, record, labels } => self.value(Value::of_record(line, *record, labels), take),
+            Item::Unjudged(unjudged) => match unjudged.measured.filter(|_| is_plain(&unjudged.why)) {
+                Some(measured) => self.value(Value::of_unjudged(*unjudged, measured), take),
+                None => self.other_quantity(unjudged, take),
+            },
+            // Compared with the limits of the file: those of the plan are below.
+            Item::Warning(Located { what: ImportWarning { kind, .. }, .. }) if kind.is_of_claim() => {}
+            item => take(item),
+        }
+    }
+
+    /// A coordinate may be what the plan asks of a face; every other quantity that is no size stays what its file calls it.
+    fn other_quantity(&self, unjudged: Box<Unjudged>, take: &mut dyn FnMut(Item)) {
+        let measured = unjudged.measured.filter(|_| matches!(unjudged.why, WhyUnjudged::NotASize { .. }));
+        let is_asked = |value: &Value| self.find(value).is_ok();
+        match measured.zip(unjudged.labels.quantity.as_ref()) {
+            Some((measured, Quantity::Coordinate(_))) => {
+                let value = Value::of_unjudged((*unjudged).clone(), measured);
+                if is_asked(&value) { self.value(value, take) } else { take(Item::Unjudged(unjudged)) }
+            }
+            _ => take(Item::Unjudged(unjudged)),
+        }
+    }
+
+    fn value(&self, value: Value, take: &mut dyn FnMut(Item)) {
+        let (at, by) = match self.find(&value) {
+            Ok(found) => found,
+            Err(why) => return take(Item::Unjudged(Box::new(value.without(why)))),
+        };
+        let Value { line, id, labels, asked, time, measurement, position, correction, not_positive, .. } = value;
+        let Some(size) = self.sizes.get(at) else { return };
+        if let Some((given, column)) = not_positive.filter(|_| !may_be_below_zero(size)) {
+            let what = ImportError { kind: ImportErrorKind::NotPositive { given: given.clone() }, given };
+            return take(Item::Error(Box::new(Located { what, place: Place::in_line(line, column) })));
+        }
+        let status = judge_size(size.limits, measurement.diameter).status;
+        if let Some(why) = labels.too_coarse(size.limits, measurement.diameter, status) {
+            let (measured, origin, id) = (Some(measurement.diameter), measurement.origin, size.name());
+            let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
+            return take(Item::Unjudged(Box::new(unjudged)));
+        }
+        let record = Record::judged(time, size.name(), size.callout, size.limits.clone(), measurement, position);
+        let record = match correction {
+            Some(correction) => record.corrected(correction),
+            None => record,
+        };
+        let record = match size.feature.rule {
+            Some(rule) => record.by(rule),
+            None => record,
+        };
+        let (answer, kind) = (Answer::of(&record), &size.feature.kind);
+        // A face has one side, and a point none.
+        let has_sides = !matches!(kind, Kind::Face(..) | Kind::Point(..));
+        let claims = labels.claims.iter().filter(|claim| has_sides || !claim.is_of_feature());
+        let told = found(&size.name(), by, &id, &labels.number)
+            .into_iter()
+            .chain(self.other_part(&labels.part))
+            .chain(other_limits(&asked, size))
+            .chain(claims.filter_map(|claim| claim.tells(&answer)));
+        for kind in told {
+            take(warning(line, kind));
+        }
+        take(Item::Record { line, record: Box::new(record), labels });
+    }
+
+    /// The size of the plan.
+    fn find(&self, value: &Value) -> Result<(usize, By), NotFound> {
+        let Value { id, labels, asked, kinds, .. } = value;
+        let clues = Clues { name: id, number: &labels.number, place: labels.place, side: labels.side };
+        let (at, by) = self.finder.find(&clues)?;
+        let kind = self.sizes.get(at).map_or("", |size| size.feature.kind.word());
+        let fits = |quantity: &Quantity| self.sizes.get(at).is_none_or(|size| quantity.fits(&size.feature.kind));
+        if !kinds.is_empty() && !kinds.contains(&kind) || !labels.quantity.as_ref().is_none_or(fits) {
+            return Err(NotFound::OtherKind { name: self.name(at), kind });
+        }
+        if let Some(why) = self.sizes.get(at).and_then(|size| contradiction(value, size, by)) {
+            return Err(why);
+        }
+        // A name that is known to no feature speaks against the number, unless the size speaks for it.
+        if by == By::Number && has_name_and_number(value) && !self.agrees(at, asked) {
+            return Err(NotFound::OtherName { given: shorten(id.trim()), name: self.name(at) });
+        }
+        Ok((at, by))
+    }
+
+    /// Whether a file asks for what the plan asks for: the same nominal size, or else limits that are all the plan's.
+    fn agrees(&self, at: usize, asked: &Asked) -> bool {
+        let Some(limits) = self.sizes.get(at).map(|size| size.limits) else { return false };
+        match (asked.nominal, asked.minimum, asked.maximum) {
+            (Some(nominal), ..) => nominal == limits.nominal,
+            (None, None, None) => false,
+            (None, minimum, maximum) => {
+                minimum.is_none_or(|minimum| minimum == limits.minimum())
+                    && maximum.is_none_or(|maximum| maximum == limits.maximum())
+            }
+        }
+    }
+
+    fn name(&self, at: usize) -> String {
+        self.sizes.get(at).map_or_else(String::new, Size::name)
+    }
+
+    /// That the file names another part than the plan.
+    fn other_part(&self, given: &str) -> Option<ImportWarningKind> {
+        let part = &self.plan.head.part;
+        let is_other = !part.is_empty() && !given.trim().is_empty() && !given.trim().eq_ignore_ascii_case(part);
+        is_other.then(|| ImportWarningKind::PartDiffers { given: shorten(given), part: part.clone() })
+    }
+}
+
+/// A value on its way to the plan, whether its file had judged it or not.
+struct Value {
+    line: usize,
+    id: String,
+    labels: Labels,
+    asked: Asked,
+    time: DateTime,
+    measurement: Measurement,
+    position: Option<PositionVerdict>,
+    correction: Option<Correction>,
+    /// The kinds that its file can have measured; any where there are none.
+    kinds: &'static [&'static str],
+    /// Whether its nominal size is one: a file with limits alone has the smaller one for it.
+    has_nominal: bool,
+    /// What is given and its column, where that is no diameter.
+    not_positive: Option<(String, usize)>,
+}
+
+impl Value {
+    /// A value that its file has limits for.
+    fn of_record(line: usize, record: Record, labels: Labels) -> Self {
+        let Record { id, callout, limits: own, time, measurement, verdict, correction, .. } = record;
+        let asked = Asked { nominal: Some(own.nominal), minimum: Some(own.minimum()), maximum: Some(own.maximum()) };
+        let has_nominal = callout.is_some() || own.nominal != own.minimum();
+        let kinds: &[&str] = if measurement.centre.is_some() { &["diameter"] } else { &[] };
+        let (position, not_positive) = (verdict.position, None);
+        Self { line, id, labels, asked, time, measurement, position, correction, kinds, has_nominal, not_positive }
+    }
+
+    /// A value that its file does not judge, or not as a hole or shaft.
+    fn of_unjudged(unjudged: Unjudged, measured: Length) -> Self {
+        let asked = unjudged.asked();
+        let Unjudged { line, id, labels, time, origin, position, correction, why, .. } = unjudged;
+        let kinds: &[&str] = match why {
+            WhyUnjudged::Coordinate(_) | WhyUnjudged::CoordinateWithoutLimits => &["face"],
+            WhyUnjudged::Size { .. } | WhyUnjudged::SizeWithoutLimits { .. } => &["width", "pocket", "boss"],
+            WhyUnjudged::Point(_) | WhyUnjudged::PointWithoutTolerance => &["point"],
+            WhyUnjudged::NoLimits { .. } => &["diameter"],
+            _ => &[],
+        };
+        let not_positive = match why {
+            WhyUnjudged::NotPositive { given, column } => Some((given, column)),
+            _ => None,
+        };
+        let measurement = Measurement::of_diameter(measured, origin);
+        let has_nominal = true;
+        Self { line, id, labels, asked, time, measurement, position, correction, kinds, has_nominal, not_positive }
+    }
+
+    /// The same without a feature of the plan.
+    fn without(self, why: NotFound) -> Unjudged {
+        let Self { line, id, labels, asked, time, measurement, position, correction, .. } = self;
+        let (measured, origin) = (Some(measurement.diameter), measurement.origin);
+        let why = WhyUnjudged::NotInPlan(why);
+        Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why }
+    }
+}
+
+/// Half a thousandth of an inch: how far a file may round a nominal size.
+const ROUNDED: Length = Length::constant(12_700);
+
+/// That a file asks for something else than the plan does of a size: the value is of another quantity, or of another feature.
+///
+/// A number may be a running one and a place that of another operation: there the nominal size must be the plan's. A value with the name
+/// of the size may have its nominal size rounded, or the middle of the plan's limits; what lies within them is told and nothing more.
+/// Without a nominal size its limits must have something in common with the plan's.
+fn contradiction(value: &Value, size: &Size<'_>, by: By) -> Option<NotFound> {
+    let (asked, limits) = (&value.asked, size.limits);
+    let planned = limits.nominal;
+    let is_compared = |given: &Length| by != By::Name || value.has_nominal || *given == planned;
+    if let Some(given) = asked.nominal.filter(is_compared) {
+        let is_rounded = given.saturating_sub(planned).abs() <= ROUNDED;
+        let is_within = limits.minimum() <= given && given <= limits.maximum();
+        let agrees = given == planned || by == By::Name && (is_rounded || is_within);
+        return (!agrees).then(|| NotFound::OtherNominal { name: size.name(), given, planned });
+    }
+    let is_above = asked.minimum.is_some_and(|minimum| limits.maximum() < minimum);
+    let is_below = asked.maximum.is_some_and(|maximum| maximum < limits.minimum());
+    if !is_above && !is_below {
+        return None;
+    }
+    let range = |minimum: Option<Length>, maximum: Option<Length>| {
+        let text = |limit: Option<Length>| limit.map_or_else(String::new, |limit| limit.to_string());
+        format!("{} … {}", text(minimum), text(maximum)).trim().to_owned()
+    };
+    let planned = range(Some(limits.minimum()), Some(limits.maximum()));
+    Some(NotFound::OtherLimits { name: size.name(), given: range(asked.minimum, asked.maximum), planned })
+}
+
+/// Whether a file has both: without a number cell its name is the number.
+fn has_name_and_number(value: &Value) -> bool {
+    !value.id.trim().is_empty() && !value.labels.number.trim().is_empty()
+}
+
+/// Whether a value of a size may be zero or less: a coordinate or a deviation, not a distance.
+const fn may_be_below_zero(size: &Size<'_>) -> bool {
+    matches!(size.feature.kind, Kind::Face(..) | Kind::Point(..))
+}
+
+/// By what a feature was found, where it was not by its name; and what the value is called where that is known to no feature.
+fn found(name: &str, by: By, id: &str, number: &str) -> Option<ImportWarningKind> {
+    let name = name.to_owned();
+    let given = [id, number].into_iter().map(str::trim).find(|text| !text.is_empty()).map(shorten);
+    match (by, given) {
+        (By::Name, _) => None,
+        // The name itself is the number.
+        (By::Number, Some(given)) if !number.trim().is_empty() && !id.trim().is_empty() => {
+            Some(ImportWarningKind::FoundByNumberOf { name, given })
+        }
+        (By::Number, _) => Some(ImportWarningKind::FoundByNumber { name }),
+        (By::Place, Some(given)) => Some(ImportWarningKind::FoundByPlaceOf { name, given }),
+        (By::Place, None) => Some(ImportWarningKind::FoundByPlace { name }),
+    }
+}
+
+/// That the file has other limits than the plan, or another nominal size where it has none.
+fn other_limits(asked: &Asked, size: &Size<'_>) -> Option<ImportWarningKind> {
+    let limits = size.limits;
+    match (asked.minimum, asked.maximum) {
+        (Some(minimum), Some(maximum)) => ((minimum, maximum) != (limits.minimum(), limits.maximum()))
+            .then_some(ImportWarningKind::PlanDiffers { minimum, maximum }),
+        (Some(minimum), None) => {
+            (minimum != limits.minimum()).then_some(ImportWarningKind::PlanDiffersBelow { minimum })
+        }
+        (None, Some(maximum)) => {
+            (maximum != limits.maximum()).then_some(ImportWarningKind::PlanDiffersAbove { maximum })
+        }
+        (None, None) => {
+            let nominal = asked.nominal.filter(|nominal| *nominal != limits.nominal)?;
+            Some(ImportWarningKind::PlanDiffersNominal { nominal })
+        }
+    }
+}
+
+/// Whether a value has no verdict because nothing says what it should be; another quantity, or a value that its file marks as none, is
+/// not judged by a plan either.
+const fn is_plain(why: &WhyUnjudged) -> bool {
+    match why {
+        WhyUnjudged::NoCallout
+        | WhyUnjudged::NotPositive { .. }
+        | WhyUnjudged::NoLimits { .. }
+        | WhyUnjudged::NoFeature { .. }
+        | WhyUnjudged::OneLimit
+        | WhyUnjudged::NoTolerance
+        | WhyUnjudged::SwappedLimits { .. }
+        | WhyUnjudged::Rounded { .. }
+        | WhyUnjudged::Coordinate(_)
+        | WhyUnjudged::CoordinateWithoutLimits
+        | WhyUnjudged::Size { .. }
+        | WhyUnjudged::SizeWithoutLimits { .. }
+        | WhyUnjudged::Point(_)
+        | WhyUnjudged::PointWithoutTolerance => true,
+        WhyUnjudged::NotASize { .. }
+        | WhyUnjudged::NotInPlan(_)
+        | WhyUnjudged::Quantity { .. }
+        | WhyUnjudged::Kind { .. }
+        | WhyUnjudged::Attribute { .. }
+        | WhyUnjudged::NotValid { .. }
+        | WhyUnjudged::Declaration { .. }
+        | WhyUnjudged::Contacts { .. } => false,
+    }
+}
+
+fn warning(line: usize, kind: ImportWarningKind) -> Item {
+    Item::Warning(Located { what: ImportWarning { row: Some(line), kind }, place: Place::line(line) })
+}

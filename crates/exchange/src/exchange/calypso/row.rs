@@ -1,0 +1,172 @@
+//! A row: a characteristic with its value.
+
+use fitcheck_core::length::{Length, LengthError, Unit};
+
+use super::columns::{Column, Columns};
+use super::error::{CalypsoFault, CalypsoWarning};
+use crate::exchange::Labels;
+use crate::exchange::characteristic::{Characteristic, Value, What};
+use crate::exchange::claim::Claim;
+use crate::exchange::error::{ImportErrorKind, shorten};
+use crate::exchange::quantity::Quantity;
+use crate::exchange::units;
+
+/// The word of a diameter; it stands under `type` or under `idsymbol`.
+const DIAMETER: &str = "diameter";
+
+/// The word for how far a value is out of its limits.
+const EXCEED: &str = "exceed";
+
+/// What was read.
+#[derive(Debug)]
+pub(super) struct Row {
+    pub(super) characteristic: Characteristic,
+    pub(super) value: Value,
+    /// Whether no unit is given.
+    pub(super) is_unit_assumed: bool,
+    /// Whether the value had figures beyond the nanometre.
+    pub(super) is_rounded: bool,
+    deviation: Option<Length>,
+    exceed: Option<Length>,
+}
+
+/// Why a row is not used.
+pub(super) struct Refused<'t> {
+    pub(super) kind: ImportErrorKind,
+    /// The number of the cell.
+    pub(super) column: Option<usize>,
+    pub(super) given: &'t str,
+}
+
+/// The cells of a row, in a unit.
+struct Cells<'a, 't> {
+    columns: &'a Columns,
+    texts: Vec<&'t str>,
+    unit: Unit,
+}
+
+impl Row {
+    /// Reads a row.
+    pub(super) fn read<'t>(line: usize, text: &'t str, columns: &Columns) -> Result<Self, Refused<'t>> {
+        let mut cells: Vec<&str> = text.split('\t').collect();
+        // A tab at the end makes a cell that is none.
+        while columns.count < cells.len() && cells.last().is_some_and(|cell| cell.trim().is_empty()) {
+            cells.pop();
+        }
+        if columns.count < cells.len() {
+            let kind = ImportErrorKind::RowLong { found: cells.len(), expected: columns.count };
+            return Err(Refused { kind, column: None, given: text });
+        }
+        let (symbol, short) = (columns.text(&cells, Column::Symbol), columns.text(&cells, Column::Type));
+        let is_diameter = [symbol, short].iter().any(|text| text.eq_ignore_ascii_case(DIAMETER));
+        let (unit, is_unit_assumed) = match columns.text(&cells, Column::Unit) {
+            "" => (Some(Unit::Millimetre), true),
+            unit => (units::known(unit), false),
+        };
+        let actual = columns.text(&cells, Column::Actual);
+        if actual.is_empty() {
+            let (column, _) = columns.named(Column::Actual);
+            return Err(Refused { kind: CalypsoFault::NoActual.into(), column, given: text });
+        }
+        let Some(unit) = unit else {
+            let unit = columns.text(&cells, Column::Unit);
+            let (column, _) = columns.named(Column::Unit);
+            return Err(Refused { kind: ImportErrorKind::Unit { unit: shorten(unit) }, column, given: unit });
+        };
+        let cells = Cells { columns, texts: cells, unit };
+        let (measured, is_rounded) = cells.parse(actual).map_err(|reason| cells.refused(Column::Actual, reason))?;
+        let nominal = cells.length(Column::Nominal)?;
+        let limit = |column| -> Result<Option<Length>, Refused<'t>> {
+            let Some((nominal, deviation)) = nominal.zip(cells.length(column)?) else { return Ok(None) };
+            let too_large = || LengthError::TooLarge { text: cells.text(column).to_owned() };
+            nominal.checked_add(deviation).map(Some).ok_or_else(|| cells.refused(column, too_large()))
+        };
+        let word = if symbol.is_empty() { short } else { symbol };
+        let place = [Column::X, Column::Y, Column::Z].map(|column| cells.length(column));
+        let [x, y, z] = place;
+        let labels = Labels {
+            part: cells.text(Column::Plan).to_owned(),
+            serial: cells.text(Column::Part).to_owned(),
+            place: [x?, y?, z?],
+            quantity: is_diameter.then_some(Quantity::Diameter),
+            // The table has no column for it.
+            is_axis_assumed: true,
+            ..Labels::default()
+        };
+        let characteristic = Characteristic {
+            name: cells.text(Column::Id).to_owned(),
+            what: if is_diameter { What::Size } else { What::Other(shorten(word)) },
+            class: String::new(),
+            feature: None,
+            nominal,
+            minimum: limit(Column::Lower)?,
+            maximum: limit(Column::Upper)?,
+            expanded: None,
+            labels: Labels { serial: String::new(), ..labels.clone() },
+        };
+        let (deviation, exceed) = (cells.length(Column::Deviation)?, cells.length(Column::Exceed)?);
+        let out = exceed.filter(|exceed| *exceed != Length::ZERO);
+        let claims =
+            out.map(|_| Claim::out(&format!("{} {}", EXCEED, cells.text(Column::Exceed)))).into_iter().collect();
+        let value = Value { line, measured, time: None, labels: Labels { claims, ..labels }, is_simulated: false };
+        Ok(Self { characteristic, value, is_unit_assumed, is_rounded, deviation, exceed })
+    }
+
+    /// What the table says of the value, and its own figures do not.
+    pub(super) fn doubts(&self) -> Vec<CalypsoWarning> {
+        let Characteristic { nominal, minimum, maximum, .. } = self.characteristic;
+        let measured = self.value.measured;
+        let mut doubts = Vec::new();
+        if let Some((given, nominal)) = self.deviation.zip(nominal) {
+            let expected = measured.saturating_sub(nominal);
+            if is_another(given, expected) {
+                doubts.push(CalypsoWarning::Deviation { given, expected });
+            }
+        }
+        // An empty cell is one of a value within its tolerance.
+        let given = self.exceed.unwrap_or_default();
+        if let Some((minimum, maximum)) = minimum.zip(maximum).filter(|(minimum, maximum)| minimum <= maximum) {
+            let expected = if maximum < measured {
+                measured.saturating_sub(maximum)
+            } else if measured < minimum {
+                measured.saturating_sub(minimum)
+            } else {
+                Length::ZERO
+            };
+            if is_another(given, expected) {
+                doubts.push(CalypsoWarning::Exceed { given, expected });
+            }
+        }
+        doubts
+    }
+}
+
+/// Whether a length is another one, beyond what rounding to the nanometre makes.
+fn is_another(given: Length, expected: Length) -> bool {
+    2 < given.saturating_sub(expected).nanometres().unsigned_abs()
+}
+
+impl<'t> Cells<'_, 't> {
+    fn text(&self, column: Column) -> &'t str {
+        self.columns.text(&self.texts, column)
+    }
+
+    fn parse(&self, text: &str) -> Result<(Length, bool), LengthError> {
+        Length::parse_rounded(text, self.unit)
+    }
+
+    /// A length, rounded to the nanometre; `None` where the cell is empty.
+    fn length(&self, column: Column) -> Result<Option<Length>, Refused<'t>> {
+        let text = self.text(column);
+        if text.is_empty() {
+            return Ok(None);
+        }
+        self.parse(text).map(|(length, _)| Some(length)).map_err(|reason| self.refused(column, reason))
+    }
+
+    fn refused(&self, column: Column, reason: LengthError) -> Refused<'t> {
+        let given = self.text(column);
+        let (at, column) = self.columns.named(column);
+        Refused { kind: CalypsoFault::Number { column, reason }.into(), column: at, given }
+    }
+}

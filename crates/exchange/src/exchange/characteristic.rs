@@ -1,0 +1,210 @@
+//! A characteristic as files of other tools declare it, and its values judged by the limits that it has.
+//!
+//! Formats of measuring machines and of statistics (AQDEF, QIF, tables of CALYPSO) say the same in different words: a number, a name, a
+//! nominal size, limits, perhaps a tolerance class. What they leave open stays open: without a class a diameter may be a hole or a shaft,
+//! and beyond its limits it could be rework or scrap.
+
+use std::sync::Arc;
+
+use fitcheck_core::length::Length;
+use fitcheck_core::message::Place;
+use fitcheck_core::probing::{Measurement, Origin};
+use fitcheck_core::tolerance::{Callout, Deviations, Feature, Limits, LimitsError, Source as LimitSource};
+use fitcheck_core::verdict::judge_size;
+use jiff::civil::DateTime;
+
+use super::claim::Answer;
+use super::error::{ImportErrorKind, ImportWarningKind};
+use super::imported::{Asked, Labels, Sink, Unjudged, WhyUnjudged};
+use super::source::Context;
+use crate::journal::Record;
+
+/// What is measured.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) enum What {
+    /// A diameter or a width: a feature of size.
+    Size,
+    /// A quantity of AQDEF other than a diameter, by its number.
+    Quantity(u32),
+    /// Anything else, as the file calls it.
+    Other(String),
+}
+
+/// A characteristic as a file declares it. Lengths are sizes, not deviations.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Characteristic {
+    /// Its name; empty where it has a number alone.
+    pub(super) name: String,
+    pub(super) what: What,
+    /// The tolerance class as it is written, such as `H7`; empty where it has none.
+    pub(super) class: String,
+    /// Whether it is a hole or a shaft, where the file says so in another way than by a class.
+    pub(super) feature: Option<Feature>,
+    pub(super) nominal: Option<Length>,
+    pub(super) minimum: Option<Length>,
+    pub(super) maximum: Option<Length>,
+    /// The expanded uncertainty that it is measured with.
+    pub(super) expanded: Option<Length>,
+    /// Its number, the part, and where it should lie; serial number and operator come with a value.
+    pub(super) labels: Labels,
+}
+
+/// A value of a characteristic.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Value {
+    /// Its line in the file, from 1.
+    pub(super) line: usize,
+    pub(super) measured: Length,
+    /// When it was measured, where the file says so.
+    pub(super) time: Option<DateTime>,
+    /// Those of the characteristic, with the part's serial number and the operator.
+    pub(super) labels: Labels,
+    pub(super) is_simulated: bool,
+}
+
+impl Characteristic {
+    /// What its values are called: its name, else its number.
+    pub(super) fn id(&self) -> String {
+        if self.name.is_empty() { self.labels.number.clone() } else { self.name.clone() }
+    }
+
+    /// The callout of nominal size and class; none where the file has no class, or one that is none.
+    pub(super) fn callout(&self) -> Option<Callout> {
+        let nominal = self.nominal.filter(|_| !self.class.is_empty())?;
+        format!("{nominal} {}", self.class).parse().ok()
+    }
+
+    /// Whether it is a hole or a shaft.
+    pub(super) fn feature(&self) -> Option<Feature> {
+        self.callout().and_then(|callout| callout.feature()).or(self.feature)
+    }
+
+    /// What the file says that its values should be.
+    pub(super) const fn said(&self) -> Asked {
+        Asked { nominal: self.nominal, minimum: self.minimum, maximum: self.maximum }
+    }
+
+    /// Judges a value by the limits that the file has; where it has a class alone, by those of the class.
+    pub(super) fn judge(&self, value: Value, context: &Context<'_>, sink: &mut Sink<'_>) {
+        let line = value.line;
+        let file = Arc::clone(&context.file);
+        let origin = if value.is_simulated { Origin::ImportedSimulation { file } } else { Origin::Imported { file } };
+        match self.asked(line, context, sink) {
+            Ok(_) if value.measured <= Length::ZERO => {
+                let given = value.measured.to_string();
+                sink.refuse(Place::line(line), ImportErrorKind::NotPositive { given: given.clone() }, given);
+            }
+            Ok((callout, limits)) => {
+                let status = judge_size(&limits, value.measured).status;
+                if let Some(why) = value.labels.too_coarse(&limits, value.measured, status) {
+                    return self.set_aside(value, origin, why, context, sink);
+                }
+                let measurement = Measurement::of_diameter(value.measured, origin);
+                let time = value.time.unwrap_or(context.now);
+                let record = Record::judged(time, self.id(), callout, limits, measurement, None);
+                self.tell_uncertainty(line, sink);
+                let answer = Answer::of(&record);
+                for claim in &value.labels.claims {
+                    if let Some(warning) = claim.tells(&answer) {
+                        sink.warn(Place::line(line), Some(line), warning);
+                    }
+                }
+                sink.keep(line, record, value.labels);
+            }
+            Err(NoLimits::Unjudged(why)) => self.set_aside(value, origin, why, context, sink),
+            Err(NoLimits::Refused(error)) => {
+                sink.refuse(Place::line(line), ImportErrorKind::Limits(*error), value.measured.to_string());
+            }
+        }
+    }
+
+    /// Sets a value aside.
+    fn set_aside(&self, value: Value, origin: Origin, why: WhyUnjudged, context: &Context<'_>, sink: &mut Sink<'_>) {
+        sink.set_aside(Unjudged {
+            line: value.line,
+            id: self.id(),
+            labels: value.labels,
+            time: value.time.unwrap_or(context.now),
+            measured: Some(value.measured),
+            origin,
+            position: None,
+            asked: self.said(),
+            correction: None,
+            why,
+        });
+    }
+
+    fn tell_uncertainty(&self, line: usize, sink: &mut Sink<'_>) {
+        if let Some(expanded) = self.expanded {
+            sink.warn(Place::line(line), Some(line), ImportWarningKind::UncertaintyNotUsed { expanded });
+        }
+    }
+
+    /// What its values are judged by.
+    fn asked(
+        &self,
+        line: usize,
+        context: &Context<'_>,
+        sink: &mut Sink<'_>,
+    ) -> Result<(Option<Callout>, Limits), NoLimits> {
+        match &self.what {
+            What::Size => {}
+            What::Quantity(quantity) => {
+                return Err(NoLimits::Unjudged(WhyUnjudged::Quantity { quantity: *quantity }));
+            }
+            What::Other(what) => return Err(NoLimits::Unjudged(WhyUnjudged::NotASize { what: what.clone() })),
+        }
+        let mut warn = |kind| sink.warn(Place::line(line), Some(line), kind);
+        let callout = self.callout();
+        let of_class = callout.map(|callout| context.sources.limits(&callout, self.feature));
+        let (minimum, maximum) = match (self.minimum, self.maximum) {
+            (Some(minimum), Some(maximum)) => (minimum, maximum),
+            // The class says what the file leaves out.
+            (None, None) => {
+                return match of_class {
+                    Some(Ok(limits)) => Ok((callout, limits)),
+                    Some(Err(error)) => Err(NoLimits::Refused(Box::new(error))),
+                    None => Err(NoLimits::Unjudged(WhyUnjudged::NoTolerance)),
+                };
+            }
+            _ => return Err(NoLimits::Unjudged(WhyUnjudged::OneLimit)),
+        };
+        match of_class {
+            Some(Ok(limits)) if (limits.minimum(), limits.maximum()) == (minimum, maximum) => {
+                return Ok((callout, limits));
+            }
+            Some(Ok(limits)) => {
+                if let Some(callout) = callout {
+                    let (minimum, maximum) = (limits.minimum(), limits.maximum());
+                    warn(ImportWarningKind::LimitsDiffer { callout, minimum, maximum });
+                }
+            }
+            Some(Err(error @ LimitsError::Zone(_))) => return Err(NoLimits::Refused(Box::new(error))),
+            Some(Err(_)) => warn(ImportWarningKind::ClassUnknown { given: self.class.clone() }),
+            None if !self.class.is_empty() => warn(ImportWarningKind::ClassUnknown { given: self.class.clone() }),
+            None => {}
+        }
+        if maximum < minimum {
+            return Err(NoLimits::Unjudged(WhyUnjudged::SwappedLimits { minimum, maximum }));
+        }
+        let Some(feature) = self.feature() else {
+            return Err(NoLimits::Unjudged(WhyUnjudged::NoFeature { minimum, maximum }));
+        };
+        let nominal = self.nominal.unwrap_or(minimum);
+        let too_large = || NoLimits::Refused(Box::new(LimitsError::TooLarge { nominal }));
+        let (upper, lower) = maximum.checked_sub(nominal).zip(minimum.checked_sub(nominal)).ok_or_else(too_large)?;
+        let deviations = Deviations::new(upper, lower);
+        let deviations =
+            deviations.map_err(|_swapped| NoLimits::Unjudged(WhyUnjudged::SwappedLimits { minimum, maximum }))?;
+        let from = LimitSource::File(Arc::clone(&context.file));
+        let limits = Limits::new(feature, nominal, deviations, from).ok_or_else(too_large)?;
+        context.sources.proportionate(&limits.bounds()).map_err(|error| NoLimits::Refused(Box::new(error)))?;
+        Ok((None, limits))
+    }
+}
+
+/// Why a value is not judged.
+enum NoLimits {
+    Unjudged(WhyUnjudged),
+    Refused(Box<LimitsError>),
+}

@@ -1,0 +1,146 @@
+//! What columns state of how a value came about: whether anybody measured it, and whether it was brought to 20 °C already. Both are
+//! read wherever a file has them: a simulated value is no evidence, and a value is corrected once.
+
+use csv::StringRecord;
+use fitcheck_nc::control::simulated::is_mark;
+
+use super::cells;
+use super::claim::Claim;
+use super::error::{ImportErrorKind, shorten};
+use super::rules::{Cell, Refused};
+use super::{warmth, words};
+
+/// Where they are.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) struct Evidence {
+    /// A column that says where a value comes from: `simulated, cycle 421`, `typed`.
+    pub(super) origin: Option<usize>,
+    /// A column that says whether a value was brought to 20 °C.
+    corrected: Option<usize>,
+    /// Whether the name of the measured values says so.
+    pub(super) are_corrected: bool,
+    /// At which temperature all values were measured, as the name of their column or a line above it says.
+    pub(super) warm: Option<Claim>,
+    /// A column of any other name that says of some value that nobody measured.
+    pub(super) word: Option<usize>,
+    /// Whether the mark of a simulation stands above all rows.
+    pub(super) are_simulated: bool,
+}
+
+impl Evidence {
+    /// The columns of a header beside that of the measured values.
+    pub(super) fn of(header: &StringRecord, measured: usize) -> Self {
+        let at =
+            |is: fn(&str) -> bool| (0..).zip(header).find(|(at, name)| *at != measured && is(name)).map(|(at, _)| at);
+        let is_done = |name: &str| words::says_corrected(name) && !warmth::denies_correction(name);
+        let are_corrected = header.get(measured).is_some_and(is_done);
+        let (origin, corrected) = (at(words::is_origin), at(words::is_corrected));
+        Self { origin, corrected, are_corrected, warm: None, word: None, are_simulated: false }
+    }
+
+    /// Whether a row says that its value was brought to 20 °C. What is neither yes nor no says so as well: it refuses a correction, and
+    /// nothing else.
+    pub(super) fn is_corrected(&self, cells: &StringRecord) -> bool {
+        let text = self.corrected.and_then(|at| cells.get(at)).unwrap_or_default().trim();
+        self.are_corrected || !text.is_empty() && yes_or_no(text) != Some(false) && text.parse() != Ok(0.0)
+    }
+
+    /// Whether a row says by its origin that nobody measured.
+    pub(super) fn is_simulated<'c>(&self, cells: &'c StringRecord) -> Result<bool, Refused<'c>> {
+        let text = self.origin.and_then(|at| cells.get(at)).unwrap_or_default().trim();
+        let unknown = || (Cell { at: self.origin, text }, ImportErrorKind::Origin { given: shorten(text) });
+        let says_so = self.word.and_then(|at| cells.get(at)).is_some_and(says_simulated);
+        Ok(is_simulated(text).ok_or_else(unknown)? || self.are_simulated || says_so)
+    }
+}
+
+/// Whether a row is the mark below which all is simulated, as it stands in what a control would have printed.
+pub(super) fn marks_simulation(cells: &StringRecord) -> bool {
+    cells::is_comment(cells) && cells.iter().any(is_mark)
+}
+
+/// What a cell says of a question.
+pub(super) fn yes_or_no(text: &str) -> Option<bool> {
+    match text.trim().to_lowercase().as_str() {
+        "true" | "yes" | "y" | "ja" | "j" | "sì" | "si" | "1" | "x" | "wahr" | "waar" | "vero" | "on" | "ein"
+        | "aan" => Some(true),
+        "false" | "no" | "n" | "nein" | "nee" | "0" | "-" | "falsch" | "onwaar" | "falso" | "off" | "aus" | "uit" => {
+            Some(false)
+        }
+        _ => None,
+    }
+}
+
+/// Words of a value that nobody measured.
+const SIMULATED: &str = "simulated|simulation|simuliert|simulierte|simulierter|simuliertes|gesimuleerd|gesimuleerde|simulatie|simulato|\
+    simulata|simulazione";
+
+/// Whether a cell is nothing but such a word.
+pub(super) fn says_simulated(cell: &str) -> bool {
+    let small = cell.trim().to_lowercase();
+    SIMULATED.split('|').any(|known| known == small)
+}
+
+/// Whether a text has such a word.
+pub(super) fn mentions_simulation(text: &str) -> bool {
+    let small = text.to_lowercase();
+    small.split(|c: char| !c.is_alphanumeric()).any(|word| SIMULATED.split('|').any(|known| known == word))
+}
+
+/// Words with which the origin of a measured value begins.
+const MEASURED: &str = "measured|measurement|measuring|typed|manual|imported|recorded|contacts|probed|cmm|gauge|gemessen|messung|messwert|\
+    getippt|eingegeben|eingetippt|manuell|importiert|aufgezeichnet|antastpunkte|angetastet|gemeten|meting|getypt|ingevoerd|handmatig|\
+    geïmporteerd|opgenomen|geregistreerd|meetpunten|misurato|misurata|misura|misurazione|digitato|inserito|manuale|importato|registrato|\
+    contatti|messmaschine|meetmachine|kmg";
+
+/// Whether the text of an origin says that nobody measured; an empty one says nothing. `None` where it says neither.
+pub(super) fn is_simulated(text: &str) -> Option<bool> {
+    let small = text.trim().to_lowercase();
+    let is_in = |list: &str, word: &str| list.split('|').any(|known| known == word);
+    if small.is_empty() {
+        return Some(false);
+    }
+    // Of a cycle: `cycle 421, contacts from a.csv`.
+    let said =
+        small.strip_prefix("cycle ").and_then(|rest| rest.split_once(", ")).map_or(small.as_str(), |(_, rest)| rest);
+    let words = |text: &str| -> Vec<String> {
+        let words = text.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty());
+        words.map(str::to_owned).collect()
+    };
+    // A name of a file may have any words; what is said of it stands behind it.
+    let of_file = ["imported from ", "contacts from ", "geïmporteerd uit ", "meetpunten uit "];
+    if of_file.iter().any(|begin| said.starts_with(begin)) {
+        let last = said.rsplit(", ").next().unwrap_or_default();
+        return Some(said.contains(", ") && is_in(SIMULATED, last));
+    }
+    let words = words(said);
+    if words.iter().any(|word| is_in(SIMULATED, word)) {
+        return Some(true);
+    }
+    words.first().filter(|word| is_in(MEASURED, word)).map(|_| false)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_origin_says_measured_or_simulated_or_nothing() {
+        for (text, expected) in [
+            ("", Some(false)),
+            ("simulated, cycle 421, seed 7", Some(true)),
+            ("cycle 421, simulated, a workpiece without faults", Some(true)),
+            ("cycle 421, contacts from simulated.csv", Some(false)),
+            ("imported from simulated, 3.csv", Some(false)),
+            ("imported from a.csv, simulated", Some(true)),
+            ("typed", Some(false)),
+            ("Simuliert", Some(true)),
+            ("gemeten", Some(false)),
+            ("measured (simulation)", Some(true)),
+            ("not measured", None),
+            ("Werk 2", None),
+        ] {
+            assert_eq!(is_simulated(text), expected, "{text}");
+        }
+    }
+}

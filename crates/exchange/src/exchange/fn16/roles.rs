@@ -1,0 +1,344 @@
+//! Which field of a mask is what: by the number of its parameter, else by what was printed.
+//!
+//! Results and limits of measuring cycles have numbers of their own. A parameter of the user's own is told by the limits of the callout that
+//! is printed beside it: the minimum and the maximum are always these, with more than one callout, and what is left is the measured value.
+//! If more than one is left, the mask is refused.
+
+use std::collections::BTreeSet;
+
+use fitcheck_core::length::{Length, Unit};
+use fitcheck_core::probing::cycle::number;
+use fitcheck_core::tolerance::{Callout, Limits, Sources, ToleranceClass};
+use fitcheck_core::verdict::Status;
+use fitcheck_nc::control::mask::{Of, Printed, Slot};
+use fitcheck_nc::control::status::status_of;
+use fitcheck_nc::control::variables::{Family, Parameter};
+
+use crate::exchange::claim::Claim;
+use crate::exchange::error::{ImportErrorKind, shorten};
+
+/// What a measured value is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum Kind {
+    /// A diameter, a width or the side of a rectangle.
+    Size,
+    /// A coordinate.
+    Coordinate,
+    /// A deviation along the normal.
+    Point,
+}
+
+/// A result of a measuring cycle, and the parameters that hold its limits: those of the cycle itself, and those of programs that call it.
+struct Known {
+    measured: u16,
+    kind: Kind,
+    /// Minimum and maximum.
+    limits: &'static [(u16, u16)],
+}
+
+/// The results that have limits; `docs/SOURCES.md` says where the numbers are from.
+const RESULTS: [Known; 5] = [
+    Known { measured: 153, kind: Kind::Size, limits: &[(33, 23), (276, 275), (278, 277)] },
+    Known { measured: 154, kind: Kind::Size, limits: &[(285, 284), (83, 73)] },
+    Known { measured: 155, kind: Kind::Size, limits: &[(287, 286), (33, 23)] },
+    Known { measured: 156, kind: Kind::Size, limits: &[(289, 288), (33, 23)] },
+    Known { measured: 160, kind: Kind::Coordinate, limits: &[(289, 288), (33, 23)] },
+];
+
+/// The deviation along the normal, which cycle 444 leaves; rectangles have that of their first side there.
+const NORMAL: u16 = 164;
+
+/// Texts that hold its tolerance: that of the cycle, and that of programs that call it.
+const BANDS: [u16; 2] = [400, 1];
+
+/// Deviations from nominal values, which are computed here.
+const DEVIATIONS: std::ops::RangeInclusive<u16> = 161..=166;
+
+/// The centre in two axes.
+const CENTRE: [u16; 2] = [151, 152];
+
+/// A measured value and what it is compared with, as numbers of fields.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) struct Reading {
+    pub(super) measured: usize,
+    pub(super) kind: Kind,
+    pub(super) minimum: Option<usize>,
+    pub(super) maximum: Option<usize>,
+}
+
+/// What the fields of a mask are.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub(super) struct Roles {
+    pub(super) readings: Vec<Reading>,
+    pub(super) name: Option<usize>,
+    /// The callout, or its class alone.
+    pub(super) callout: Option<usize>,
+    pub(super) nominal: Option<usize>,
+    pub(super) status: Option<usize>,
+    /// The tolerance of a point.
+    pub(super) band: Option<usize>,
+    pub(super) centre: Option<[usize; 2]>,
+    /// The markers of a cycle, by their numbers.
+    markers: Vec<(u16, usize)>,
+}
+
+/// Markers of measuring cycles that are 1: the workpiece is good, can be reworked, or is scrap.
+const MARKERS: [(u16, Status); 3] = [(180, Status::Good), (181, Status::Rework), (182, Status::Scrap)];
+
+/// The status of cycles that have one number for it: -1 undefined, 0 good, 1 rework, 2 scrap.
+const STATUS: u16 = 183;
+
+impl Roles {
+    /// The roles of a mask's fields, by what was printed with it.
+    pub(super) fn of(
+        mask: &str,
+        slots: &[Slot],
+        sample: &[Printed],
+        sources: &Sources,
+    ) -> Result<Self, ImportErrorKind> {
+        let fields = Fields { slots, sample };
+        let centre = CENTRE.map(|number| fields.number(number));
+        let mut roles = Self {
+            readings: fields.known(),
+            name: None,
+            callout: fields.text(is_callout),
+            nominal: fields.number(1),
+            status: fields.text(|text| status_of(text).is_some()).or_else(|| fields.at(Parameter::qs(3))),
+            band: None,
+            markers: fields.markers(),
+            centre: centre[0].zip(centre[1]).map(<[usize; 2]>::from),
+        };
+        if roles.nominal.is_some() {
+            roles.callout = roles.callout.or_else(|| fields.text(is_class));
+        }
+        if roles.readings.iter().any(|reading| reading.kind == Kind::Point) {
+            roles.band = BANDS.into_iter().find_map(|number| fields.at(Parameter::qs(number)));
+            roles.centre = None;
+        }
+        if roles.readings.is_empty() {
+            roles.readings.push(fields.by_callout(mask, &roles, sources)?);
+        }
+        let taken = [roles.callout, roles.status, roles.band];
+        roles.name = fields.texts().find(|at| !taken.contains(&Some(*at)));
+        Ok(roles)
+    }
+
+    /// What the markers of a cycle say of the status.
+    pub(super) fn markers(&self, printed: &Printed) -> Vec<Claim> {
+        let number = |wanted: u16| {
+            let (_, at) = self.markers.iter().find(|(number, _)| *number == wanted)?;
+            number(value(printed, *at)?)
+        };
+        let is = |wanted: u16, value: f64| number(wanted).is_some_and(|found| (found - value).abs() < 0.5);
+        let mut claims: Vec<Claim> = Vec::new();
+        for (marker, status) in MARKERS {
+            if is(marker, 1.0) {
+                claims.push(Claim::of(&format!("Q{marker} = 1"), status));
+            }
+        }
+        // All of them are there, and none of them is set.
+        if MARKERS.iter().all(|(marker, _)| is(*marker, 0.0)) {
+            claims.push(Claim::unknown("Q180 = Q181 = Q182 = 0"));
+        }
+        for (value, (_, status)) in [0.0, 1.0, 2.0].into_iter().zip(MARKERS) {
+            if is(STATUS, value) {
+                claims.push(Claim::of(&format!("Q{STATUS} = {value}"), status));
+            }
+        }
+        claims
+    }
+
+    /// The status of a cycle that has none: what it says.
+    pub(super) fn undefined(&self, printed: &Printed) -> Option<String> {
+        let (_, at) = self.markers.iter().find(|(number, _)| *number == STATUS)?;
+        let given = value(printed, *at)?;
+        let status = number(given);
+        let is_known = status.is_some_and(|status| [0.0, 1.0, 2.0].iter().any(|known| (status - known).abs() < 0.5));
+        (!is_known).then(|| format!("Q{STATUS} = {}", shorten(given)))
+    }
+
+    /// What is not used, by name.
+    pub(super) fn ignored(&self, slots: &[Slot]) -> Vec<String> {
+        let readings =
+            self.readings.iter().flat_map(|reading| [Some(reading.measured), reading.minimum, reading.maximum]);
+        let others = [self.name, self.callout, self.nominal, self.status, self.band];
+        let markers = self.markers.iter().map(|(_, at)| *at);
+        let others = others.into_iter().chain(self.centre.into_iter().flatten().map(Some));
+        let used: Vec<usize> = readings.chain(others).flatten().chain(markers).collect();
+        let ignored = (0..).zip(slots).filter(|(at, slot)| !used.contains(at) && matches!(slot.of, Of::Parameter(_)));
+        let firsts = ignored.filter(|(at, slot)| slots.iter().position(|other| other.of == slot.of) == Some(*at));
+        firsts.map(|(_, slot)| slot.of.to_string()).collect()
+    }
+}
+
+/// The fields of a mask and what was printed in them.
+struct Fields<'a> {
+    slots: &'a [Slot],
+    sample: &'a [Printed],
+}
+
+impl Fields<'_> {
+    /// The field of a parameter; of several, the first, which has the values of all of them.
+    fn at(&self, parameter: Parameter) -> Option<usize> {
+        self.slots.iter().position(|slot| slot.of == Of::Parameter(parameter))
+    }
+
+    fn number(&self, number: u16) -> Option<usize> {
+        self.at(Parameter::q(number))
+    }
+
+    /// The fields for texts of parameters.
+    fn texts(&self) -> impl Iterator<Item = usize> {
+        let is_first = |at: usize, slot: &Slot| self.slots.iter().position(|other| other.of == slot.of) == Some(at);
+        let is_text = |slot: &Slot| slot.digits.is_none() && matches!(slot.of, Of::Parameter(_));
+        (0..).zip(self.slots).filter(move |(at, slot)| is_text(slot) && is_first(*at, slot)).map(|(at, _)| at)
+    }
+
+    /// What was printed in a field.
+    fn values(&self, at: usize) -> impl Iterator<Item = &str> {
+        let values = self.sample.iter().flat_map(|printed| &printed.values);
+        values.filter(move |(slot, _)| *slot == at).map(|(_, value)| value.as_str())
+    }
+
+    /// The first text that is always of a kind, where there is one.
+    fn text(&self, kind: impl Fn(&str) -> bool) -> Option<usize> {
+        self.texts().find(|at| {
+            let mut texts = self.values(*at).filter(|text| !text.is_empty()).peekable();
+            texts.peek().is_some() && texts.all(&kind)
+        })
+    }
+
+    /// The markers that it prints.
+    fn markers(&self) -> Vec<(u16, usize)> {
+        let numbers = MARKERS.into_iter().map(|(number, _)| number).chain([STATUS]);
+        numbers.filter_map(|number| Some((number, self.number(number)?))).collect()
+    }
+
+    /// The results of cycles that it prints.
+    fn known(&self) -> Vec<Reading> {
+        let reading =
+            |measured, kind, [minimum, maximum]: [Option<usize>; 2]| Reading { measured, kind, minimum, maximum };
+        if let Some(deviation) = self.number(NORMAL).filter(|_| self.number(154).is_none()) {
+            return vec![reading(deviation, Kind::Point, [None, None])];
+        }
+        let found = RESULTS.iter().filter_map(|result| {
+            let measured = self.number(result.measured)?;
+            let pair = |(minimum, maximum): &(u16, u16)| [self.number(*minimum), self.number(*maximum)];
+            let limits = result.limits.iter().map(pair).find(|pair| pair.iter().any(Option::is_some));
+            Some(reading(measured, result.kind, limits.unwrap_or_default()))
+        });
+        found.collect()
+    }
+
+    /// The one number that is neither a limit nor the nominal size of the callout that is printed beside it.
+    fn by_callout(&self, mask: &str, roles: &Roles, sources: &Sources) -> Result<Reading, ImportErrorKind> {
+        let limits: Vec<(usize, Limits)> = (0..)
+            .zip(self.sample)
+            .filter_map(|(number, printed)| Some((number, limits(&asked(printed, roles)?, sources)?)))
+            .collect();
+        // Whether a field always is what the callout says, to its last digit. That a measured value lies on a limit is chance, and that it
+        // lies on two different ones is not: a field is a limit once it has followed it from one callout to another.
+        let always = |at: usize, of: fn(&Limits) -> Length| {
+            let mut followed = BTreeSet::new();
+            let mut is = |(number, limits): &(usize, Limits)| {
+                let Some(value) = self.sample.get(*number).and_then(|printed| value(printed, at)) else { return true };
+                followed.insert(of(limits));
+                is_printed(of(limits), value)
+            };
+            limits.iter().all(&mut is) && 1 < followed.len()
+        };
+        let is_own = |slot: &Slot| match slot.of {
+            Of::Parameter(Parameter { family: Family::Q, number }) => {
+                !DEVIATIONS.contains(&number) && !is_marker(number)
+            }
+            Of::Parameter(_) => true,
+            Of::Word(_) => false,
+        };
+        let numbers =
+            (0..).zip(self.slots).filter(|(_, slot)| slot.digits.is_some_and(|digits| 0 < digits) && is_own(slot));
+        let is_first =
+            |(at, slot): &(usize, &Slot)| self.slots.iter().position(|other| other.of == slot.of) == Some(*at);
+        let numbers: Vec<usize> = numbers.filter(is_first).map(|(at, _)| at).collect();
+        let named = |list: &[usize]| {
+            RESULTS.iter().flat_map(|result| result.limits).find_map(|(minimum, maximum)| {
+                let (minimum, maximum) = (self.number(*minimum)?, self.number(*maximum)?);
+                (list.contains(&minimum) && list.contains(&maximum)).then_some((minimum, maximum))
+            })
+        };
+        let pair = named(&numbers);
+        let minima: Vec<usize> = numbers.iter().copied().filter(|at| always(*at, Limits::minimum)).collect();
+        let maxima: Vec<usize> = numbers.iter().copied().filter(|at| always(*at, Limits::maximum)).collect();
+        let is_named = |at: &usize| pair.is_some_and(|(minimum, maximum)| [minimum, maximum].contains(at));
+        let is_nominal = |at: &usize| Some(*at) == roles.nominal || always(*at, |limits| limits.nominal);
+        let is_limit = |at: &usize| minima.contains(at) || maxima.contains(at);
+        let left: Vec<usize> =
+            numbers.iter().copied().filter(|at| !is_named(at) && !is_limit(at) && !is_nominal(at)).collect();
+        // Nothing is left where a value is always on a limit: it cannot be told from it.
+        let doubtful = if left.is_empty() && pair.is_none() { &numbers } else { &left };
+        match doubtful.as_slice() {
+            [measured] => Ok(Reading {
+                measured: *measured,
+                kind: Kind::Size,
+                minimum: pair.map(|pair| pair.0).or_else(|| minima.first().copied()),
+                maximum: pair.map(|pair| pair.1).or_else(|| maxima.first().copied()),
+            }),
+            [] => Err(ImportErrorKind::MaskNoMeasured { mask: mask.to_owned() }),
+            several => {
+                let names: Vec<String> =
+                    several.iter().filter_map(|at| self.slots.get(*at)).map(|slot| slot.of.to_string()).collect();
+                Err(ImportErrorKind::MaskMeasured { mask: mask.to_owned(), fields: names.join(", ") })
+            }
+        }
+    }
+}
+
+fn is_marker(number: u16) -> bool {
+    number == STATUS || MARKERS.iter().any(|(marker, _)| *marker == number)
+}
+
+/// What a print has in a field.
+pub(super) fn value(printed: &Printed, at: usize) -> Option<&str> {
+    printed.values.iter().find(|(slot, _)| *slot == at).map(|(_, value)| value.as_str())
+}
+
+/// A length in a field, in millimetres.
+pub(super) fn length(printed: &Printed, at: usize) -> Option<Length> {
+    Length::parse_in(value(printed, at)?, Unit::Millimetre).ok()
+}
+
+/// The callout of a print: printed as one, or as nominal size and class.
+pub(super) fn asked(printed: &Printed, roles: &Roles) -> Option<Callout> {
+    let text = value(printed, roles.callout?)?;
+    match text.parse() {
+        Ok(callout) => Some(callout),
+        Err(_) => Callout::new(length(printed, roles.nominal?)?, text.parse().ok()?).ok(),
+    }
+}
+
+/// The limits of a callout.
+pub(super) fn limits(callout: &Callout, sources: &Sources) -> Option<Limits> {
+    sources.limits(callout, None).ok()
+}
+
+/// What the last digit of a printed length is worth, in nanometres; 0 beyond the nanometre.
+pub(super) fn last_digit(text: &str) -> i64 {
+    /// The decimals of a nanometre in millimetres.
+    const NANOMETRE: usize = 6;
+    let digits = text.rsplit_once(['.', ',']).map_or(0, |(_, decimals)| decimals.len());
+    let zeros = u32::try_from(NANOMETRE.saturating_sub(digits)).unwrap_or_default();
+    if zeros == 0 { 0 } else { 10_i64.pow(zeros) }
+}
+
+/// Whether a length is printed like this: the same to the last digit.
+pub(super) fn is_printed(length: Length, text: &str) -> bool {
+    let value = Length::parse_in(text, Unit::Millimetre);
+    value.is_ok_and(|value| 2 * length.saturating_sub(value).abs().nanometres() <= last_digit(text))
+}
+
+fn is_callout(text: &str) -> bool {
+    text.parse::<Callout>().is_ok()
+}
+
+fn is_class(text: &str) -> bool {
+    text.parse::<ToleranceClass>().is_ok_and(ToleranceClass::has_grade)
+}

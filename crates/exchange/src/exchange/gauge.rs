@@ -1,0 +1,224 @@
+//! What a gauge types: digits of a caliper that types like a keyboard, and the lines of gauges and their boxes.
+//!
+//! One reader takes them all and says what it took. Nothing is guessed: a text with a second number, or with anything that is not known, is
+//! refused, and so is the text by which a gauge tells an error.
+//!
+//! | text | what |
+//! |---|---|
+//! | `25,012` `+0025.012` | millimetres, with comma or point, sign and leading zeros |
+//! | `01A+0000.123` | a channel and its value, millimetres |
+//! | `01A+00.12345` | the same in inches: two digits before the point and five after it |
+//! | `25.012 mm =` `25.012<` | a unit, and the gauge's own opinion of its limits, which is told and decides nothing |
+//! | STX, ETX, CR, LF | left out at the ends; within a text they are between two numbers |
+//! | `911` to `919` | an error of a Mitutoyo gauge or its box, and no value, unless the size asked for is near it |
+
+use fitcheck_core::length::{Length, LengthError, Unit};
+use fitcheck_core::message::Say;
+
+/// What was taken from a text.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Gauged {
+    /// The value.
+    pub value: Length,
+    /// What was more than a number in millimetres, in its order; none for a plain number.
+    pub remarks: Vec<GaugeRemark>,
+}
+
+/// What a text had besides a number.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "gauge")]
+pub enum GaugeRemark {
+    /// Signs that frame a line were left out.
+    Frame,
+    /// It names the channel of the gauge.
+    Channel {
+        /// The channel.
+        channel: String,
+    },
+    /// It was in inches.
+    Inches {
+        /// The number.
+        given: String,
+    },
+    /// The gauge's own limits: within, above or below them. Fitcheck's limits decide.
+    Opinion {
+        /// The sign.
+        sign: char,
+    },
+}
+
+/// Why a text is no value.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "gauge", error)]
+pub enum GaugeError {
+    /// It is no number, or more than one.
+    #[say(transparent)]
+    Number(#[from] LengthError),
+    /// It may be the number of an error: the gauge has not measured.
+    ErrorText {
+        /// What was given.
+        given: String,
+    },
+}
+
+/// How far the size asked for may be from a number that could be that of an error, 10 mm.
+const NEAR: Length = Length::from_micrometres(10_000);
+
+/// Reads what a gauge has typed.
+///
+/// ```
+/// use fitcheck::exchange::gauge;
+///
+/// assert_eq!(gauge::read("\u{2}01A+0025.012\u{3}", None)?.value, "25.012".parse()?);
+/// assert_eq!(gauge::read("25,012 mm =", None)?.value, "25.012".parse()?);
+/// assert!(gauge::read("25,012 25,013", None).is_err());
+/// // A number that could be that of an error is one, unless such a size is asked for.
+/// assert!(gauge::read("911", Some("25".parse()?)).is_err());
+/// assert!(gauge::read("911", Some("910".parse()?)).is_ok());
+/// # Ok::<(), Box<dyn std::error::Error>>(())
+/// ```
+///
+/// # Errors
+/// [`GaugeError`] with what was given.
+pub fn read(text: &str, asked: Option<Length>) -> Result<Gauged, GaugeError> {
+    let gauged = number(text)?;
+    let bare = text.trim_matches(FRAME);
+    let is_near = asked.is_some_and(|asked| asked.saturating_sub(gauged.value).abs() <= NEAR);
+    if is_error_text(bare) && !is_near {
+        return Err(GaugeError::ErrorText { given: bare.to_owned() });
+    }
+    Ok(gauged)
+}
+
+/// The signs around a line, and blanks.
+const FRAME: [char; 6] = ['\u{2}', '\u{3}', '\r', '\n', '\t', ' '];
+
+/// Three digits that begin with 91, and nothing else.
+fn is_error_text(bare: &str) -> bool {
+    bare.len() == 3 && bare.starts_with("91") && bare.bytes().all(|byte| byte.is_ascii_digit())
+}
+
+fn number(text: &str) -> Result<Gauged, LengthError> {
+    let mut remarks = Vec::new();
+    let bare = text.trim_matches(FRAME);
+    if bare.contains(char::is_control) {
+        return Err(LengthError::NotANumber { text: bare.replace(char::is_control, " ") });
+    }
+    if bare.len() != text.trim_matches(['\r', '\n', '\t', ' ']).len() {
+        remarks.push(GaugeRemark::Frame);
+    }
+    let (channel, rest) = channel(bare.trim());
+    remarks.extend(channel.map(|channel| GaugeRemark::Channel { channel: channel.to_owned() }));
+    let mut number = rest;
+    if let Some(sign) = number.chars().last().filter(|sign| matches!(sign, '<' | '=' | '>')) {
+        remarks.push(GaugeRemark::Opinion { sign });
+        number = number.strip_suffix(sign).unwrap_or(number).trim_end();
+    }
+    let lower = number.to_ascii_lowercase();
+    let inches = ["inch", "in", "\"", "''"].into_iter().find(|unit| lower.ends_with(unit));
+    let given = inches.and_then(|unit| number.get(..number.len() - unit.len())).map(str::trim_end);
+    // A box that sends a channel tells the unit by its digits alone.
+    let given = given.or_else(|| channel.is_some().then_some(number).filter(|number| is_inch_of_channel(number)));
+    let given_text = || LengthError::NotANumber { text: bare.trim().to_owned() };
+    let told = |error: LengthError| if error == LengthError::Empty && !rest.is_empty() { given_text() } else { error };
+    let value = match given {
+        Some(given) => {
+            // A number in inches with a metric unit behind it is neither.
+            if given.contains(char::is_alphabetic) {
+                return Err(given_text());
+            }
+            remarks.push(GaugeRemark::Inches { given: given.to_owned() });
+            Length::parse_in(&joined(given), Unit::Inch).map_err(told)?
+        }
+        None => Length::parse_in(&joined(number), Unit::Millimetre).map_err(told)?,
+    };
+    Ok(Gauged { value, remarks })
+}
+
+/// The channel before a value, and the rest: two digits and an A.
+fn channel(text: &str) -> (Option<&str>, &str) {
+    let is_channel = |head: &str| {
+        let mut chars = head.chars();
+        chars.by_ref().take(2).all(|c| c.is_ascii_digit()) && matches!(chars.next(), Some('A' | 'a'))
+    };
+    match (text.get(..3).filter(|head| is_channel(head)), text.get(3..)) {
+        (Some(head), Some(rest)) if rest.starts_with(['+', '-']) => (head.get(..2), rest),
+        _ => (None, text),
+    }
+}
+
+/// A sign, two digits, a decimal sign and five digits.
+fn is_inch_of_channel(number: &str) -> bool {
+    let digits = number.trim_start_matches(['+', '-']);
+    let parts = digits.split_once(['.', ',']);
+    parts.is_some_and(|(whole, decimals)| whole.len() == 2 && decimals.len() == 5)
+}
+
+/// A sign stands at its number.
+fn joined(number: &str) -> String {
+    let number = number.trim();
+    match number.strip_prefix(['+', '-', '\u{2212}']) {
+        Some(digits) => format!("{}{}", number.chars().next().unwrap_or('+'), digits.trim_start()),
+        None => number.to_owned(),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn gauges_of_all_kinds_give_their_value_and_what_was_taken() {
+        for (text, mm, remarks) in [
+            ("25,012", "25.012", 0),
+            ("+0025.012\r\n", "25.012", 0),
+            ("-000.0130", "-0.013", 0),
+            ("- 0.013", "-0.013", 0),
+            ("\u{2}25.012\u{3}", "25.012", 1),
+            ("01A+0000.123", "0.123", 1),
+            ("01A-0000.123\r", "-0.123", 1),
+            ("01A+01.12345", "28.53563", 2),
+            ("25.012 mm =", "25.012", 1),
+            ("25.012mm<", "25.012", 1),
+            ("25.012>", "25.012", 1),
+            ("0.98472 in", "25.011888", 1),
+            ("0.5\"", "12.7", 1),
+            ("\u{2}02A+0012.030\u{3}\r\n", "12.03", 2),
+        ] {
+            let gauged = read(text, None).unwrap_or_else(|error| panic!("{text:?}: {error}"));
+            assert_eq!((gauged.value, gauged.remarks.len()), (mm.parse().unwrap(), remarks), "{text:?}");
+        }
+    }
+
+    #[test]
+    fn what_is_no_single_number_is_refused_with_what_was_given() {
+        for text in ["", "=", "25,012 25,013", "A1", "01A", "25.012 mm in", "1.234,5", "25.012 kg", "01A+00x12"] {
+            let read = read(text, None);
+            assert!(read.is_err(), "{text:?}: {read:?}");
+        }
+    }
+
+    #[test]
+    fn two_numbers_with_a_control_sign_between_them_are_not_one() {
+        for text in ["25.0\t12", "25\t013", "25.0\r\n12", "\u{2}25\u{3}\u{2}013\u{3}", "25.\u{0}1", "\u{4}25.1"] {
+            let read = read(text, None);
+            assert!(matches!(read, Err(GaugeError::Number(_))), "{text:?}: {read:?}");
+        }
+        assert_eq!(read("25\t013", None).unwrap_err().to_string(), "25 013 is not a number");
+    }
+
+    #[test]
+    fn the_number_of_an_error_is_no_value_unless_such_a_size_is_asked_for() {
+        let size = |text: &str| Some(text.parse::<Length>().unwrap());
+        for text in ["911", "912\r\n", "\u{2}919\u{3}"] {
+            for asked in [None, size("25"), size("800")] {
+                let read = read(text, asked);
+                assert!(matches!(read, Err(GaugeError::ErrorText { .. })), "{text:?}: {read:?}");
+            }
+            assert!(read(text, size("910")).is_ok(), "{text:?}");
+        }
+        for text in ["911.0", "+911", "911 mm", "91", "9110", "921"] {
+            assert!(read(text, size("25")).is_ok(), "{text:?}");
+        }
+    }
+}

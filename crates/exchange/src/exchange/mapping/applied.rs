@@ -1,0 +1,275 @@
+//! The columns of a file by a mapping: what it says, and what is detected for the rest.
+
+use super::words::role_of;
+use super::{Column, Mapping, is_named};
+use crate::exchange::cells;
+use crate::exchange::columns::{self, Columns, LabelColumns, LengthColumn, Sample, unit_of};
+use crate::exchange::error::{ImportErrorKind, Role, shorten};
+use crate::exchange::evidence::Evidence;
+use crate::exchange::own::OwnColumns;
+use crate::exchange::quantity::QuantityColumn;
+use crate::exchange::stated::{self, Stated};
+
+/// What a mapping says of the columns of a file, and what is detected beside it.
+struct Said<'a> {
+    mapping: &'a Mapping,
+    /// The columns that are said, from 0; `None` for a role that no column has.
+    roles: Vec<(Role, Option<usize>)>,
+    names: csv::StringRecord,
+    found: Option<Columns>,
+}
+
+impl Mapping {
+    /// What the columns of a file are: as detected, but for what is said here.
+    pub(in crate::exchange) fn columns(&self, sample: &mut Sample) -> Result<Columns, ImportErrorKind> {
+        if *self == Self::default() {
+            return sample.columns();
+        }
+        if sample.rows.is_empty() {
+            return Err(ImportErrorKind::NoRows);
+        }
+        self.place_header(sample);
+        let width = sample.rows.iter().map(|(_, cells)| cells.len()).max().unwrap_or_default();
+        // Names that mean nothing to anybody else are names here.
+        let unknown = sample.above.checked_sub(1).filter(|_| self.first_row.is_none());
+        let header = sample.header.or(unknown).and_then(|at| sample.rows.get(at)).cloned();
+        let names = header.as_ref().map(|(_, names)| names.clone()).unwrap_or_default();
+        let said = self.said(&names, width)?;
+        (sample.given, sample.has_place_unit) = (self.unit(), self.place_unit().is_some());
+        sample.measured = said.iter().find(|(role, _)| *role == Role::Measured).and_then(|(_, at)| *at);
+        let detected = sample.columns();
+        let is_used = |at: usize| said.iter().any(|(_, of)| *of == Some(at));
+        let at_measured = said.iter().find(|(role, _)| *role == Role::Measured).map(|(_, at)| *at);
+        let measured = match (at_measured, &detected) {
+            (Some(Some(at)), _) => at,
+            (None, Ok(detected)) if !is_used(detected.measured.at) => detected.measured.at,
+            (None, Err(error)) => return Err(error.clone()),
+            _ => return Err(ImportErrorKind::NoMeasuredColumn),
+        };
+        let said = Said { mapping: self, roles: said, names, found: detected.ok() };
+        let mut columns = said.columns(measured, width)?;
+        columns.quantities = said.quantities(&columns, sample);
+        columns.header = header.map(|(line, _)| line).or_else(|| said.found.as_ref().and_then(|found| found.header));
+        columns.names_known = sample.header.is_some();
+        columns.ignored = said.ignored(&columns);
+        sample.look_at_values(&mut columns, &said.names);
+        columns.decimal_sign = self.decimal().or(columns.decimal_sign);
+        stated::decide(sample, &mut columns)?;
+        Ok(columns)
+    }
+
+    /// Finds the header by the names that are said, or above the first row.
+    fn place_header(&self, sample: &mut Sample) {
+        let names: Vec<&str> = self.columns.values().flat_map(Column::iter).filter_map(Column::name).collect();
+        let has = |cells: &csv::StringRecord, name: &str| cells.iter().any(|cell| is_named(cell, name));
+        let first = self.first_row.and_then(|first| sample.rows.iter().position(|(line, _)| first <= *line));
+        let above = sample.rows.get(..first.unwrap_or(sample.rows.len())).unwrap_or_default();
+        if !names.is_empty() {
+            // The row that has most of the names; the first of equals.
+            let count = |cells: &csv::StringRecord| names.iter().filter(|name| has(cells, name)).count();
+            let best = above.iter().enumerate().rev().max_by_key(|(_, (_, cells))| count(cells));
+            if let Some((at, _)) = best.filter(|(_, (_, cells))| 0 < count(cells)) {
+                sample.header = Some(at);
+                sample.above = at + 1;
+            }
+        } else if let Some(first) = first
+            && sample.header.is_none_or(|at| first <= at)
+        {
+            // Between the names and the first row there may be units, or numbers of columns.
+            let is_named = |cells: &csv::StringRecord| {
+                cells::may_be_names(cells) && cells.iter().any(|cell| cell.chars().any(char::is_alphabetic))
+            };
+            sample.header = above.iter().rposition(|(_, cells)| is_named(cells));
+        }
+        if let Some(first) = first {
+            sample.above = first;
+        }
+        sample.find_units_row();
+    }
+
+    /// The columns that are said, from 0; `None` for a role that no column has.
+    fn said(&self, names: &csv::StringRecord, width: usize) -> Result<Vec<(Role, Option<usize>)>, ImportErrorKind> {
+        let mut said: Vec<(Role, Option<usize>)> = Vec::new();
+        for (word, column) in &self.columns {
+            let Ok(role) = role_of(word) else { continue };
+            for column in column.iter() {
+                let at = place_of(column, role, names, width)?;
+                let twice = said.iter().find(|(_, known)| at.is_some() && *known == at);
+                if let Some(((first, _), at)) = twice.zip(at) {
+                    let column = columns::name_of(at, names.get(at).unwrap_or_default());
+                    return Err(ImportErrorKind::ColumnTwice { column, first: *first, second: role });
+                }
+                said.push((role, at));
+            }
+        }
+        Ok(said)
+    }
+}
+
+impl Said<'_> {
+    /// What is said of a role; `None` where nothing is.
+    fn of(&self, role: Role) -> Option<&(Role, Option<usize>)> {
+        self.roles.iter().find(|(of, _)| *of == role)
+    }
+
+    fn is_used(&self, at: usize) -> bool {
+        self.roles.iter().any(|(_, of)| *of == Some(at))
+    }
+
+    /// The column that is said, or else the one that was found, unless that is said to be another one.
+    fn either(&self, role: Role, found: impl Fn(&Columns) -> Option<usize>) -> Option<usize> {
+        let found = || self.found.as_ref().and_then(found).filter(|at| !self.is_used(*at));
+        self.of(role).map_or_else(found, |(_, at)| *at)
+    }
+
+    fn unit_of_name(&self, at: usize) -> Result<fitcheck_core::length::Unit, ImportErrorKind> {
+        unit_of(self.names.get(at).unwrap_or_default())
+    }
+
+    fn length(&self, at: usize) -> Result<LengthColumn, ImportErrorKind> {
+        Ok(LengthColumn { at, unit: self.mapping.unit().map_or_else(|| self.unit_of_name(at), Ok)? })
+    }
+
+    /// The column of X, Y or Z, from 0.
+    fn place(&self, role: Role, axis: usize) -> Result<Option<LengthColumn>, ImportErrorKind> {
+        let found = |found: &Columns| found.labels.place.get(axis).copied().flatten().map(|column| column.at);
+        let Some(at) = self.either(role, found) else { return Ok(None) };
+        let unit = self.mapping.place_unit().map_or_else(|| self.unit_of_name(at), Ok)?;
+        Ok(Some(LengthColumn { at, unit }))
+    }
+
+    /// The columns of the times.
+    fn times(&self) -> Vec<usize> {
+        let found = self.found.as_ref().map(|found| found.time.clone()).unwrap_or_default();
+        let is_list = matches!(self.mapping.columns.get(Role::Time.word()), Some(Column::Several(_)));
+        let said = self.roles.iter().filter(|(role, _)| *role == Role::Time);
+        match self.of(Role::Time) {
+            // Date and time may have a column each, and one of them is named.
+            Some((_, Some(at))) if !is_list && found.contains(at) => found,
+            Some(_) => said.filter_map(|(_, at)| *at).collect(),
+            None => found.into_iter().filter(|at| !self.is_used(*at)).collect(),
+        }
+    }
+
+    /// The columns that say what was measured.
+    fn quantities(&self, columns: &Columns, sample: &Sample) -> Vec<QuantityColumn> {
+        let found = self.found.as_ref().map(|found| found.quantities.clone()).unwrap_or_default();
+        if self.of(Role::Quantity).is_none() {
+            return found.into_iter().filter(|column| !self.is_used(column.at)).collect();
+        }
+        let said = self.roles.iter().filter(|(role, _)| *role == Role::Quantity);
+        said.filter_map(|(_, at)| sample.quantity(&self.names, (*at)?, columns.id)).collect()
+    }
+
+    fn columns(&self, measured: usize, width: usize) -> Result<Columns, ImportErrorKind> {
+        let labels = LabelColumns {
+            number: self.either(Role::Number, |found| found.labels.number),
+            part: self.either(Role::Part, |found| found.labels.part),
+            serial: self.either(Role::Serial, |found| found.labels.serial),
+            who: self.either(Role::Who, |found| found.labels.who),
+            place: [self.place(Role::X, 0)?, self.place(Role::Y, 1)?, self.place(Role::Z, 2)?],
+        };
+        let beside = |at: Option<usize>| at.filter(|at| *at != measured);
+        let nominal = beside(self.either(Role::Nominal, |found| found.nominal.map(|column| column.at)));
+        let count = self.found.as_ref().map_or(width, |found| found.count);
+        let count = if self.names.is_empty() { count } else { self.names.len() };
+        Ok(Columns {
+            id: beside(self.either(Role::Id, |found| found.id)),
+            tolerance: beside(self.either(Role::Tolerance, |found| found.tolerance)),
+            nominal: nominal.map(|at| self.length(at)).transpose()?,
+            measured: self.length(measured)?,
+            time: self.times(),
+            simulated: self.either(Role::Simulated, |found| found.simulated),
+            quantities: Vec::new(),
+            count: count.max(self.roles.iter().filter_map(|(_, at)| *at).max().map_or(0, |at| at + 1)),
+            header: None,
+            names_known: false,
+            ignored: Vec::new(),
+            decimal_sign: None,
+            behind: None,
+            decimals: None,
+            own: if self.names.is_empty() { OwnColumns::default() } else { OwnColumns::of(&self.names) },
+            evidence: self.evidence(measured),
+            labels,
+            other_values: Vec::new(),
+            beside: Vec::new(),
+            remarks: Vec::new(),
+            first: self.mapping.first_row,
+            stated: Stated::default(),
+        })
+    }
+
+    /// What the names say of how a value came about; of its origin only where no other column is said to tell it.
+    fn evidence(&self, measured: usize) -> Evidence {
+        let mut evidence = Evidence::of(&self.names, measured);
+        evidence.origin = evidence.origin.filter(|at| self.of(Role::Simulated).is_none() && !self.is_used(*at));
+        evidence
+    }
+
+    /// The names of the columns that are not used.
+    fn ignored(&self, columns: &Columns) -> Vec<String> {
+        let roles = roles(columns);
+        let is_ignored = |at: &usize| {
+            let is_own = columns.own.of_correction().chain(columns.evidence.origin).any(|own| own == *at);
+            let is_named = self.names.is_empty() || self.names.get(*at).is_some_and(|name| !name.trim().is_empty());
+            roles.get(*at).is_some_and(Option::is_none) && !is_own && is_named
+        };
+        let ignored = (0..columns.count).filter(is_ignored);
+        ignored.map(|at| columns::name_of(at, self.names.get(at).unwrap_or_default())).collect()
+    }
+}
+
+/// The place of a column in the rows of a file; `None` where it is none.
+fn place_of(
+    column: &Column,
+    role: Role,
+    names: &csv::StringRecord,
+    width: usize,
+) -> Result<Option<usize>, ImportErrorKind> {
+    match column {
+        Column::Name(name) if !column.is_none() => {
+            let found: Vec<usize> =
+                (0..).zip(names).filter(|(_, cell)| is_named(cell, name)).map(|(at, _)| at).collect();
+            match found.as_slice() {
+                [] => Err(no_column(role, name, names, width)),
+                [at] => Ok(Some(*at)),
+                several => Err(columns::several(role, names, several)),
+            }
+        }
+        Column::Number(number) => match number.checked_sub(1).filter(|at| *at < width) {
+            None => Err(no_column(role, &number.to_string(), names, width)),
+            at => Ok(at),
+        },
+        Column::Name(_) | Column::Several(_) => Ok(None),
+    }
+}
+
+fn no_column(role: Role, given: &str, names: &csv::StringRecord, width: usize) -> ImportErrorKind {
+    let width = width.max(names.len());
+    let names: Vec<String> = (0..width).map(|at| columns::name_of(at, names.get(at).unwrap_or_default())).collect();
+    ImportErrorKind::NoColumn { role, given: shorten(given), columns: columns::listed(&names) }
+}
+
+/// What each column holds.
+pub(super) fn roles(columns: &Columns) -> Vec<Option<Role>> {
+    let labels = &columns.labels;
+    let [x, y, z] = labels.place.map(|column| column.map(|column| column.at));
+    let one = [
+        (Role::Measured, Some(columns.measured.at)),
+        (Role::Tolerance, columns.tolerance),
+        (Role::Nominal, columns.nominal.map(|column| column.at)),
+        (Role::Id, columns.id),
+        (Role::Simulated, columns.simulated),
+        (Role::Number, labels.number),
+        (Role::Part, labels.part),
+        (Role::Serial, labels.serial),
+        (Role::Who, labels.who),
+        (Role::X, x),
+        (Role::Y, y),
+        (Role::Z, z),
+    ];
+    let times = columns.time.iter().map(|at| (Role::Time, Some(*at)));
+    let quantities = columns.quantities.iter().map(|column| (Role::Quantity, Some(column.at)));
+    let all: Vec<(Role, Option<usize>)> = one.into_iter().chain(times).chain(quantities).collect();
+    (0..columns.count).map(|at| all.iter().find(|(_, of)| *of == Some(at)).map(|(role, _)| *role)).collect()
+}

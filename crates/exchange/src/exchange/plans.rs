@@ -1,0 +1,146 @@
+//! Part plans from files of other tools: the characteristics that they declare become the features of a plan.
+//!
+//! What is no size of a hole or shaft is left out and said; what a file leaves open, such as hole or shaft, stays open and is a fault of
+//! the plan until somebody fills it in.
+
+use std::io::Cursor;
+
+use fitcheck_core::length::{Length, Unit};
+use fitcheck_core::message::{Located, Place, Say as _};
+use fitcheck_core::part::{Column, Document, HeadField, PlanError, PlanFault, PlanRemark, Row};
+use fitcheck_core::tolerance::Sources;
+
+use super::characteristic::{Characteristic, What};
+use super::error::ImportErrorKind;
+use super::imported::WhyUnjudged;
+use super::source::{Given, Source};
+use super::{FORMATS, sheet_rows};
+
+/// Reads a part plan of any known form: Fitcheck's own TOML or CSV, a workbook with the same columns, or the characteristics that a file of
+/// AQDEF, QIF or CALYPSO declares. `given` hands over the file beside it where a format is two files.
+///
+/// ```
+/// use fitcheck::exchange::{Given, read_plan};
+/// use fitcheck::tolerance::Sources;
+///
+/// let sources = Sources::default();
+/// let given = Given::new(&sources, jiff::civil::DateTime::default());
+/// let document = read_plan("plan.csv", b"name;callout\nA1;25 H7\n", given)?;
+/// assert_eq!(document.draft.rows.len(), 1);
+/// # Ok::<(), fitcheck::part::PlanError>(())
+/// ```
+///
+/// # Errors
+/// [`PlanError`] where nothing of it can be read.
+pub fn read_plan(file_name: &str, bytes: &[u8], given: Given<'_>) -> Result<Document, PlanError> {
+    let refused =
+        |kind: ImportErrorKind| Located { what: PlanFault::File { reason: kind.message() }, place: Place::default() };
+    if Document::is_own(bytes) {
+        return Document::read(bytes);
+    }
+    if is_workbook(bytes) {
+        return Document::of_rows(sheet_rows(bytes).map_err(refused)?);
+    }
+    let mut body = Cursor::new(bytes);
+    let mut source = Source::new(file_name, &mut body, given).map_err(refused)?;
+    let format = FORMATS.iter().find(|format| (format.recognises)(&source.beginning()));
+    match format.and_then(|format| format.plan) {
+        Some(declares) => Ok(document(declares(&mut source).map_err(refused)?, given.sources)),
+        None => Document::read(bytes),
+    }
+}
+
+/// The endings of files that plans are read from.
+pub const PLAN_ENDINGS: [&str; 8] = ["toml", "csv", "xlsx", "dfq", "dfd", "qif", "txt", "tsv"];
+
+/// The mark of a zip archive, which a workbook is.
+fn is_workbook(bytes: &[u8]) -> bool {
+    bytes.starts_with(b"PK\x03\x04")
+}
+
+fn document(declared: Vec<(usize, Characteristic)>, sources: &Sources) -> Document {
+    let mut document = Document::default();
+    let part =
+        declared.iter().map(|(_, characteristic)| characteristic.labels.part.as_str()).find(|part| !part.is_empty());
+    document.draft.set(HeadField::Part, part.unwrap_or_default().to_owned());
+    let mut has_told_axes = false;
+    for (line, characteristic) in declared {
+        let mut remark = |what| document.remarks.push(Located { what, place: Place::line(line) });
+        let left = match &characteristic.what {
+            What::Size => {
+                let row = row(&characteristic, line, sources, &mut remark);
+                document.draft.rows.push(row);
+                let labels = &characteristic.labels;
+                if labels.is_axis_assumed && labels.place != [None; 3] && !std::mem::replace(&mut has_told_axes, true) {
+                    document.remarks.push(Located { what: PlanRemark::AxesAssumed, place: Place::line(line) });
+                }
+                continue;
+            }
+            What::Quantity(quantity) => WhyUnjudged::Quantity { quantity: *quantity },
+            What::Other(what) => WhyUnjudged::NotASize { what: what.clone() },
+        };
+        remark(PlanRemark::Left { name: characteristic.id(), why: left.message() });
+    }
+    document
+}
+
+/// The feature of a characteristic. A class counts where its limits are those of the file; otherwise the file's limits do.
+fn row(characteristic: &Characteristic, line: usize, sources: &Sources, remark: &mut dyn FnMut(PlanRemark)) -> Row {
+    let mut row = Row::at(Place::line(line));
+    let mut set = |column, text: String| row.put(column, fitcheck_core::part::Cell::at(text, Place::line(line)));
+    set(Column::Number, characteristic.labels.number.clone());
+    set(Column::Name, characteristic.id());
+    let deviations = characteristic.nominal.zip(characteristic.minimum.zip(characteristic.maximum));
+    let of_class = characteristic.callout().map(|callout| (callout, sources.limits(&callout, characteristic.feature)));
+    let own = deviations.map(|(nominal, (minimum, maximum))| {
+        let (upper, lower) = (maximum.saturating_sub(nominal), minimum.saturating_sub(nominal));
+        format!("{nominal} {}/{}", signed(upper), signed(lower))
+    });
+    let callout = match (of_class, own) {
+        (Some((callout, Ok(limits))), Some(own)) => {
+            let given = (characteristic.minimum, characteristic.maximum);
+            if given == (Some(limits.minimum()), Some(limits.maximum())) {
+                callout.to_string()
+            } else {
+                let (name, class) = (characteristic.id(), callout.to_string());
+                remark(PlanRemark::ClassLeft { name, class });
+                own
+            }
+        }
+        // The other limit is none, or nobody wrote it down: that of the class would be a guess.
+        (Some((callout, _)), None) if characteristic.minimum.is_some() || characteristic.maximum.is_some() => {
+            remark(PlanRemark::ClassLeft { name: characteristic.id(), class: callout.to_string() });
+            callout.nominal().to_string()
+        }
+        (Some((callout, _)), None) => callout.to_string(),
+        (_, Some(own)) => own,
+        (None, None) => characteristic.nominal.map_or_else(String::new, |nominal| nominal.to_string()),
+    };
+    let has_letters = callout.chars().any(char::is_alphabetic);
+    set(Column::Callout, callout);
+    if let Some(feature) = characteristic.feature().filter(|_| !has_letters) {
+        set(Column::Feature, feature.word().to_owned());
+    }
+    for (column, length) in [Column::X, Column::Y, Column::Z].into_iter().zip(characteristic.labels.place) {
+        if let Some(length) = length {
+            set(column, length.to_string());
+        }
+    }
+    if let Some(why) = &characteristic.labels.no_place {
+        remark(PlanRemark::PlaceLeft { name: characteristic.id(), why: why.message() });
+    }
+    // The standard uncertainty is half the expanded one, k = 2: of an odd number of nanometres it would be rounded.
+    match characteristic.expanded.map(|expanded| (expanded, Length::from_nanometres(expanded.nanometres() / 2))) {
+        Some((expanded, Ok(half))) if half.nanometres() * 2 == expanded.nanometres() => {
+            set(Column::Uncertainty, half.exact(Unit::Micrometre, 0));
+        }
+        Some((expanded, _)) => remark(PlanRemark::UncertaintyLeft { name: characteristic.id(), expanded }),
+        None => {}
+    }
+    row
+}
+
+/// A deviation with its sign, as callouts have it.
+fn signed(deviation: Length) -> String {
+    if Length::ZERO < deviation { format!("+{deviation}") } else { deviation.to_string() }
+}

@@ -1,0 +1,335 @@
+//! QIF 3.0 (ISO 23952): results and plans of measuring software as XML.
+//!
+//! A file is read twice: first what is declared in it, which is kept (`definitions`), then its values, which are not
+//! (`results`). What stands behind the values, such as serial numbers, belongs to them all the same. `characteristics` puts
+//! together what the definitions say of a value, `units` makes lengths of its numbers, `axis` says which features have a place to probe.
+//!
+//! Names of elements count without their prefix, whatever namespace that stands for. The numbers of things are taken as they
+//! are: whether they go beyond `idMax` changes nothing. The status of a whole part is not compared, because it is also that of
+//! characteristics which are no sizes.
+
+mod axis;
+mod characteristics;
+mod definitions;
+mod results;
+mod units;
+
+use std::collections::HashMap;
+use std::ops::ControlFlow;
+use std::sync::Arc;
+
+use jiff::civil::DateTime;
+
+use super::characteristic::{Characteristic, Value};
+use super::claim::Claim;
+use super::error::{ImportErrorKind, ImportWarningKind, shorten};
+use super::imported::{Asked, Sink, Unjudged, WhyUnjudged};
+use super::source::{Beginning, Context, Source};
+use super::xml::{self, Fault, Xml};
+use super::{Format, Labels};
+use characteristics::{has_lengths, in_words};
+use definitions::Definitions;
+use fitcheck_core::length::Length;
+use fitcheck_core::message::{Located, Place};
+use fitcheck_core::probing::Origin;
+use fitcheck_core::verdict::Status;
+use results::{End, Found, Measured};
+use units::{NotALength, Number, Of};
+
+pub(super) const FORMAT: Format = Format {
+    name: "qif",
+    endings: &["qif", "xml"],
+    description: "exchange-format-qif",
+    recognises,
+    read,
+    plan: Some(plan),
+    line_ends: b"",
+    has_marks: true,
+    shows_end: true,
+};
+
+/// The attributes that anything is known by.
+const ATTRIBUTES: &[&str] =
+    &["id", "n", "versionQIF", "linearUnit", "zoneVariance", "combinedUncertainty", "meanError"];
+
+/// By the name of its first element, whatever comes before it.
+fn recognises(beginning: &Beginning<'_>) -> bool {
+    let text = xml::text_of(beginning.bytes);
+    let text = text.trim_start_matches('\u{feff}').trim_start();
+    let is_named = |before: &str| before.ends_with(['<', ':']) || before.ends_with("<!DOCTYPE ");
+    text.starts_with('<')
+        && text.match_indices("QIFDocument").any(|(at, _)| is_named(text.get(..at).unwrap_or_default()))
+}
+
+/// A file of which all pieces are read again.
+fn open<'s>(source: &'s mut Source<'_>) -> Result<Xml<'s>, ImportErrorKind> {
+    let head = source.beginning().bytes.to_vec();
+    Xml::new(source.bytes()?, &head, ATTRIBUTES)
+}
+
+fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
+    let (definitions, mut fault) = Definitions::read(&mut open(source)?);
+    // What is broken before the values may be what they refer to.
+    if let Some(fault) = fault.take_if(|_| !definitions.has_results) {
+        refuse(fault, sink);
+        return Ok(());
+    }
+    if definitions.units.is_none() {
+        return Err(ImportErrorKind::QifNoUnit);
+    }
+    for ((line, column), kind) in &definitions.warnings {
+        sink.warn(Place::in_line(*line, *column), None, kind.clone());
+    }
+    let context = source.context.clone();
+    let mut reader = Reader { definitions: &definitions, context: &context, sink, has_time: true };
+    let ended = results::read(&mut open(source)?, &definitions, &mut |found| reader.take(found));
+    let Reader { has_time, .. } = reader;
+    if !has_time {
+        sink.warn(Place::line(1), None, ImportWarningKind::NoTime);
+    }
+    match (ended, fault) {
+        (Err(End::Fault(fault)), _) | (Ok(()), Some(fault)) => refuse(fault, sink),
+        (Ok(()), None) if sink.rows() == 0 => return Err(ImportErrorKind::QifNoResults),
+        (Err(End::Enough) | Ok(()), _) => {}
+    }
+    Ok(())
+}
+
+fn refuse(fault: Fault, sink: &mut Sink<'_>) {
+    let Located { what, place } = *fault.0;
+    sink.refuse(place, what, String::new());
+}
+
+/// The characteristics of the items, and of nominals that no item refers to: a plan need not have items.
+fn plan(source: &mut Source<'_>) -> Result<Vec<(usize, Characteristic)>, ImportErrorKind> {
+    let (definitions, fault) = Definitions::read(&mut open(source)?);
+    if let Some(fault) = fault {
+        return Err(fault.into());
+    }
+    // Where items do not name their features, the values do.
+    let mut features: HashMap<String, String> = HashMap::new();
+    let ended = results::read(&mut open(source)?, &definitions, &mut |found| {
+        if let Found::Value(Measured { element, feature_item: Some(feature), .. }) = found {
+            let item = element.text_at(&["CharacteristicItemId"]);
+            if features.len() < definitions::MOST && !features.contains_key(item) {
+                features.insert(item.to_owned(), feature.to_owned());
+            }
+        }
+        ControlFlow::Continue(())
+    });
+    if let Err(End::Fault(fault)) = ended {
+        return Err(fault.into());
+    }
+    let mut declared = Vec::new();
+    let at = |line: usize| move |kind| ImportErrorKind::from(xml::fault((line, 1), kind));
+    for ((line, id), item) in &definitions.items {
+        let read = definitions.resolve(item, features.get(id).map(String::as_str)).map_err(at(*line))?;
+        declared.push((*line, read.characteristic));
+    }
+    for ((line, id), nominal) in &definitions.nominals {
+        if !definitions.items.values().any(|item| item.nominal == *id) {
+            let read = definitions.resolve_nominal(nominal).map_err(at(*line))?;
+            declared.push((*line, read.characteristic));
+        }
+    }
+    if declared.is_empty() { Err(ImportErrorKind::QifNoCharacteristics) } else { Ok(declared) }
+}
+
+/// Judges values.
+struct Reader<'r, 's> {
+    definitions: &'r Definitions,
+    context: &'r Context<'r>,
+    sink: &'r mut Sink<'s>,
+    /// Whether each value had a time so far.
+    has_time: bool,
+}
+
+impl Reader<'_, '_> {
+    fn take(&mut self, found: Found<'_>) -> ControlFlow<()> {
+        match found {
+            Found::Warning((line, column), kind) => self.sink.warn(Place::in_line(line, column), None, kind),
+            Found::Value(measured) => {
+                let (line, column) = measured.element.start.at;
+                if self.sink.is_full(line) {
+                    return ControlFlow::Break(());
+                }
+                if let Err((kind, given)) = self.value(line, &measured) {
+                    self.sink.refuse(Place::in_line(line, column), kind, given);
+                }
+            }
+        }
+        ControlFlow::Continue(())
+    }
+
+    fn warn(&mut self, line: usize, kind: ImportWarningKind) {
+        self.sink.warn(Place::line(line), Some(line), kind);
+    }
+
+    /// Judges a value, or says why it cannot be used, and what was given.
+    fn value(&mut self, line: usize, measured: &Measured<'_>) -> Result<(), (ImportErrorKind, String)> {
+        let nothing_given = |kind| (kind, String::new());
+        let element = measured.element;
+        let id = element.text_at(&["CharacteristicItemId"]);
+        let missing = || ImportErrorKind::QifReference { what: "CharacteristicItem".to_owned(), id: shorten(id) };
+        let item = self.definitions.item(id).ok_or_else(missing).map_err(nothing_given)?;
+        let resolved = self.definitions.resolve(item, measured.feature_item).map_err(nothing_given)?;
+        let own = element.text_at(&["Status", "CharacteristicStatusEnum"]);
+        let status = if own.is_empty() { element.text_at(&["Status", "OtherCharacteristicStatus"]) } else { own };
+        // A radius is half a diameter.
+        if characteristics::is_size(&resolved.kind) && resolved.kind != measured.kind {
+            let (measured, defined) = (in_words(measured.kind), in_words(&resolved.kind));
+            return Err(nothing_given(ImportErrorKind::QifOtherKind { measured, defined }));
+        }
+        if 1 < element.children().filter(|child| child.start.name == "Value").count() {
+            return Err(nothing_given(ImportErrorKind::QifSeveralValues));
+        }
+        let no_value = || nothing_given(ImportErrorKind::QifNoValue { status: shorten(status) });
+        let value = element.child("Value").filter(|value| !value.text.is_empty()).ok_or_else(no_value)?;
+        let mut labels = resolved.characteristic.labels.clone();
+        labels.claims.extend(claim(status));
+        measured.serial.clone_into(&mut labels.serial);
+        labels.who.clone_from(&measured.trace.who);
+        if labels.place == [None; 3]
+            && labels.no_place.is_none()
+            && let Some((place, units)) = measured.place.zip(self.definitions.units.as_ref())
+        {
+            labels.place = characteristics::coordinates(units, place);
+        }
+        let time = self.time(line, measured);
+        if !has_lengths(measured.kind) {
+            let why = WhyUnjudged::NotASize { what: in_words(measured.kind) };
+            self.set_aside(line, why, resolved.characteristic.id(), labels, time);
+            return Ok(());
+        }
+        if NOT_VALID.contains(&status) {
+            let why = WhyUnjudged::NotValid { said: status.to_owned() };
+            self.set_aside(line, why, resolved.characteristic.id(), labels, time);
+            return Ok(());
+        }
+        let Some((number, units)) = Number::of(value).zip(self.definitions.units.as_ref()) else { return Ok(()) };
+        let read = units.length(&number, Of::Characteristic).map_err(|error| match error {
+            NotALength::Number(error) => ImportErrorKind::Measured(error),
+            NotALength::Unit(kind) => kind,
+        });
+        let (length, is_exact) = read.map_err(|kind| (kind, shorten(&number.text)))?;
+        if characteristics::is_size(measured.kind) {
+            if length <= Length::ZERO {
+                let given = shorten(&number.text);
+                return Err((ImportErrorKind::NotPositive { given: given.clone() }, given));
+            }
+            let inexact = (!is_exact).then_some(number.text);
+            for given in resolved.rounded.into_iter().chain(inexact) {
+                self.warn(line, ImportWarningKind::Rounded { given: shorten(&given) });
+            }
+            let standard = value.start.attribute("combinedUncertainty").to_owned();
+            if !standard.is_empty() {
+                let mean_error = value.start.attribute("meanError").to_owned();
+                self.warn(line, ImportWarningKind::StandardUncertaintyNotUsed { standard, mean_error });
+            }
+        }
+        let value = Value { line, measured: length, time, labels, is_simulated: false };
+        resolved.characteristic.judge(value, self.context, self.sink);
+        Ok(())
+    }
+
+    /// A value that is no length, such as an angle, or of which the file says that it is none.
+    fn set_aside(&mut self, line: usize, why: WhyUnjudged, id: String, labels: Labels, time: Option<DateTime>) {
+        let time = time.unwrap_or(self.context.now);
+        let origin = Origin::Imported { file: Arc::clone(&self.context.file) };
+        let (measured, position, asked, correction) = (None, None, Asked::default(), None);
+        self.sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why });
+    }
+
+    /// When a value was measured: it says so itself, or the inspection that it belongs to.
+    fn time(&mut self, line: usize, measured: &Measured<'_>) -> Option<DateTime> {
+        let own = measured.element.text_at(&["TimeStamp"]);
+        let given = if own.is_empty() { &measured.trace.time } else { own };
+        if given.is_empty() {
+            self.has_time = false;
+            return None;
+        }
+        let (local, offset) = without_offset(given);
+        let time = local.parse().ok();
+        let given = shorten(given);
+        match time {
+            None => self.warn(line, ImportWarningKind::Time { given }),
+            Some(_) if !offset.is_empty() => self.warn(line, ImportWarningKind::Offset { given }),
+            Some(_) => {}
+        }
+        time
+    }
+}
+
+/// A date and time as XML writes it, and how far it is from UTC.
+fn without_offset(given: &str) -> (&str, &str) {
+    let begin = given.find('T').and_then(|time| {
+        let behind = given.get(time..)?;
+        Some(time + behind.find(['Z', '+', '-'])?)
+    });
+    given.split_at(begin.unwrap_or(given.len()))
+}
+
+/// Statuses of characteristics (`CharacteristicStatusEnumType`) and of inspections (`InspectionStatusEnumType`) of which there is no
+/// value to judge: the measuring software could not determine it, or did not.
+const NOT_VALID: [&str; 7] =
+    ["SYSERROR", "INDETERMINATE", "NOT_ANALYZED", "UNDEFINED", "UNKNOWN", "NOT_CALCULATED", "NOT_MEASURED"];
+
+/// What a status of the file claims; `None` where it says nothing of the size.
+fn claim(status: &str) -> Option<Claim> {
+    match status {
+        "PASS" => Some(Claim::of(status, Status::Good)),
+        "REWORK" => Some(Claim::of(status, Status::Rework)),
+        "FAIL" => Some(Claim::out(status)),
+        // A size without a tolerance.
+        "" | "BASIC_OR_TED" => None,
+        other => Some(Claim::unknown(other)),
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::super::source::Given;
+    use super::*;
+    use fitcheck_core::tolerance::{Feature, Sources};
+
+    fn planned(text: &str) -> Result<Vec<(usize, Characteristic)>, String> {
+        let (mut body, sources) = (std::io::Cursor::new(text.as_bytes()), Sources::default());
+        let mut source = Source::new("a.qif", &mut body, Given::new(&sources, DateTime::MIN)).unwrap();
+        plan(&mut source).map_err(|error| error.to_string())
+    }
+
+    const LIMITS: &str = include_str!("../../../../../tests/data/qif/minimal_bore_25H7.qif");
+    const CLASS: &str = include_str!("../../../../../tests/data/qif/minimal_bore_25H7_limitsandfits.qif");
+
+    #[test]
+    fn results_declare_their_characteristics() {
+        for (text, class, limits) in [(LIMITS, "", Some(["25", "25.021"])), (CLASS, "H7", None)] {
+            let declared = planned(text).unwrap();
+            let [(line, bore)] = declared.as_slice() else { panic!("{declared:?}") };
+            assert_eq!((*line, bore.name.as_str(), bore.class.as_str()), (45, "BORE1 25 H7", class));
+            assert_eq!((bore.feature, bore.nominal.unwrap().to_string().as_str()), (Some(Feature::Hole), "25"));
+            let found =
+                bore.minimum.zip(bore.maximum).map(|(minimum, maximum)| [minimum.to_string(), maximum.to_string()]);
+            assert_eq!(found, limits.map(|limits| limits.map(str::to_owned)));
+            assert_eq!(bore.labels.part, "PN-4711");
+            assert_eq!(bore.labels.place.map(|axis| axis.unwrap().to_string()), ["50", "50", "-5"]);
+        }
+    }
+
+    #[test]
+    fn a_plan_needs_neither_results_nor_items() {
+        let (before, _) = LIMITS.split_once("  <Results>").unwrap();
+        let plan = format!("{before}</QIFDocument>");
+        let [(45, bore)] = &planned(&plan).unwrap()[..] else { panic!() };
+        // Nothing says to which feature it belongs.
+        assert_eq!((bore.name.as_str(), bore.feature), ("BORE1 25 H7", None));
+        let named = "<FeatureNominalIds n=\"1\"><Id>4</Id></FeatureNominalIds><Name>B</Name><TargetValue>";
+        let plan = plan.replace("<TargetValue>", named);
+        let (before, behind) = plan.split_once("<CharacteristicItems").unwrap();
+        let plan = format!("{before}{}", behind.split_once("</CharacteristicItems>").unwrap().1);
+        let [(42, bore)] = &planned(&plan).unwrap()[..] else { panic!("{:?}", planned(&plan)) };
+        assert_eq!((bore.name.as_str(), bore.feature), ("B", Some(Feature::Hole)));
+        let broken = plan.replace("<CharacteristicDefinitionId>7", "<CharacteristicDefinitionId>70");
+        assert_eq!(planned(&broken).unwrap_err(), "line 42, column 1: CharacteristicDefinition 70 is not in the file");
+    }
+}

@@ -1,0 +1,306 @@
+//! What one row of a CSV says: its measured value, its callout and its limits, or the cell that cannot be used.
+//!
+//! `measurements` asks it for files that are kept in memory, `batch` for rows by the million.
+
+use csv::StringRecord;
+use fitcheck_core::length::Length;
+use fitcheck_core::message::Say as _;
+use fitcheck_core::tolerance::{Callout, CalloutError, Feature, Limits, Sources, ToleranceClass};
+
+use super::cells;
+use super::columns::{Columns, LengthColumn};
+use super::error::{ImportErrorKind, ImportWarningKind, shorten, shorten_cell};
+use super::evidence;
+use super::imported::{Asked, WhyUnjudged};
+use super::lookup::Lookup;
+use super::quantity::{self, Quantity};
+
+/// A cell and its place in the row, from 0.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct Cell<'a> {
+    pub(super) at: Option<usize>,
+    pub(super) text: &'a str,
+}
+
+/// A cell that cannot be used.
+pub(super) type Refused<'a> = (Cell<'a>, ImportErrorKind);
+
+/// What a row says.
+pub(super) struct Found {
+    pub(super) measured: Length,
+    /// The callout and its limits; `None` where the row has no callout.
+    pub(super) asked: Option<(Callout, Limits)>,
+    /// What a row without a callout says that its value should be.
+    pub(super) said: Asked,
+    /// Whether it says that nobody measured.
+    pub(super) is_simulated: bool,
+    /// What it says was measured.
+    pub(super) quantity: Option<Quantity>,
+}
+
+/// What is known before a row is read.
+pub(super) struct Rules<'a> {
+    pub(super) columns: &'a Columns,
+    /// Whether cells stand between commas, where a decimal comma may have become a separator.
+    pub(super) has_commas: bool,
+    pub(super) sources: &'a Sources,
+    /// What was asked before; `None` where that is remembered elsewhere.
+    pub(super) lookup: Option<&'a Lookup>,
+    /// Whether a plan judges values without a callout: some of them are deviations or coordinates, which may be below zero.
+    pub(super) has_plan: bool,
+}
+
+impl Rules<'_> {
+    /// What a row says, or the first cell that cannot be used.
+    pub(super) fn read<'c>(&self, cells: &'c StringRecord) -> Result<Found, Refused<'c>> {
+        let quantity = self.quantity(cells);
+        if quantity.as_ref().is_some_and(|quantity| !quantity.is_size()) {
+            return self.other_quantity(cells, quantity);
+        }
+        self.right_length(cells, self.columns.tolerance)?;
+        let asks = self.columns.tolerance.is_some_and(|at| !is_blank(cells, at));
+        let measured = if self.has_plan && !asks { self.any_measured(cells)? } else { self.measured(cells)? };
+        let Some((callout, cell)) = self.callout(cells, measured)? else {
+            // A plan may judge it: what a file of Fitcheck says against it counts all the same.
+            self.columns.own.decided_by_size(cells)?;
+            let said = self.said(cells)?;
+            return Ok(Found { measured, asked: None, said, is_simulated: self.is_simulated(cells)?, quantity });
+        };
+        let limits = match self.lookup {
+            Some(lookup) => lookup.limits(&callout, self.sources),
+            None => self.sources.limits(&callout, None),
+        };
+        let limits = limits.map_err(|error| (cell, ImportErrorKind::Limits(error)))?;
+        let is_simulated = self.is_simulated(cells)?;
+        self.columns.own.decided_by_size(cells)?;
+        Ok(Found { measured, asked: Some((callout, limits)), said: Asked::default(), is_simulated, quantity })
+    }
+
+    /// What a row says was measured.
+    fn quantity(&self, cells: &StringRecord) -> Option<Quantity> {
+        quantity::of_row(&self.columns.quantities, cells).map(|(_, _, quantity)| quantity)
+    }
+
+    /// The cell by which a row is of another quantity than a size.
+    pub(super) fn other_than_size<'c>(&self, cells: &'c StringRecord) -> Option<Cell<'c>> {
+        let (at, text, _) = quantity::of_row(&self.columns.quantities, cells).filter(|(_, _, of)| !of.is_size())?;
+        Some(Cell { at: Some(at), text })
+    }
+
+    /// A row of another quantity than a size: its callout, if it has one, is not that of its value.
+    fn other_quantity<'c>(&self, cells: &'c StringRecord, quantity: Option<Quantity>) -> Result<Found, Refused<'c>> {
+        self.right_length(cells, None)?;
+        let measured = self.any_measured(cells)?;
+        let said = self.said(cells).unwrap_or_default();
+        Ok(Found { measured, asked: None, said, is_simulated: self.is_simulated(cells)?, quantity })
+    }
+
+    /// What a row without a callout says that its value should be.
+    fn said<'c>(&self, cells: &'c StringRecord) -> Result<Asked, Refused<'c>> {
+        let nominal = self.columns.nominal.filter(|column| !is_blank(cells, column.at));
+        let nominal = nominal.map(|column| self.length(cells, column, ImportErrorKind::Nominal)).transpose()?;
+        let [minimum, maximum] = self.columns.own.limits(cells);
+        Ok(Asked { nominal: nominal.map(|(_, nominal)| nominal), minimum, maximum })
+    }
+
+    /// That the end of the file may have cut off a last row that has no line end: its measured value, if that has fewer decimals than the
+    /// others or there are no others to tell, or its callout. What is cut off behind these changes no verdict.
+    pub(super) fn cut_off(&self, cells: &StringRecord) -> Option<ImportWarningKind> {
+        let columns = self.columns;
+        let last = cells.len().checked_sub(1)?;
+        let given = shorten(cells.get(last).unwrap_or_default().trim());
+        let judged_by = [Some(columns.measured.at), columns.tolerance, columns.nominal.map(|column| column.at)];
+        let quantities = columns.quantities.iter().map(|column| column.at);
+        if judged_by.into_iter().flatten().chain(quantities).max() < Some(last) {
+            return None;
+        }
+        if last != columns.measured.at {
+            return Some(ImportWarningKind::OpenEnd { given });
+        }
+        match (cells::decimals(&given), columns.decimals) {
+            (found, Some((fewest, _))) if found < fewest => Some(ImportWarningKind::CutOff { given }),
+            (found, Some((_, most))) if 0 < most && most <= found => None,
+            _ => Some(ImportWarningKind::OpenEnd { given }),
+        }
+    }
+
+    /// The measured size of a row, or the first cell that cannot be used. Of a callout only the side counts: a row of the
+    /// other one is refused.
+    pub(super) fn size<'c>(&self, cells: &'c StringRecord, feature: Feature) -> Result<Found, Refused<'c>> {
+        self.right_length(cells, None)?;
+        if let Some(cell) = self.other_than_size(cells) {
+            let what = WhyUnjudged::NotASize { what: shorten(cell.text) }.message();
+            return Err((cell, ImportErrorKind::NotASize(what)));
+        }
+        let measured = self.measured(cells)?;
+        let text = self.columns.tolerance.and_then(|at| cells.get(at)).unwrap_or_default().trim();
+        let given = shorten_cell(text);
+        let class = || given.parse::<ToleranceClass>().ok().filter(|class| class.has_grade());
+        let found = match given.parse::<Callout>() {
+            Ok(callout) => callout.feature(),
+            Err(_) => class().map(ToleranceClass::feature),
+        };
+        if found.is_some_and(|found| found != feature) {
+            return Err((
+                Cell { at: self.columns.tolerance, text },
+                ImportErrorKind::OtherFeature { given: given.into_owned(), feature },
+            ));
+        }
+        let (is_simulated, quantity) = (self.is_simulated(cells)?, None);
+        Ok(Found { measured, asked: None, said: Asked::default(), is_simulated, quantity })
+    }
+
+    /// Whether a comment would be a row with a size, were it none.
+    pub(super) fn hides_size(&self, cells: &StringRecord, feature: Feature) -> bool {
+        self.size(&uncommented(cells), feature).is_ok() || self.hides_measurement(cells)
+    }
+
+    /// Whether a comment would be a row with a callout and its measured value, were it none: with its `#` or without.
+    pub(super) fn hides_measurement(&self, cells: &StringRecord) -> bool {
+        let bare = uncommented(cells);
+        let is_row = self.read(&bare).is_ok_and(|found| found.asked.is_some());
+        is_row || [cells, &bare].into_iter().any(cells::is_data)
+    }
+
+    /// There must be enough cells for what is needed, and none beyond the columns.
+    fn right_length<'c>(&self, cells: &'c StringRecord, callout: Option<usize>) -> Result<(), Refused<'c>> {
+        let expected = self.columns.count;
+        let found = cells.len();
+        if let Some((at, text)) = cells.iter().enumerate().skip(expected).find(|(_, cell)| !cell.trim().is_empty()) {
+            return Err((Cell { at: Some(at), text }, ImportErrorKind::RowLong { found, expected }));
+        }
+        let needed = callout.into_iter().chain([self.columns.measured.at]).max().unwrap_or_default();
+        if found <= needed {
+            return Err((
+                Cell { at: None, text: cells.iter().next_back().unwrap_or_default() },
+                ImportErrorKind::RowShort { found, expected },
+            ));
+        }
+        Ok(())
+    }
+
+    /// The measured value of a diameter.
+    fn measured<'c>(&self, cells: &'c StringRecord) -> Result<Length, Refused<'c>> {
+        let measured = self.any_measured(cells)?;
+        if measured <= Length::ZERO {
+            let at = self.columns.measured.at;
+            let text = cells.get(at).unwrap_or_default().trim();
+            return Err((Cell { at: Some(at), text }, ImportErrorKind::NotPositive { given: shorten(text) }));
+        }
+        Ok(measured)
+    }
+
+    fn any_measured<'c>(&self, cells: &'c StringRecord) -> Result<Length, Refused<'c>> {
+        let (cell, measured) = self.length(cells, self.columns.measured, ImportErrorKind::Measured)?;
+        let given = || shorten(cell.text);
+        if let Some(sign) = self.columns.decimal_sign
+            && cell.text.contains(if sign == '.' { ',' } else { '.' })
+        {
+            return Err((cell, ImportErrorKind::DecimalSign { given: given(), sign }));
+        }
+        // 25,012 between separating commas: 25 in this column and 012 in the next one.
+        let behind = cells.get(self.columns.measured.at + 1).filter(|behind| cells::is_whole(behind));
+        if let Some(behind) = behind
+            && self.has_commas
+            && cells::is_whole(cell.text)
+            && !self.columns.behind.is_some_and(|numbers| numbers.may_have(behind))
+        {
+            let joined = format!("{},{}", given(), shorten(behind.trim()));
+            return Err((cell, ImportErrorKind::DecimalComma { joined }));
+        }
+        Ok(measured)
+    }
+
+    /// A length of a row, in the unit that is stated for it.
+    fn length<'c>(
+        &self,
+        cells: &'c StringRecord,
+        column: LengthColumn,
+        reason: fn(fitcheck_core::length::LengthError) -> ImportErrorKind,
+    ) -> Result<(Cell<'c>, Length), Refused<'c>> {
+        let column = self.columns.stated.in_row(column, cells)?;
+        let text = cells.get(column.at).unwrap_or_default().trim();
+        let cell = Cell { at: Some(column.at), text };
+        let length = Length::parse_in(&shorten_cell(text), column.unit).map_err(|error| (cell, reason(error)))?;
+        Ok((cell, length))
+    }
+
+    /// The callout of a row and its cell; `None` where the cell is empty or there is no such column.
+    fn callout<'c>(
+        &self,
+        cells: &'c StringRecord,
+        measured: Length,
+    ) -> Result<Option<(Callout, Cell<'c>)>, Refused<'c>> {
+        let Some(at) = self.columns.tolerance else { return Ok(None) };
+        let text = cells.get(at).unwrap_or_default().trim();
+        let cell = Cell { at: Some(at), text };
+        if text.is_empty() {
+            return Ok(None);
+        }
+        let begins_with_letter = text.starts_with(|c: char| c.is_ascii_alphabetic());
+        let given = shorten_cell(text);
+        let nominal = match self.columns.nominal {
+            Some(column) if begins_with_letter || !is_blank(cells, column.at) => {
+                Some(self.length(cells, column, ImportErrorKind::Nominal)?)
+            }
+            _ => None,
+        };
+        let is_class = begins_with_letter && nominal.is_some();
+        if !is_class && self.columns.stated.is_inch(cells) {
+            return Err((cell, ImportErrorKind::CalloutUnit { given: given.into_owned() }));
+        }
+        let read = match nominal {
+            Some((_, nominal)) if begins_with_letter => {
+                given.parse().map_err(CalloutError::from).and_then(|class| Callout::new(nominal, class))
+            }
+            _ => self.lookup.map_or_else(|| given.parse::<Callout>(), |lookup| lookup.callout(&given)),
+        };
+        let callout = read.map_err(|error| (cell, ImportErrorKind::Callout(error)))?;
+        if let Some((_, nominal)) = nominal.filter(|(_, nominal)| *nominal != callout.nominal()) {
+            return Err((cell, ImportErrorKind::NominalDiffers { callout, nominal }));
+        }
+        self.one_callout(cells, cell, callout, measured)?;
+        Ok(Some((callout, cell)))
+    }
+
+    /// `25,5 H7,25.512` without a header is 5 H7 of part 25, or 25,5 H7. The measured value shows the doubt.
+    fn one_callout<'c>(
+        &self,
+        cells: &'c StringRecord,
+        cell: Cell<'c>,
+        callout: Callout,
+        measured: Length,
+    ) -> Result<(), Refused<'c>> {
+        if self.columns.names_known || !self.has_commas {
+            return Ok(());
+        }
+        let Some(before) = cell.at.and_then(|at| at.checked_sub(1)).and_then(|at| cells.get(at)) else { return Ok(()) };
+        let joined = format!("{},{}", before.trim(), cell.text);
+        let Ok(other) = joined.parse::<Callout>() else { return Ok(()) };
+        let off = |nominal: Length| measured.saturating_sub(nominal).abs();
+        if off(other.nominal()) < off(callout.nominal()) {
+            return Err((cell, ImportErrorKind::DecimalComma { joined: shorten(&joined) }));
+        }
+        Ok(())
+    }
+
+    /// Whether the row says that nobody measured.
+    fn is_simulated<'c>(&self, cells: &'c StringRecord) -> Result<bool, Refused<'c>> {
+        let text = self.columns.simulated.and_then(|at| cells.get(at)).unwrap_or_default().trim();
+        let evidence = evidence::yes_or_no(text).or_else(|| evidence::is_simulated(text));
+        let unknown =
+            || (Cell { at: self.columns.simulated, text }, ImportErrorKind::Simulated { given: shorten(text) });
+        let is_simulated = evidence.ok_or_else(unknown)?;
+        Ok(self.columns.evidence.is_simulated(cells)? || is_simulated)
+    }
+}
+
+/// A comment without its `#`.
+fn uncommented(cells: &StringRecord) -> StringRecord {
+    let first = cells.get(0).unwrap_or_default().trim_start().trim_start_matches('#');
+    std::iter::once(first).chain(cells.iter().skip(1)).collect()
+}
+
+fn is_blank(cells: &StringRecord, at: usize) -> bool {
+    cells.get(at).is_none_or(|cell| cell.trim().is_empty())
+}

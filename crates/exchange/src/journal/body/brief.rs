@@ -1,0 +1,90 @@
+//! What an entry is found by, read from its body without judging it again: a million of them in seconds.
+
+use std::borrow::Cow;
+
+use fitcheck_core::verdict::Status;
+use serde::Deserialize;
+
+use super::{BodyError, wire};
+use crate::journal::found::{Asked, Found, Kind};
+
+#[derive(Deserialize)]
+struct Brief<'a> {
+    kind: wire::Kind,
+    #[serde(borrow)]
+    about: About<'a>,
+    #[serde(borrow)]
+    check: Option<Check<'a>>,
+    withdrawal: Option<Corrects>,
+}
+
+#[derive(Deserialize)]
+struct About<'a> {
+    #[serde(borrow)]
+    station: Cow<'a, str>,
+    time: Time,
+    #[serde(borrow)]
+    who: Cow<'a, str>,
+    #[serde(borrow)]
+    part: Cow<'a, str>,
+    #[serde(borrow)]
+    serial: Cow<'a, str>,
+    #[serde(borrow)]
+    feature: Cow<'a, str>,
+    #[serde(borrow)]
+    remark: Cow<'a, str>,
+}
+
+#[derive(Deserialize)]
+struct Time {
+    utc_ms: i64,
+}
+
+#[derive(Deserialize)]
+struct Check<'a> {
+    status: Option<Status>,
+    simulated: bool,
+    #[serde(borrow)]
+    size: Option<Size<'a>>,
+    corrects: Option<Corrects>,
+}
+
+#[derive(Deserialize)]
+struct Size<'a> {
+    #[serde(borrow)]
+    callout: Option<Cow<'a, str>>,
+    limits: Limits,
+}
+
+#[derive(Deserialize)]
+struct Limits {
+    nominal_nm: i64,
+}
+
+#[derive(Deserialize)]
+struct Corrects {
+    number: u64,
+}
+
+/// What an entry is found by; `None` for the first entry of a chain, which is no check.
+///
+/// # Errors
+/// [`BodyError::Json`] where the bytes are no entry. What is found may still be one that [`read`](super::read) refuses.
+pub fn found(bytes: &[u8]) -> Result<Option<Found<'_>>, BodyError> {
+    let brief: Brief<'_> =
+        serde_json::from_slice(bytes).map_err(|error| BodyError::Json { reason: error.to_string() })?;
+    let kind = match brief.kind {
+        wire::Kind::Begin => return Ok(None),
+        wire::Kind::Check => Kind::Check,
+        wire::Kind::Withdrawal => Kind::Withdrawal,
+    };
+    let About { station, time, who, part, serial, feature, remark } = brief.about;
+    let (status, is_simulated, size, corrects) = match brief.check {
+        Some(check) => (check.status, check.simulated, check.size, check.corrects),
+        None => (None, false, None, None),
+    };
+    let asked = size.map(|size| Asked { callout: size.callout, nominal_nm: size.limits.nominal_nm });
+    let corrects = corrects.or(brief.withdrawal).map(|correction| correction.number);
+    let at_ms = time.utc_ms;
+    Ok(Some(Found { kind, at_ms, status, is_simulated, part, serial, feature, who, station, remark, asked, corrects }))
+}

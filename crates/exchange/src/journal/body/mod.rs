@@ -1,0 +1,172 @@
+//! An entry as the bytes that are hashed and kept: JSON of fixed field order. `docs/JOURNAL.md` has the format.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | from an entry to bytes and back, and why not |
+//! | `wire` | the fields, in their order |
+//! | `write` | an entry as these fields |
+//! | `read` | an entry from these fields, each of them bounded and checked |
+//! | `brief` | what an entry is found by, without reading all of it |
+//! | `size` | a record from its fields: its limits, its rule, its verdict as it was given |
+//! | `texts` | what texts and numbers may be |
+//!
+//! Lengths are whole nanometres, uncertainties whole picometres, factors whole thousandths; coordinates of contacts, which are
+//! binary fractions, are texts that read back as the very same. So every program reads the same numbers, and none rounds.
+
+mod brief;
+mod read;
+mod size;
+mod texts;
+mod wire;
+mod write;
+
+pub use brief::found;
+use fitcheck_core::message::{Say, printed, shortened};
+use serde::Deserialize;
+
+use super::entry::Entry;
+
+/// The version of the format that is written, and the newest that can be read.
+pub const VERSION: u64 = 1;
+
+/// The longest body, bytes.
+pub const LONGEST: usize = 16 << 20;
+
+/// The most contacts of a check.
+pub const MOST_CONTACTS: usize = 100_000;
+
+/// The most entries of every other list: files, parameters, results, warnings.
+pub const MOST: usize = 1_000;
+
+/// Why bytes are no entry, or an entry cannot be written. A field has its name in the body: `check.size.limits.upper_nm`.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "journal-body", error)]
+pub enum BodyError {
+    /// Not the JSON of an entry.
+    Json {
+        /// What the reader says.
+        reason: String,
+    },
+    /// A format of a later version.
+    #[say(args(known = VERSION))]
+    Newer {
+        /// Its version.
+        version: u64,
+    },
+    /// More bytes than any entry has.
+    #[say(args(most = LONGEST))]
+    TooLarge {
+        /// How many.
+        #[say(with = printed)]
+        bytes: usize,
+    },
+    /// A text is too long.
+    TooLong {
+        /// The field.
+        field: &'static str,
+        /// How many bytes of UTF-8 it has.
+        #[say(with = printed)]
+        bytes: usize,
+        /// How many it may have.
+        #[say(with = printed)]
+        most: usize,
+    },
+    /// A text has a control character.
+    Control {
+        /// The field.
+        field: &'static str,
+        /// The character as Unicode writes it: `U+000A`.
+        code: String,
+        /// Which character of the text it is, from 1.
+        #[say(with = printed)]
+        place: usize,
+    },
+    /// A text that must not be empty is.
+    Empty {
+        /// The field.
+        field: &'static str,
+    },
+    /// A list is too long.
+    TooMany {
+        /// The field.
+        field: &'static str,
+        /// How many it has.
+        #[say(with = printed)]
+        count: usize,
+        /// How many it may have.
+        #[say(with = printed)]
+        most: usize,
+    },
+    /// A value that the field cannot have.
+    Value {
+        /// The field.
+        field: &'static str,
+        /// What is there.
+        given: String,
+    },
+    /// A field says something else than the fields that it follows from.
+    Contradiction {
+        /// The field.
+        field: &'static str,
+    },
+}
+
+impl BodyError {
+    fn json(error: &serde_json::Error) -> Self {
+        Self::Json { reason: shortened(&error.to_string(), 200) }
+    }
+
+    fn value(field: &'static str, given: impl std::fmt::Display) -> Self {
+        Self::Value { field, given: shortened(&given.to_string(), 80) }
+    }
+}
+
+/// What every body has, whatever its version.
+#[derive(Deserialize)]
+struct Head {
+    v: u64,
+}
+
+/// The bytes of an entry.
+///
+/// # Errors
+/// [`BodyError`] where a text is too long or has control characters, a list is too long, or a number is none.
+pub fn write(entry: &Entry) -> Result<Vec<u8>, BodyError> {
+    let body = write::body(entry)?;
+    let bytes = serde_json::to_vec(&body).map_err(|error| BodyError::json(&error))?;
+    if LONGEST < bytes.len() {
+        return Err(BodyError::TooLarge { bytes: bytes.len() });
+    }
+    Ok(bytes)
+}
+
+/// The station that wrote an entry; `None` where the bytes do not say it.
+pub fn station(bytes: &[u8]) -> Option<String> {
+    #[derive(Deserialize)]
+    struct Body {
+        about: About,
+    }
+    #[derive(Deserialize)]
+    struct About {
+        station: String,
+    }
+    serde_json::from_slice(bytes).ok().map(|body: Body| body.about.station)
+}
+
+/// The entry in bytes.
+///
+/// # Errors
+/// [`BodyError`] where they are no entry that this version can read.
+pub fn read(bytes: &[u8]) -> Result<Entry, BodyError> {
+    if LONGEST < bytes.len() {
+        return Err(BodyError::TooLarge { bytes: bytes.len() });
+    }
+    let Head { v: version } = serde_json::from_slice(bytes).map_err(|error| BodyError::json(&error))?;
+    if VERSION < version {
+        return Err(BodyError::Newer { version });
+    }
+    if version == 0 {
+        return Err(BodyError::value("v", version));
+    }
+    read::entry(serde_json::from_slice(bytes).map_err(|error| BodyError::json(&error))?)
+}

@@ -1,0 +1,46 @@
+//! What a measuring cycle found, as it is kept.
+
+use fitcheck_core::probing::cycle::{Check, Cycle, CycleResult, Value};
+
+use super::entry::{Compared, CycleCheck, CycleOrigin};
+
+impl CycleCheck {
+    /// What a cycle found, on contacts from somewhere.
+    pub fn of(cycle: &Cycle, result: &CycleResult, origin: CycleOrigin) -> Self {
+        let parameters = cycle.parameters.iter().filter_map(|parameter| {
+            let value = result.inputs.value(parameter.key)?;
+            Some((parameter.key.to_string(), value.to_string()))
+        });
+        let figures = result.results.iter().filter_map(|found| {
+            let Value::Length(length) = found.value else { return None };
+            Some((found.name.in_files(), length))
+        });
+        let compared = result.checks.iter().map(|check| Compared {
+            what: check.what.in_files(),
+            measured: check.measured,
+            minimum: check.minimum,
+            maximum: check.maximum,
+            status: check.status,
+        });
+        let size = size(&result.checks);
+        Self {
+            cycle: cycle.number,
+            parameters: parameters.collect(),
+            origin,
+            contacts: result.contacts.clone(),
+            figures: figures.collect(),
+            compared: compared.collect(),
+            limits: size.map(|size| [size.minimum, size.maximum]),
+            measured: size.map(|size| size.measured).or_else(|| Some(result.circle.as_ref()?.diameter)),
+            status: result.verdict(),
+            block: None,
+        }
+    }
+}
+
+/// What was compared besides the centre, where that is one value. A rectangle has two sides, and neither is its size.
+fn size(checks: &[Check]) -> Option<&Check> {
+    let mut sizes = checks.iter().filter(|check| !check.what.is_centre());
+    let first = sizes.next()?;
+    sizes.next().is_none().then_some(first)
+}

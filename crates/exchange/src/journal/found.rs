@@ -1,0 +1,111 @@
+//! What an entry is found by: read from its body by [`body::found`](super::body::found), and made anew at will.
+
+use std::borrow::Cow;
+
+use fitcheck_core::length::Length;
+use fitcheck_core::tolerance::Callout;
+use fitcheck_core::verdict::Status;
+use unicode_normalization::UnicodeNormalization as _;
+use unicode_normalization::char::is_combining_mark;
+
+/// Which entries are found.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Kind {
+    /// A check.
+    Check,
+    /// A check is taken back.
+    Withdrawal,
+}
+
+/// What an entry is found by, as it was written.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Found<'a> {
+    /// What it is.
+    pub kind: Kind,
+    /// When it was written, milliseconds since 1970 in UTC.
+    pub at_ms: i64,
+    /// The verdict.
+    pub status: Option<Status>,
+    /// Whether nobody measured.
+    pub is_simulated: bool,
+    /// The part.
+    pub part: Cow<'a, str>,
+    /// Its serial number.
+    pub serial: Cow<'a, str>,
+    /// The feature.
+    pub feature: Cow<'a, str>,
+    /// Who measured.
+    pub who: Cow<'a, str>,
+    /// The station.
+    pub station: Cow<'a, str>,
+    /// The remark.
+    pub remark: Cow<'a, str>,
+    /// What was asked for; `None` for a cycle and a withdrawal.
+    pub asked: Option<Asked<'a>>,
+    /// The number of the entry that it corrects.
+    pub corrects: Option<u64>,
+}
+
+/// What a size was asked for.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Asked<'a> {
+    /// The callout; `None` where limits came from a log, which holds none.
+    pub callout: Option<Cow<'a, str>>,
+    /// The nominal size in nanometres.
+    pub nominal_nm: i64,
+}
+
+impl Found<'_> {
+    /// The callout as it is listed, since `25 H7` is another one than `25 h7`; empty where there is none.
+    pub fn callout(&self) -> Cow<'_, str> {
+        match &self.asked {
+            Some(Asked { callout: Some(callout), .. }) => Cow::Borrowed(callout),
+            Some(Asked { callout: None, nominal_nm }) => {
+                let nominal = Length::from_nanometres(*nominal_nm);
+                nominal.map(|nominal| format!("Ø {nominal}")).unwrap_or_default().into()
+            }
+            None => Cow::Borrowed(""),
+        }
+    }
+
+    /// The tolerance class; empty where there is none.
+    pub fn class(&self) -> String {
+        let callout = self.asked.as_ref().and_then(|asked| asked.callout.as_ref());
+        let class = callout.and_then(|callout| callout.parse::<Callout>().ok()).and_then(|callout| callout.class());
+        class.map(|class| class.to_string()).unwrap_or_default()
+    }
+
+    /// The words of part, serial number, feature, name and remark.
+    pub fn words(&self) -> Vec<String> {
+        let texts = [&self.part, &self.serial, &self.feature, &self.who, &self.remark];
+        texts.into_iter().flat_map(|text| words_of(text)).collect()
+    }
+
+    /// Whether for each of some words it has one that begins so.
+    pub fn has_words(&self, wanted: &[String]) -> bool {
+        if wanted.is_empty() {
+            return true;
+        }
+        let words = self.words();
+        wanted.iter().all(|wanted| words.iter().any(|word| word.starts_with(wanted.as_str())))
+    }
+}
+
+/// A name as it is looked for: in small letters, without blanks around it, however its accents were composed.
+pub fn folded(text: &str) -> Cow<'_, str> {
+    let text = text.trim();
+    if !text.is_ascii() {
+        return text.nfc().collect::<String>().to_lowercase().into();
+    }
+    if text.bytes().any(|byte| byte.is_ascii_uppercase()) { text.to_ascii_lowercase().into() } else { text.into() }
+}
+
+/// The words of a text, in small letters and without accents: letters and digits; everything else stands between words.
+pub fn words_of(text: &str) -> Vec<String> {
+    let plain = if text.is_ascii() {
+        text.to_ascii_lowercase()
+    } else {
+        text.nfkd().filter(|c| !is_combining_mark(*c)).collect::<String>().to_lowercase()
+    };
+    plain.split(|c: char| !c.is_alphanumeric()).filter(|word| !word.is_empty()).map(str::to_owned).collect()
+}

@@ -1,0 +1,221 @@
+//! Records in memory, in the order of a query that is kept until the query or the records change.
+
+use std::ops::Range;
+use std::sync::Arc;
+
+use fitcheck_core::verdict::Status;
+
+use super::Record;
+use super::query::{Query, RecordId, Records, Searched};
+
+/// Up to this many new records are put in place one by one; more of them are sorted together with the others.
+const FEW: usize = 64;
+
+/// Records in memory.
+#[derive(Debug, Default)]
+pub struct Memory {
+    /// In the order in which they were added: by number.
+    rows: Vec<Row>,
+    /// The number of the next record.
+    next: u64,
+    query: Query,
+    /// Places in `rows` of what the query finds, smallest key first.
+    order: Vec<usize>,
+    counts: [usize; Status::ALL.len()],
+}
+
+/// A record with what it is searched by.
+#[derive(Debug)]
+struct Row {
+    id: RecordId,
+    record: Arc<Record>,
+    texts: Searched,
+}
+
+/// Records that were taken out, and can be put back.
+#[derive(Debug)]
+pub struct Removed(Vec<Row>);
+
+impl Removed {
+    /// How many records.
+    pub const fn len(&self) -> usize {
+        self.0.len()
+    }
+
+    /// Whether there is none.
+    pub const fn is_empty(&self) -> bool {
+        self.0.is_empty()
+    }
+}
+
+impl Memory {
+    /// The number that the next record will get.
+    pub const fn next(&self) -> RecordId {
+        RecordId(self.next)
+    }
+
+    /// Every record, oldest first.
+    pub fn all(&self) -> impl DoubleEndedIterator<Item = (RecordId, &Arc<Record>)> {
+        self.rows.iter().map(|row| (row.id, &row.record))
+    }
+
+    /// Adds records.
+    pub fn add(&mut self, records: Vec<Arc<Record>>) {
+        let (first, few) = (self.rows.len(), records.len() <= FEW);
+        for record in records {
+            let texts = Searched::of(&record);
+            self.rows.push(Row { id: RecordId(self.next), record, texts });
+            self.next += 1;
+        }
+        if few {
+            (first..self.rows.len()).for_each(|place| self.insert(place));
+        } else {
+            self.arrange();
+        }
+    }
+
+    /// Leaves room before the first record for so many that come later; nothing where there are records already.
+    pub fn leave_room(&mut self, count: u64) {
+        if self.rows.is_empty() && self.next == 0 {
+            self.next = count;
+        }
+    }
+
+    /// Puts records before all others, as far as there is room for their numbers: of too many the oldest stay out. Returns
+    /// the numbers of all that are in, in order.
+    pub fn put_before(&mut self, records: Vec<Arc<Record>>) -> Vec<RecordId> {
+        let first = self.rows.first().map_or(self.next, |row| row.id.0);
+        let room = usize::try_from(first).unwrap_or(usize::MAX);
+        let skipped = records.len().saturating_sub(room);
+        let count = u64::try_from(records.len() - skipped).unwrap_or_default();
+        let ids: Vec<RecordId> = (first.saturating_sub(count)..first).map(RecordId).collect();
+        let rows = records.into_iter().skip(skipped).zip(&ids);
+        let rows = rows.map(|(record, id)| Row { id: *id, texts: Searched::of(&record), record });
+        self.rows.splice(0..0, rows);
+        self.arrange();
+        ids
+    }
+
+    /// Takes out every record from a number on.
+    pub fn remove_from(&mut self, first: RecordId) -> Removed {
+        let removed = self.rows.split_off(self.rows.partition_point(|row| row.id < first));
+        let left = self.rows.len();
+        self.order.retain(|place| *place < left);
+        self.count_statuses();
+        Removed(removed)
+    }
+
+    /// Takes out one record, for good.
+    pub fn take_out(&mut self, id: RecordId) {
+        self.rows.retain(|row| row.id != id);
+        self.arrange();
+    }
+
+    /// Puts records back that were taken out.
+    pub fn put_back(&mut self, removed: Removed) {
+        self.rows.extend(removed.0);
+        self.rows.sort_by_key(|row| row.id);
+        self.arrange();
+    }
+
+    /// Finds and sorts everything anew.
+    fn arrange(&mut self) {
+        let Self { rows, query, order, .. } = self;
+        order.clear();
+        order.extend((0..).zip(&*rows).filter(|(_, row)| query.finds(&row.record, &row.texts)).map(|(place, _)| place));
+        // Without a column the order is that of the numbers already.
+        if query.sort.is_some() {
+            order.sort_by_cached_key(|place| rows.get(*place).map(|row| query.key(row.id, &row.record)));
+        }
+        self.count_statuses();
+    }
+
+    /// Puts a new row in its place.
+    fn insert(&mut self, place: usize) {
+        let Some(row) = self.rows.get(place).filter(|row| self.query.finds(&row.record, &row.texts)) else { return };
+        if let Some(count) = self.counts.get_mut(number_of(row)) {
+            *count += 1;
+        }
+        let at = self.before(row);
+        self.order.insert(at, place);
+    }
+
+    /// How many rows of the order have a smaller key.
+    fn before(&self, row: &Row) -> usize {
+        let key = self.query.key(row.id, &row.record);
+        let is_smaller = |other: &Row| self.query.key(other.id, &other.record) < key;
+        self.order.partition_point(|place| self.rows.get(*place).is_some_and(is_smaller))
+    }
+
+    fn count_statuses(&mut self) {
+        let mut counts = [0; Status::ALL.len()];
+        for row in self.order.iter().filter_map(|place| self.rows.get(*place)) {
+            if let Some(count) = counts.get_mut(number_of(row)) {
+                *count += 1;
+            }
+        }
+        self.counts = counts;
+    }
+
+    fn row(&self, id: RecordId) -> Option<(usize, &Row)> {
+        let place = self.rows.binary_search_by_key(&id, |row| row.id).ok()?;
+        Some((place, self.rows.get(place)?))
+    }
+
+    /// A place of the answer as a place in the order, and the other way round.
+    fn turned(&self, place: usize) -> Option<usize> {
+        if self.query.is_reversed() { self.order.len().checked_sub(place + 1) } else { Some(place) }
+    }
+}
+
+/// The number of a row's status among all.
+fn number_of(row: &Row) -> usize {
+    let status = row.record.verdict.status();
+    Status::ALL.iter().position(|known| *known == status).unwrap_or_default()
+}
+
+impl Records for Memory {
+    fn ask(&mut self, query: Query) {
+        let column = |query: &Query| query.sort.map(|sort| sort.column);
+        let is_turned_only = column(&query) == column(&self.query)
+            && query.words == self.query.words
+            && query.only_bad == self.query.only_bad;
+        self.query = query;
+        if !is_turned_only {
+            self.arrange();
+        }
+    }
+
+    fn query(&self) -> &Query {
+        &self.query
+    }
+
+    fn count(&self) -> usize {
+        self.order.len()
+    }
+
+    fn counts(&self) -> [usize; Status::ALL.len()] {
+        self.counts
+    }
+
+    fn page(&self, places: Range<usize>) -> Vec<(RecordId, Arc<Record>)> {
+        let row = |place| self.rows.get(*self.order.get(self.turned(place)?)?);
+        let rows = (places.start..places.end.min(self.count())).filter_map(row);
+        rows.map(|row| (row.id, Arc::clone(&row.record))).collect()
+    }
+
+    fn place_of(&self, id: RecordId) -> Option<usize> {
+        let (place, row) = self.row(id)?;
+        let at = self.before(row);
+        self.order.get(at).filter(|found| **found == place)?;
+        self.turned(at)
+    }
+
+    fn get(&self, id: RecordId) -> Option<Arc<Record>> {
+        self.row(id).map(|(_, row)| Arc::clone(&row.record))
+    }
+
+    fn len(&self) -> usize {
+        self.rows.len()
+    }
+}

@@ -1,0 +1,404 @@
+//! The report as one HTML page: no script, no external content, prints well on A4 and in black and white.
+//!
+//! The templates are in `assets/report`, their look `report.css` and `guard.css`; every value is escaped by them. This file puts figures
+//! into words and decides nothing. The page is also well-formed XML, so other tools can read it.
+//!
+//! A check takes some kilobytes with its pictures, and a browser shows only so much. So a page lists at most
+//! [`MOST_CHECKS`]: of a longer report those that are not good or in doubt. The counts are always those of all checks.
+//! The page is written check by check, and only one of them is in memory.
+
+mod origins;
+mod part;
+mod seen;
+mod shared;
+
+use std::borrow::Cow;
+use std::io::{self, Write};
+
+use askama::Template;
+
+use fitcheck_core::length::{Length, Unit};
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::probing::{Circle, Contact};
+use fitcheck_core::verdict::{Removal, Status, Verdict};
+use fitcheck_core::words::Words;
+use seen::Seen;
+
+use super::part::PartSheet;
+use super::picture;
+use super::text;
+use super::{Rendering, Report};
+use crate::journal::Record;
+
+/// This rendering.
+pub const RENDERING: Rendering = Rendering { name: "html", endings: &["html", "htm"], render };
+
+/// The most checks that a page lists: some 15 MB, which a browser opens in seconds.
+pub const MOST_CHECKS: usize = 2_000;
+
+/// A longer list of contacts goes to the end of the report, so that a check fits on a page and is never split.
+const CONTACTS_IN_CHECK: usize = 16;
+
+/// How dates are written: the same in every language, so that nobody mistakes the day for the month.
+const DATE: &str = "%Y-%m-%d %H:%M:%S";
+
+/// The parts of the page.
+trait Part: Template {
+    fn words(&self) -> &Words;
+
+    /// A text of the template.
+    fn t(&self, id: &str) -> String {
+        self.words().get(id)
+    }
+
+    /// Writes it on a line of its own.
+    fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        let text = self.render().map_err(io::Error::other)?;
+        out.write_all(printable(text.trim_matches('\n')).as_bytes())?;
+        out.write_all(b"\n")
+    }
+}
+
+/// Up to what the report is about.
+#[derive(Template)]
+#[template(path = "head.html", config = "../../assets/report/askama.toml")]
+struct Head<'a> {
+    words: &'a Words,
+    title: String,
+    entries: Vec<Entry>,
+    /// Whether a check has guard bands, which have their own look.
+    has_guards: bool,
+    /// Whether it is about whole parts, and whether these have pictures.
+    has_parts: bool,
+    has_pictures: bool,
+    program: &'a str,
+}
+
+/// A whole part.
+#[derive(Template)]
+#[template(path = "part.html", config = "../../assets/report/askama.toml")]
+struct Whole<'a> {
+    words: &'a Words,
+    part: part::PartView,
+}
+
+/// Notes and counts, up to the head of the list of checks.
+#[derive(Template)]
+#[template(path = "notes.html", config = "../../assets/report/askama.toml")]
+struct Notes<'a> {
+    words: &'a Words,
+    told: Vec<String>,
+    summary: Option<Summary>,
+}
+
+/// A check in the list.
+#[derive(Template)]
+#[template(path = "overview.html", config = "../../assets/report/askama.toml")]
+struct Line<'a> {
+    words: &'a Words,
+    check: &'a Check,
+}
+
+/// A check with everything about it.
+#[derive(Template)]
+#[template(path = "check.html", config = "../../assets/report/askama.toml")]
+struct Section<'a> {
+    words: &'a Words,
+    check: &'a Check,
+}
+
+/// A long list of contacts.
+#[derive(Template)]
+#[template(path = "annex.html", config = "../../assets/report/askama.toml")]
+struct Annex<'a> {
+    words: &'a Words,
+    check: &'a Check,
+}
+
+/// The signature, and the end.
+#[derive(Template)]
+#[template(path = "foot.html", config = "../../assets/report/askama.toml")]
+struct Foot<'a> {
+    words: &'a Words,
+    inspector: &'a str,
+}
+
+/// Each part has the words of the page.
+macro_rules! parts {
+    ($($part:ident),+) => {$(
+        impl Part for $part<'_> {
+            fn words(&self) -> &Words {
+                self.words
+            }
+        }
+    )+};
+}
+
+parts!(Head, Whole, Notes, Line, Section, Annex, Foot);
+
+/// A label and what it says.
+struct Entry {
+    label: String,
+    value: String,
+}
+
+struct Summary {
+    counts: Vec<Count>,
+    total: usize,
+}
+
+struct Count {
+    word: String,
+    count: usize,
+}
+
+struct Check {
+    number: usize,
+    heading: String,
+    /// The heading in the summary.
+    short: String,
+    feature: String,
+    id: String,
+    time: String,
+    word: String,
+    /// The word where nobody measured.
+    simulated: Option<String>,
+    sign: String,
+    reason: String,
+    /// The reason where the centre's position overrules the size.
+    cause: Option<String>,
+    /// Why nothing is decided.
+    undecided: Option<String>,
+    doubt: Option<String>,
+    band: String,
+    nominal: String,
+    sizes: [Size; 3],
+    removals: Vec<RemovalLine>,
+    position: String,
+    axes: Vec<String>,
+    centre: Option<String>,
+    caveats: Vec<String>,
+    origins: Vec<Entry>,
+    contacts: Vec<ContactLine>,
+    contacts_at_end: bool,
+}
+
+struct Size {
+    label: String,
+    mm: String,
+    um: String,
+    measured: bool,
+}
+
+struct RemovalLine {
+    label: String,
+    diameter: String,
+    side: String,
+}
+
+struct ContactLine {
+    number: usize,
+    axes: [String; 3],
+    radial: String,
+}
+
+fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()> {
+    let seen = Seen::of(report)?;
+    let head = Head {
+        words,
+        title: if report.title.is_empty() { words.get("report-title") } else { report.title.clone() },
+        entries: entries(report, &seen, words),
+        has_guards: seen.has_guards,
+        has_parts: !report.parts.is_empty(),
+        has_pictures: part::have_pictures(&report.parts),
+        program: &report.program,
+    };
+    head.write(out)?;
+    let mut parts = part::Parts::default();
+    for part in &report.parts {
+        Whole { words, part: parts.view(part, words).map_err(io::Error::other)? }.write(out)?;
+    }
+    let notes = Notes {
+        words,
+        told: seen.note(words).into_iter().chain(report.notes.iter().map(|note| words.say(note))).collect(),
+        summary: (1 < seen.total).then(|| summary(&seen, &report.parts, words)),
+    };
+    if !notes.told.is_empty() || notes.summary.is_some() {
+        notes.write(out)?;
+    }
+    let made = |number, record: &Record| check(number, record, words).map_err(io::Error::other);
+    if 1 < seen.total {
+        seen.each(report, &mut |number, record| Line { words, check: &made(number, record)? }.write(out))?;
+        out.write_all(b"</tbody>\n</table>\n</section>\n")?;
+    }
+    if seen.total == 0 {
+        writeln!(out, "<p>{}</p>", words.get("report-no-checks"))?;
+    }
+    seen.each(report, &mut |number, record| Section { words, check: &made(number, record)? }.write(out))?;
+    if seen.has_annex {
+        seen.each(report, &mut |number, record| {
+            if record.measurement.contacts.len() <= CONTACTS_IN_CHECK {
+                return Ok(());
+            }
+            Annex { words, check: &made(number, record)? }.write(out)
+        })?;
+    }
+    Foot { words, inspector: report.inspector.as_deref().unwrap_or_default() }.write(out)
+}
+
+/// The text without what a page must not contain: control characters, and marks that change the direction of writing
+/// and so the order of figures. Each becomes a replacement character, so that it is visible.
+fn printable(page: &str) -> Cow<'_, str> {
+    let hidden = |c: char| {
+        (c.is_control() && c != '\n' && c != '\t')
+            || matches!(c, '\u{202a}'..='\u{202e}' | '\u{2066}'..='\u{2069}' | '\u{fffe}' | '\u{ffff}')
+    };
+    if !page.chars().any(hidden) {
+        return Cow::Borrowed(page);
+    }
+    page.chars().map(|c| if hidden(c) { char::REPLACEMENT_CHARACTER } else { c }).collect()
+}
+
+fn entries(report: &Report, seen: &Seen, words: &Words) -> Vec<Entry> {
+    let created = report.created.strftime(DATE).to_string();
+    [
+        ("report-part", report.part.as_ref()),
+        ("report-order", report.order.as_ref()),
+        ("report-inspector", report.inspector.as_ref()),
+        ("report-created", Some(&created)),
+        ("report-program", Some(&report.program)),
+    ]
+    .into_iter()
+    .filter_map(|(id, value)| Some(Entry { label: words.get(id), value: value?.clone() }))
+    .chain(seen.shared.entries(words))
+    .collect()
+}
+
+fn summary(seen: &Seen, parts: &[PartSheet], words: &Words) -> Summary {
+    let counts = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].into_iter().filter_map(|status| {
+        let count = Status::ALL.iter().position(|known| *known == status).and_then(|at| seen.counts.get(at));
+        let count = count.copied().unwrap_or_default();
+        // Nothing is re-measured without a guard band, so a zero would only raise questions.
+        (status != Status::ReMeasure || 0 < count).then(|| Count { word: words.told(&status), count })
+    });
+    // What a part lacks belongs to its sizes, too.
+    let standings: Vec<_> = parts.iter().map(PartSheet::standing).collect();
+    let lacks = [
+        ("report-missing", standings.iter().map(|standing| standing.missing).sum::<usize>()),
+        ("report-skipped", standings.iter().map(|standing| standing.skipped).sum()),
+    ];
+    let total = seen.total + lacks.iter().map(|(_, count)| count).sum::<usize>();
+    let lacks = lacks.into_iter().filter(|(_, count)| 0 < *count);
+    let counts = counts.chain(lacks.map(|(id, count)| Count { word: words.get(id), count })).collect();
+    Summary { counts, total }
+}
+
+fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check> {
+    let Record { limits, measurement, verdict, .. } = record;
+    let status = verdict.status();
+    let sizes = [limits.maximum(), limits.minimum(), measurement.diameter];
+    let decimals = sizes.into_iter().map(decimals_of).fold(3, usize::max);
+    let nominal = words.mm(limits.nominal, 0);
+    let size = |id: &str, size: Length, measured| Size {
+        label: words.get(id),
+        mm: words.mm(size, decimals),
+        um: words.signed_um(size.saturating_sub(limits.nominal)),
+        measured,
+    };
+    let (heading, short) = match &record.callout {
+        Some(callout) => (words.number(&callout.to_string()), words.number(&callout.to_string())),
+        None => (
+            words.say(&Message::new("report-heading-without-callout").text("nominal", &nominal)),
+            format!("{nominal} mm"),
+        ),
+    };
+    Ok(Check {
+        number,
+        heading,
+        short,
+        feature: words.say(&text::feature(limits.feature)),
+        id: record.id.clone(),
+        time: record.time.strftime(DATE).to_string(),
+        word: words.told(&status),
+        simulated: measurement.origin.is_simulated().then(|| words.get("simulated")),
+        sign: picture::verdict(status, words)?,
+        reason: words.say(&text::size(&verdict.size, words)),
+        cause: cause(verdict, words),
+        undecided: undecided(verdict, words),
+        doubt: record.doubt.map(|doubt| words.told(&doubt)),
+        band: picture::band(record, decimals, words)?,
+        nominal,
+        sizes: [
+            size("report-maximum", limits.maximum(), false),
+            size("report-minimum", limits.minimum(), false),
+            size("report-measured", measurement.diameter, true),
+        ],
+        removals: verdict.size.removal.map(|removal| removals(removal, record, words)).unwrap_or_default(),
+        position: words.say(&text::position(verdict.position)),
+        axes: verdict
+            .position
+            .map(|position| {
+                ["X", "Y"].iter().zip(&position.axes).map(|(n, a)| words.say(&text::axis(n, a, words))).collect()
+            })
+            .unwrap_or_default(),
+        centre: measurement.centre.map(|[x, y]| {
+            words.say(&Message::new("report-centre").text("x", words.mm(x, 3)).text("y", words.mm(y, 3)))
+        }),
+        caveats: record.caveats().iter().map(|caveat| words.told(caveat)).collect(),
+        origins: origins::of(record, words),
+        contacts: contacts(&measurement.contacts, measurement.circle, words),
+        contacts_at_end: CONTACTS_IN_CHECK < measurement.contacts.len(),
+    })
+}
+
+/// Why the part is worse than its size alone.
+fn cause(verdict: &Verdict, words: &Words) -> Option<String> {
+    (verdict.status() != verdict.size.status).then(|| {
+        let alone = words.told(&verdict.size.status);
+        words.say(&Message::new("report-cause-position").text("status", alone))
+    })
+}
+
+/// Why the value is to be measured again: what its contacts cannot tell, or the guard band.
+fn undecided(verdict: &Verdict, words: &Words) -> Option<String> {
+    let why = match verdict.undecided {
+        Some(why) => why.message(),
+        None => Message::new("report-in-guard-band"),
+    };
+    (verdict.size.status == Status::ReMeasure).then(|| words.say(&why))
+}
+
+/// What to remove, on diameter and per side. Half a nanometre per side is rounded up, so that it is enough.
+fn removals(removal: Removal, record: &Record, words: &Words) -> Vec<RemovalLine> {
+    let line = |id: &str, amount: Length| RemovalLine {
+        label: words.get(id),
+        diameter: words.um(amount),
+        side: words.um(Length::ZERO.midpoint(amount)),
+    };
+    let size = &record.verdict.size;
+    let is_to_limit = size.above_minimum.min(size.below_maximum).negated() == removal.to_limit;
+    let nearest = if is_to_limit { "report-remove-to-limit" } else { "report-remove-to-accepted" };
+    vec![line(nearest, removal.to_limit), line("report-remove-to-middle", removal.to_middle)]
+}
+
+fn contacts(contacts: &[Contact], circle: Option<Circle>, words: &Words) -> Vec<ContactLine> {
+    let mm = |value: f64| match Length::from_mm_f64(value) {
+        Ok(length) => words.number(&length.rounded(Unit::Millimetre, 4)),
+        Err(error) => words.number(&error.to_string()),
+    };
+    let radial = |contact: &Contact, circle: Circle| {
+        let distance = (contact.x - circle.x).hypot(contact.y - circle.y);
+        picture::radial_um(distance, circle.diameter / 2.0, words)
+    };
+    let line = |(before, contact): (usize, &Contact)| ContactLine {
+        number: before + 1,
+        axes: [contact.x, contact.y, contact.z].map(mm),
+        radial: circle.map(|circle| radial(contact, circle)).unwrap_or_default(),
+    };
+    contacts.iter().enumerate().map(line).collect()
+}
+
+/// How many decimals a size has in millimetres.
+fn decimals_of(length: Length) -> usize {
+    length.to_string().split_once('.').map_or(0, |(_, decimals)| decimals.len())
+}

@@ -1,0 +1,116 @@
+//! Where each number of a check comes from: limits, measured value, temperature, rule and uncertainty.
+
+use fitcheck_core::budget::{Provenance, Validity};
+use fitcheck_core::length::Length;
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::tolerance::fit::thermal::Correction;
+use fitcheck_core::verdict::Rule;
+use fitcheck_core::verdict::rules::percent;
+use fitcheck_core::words::Words;
+
+use super::Entry;
+use crate::journal::{Decision, Record};
+
+/// Limits, measured value, verdict, and what a rule, a temperature and a budget add.
+pub(super) fn of(record: &Record, words: &Words) -> Vec<Entry> {
+    let entry = |id: &str, value: String| Entry { label: words.get(id), value };
+    let measurement = &record.measurement;
+    let origin = words.told(&measurement.origin);
+    let measured = match measurement.circle {
+        Some(_) => words.say(
+            &Message::new("report-origin-circle").text("origin", origin).count("contacts", measurement.contacts.len()),
+        ),
+        None => origin,
+    };
+    let mut entries = vec![
+        entry("report-limits-from", words.say(&super::text::source(&record.limits.source, words))),
+        entry("report-measured-from", measured),
+    ];
+    entries.extend(record.correction.map(|correction| entry("report-temperature", corrected(&correction, words))));
+    entries.push(entry("report-verdict-from", rule(record.verdict.rule, words)));
+    entries.extend(record.decision().map(|decision| entry("report-accepted", accepted(&decision, words))));
+    entries.extend(record.decision().and_then(|decision| Some(entry("report-proof", proof(&decision, words)?))));
+    entries.extend(record.budget.as_ref().map(|found| entry("report-budget", budget(found, words))));
+    entries
+}
+
+/// The rule's sentence, and the uncertainty where it does not have it.
+pub(super) fn rule(rule: Rule, words: &Words) -> String {
+    let sentence = words.told(&rule);
+    match rule.uncertainty() {
+        Some(uncertainty) if !rule.name().says_uncertainty() => format!("{sentence}; {}", words.told(&uncertainty)),
+        _ => sentence,
+    }
+}
+
+/// The measured value on its way to 20 °C.
+fn corrected(correction: &Correction, words: &Words) -> String {
+    let decimals = [correction.measured, correction.at_reference].map(super::decimals_of);
+    let mm = |length: Length| words.mm(length, decimals.into_iter().fold(3, usize::max));
+    let Correction { measured, at_reference, part, .. } = *correction;
+    let message = Message::new("report-corrected")
+        .text("measured", mm(measured))
+        .mm("temperature", part.temperature)
+        .mm("expansion", part.expansion)
+        .text("change", words.signed_um(correction.change()))
+        .text("reference", mm(at_reference));
+    format!("{}; {}", words.say(&message), scales(correction, words))
+}
+
+/// The scales of a correction.
+pub(super) fn scales(correction: &Correction, words: &Words) -> String {
+    words.say(&match correction.scale {
+        Some(scale) => {
+            Message::new("report-scales").mm("temperature", scale.temperature).mm("expansion", scale.expansion)
+        }
+        None => Message::new("report-scales-none"),
+    })
+}
+
+fn accepted(decision: &Decision, words: &Words) -> String {
+    words.say(&match decision.zones.accepted {
+        Some([least, most]) => {
+            let decimals = [least, most].into_iter().map(super::decimals_of).fold(3, usize::max);
+            Message::new("report-accepted-zone")
+                .text("least", words.mm(least, decimals))
+                .text("most", words.mm(most, decimals))
+        }
+        None => Message::new("report-accepted-none"),
+    })
+}
+
+/// Whether the rule proves the status, and the probability of conformity; `None` where it says neither.
+fn proof(decision: &Decision, words: &Words) -> Option<String> {
+    let proven =
+        decision.proven.map(|is_proven| words.get(if is_proven { "report-proven" } else { "report-not-proven" }));
+    let conformity = decision
+        .conformity
+        .map(|conformity| words.say(&Message::new("report-conformity").mm("percent", percent(conformity.within))));
+    let said: Vec<String> = proven.into_iter().chain(conformity).collect();
+    (!said.is_empty()).then(|| said.join("; "))
+}
+
+/// Name, who made it and when, how long it counts, and what to check about it.
+pub(super) fn budget(budget: &Provenance, words: &Words) -> String {
+    let Provenance { name, date, by, valid_until, validity, warnings, .. } = budget;
+    let mut said = vec![
+        words.say(
+            &Message::new("report-budget-made")
+                .text("name", name)
+                .text("date", date.to_string())
+                .text("by", by)
+                .text("until", valid_until.to_string()),
+        ),
+    ];
+    // What is not valid is told by a warning, too; the word stands first.
+    let word = match validity {
+        Validity::Valid => None,
+        Validity::Expired => Some("report-budget-expired"),
+        Validity::NotYet => Some("report-budget-not-yet"),
+    };
+    said.extend(word.map(|id| words.get(id)));
+    said.extend(
+        warnings.iter().filter(|warning| !warning.is_about_validity()).map(|warning| words.say(&warning.message())),
+    );
+    said.join("; ")
+}

@@ -1,0 +1,227 @@
+//! The inspection report: one model, one file per rendering.
+//!
+//! | file | what |
+//! |---|---|
+//! | `html` | one self-contained page that prints well on A4 |
+//! | `csv`, `json` | the checks in figures, for spreadsheets and programs, the same in every language |
+//! | `row` | the names and figures that CSV and JSON share |
+//! | `figure` | an exact decimal in files for programs |
+//! | `part`, `image` | a whole part by its plan, and its picture |
+//! | `pairing` | which parts go together, and its files |
+//! | `band` | the limit band's geometry, for the report and the window |
+//! | `picture` | the limit band and the verdict's sign as SVG |
+//! | `text` | sentences about status, source of the limits, size and position |
+//!
+//! A report is made from records and nothing else: no clock, no window, no table. The same report always gives the same
+//! bytes. Templates are in `assets/report`.
+//!
+//! To add a rendering:
+//!
+//! 1. Write a file with its `RENDERING`. Add its `mod` line, its line in [`RENDERINGS`] and its row above.
+//! 2. Add `export-NAME` to `window.ftl` in every folder of `assets/locales`.
+//! 3. Test it in `tests/core/renderings`. Add a call of `fitcheck report` to the corpus and record the answers
+//!    (`tests/core/corpus.rs`).
+//!
+//! The formats of the command line, the entries of the window's menus and the filters of its dialogs follow.
+
+pub mod band;
+pub mod columns;
+pub mod csv;
+pub mod figure;
+pub mod html;
+pub mod image;
+pub mod json;
+pub mod pairing;
+pub mod part;
+mod picture;
+pub mod row;
+pub mod text;
+
+use std::io::{self, Write};
+use std::path::Path;
+use std::sync::Arc;
+
+use fitcheck_core::message::{Message, Say};
+use fitcheck_core::words::Words;
+use jiff::civil::DateTime;
+use part::PartSheet;
+
+use crate::journal::Record;
+
+/// What an inspection report says.
+///
+/// The language is not part of it: it comes in with the [`Words`] of a rendering.
+#[derive(Debug, Clone)]
+pub struct Report {
+    /// Title; when empty, the language's own word for an inspection report.
+    pub title: String,
+    /// Local date and time of the report.
+    pub created: DateTime,
+    /// Name and version of the program that made it.
+    pub program: String,
+    /// Part or drawing number.
+    pub part: Option<String>,
+    /// Order number.
+    pub order: Option<String>,
+    /// Who inspected.
+    pub inspector: Option<String>,
+    /// The checks, in the order of the report.
+    pub checks: Arc<dyn Checks>,
+    /// Errors and warnings: nothing is left out in silence.
+    pub notes: Vec<Message>,
+    /// The whole parts whose values the checks are.
+    pub parts: Vec<PartSheet>,
+}
+
+/// The checks of a report, one after the other, as often as a rendering asks for them: a report of many checks is
+/// written without all of them in memory.
+pub trait Checks: std::fmt::Debug + Send + Sync {
+    /// Shows every check in order, up to the first error.
+    ///
+    /// # Errors
+    /// The error of what it was shown to.
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()>;
+
+    /// Which columns the checks need besides those of every file.
+    ///
+    /// # Errors
+    /// As for [`Self::each`].
+    fn more(&self) -> io::Result<csv::More> {
+        let mut more = csv::More::default();
+        self.each(&mut |record| {
+            more.see(record);
+            Ok(())
+        })?;
+        Ok(more)
+    }
+}
+
+impl<T: Checks> Checks for Arc<T> {
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
+        self.as_ref().each(see)
+    }
+
+    fn more(&self) -> io::Result<csv::More> {
+        self.as_ref().more()
+    }
+}
+
+impl Checks for &[Record] {
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
+        self.iter().try_for_each(see)
+    }
+}
+
+impl Checks for Vec<Record> {
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
+        self.iter().try_for_each(see)
+    }
+}
+
+impl Checks for Vec<Arc<Record>> {
+    fn each(&self, see: &mut dyn FnMut(&Record) -> io::Result<()>) -> io::Result<()> {
+        self.iter().try_for_each(|record| see(record))
+    }
+}
+
+impl Report {
+    /// A report of the given checks, made by this version of Fitcheck; all else is empty.
+    pub fn new(created: DateTime, checks: impl Checks + 'static) -> Self {
+        Self {
+            title: String::new(),
+            created,
+            program: concat!("Fitcheck ", env!("CARGO_PKG_VERSION")).to_owned(),
+            part: None,
+            order: None,
+            inspector: None,
+            checks: Arc::new(checks),
+            notes: Vec::new(),
+            parts: Vec::new(),
+        }
+    }
+}
+
+/// One way to write a report.
+#[derive(Debug, Clone, Copy)]
+pub struct Rendering {
+    /// Its name on the command line.
+    pub name: &'static str,
+    /// Endings of its files without the point, the usual one first.
+    pub endings: &'static [&'static str],
+    /// Writes the file check by check. Machine-readable renderings do not use the words.
+    ///
+    /// # Errors
+    /// The stream's own; what was written until then is no report.
+    pub render: fn(&Report, &Words, &mut dyn Write) -> io::Result<()>,
+}
+
+impl Rendering {
+    /// The file in memory.
+    ///
+    /// # Errors
+    /// [`RenderError`] if the writer of the format fails.
+    pub fn bytes(&self, report: &Report, words: &Words) -> Result<Vec<u8>, RenderError> {
+        let mut bytes = Vec::new();
+        (self.render)(report, words, &mut bytes).map_err(|error| RenderError::writer(self.name, &error))?;
+        Ok(bytes)
+    }
+}
+
+/// Every rendering: a new one is a line here.
+pub const RENDERINGS: &[Rendering] = &[html::RENDERING, csv::RENDERING, json::RENDERING];
+
+/// Why a report could not be turned into bytes. No rendering fails on a record by itself, but the writers that they use
+/// may fail, and an incomplete report must not be saved.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "report-error", error)]
+pub enum RenderError {
+    /// The writer of the format failed.
+    Writer {
+        /// The rendering's name.
+        format: &'static str,
+        /// What the writer says.
+        reason: String,
+    },
+}
+
+impl RenderError {
+    fn writer(format: &'static str, reason: &impl std::fmt::Display) -> Self {
+        Self::Writer { format, reason: reason.to_string() }
+    }
+}
+
+/// Why there is no rendering for a file name.
+#[derive(Debug, Clone, PartialEq, Eq, Say)]
+#[say(prefix = "report-ending", error)]
+pub enum EndingError {
+    /// The name has no ending.
+    #[say(args(endings = endings()))]
+    Missing {
+        /// The file name.
+        file: String,
+    },
+    /// No rendering has this ending.
+    #[say(args(endings = endings()))]
+    Unknown {
+        /// The ending without its point.
+        ending: String,
+    },
+}
+
+/// Every ending with its point: `.html .htm .csv .json`.
+pub fn endings() -> String {
+    let all: Vec<String> = RENDERINGS.iter().flat_map(|r| r.endings).map(|ending| format!(".{ending}")).collect();
+    all.join(" ")
+}
+
+/// The rendering that a file's ending asks for, in capitals or small letters.
+///
+/// # Errors
+/// [`EndingError`] names the known endings.
+pub fn rendering_for(path: &Path) -> Result<&'static Rendering, EndingError> {
+    let Some(ending) = path.extension().map(|ending| ending.to_string_lossy()) else {
+        return Err(EndingError::Missing { file: path.display().to_string() });
+    };
+    let known = |rendering: &&Rendering| rendering.endings.iter().any(|known| known.eq_ignore_ascii_case(&ending));
+    RENDERINGS.iter().find(known).ok_or_else(|| EndingError::Unknown { ending: ending.into_owned() })
+}

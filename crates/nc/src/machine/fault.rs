@@ -1,0 +1,402 @@
+//! What stops a run early: the block and the reason, as a control shows them.
+
+use fitcheck_core::message::{Message, Say, display};
+use fitcheck_core::probing::cycle::CycleError;
+use fitcheck_core::probing::simulated::WorkpieceError;
+use fitcheck_core::text::cut;
+
+use super::around::Change;
+use super::budget::UsedUp;
+use super::path::{NcPath, PathError};
+use super::store::StoreError;
+use crate::control::mask::{MaskError, RenderError};
+use crate::control::table::{TableError, WriteError};
+use crate::control::tool_table::ToolFault;
+use crate::control::variables::Parameter;
+use crate::program::{CycleName, LabelFault, Mode, Program, ProgramError};
+
+/// A block of a program.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct BlockPlace {
+    /// The program.
+    pub program: NcPath,
+    /// The block, counted from 0.
+    pub block: usize,
+}
+
+/// Why a run stopped, and where.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Fault {
+    /// The block.
+    pub place: BlockPlace,
+    /// Its number in the program, if it has one.
+    pub number: Option<u32>,
+    /// Its first line in the program's text, counted from 1.
+    pub line: usize,
+    /// Its text, shortened.
+    pub text: String,
+    /// Why.
+    pub kind: Box<FaultKind>,
+}
+
+impl Fault {
+    /// A fault of a block; after the last block, the fault names the last one.
+    pub(super) fn new(program: &Program, mut place: BlockPlace, kind: FaultKind) -> Self {
+        place.block = place.block.min(program.blocks().len().saturating_sub(1));
+        let block = program.blocks().get(place.block);
+        let text = program.text_of(place.block).next().unwrap_or_default();
+        let number = block.and_then(|block| block.number);
+        let front = text.trim();
+        // Lathe controls write `N5` for block 5.
+        let front = front.strip_prefix(['N', 'n']).unwrap_or(front).trim_start();
+        let bare = front.trim_start_matches(|c: char| c.is_ascii_digit()).trim_start();
+        let bare = if number.is_some() { bare } else { text.trim() };
+        let text = cut(bare, 80).replace(char::is_control, " ");
+        let line = block.map_or_else(|| program.line_count(), |block| block.lines.start + 1);
+        Self { place, number, line, text, kind: Box::new(kind) }
+    }
+}
+
+impl Say for Fault {
+    fn message(&self) -> Message {
+        let message = match self.number {
+            Some(number) => Message::new("machine-fault-in-block").with("number", &number),
+            None => Message::new("machine-fault-in-line").with("line", &self.line),
+        };
+        message.with("program", &self.place.program).with("text", &self.text).with("fault", &self.kind)
+    }
+}
+
+display!(Fault);
+
+impl std::error::Error for Fault {}
+
+/// What a block counts with a whole number.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
+#[say(prefix = "machine-counted")]
+pub enum Counted {
+    /// The row of a table.
+    Row,
+    /// What a word of the block says: `BEG`, `LEN`.
+    Word(#[say(name = "word")] &'static str),
+}
+
+/// Why a run stopped.
+#[derive(Debug, Clone, PartialEq, Say)]
+#[say(prefix = "machine", error)]
+pub enum FaultKind {
+    /// A budget is used up.
+    #[say(transparent)]
+    UsedUp(#[from] UsedUp),
+    /// A text has more characters than a parameter holds.
+    TextTooLong {
+        /// How many it has.
+        length: usize,
+        /// How many it may have.
+        most: usize,
+    },
+    /// The block is unknown, or cannot be understood.
+    UnknownBlock,
+    /// A cycle that Fitcheck does not run.
+    UnknownCycle {
+        /// Its number.
+        cycle: String,
+        /// The cycles that it runs.
+        known: String,
+    },
+    /// The program has no end, or not even a beginning.
+    Broken {
+        /// The block that is missing.
+        what: &'static str,
+    },
+    /// A file is not a program.
+    NoProgram {
+        /// The file.
+        path: NcPath,
+        /// What is wrong.
+        error: ProgramError,
+    },
+    /// A label that no jump can reach.
+    #[say(transparent)]
+    Label(#[from] LabelFault),
+    /// A parameter does not hold the number of a label.
+    NoLabel {
+        /// The parameter.
+        parameter: Parameter,
+        /// What it holds.
+        value: f64,
+    },
+    /// A parameter without a value.
+    Undefined(#[say(name = "parameter")] Parameter),
+    /// A parameter that a block may have set which was not run.
+    Lost {
+        /// The parameter.
+        parameter: Parameter,
+        /// The line of the block, from 1.
+        line: usize,
+        /// Its text.
+        text: String,
+    },
+    /// A file that a block may have written or removed which was not run.
+    FileUnknown {
+        /// The file.
+        path: NcPath,
+        /// The line of the block, from 1.
+        line: usize,
+        /// Its text.
+        text: String,
+    },
+    /// A tool whose values a block may have changed which was not run.
+    ToolsUnknown {
+        /// The line of the block, from 1.
+        line: usize,
+        /// Its text.
+        text: String,
+    },
+    /// Recorded contacts behind a measurement that was not run: some of them may be of it.
+    ContactsUnknown {
+        /// The line of its block, from 1.
+        line: usize,
+        /// Its text.
+        text: String,
+    },
+    /// An unknown block that decides what runs next, or hands values to another program.
+    NotSkipped,
+    /// A parameter that does not exist on a control.
+    NoParameter(#[say(name = "parameter")] Parameter),
+    /// A variable that does not exist on a lathe control.
+    NoVariable {
+        /// The variable.
+        variable: Parameter,
+        /// Its family.
+        family: &'static str,
+        /// The first number of the family.
+        least: u16,
+        /// The last.
+        most: u16,
+    },
+    /// A number with decimals for a variable that holds whole numbers.
+    WholeOnly {
+        /// The variable.
+        parameter: Parameter,
+        /// What it would get.
+        value: f64,
+    },
+    /// A program that asks for a value which was not given before the run.
+    NoAnswer {
+        /// Where it goes.
+        parameter: Parameter,
+        /// The question.
+        question: String,
+    },
+    /// A text where a number is needed.
+    NotNumber(#[say(name = "parameter")] Parameter),
+    /// A number where a text is needed.
+    NotText(#[say(name = "parameter")] Parameter),
+    /// A divisor of zero.
+    DivisionByZero,
+    /// A root of a number below zero.
+    NegativeRoot(f64),
+    /// A function without a result for its number.
+    NoResult {
+        /// The function.
+        function: &'static str,
+        /// The number.
+        value: f64,
+    },
+    /// A result that no parameter can hold.
+    BeyondRange(f64),
+    /// A number with decimals, or below zero, where a count is needed.
+    NotWhole {
+        /// What is counted.
+        what: Counted,
+        /// What was given.
+        value: f64,
+    },
+    /// A part of a text that begins after its end.
+    BehindText {
+        /// The number of its characters.
+        length: usize,
+        /// Where the part begins.
+        from: usize,
+    },
+    /// A text that is not a number.
+    NoNumberInText {
+        /// The parameter.
+        parameter: Parameter,
+        /// What it holds.
+        text: String,
+    },
+    /// An unknown system text.
+    UnknownSystemText {
+        /// The group.
+        id: f64,
+        /// The number in the group.
+        number: f64,
+    },
+    /// A path that Fitcheck does not follow.
+    #[say(transparent)]
+    Path(#[from] PathError),
+    /// A file that does not exist, or cannot be used.
+    #[say(transparent)]
+    Store(#[from] StoreError),
+    /// FN 27 or FN 28 without FN 26.
+    NoTable,
+    /// A text parameter with the names of several columns, where a class is one.
+    SeveralColumns {
+        /// The parameter.
+        parameter: Parameter,
+        /// Its text.
+        text: String,
+    },
+    /// The table is broken.
+    #[say(transparent)]
+    Table(Box<TableError>),
+    /// A column that the table does not have; names are case-sensitive.
+    NoColumn {
+        /// The table.
+        table: String,
+        /// The column requested.
+        column: String,
+        /// The columns that it has.
+        columns: String,
+    },
+    /// A row after the table's end.
+    NoRow {
+        /// The table.
+        table: String,
+        /// The row requested.
+        row: usize,
+        /// The last row.
+        last: usize,
+    },
+    /// A table without rows.
+    NoRows(#[say(name = "table")] String),
+    /// A cell without a value.
+    EmptyCell {
+        /// The table.
+        table: String,
+        /// The row.
+        row: usize,
+        /// The column.
+        column: String,
+    },
+    /// A cell that is not a number, where a number is needed.
+    NoNumberInCell {
+        /// The table.
+        table: String,
+        /// The row.
+        row: usize,
+        /// The column.
+        column: String,
+        /// The text found.
+        cell: String,
+    },
+    /// A cell without a blank between it and its neighbour.
+    Touches {
+        /// The table.
+        table: String,
+        /// The row.
+        row: usize,
+        /// The column.
+        column: String,
+    },
+    /// A table that FN 27 has changed, but that cannot be written.
+    TableWrite {
+        /// The table.
+        table: String,
+        /// Why.
+        error: WriteError,
+    },
+    /// The mask cannot be read.
+    Mask {
+        /// The mask.
+        mask: NcPath,
+        /// Why.
+        error: Box<MaskError>,
+    },
+    /// The mask cannot be printed.
+    #[say(id = "machine-mask")]
+    Render {
+        /// The mask.
+        mask: NcPath,
+        /// Why.
+        error: Box<RenderError>,
+    },
+    /// FN 14.
+    Programmed(#[say(name = "number")] u32),
+    /// A parameter that the cycle does not have.
+    NoCycleParameter {
+        /// The cycle.
+        cycle: &'static str,
+        /// The parameter.
+        parameter: CycleName,
+    },
+    /// A parameter that is given twice.
+    CycleParameterTwice {
+        /// The cycle.
+        cycle: &'static str,
+        /// The parameter.
+        parameter: CycleName,
+    },
+    /// A parameter that is given twice, while the one behind it in the cycle is not given.
+    CycleParameterFor {
+        /// The cycle.
+        cycle: &'static str,
+        /// The parameter.
+        parameter: CycleName,
+        /// The one that is missing.
+        other: String,
+    },
+    /// The program ends within a subprogram: its `LBL 0` is missing.
+    OpenSubprogram {
+        /// The line of the call, from 1.
+        line: usize,
+    },
+    /// A repeat of a part whose label stands behind it.
+    RepeatAhead {
+        /// The line of the label, from 1.
+        line: usize,
+    },
+    /// A parameter of GLOBAL DEF 120 that is given no number: an earlier value would stay in force.
+    GlobalNotNumber {
+        /// The number of the GLOBAL DEF.
+        number: String,
+        /// The parameter.
+        parameter: CycleName,
+    },
+    /// A parameter that stands twice in one GLOBAL DEF.
+    GlobalTwice {
+        /// The number of the GLOBAL DEF.
+        number: String,
+        /// The parameter.
+        parameter: CycleName,
+    },
+    /// The cycle did not finish.
+    Cycle {
+        /// The cycle.
+        cycle: &'static str,
+        /// Why.
+        error: Box<CycleError>,
+    },
+    /// A tool that cannot be monitored, or is broken.
+    #[say(transparent)]
+    Tool(#[from] ToolFault),
+    /// The workpiece is impossible.
+    Workpiece(#[say(name = "error")] Box<WorkpieceError>),
+    /// A measuring cycle before any TOOL CALL that names an axis.
+    NoToolCall,
+    /// A measuring cycle in another mode than milling.
+    Mode(#[say(name = "mode")] Mode),
+    /// A measuring cycle under a change of the system that is not followed here.
+    Changed {
+        /// The change.
+        change: Change,
+        /// The line that made it, from 1.
+        line: usize,
+        /// Its text.
+        text: String,
+    },
+    /// `CALL SELECTED PGM` without `SEL PGM`.
+    NothingSelected,
+}

@@ -1,0 +1,53 @@
+//! Blocks that set something up for the measurements behind them.
+
+use super::super::around::machining;
+use super::super::fault::FaultKind;
+use super::super::remark::Remark;
+use super::Run;
+use crate::program::{Body, CycleBlock, Frame};
+
+impl Run {
+    /// Does what such a block says; others do nothing here.
+    pub(super) fn set_up(&mut self, at: usize, body: &Body) -> Result<(), FaultKind> {
+        match body {
+            Body::SelectProgram(path) => {
+                let path = self.path_of(path)?;
+                self.around.select(path);
+            }
+            Body::CycleDefinition(cycle) => {
+                self.around.stated(cycle, false, self.flow.unit(), &mut self.values)?;
+                self.machining(at, cycle);
+            }
+            Body::GlobalDefinition(cycle) => self.around.define(cycle, self.flow.unit(), &self.values)?,
+            Body::Mode(mode) => self.around.set_mode(*mode),
+            Body::Frame(frame) => self.change(at, frame)?,
+            Body::SystemRead { to } => {
+                let given = self.values.lose_system(*to, || self.flow.made(at), self.is_main());
+                let remark = given.is_none().then_some(Remark::NoSystemData { parameter: *to });
+                self.note_given(at, *to, given);
+                self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
+            }
+            _ => {}
+        }
+        Ok(())
+    }
+
+    /// `CYCL DEF` of a cycle that machines: those of the machine's builder may do anything.
+    fn machining(&mut self, at: usize, cycle: &CycleBlock) {
+        if let Some(number) = machining(cycle) {
+            self.around.pass_over(&format!("CYCL DEF {}", cycle.number));
+            self.around.turning(number, self.flow.made(at));
+        } else {
+            self.lose_all(at);
+            self.remark(at, Remark::NotFollowed);
+        }
+    }
+
+    /// A change of the system that coordinates count in.
+    fn change(&mut self, at: usize, frame: &Frame) -> Result<(), FaultKind> {
+        let remark =
+            self.around.change(frame, self.flow.made(at), self.flow.unit(), &|operand| self.values.operand(operand))?;
+        self.remarks.add_all(&self.flow.place_of(at), remark.into_iter().collect());
+        Ok(())
+    }
+}

@@ -1,0 +1,181 @@
+//! Blocks that are not run: what they may have changed is unknown behind them, and nothing reads or measures it.
+
+use std::collections::BTreeMap;
+use std::sync::Arc;
+
+use super::super::around::Made;
+use super::super::fault::FaultKind;
+use super::super::files::Files;
+use super::super::path::NcPath;
+use super::super::remark::Remark;
+use super::Run;
+use crate::program::{Body, CycleBlock, Unread};
+
+/// Cycles of `TCH PROBE` that set no datum and no rotation: one point, angles, calibration, tools, bolt circles, planes, fast probing
+/// (datum-cycles, sections 4 to 6).
+fn sets_no_datum(number: u32) -> bool {
+    matches!(number, 0..=4 | 9 | 30..=33 | 420 | 430 | 431 | 441 | 460..=463 | 480..=484)
+}
+
+/// Those that measure tools.
+fn measures_tools(number: u32) -> bool {
+    matches!(number, 30..=33 | 480..=484)
+}
+
+/// Files that a block may have written, moved or removed which was not run.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
+enum Touched {
+    /// Those that this text names, in small letters.
+    Named(String),
+    /// The one with this path, in small letters.
+    Path(String),
+    /// Any table.
+    AnyTable,
+}
+
+/// Such files, and the first block that may have touched them.
+#[derive(Debug, Default)]
+pub(super) struct UnknownFiles(BTreeMap<Touched, Made>);
+
+/// What a file is read as.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub(super) enum ReadAs {
+    Table,
+    /// A program or a mask.
+    Other,
+}
+
+impl Touched {
+    fn may_be(&self, path: &NcPath, read_as: ReadAs) -> bool {
+        match self {
+            // A name in a parameter, or with a wildcard, may be any.
+            Self::Named(text) => {
+                text.contains(&path.file_name().to_lowercase()) || text.contains("qs") || text.contains(['*', '?'])
+            }
+            Self::Path(touched) => *touched == path.to_string().to_lowercase(),
+            Self::AnyTable => read_as == ReadAs::Table,
+        }
+    }
+}
+
+impl Run {
+    /// Skips an unknown block.
+    ///
+    /// # Errors
+    /// [`FaultKind::NotSkipped`] where it decides what runs next.
+    pub(super) fn skip(&mut self, at: usize, files: &mut Files) -> Result<(), FaultKind> {
+        let place = self.flow.place_of(at);
+        let known = self.unread.get(&place).cloned();
+        let unread = known.unwrap_or_else(|| Arc::new(self.flow.program().unread(at)));
+        self.unread.entry(place).or_insert_with(|| Arc::clone(&unread));
+        match unread.as_ref() {
+            Unread::Flow => return Err(FaultKind::NotSkipped),
+            Unread::Nothing => {}
+            Unread::Sets(parameters) => {
+                let by = Arc::new(self.flow.made(at));
+                for parameter in parameters {
+                    let given = self.values.lose_assigned(*parameter, &by, self.is_main());
+                    self.note_given(at, *parameter, given);
+                }
+            }
+            // The table that is open is not the one that the program means.
+            Unread::TableOpen => self.close_table(files)?,
+            Unread::TableWrite => {
+                // Where none is open, a block that opens one may have been skipped.
+                let open = self.tables.path().map(|path| path.to_string().to_lowercase());
+                self.touch(at, open.map_or(Touched::AnyTable, Touched::Path));
+            }
+            Unread::Sql(parameters) => {
+                self.lose_all(at);
+                self.touch(at, Touched::AnyTable);
+                // Any later block of SQL may fill what one of them has bound.
+                self.bound.extend(parameters);
+                let by = Arc::new(self.flow.made(at));
+                for parameter in &self.bound {
+                    self.values.lose(*parameter, &by);
+                }
+            }
+            Unread::Files => {
+                // Each line of the block may have a name.
+                let text = self.flow.program().text_of(at).collect::<Vec<_>>().join("\n").to_lowercase();
+                self.touch(at, Touched::Named(text));
+            }
+            Unread::Anything(parameters) => {
+                self.lose_all(at);
+                if !parameters.is_empty() {
+                    let by = Arc::new(self.flow.made(at));
+                    for parameter in parameters {
+                        self.values.lose(*parameter, &by);
+                    }
+                }
+            }
+        }
+        self.remark(at, Remark::Skipped);
+        Ok(())
+    }
+
+    /// Says that measuring cycles stand behind the end of a program: no control reads on.
+    pub(super) fn look_behind_end(&mut self, at: usize) {
+        let behind = self.flow.program().blocks().iter().skip(at + 1);
+        let count = behind.filter(|block| matches!(block.body, Body::Probe(_))).count();
+        if 0 < count {
+            self.remark(at, Remark::MeasurementBehindEnd { count });
+        }
+    }
+
+    /// Skips a measuring cycle that nothing here runs. What its block states can be read afterwards.
+    pub(super) fn skip_cycle(&mut self, at: usize, block: &CycleBlock) -> Result<(), FaultKind> {
+        let number = block.number.split('.').next().and_then(|number| number.parse().ok());
+        // Fast probing measures nothing, and sets nothing but how the others move.
+        if number == Some(441) {
+            self.remark(at, Remark::Skipped);
+            return self.around.stated(block, true, self.flow.unit(), &mut self.values);
+        }
+        self.lose_measured(at, block);
+        self.around.stated(block, true, self.flow.unit(), &mut self.values)?;
+        self.way.lose();
+        // Tools and calibrations have no contacts of the workpiece.
+        if !number.is_some_and(|number| measures_tools(number) || matches!(number, 2 | 9 | 460..=463)) {
+            self.cycles.lose(|| self.flow.made(at));
+        }
+        if number.is_none_or(measures_tools) {
+            self.tools.lose(|| Arc::new(self.flow.made(at)));
+        }
+        if number.is_some_and(sets_no_datum) {
+            self.remark(at, Remark::MeasurementSkipped);
+        } else {
+            self.around.lose_system(|| self.flow.made(at));
+            self.remark(at, Remark::DatumSkipped);
+        }
+        Ok(())
+    }
+
+    /// The results of a measuring cycle that is not run are undefined behind it, also where an earlier one had set them.
+    pub(super) fn lose_measured(&mut self, at: usize, block: &CycleBlock) {
+        let by = Arc::new(self.flow.made(at));
+        self.values.lose_results(&by);
+        block.named().into_iter().for_each(|parameter| self.values.lose(parameter, &by));
+    }
+
+    /// A block may have measured, set a datum, changed the tool and moved it.
+    pub(super) fn lose_all(&mut self, at: usize) {
+        let flow = &self.flow;
+        self.values.lose_results(&Arc::new(flow.made(at)));
+        self.around.lose_system(|| flow.made(at));
+        self.around.lose_globals();
+        self.tools.lose(|| Arc::new(flow.made(at)));
+        self.way.lose();
+    }
+
+    /// A block that is not run may have touched files.
+    fn touch(&mut self, at: usize, touched: Touched) {
+        self.unknown_files.0.entry(touched).or_insert_with(|| self.flow.made(at));
+    }
+
+    /// An error for a file that a block may have written which was not run.
+    pub(super) fn check_file(&self, path: &NcPath, read_as: ReadAs) -> Result<(), FaultKind> {
+        let found = self.unknown_files.0.iter().find(|(touched, _)| touched.may_be(path, read_as));
+        let Some((_, Made { line, text })) = found else { return Ok(()) };
+        Err(FaultKind::FileUnknown { path: path.clone(), line: *line, text: text.clone() })
+    }
+}

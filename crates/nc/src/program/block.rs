@@ -1,0 +1,360 @@
+//! What the blocks of a program say.
+
+use std::fmt;
+use std::ops::Range;
+
+use fitcheck_core::message::{self, as_text};
+
+use super::around::{Frame, Mode, PassedOver};
+use super::cycle_block::{CycleBlock, CycleName};
+use super::expression::{Expression, Test, TextExpression};
+use crate::control::variables::Parameter;
+
+/// One block: a line of the program, or several where a line ends in `~`.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Block {
+    /// Its lines in the program's text, counted from 0.
+    pub lines: Range<usize>,
+    /// The block number in the program, if there is one.
+    pub number: Option<u32>,
+    /// Whether a `/` precedes it: with block skip it is skipped.
+    pub may_be_skipped: bool,
+    /// What it says.
+    pub body: Body,
+}
+
+/// A place in the text: line and column, both from 1; columns count characters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Place {
+    /// Line.
+    pub line: usize,
+    /// Column.
+    pub column: usize,
+}
+
+impl From<Place> for message::Place {
+    fn from(Place { line, column }: Place) -> Self {
+        Self { file: None, line: Some(line), column: Some(column) }
+    }
+}
+
+/// The unit of a program.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Unit {
+    /// Millimetres.
+    Mm,
+    /// Inches.
+    Inch,
+}
+
+/// As it is written after the name of the program.
+impl fmt::Display for Unit {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.pad(match self {
+            Self::Mm => "MM",
+            Self::Inch => "INCH",
+        })
+    }
+}
+
+/// What a block says.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Body {
+    /// `BEGIN PGM name MM`, `%NAME.nc` with the unit of the head
+    Begin {
+        /// The program's name.
+        name: String,
+        /// Its unit.
+        unit: Unit,
+    },
+    /// `END PGM name MM`
+    End {
+        /// The program's name.
+        name: String,
+        /// Its unit.
+        unit: Unit,
+    },
+    /// Only a comment, or only a number.
+    Nothing,
+    /// `* - text`: structure.
+    Heading {
+        /// How deep, from 1; deeper with more blanks.
+        depth: usize,
+        /// The text without the signs before it.
+        text: String,
+    },
+    /// `LBL 11`, `LBL "LOOP"`; `LBL 0` ends a subprogram. Never a parameter.
+    Label(Target),
+    /// `CALL LBL 7`, `CALL LBL 5 REP 3`
+    CallLabel {
+        /// The label.
+        label: Target,
+        /// How often the part from the label to this block is repeated.
+        repeat: Option<Operand>,
+    },
+    /// `CALL PGM TNC:\Plan.h`
+    CallProgram(TextOperand),
+    /// `SEL PGM "TNC:\Plan.h"`
+    SelectProgram(TextOperand),
+    /// `CALL SELECTED PGM`
+    CallSelectedProgram,
+    /// `Q5 = ...`, `FN 0: Q5 = ...` to `FN 8` and `FN 13`
+    Assign {
+        /// Q, QL or QR.
+        to: Parameter,
+        /// The value.
+        value: Expression,
+    },
+    /// `FN 0: Q5 SET UNDEFINED`
+    Undefine(Parameter),
+    /// `DECLARE STRING QS1 = "H7"`, `QS1 = ...`
+    AssignText {
+        /// A QS parameter.
+        to: Parameter,
+        /// The value.
+        value: TextExpression,
+    },
+    /// FN 9 to FN 12
+    Jump {
+        /// The condition.
+        condition: Condition,
+        /// The destination.
+        label: Target,
+    },
+    /// `IF`, `WHILE`, `ELSE`, `ENDWHILE`, `CASE`, `BREAK` of lathe controls: goes to another block unless the condition holds.
+    Branch {
+        /// The condition; without one it always goes there.
+        unless: Option<Box<Test>>,
+        /// That block, counted from 0.
+        to: usize,
+    },
+    /// `SUBPROGRAM "NAME"` of lathe controls: a label for the block behind it. Whoever comes from above goes past its end.
+    Subprogram {
+        /// The label.
+        label: Target,
+        /// The block behind its end, counted from 0.
+        behind: usize,
+    },
+    /// `PRINT("text",#l1)` of lathe controls: a text on the screen.
+    Show(TextExpression),
+    /// `INPUT("text",#l1)` of lathe controls: asks for a value.
+    Input {
+        /// The question.
+        question: String,
+        /// The variable that it goes to.
+        to: Parameter,
+    },
+    /// `G909` of lathe controls: blocks are read ahead only up to here.
+    ReadNoFurther,
+    /// `FN 14: ERROR= 1005`
+    Error(Operand),
+    /// `FN 16: F-PRINT mask / output`
+    Print {
+        /// The mask's path.
+        mask: TextOperand,
+        /// `SCREEN:`, `SCLR:`, or the output's path.
+        output: TextOperand,
+    },
+    /// `FN 26: TABOPEN path`
+    TableOpen(TextOperand),
+    /// `FN 28: TABREAD Q10 = 6/"X,Y,D"`
+    TableRead {
+        /// The first parameter that is filled; several columns fill the following ones.
+        to: Parameter,
+        /// The row, from 0.
+        row: Operand,
+        /// The columns.
+        columns: Columns,
+    },
+    /// `FN 27: TABWRITE 40/"NAME" = QS10`
+    TableWrite {
+        /// The row, from 0.
+        row: Operand,
+        /// The columns.
+        columns: Columns,
+        /// The first parameter that is written.
+        from: Parameter,
+    },
+    /// `TOOL CALL 5 Z S2000`
+    ToolCall {
+        /// Number, name or QS parameter; `None` changes only speed or feed.
+        tool: Option<Tool>,
+        /// The tool axis.
+        axis: Option<Axis>,
+        /// The rest (S, F, DL …), as written.
+        rest: String,
+    },
+    /// `L  X+10  Y+Q21 R0 FMAX M3`
+    Move(Movement),
+    /// `M30`, and other M functions alone.
+    MachineFunctions(Vec<MachineFunction>),
+    /// `STOP`, `STOP M6`
+    Stop(Vec<MachineFunction>),
+    /// `TCH PROBE 427 NAME ~` and its lines, `G785 R0 K2`; runs where it is in the program.
+    Probe(CycleBlock),
+    /// `CYCL DEF 200 NAME ~` and its lines: a machining cycle. Only its parameters are kept.
+    CycleDefinition(CycleBlock),
+    /// `GLOBAL DEF 120 NAME ~` and its lines: the values that `PREDEF` stands for.
+    GlobalDefinition(CycleBlock),
+    /// `FUNCTION MODE TURN`
+    Mode(Mode),
+    /// A change of the system that coordinates count in.
+    Frame(Frame),
+    /// `FN 18: SYSREAD Q1 = ID20 NR1`: what the control's system holds.
+    SystemRead {
+        /// The parameter that it goes to.
+        to: Parameter,
+    },
+    /// A block that changes nothing that a measurement depends on.
+    PassedOver(PassedOver),
+    /// Anything else, kept as text.
+    Other,
+}
+
+/// A number or a number parameter, with a sign: `+Q1`, `-5`, `2,5`.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Operand {
+    /// A number, sign included.
+    Number(f64),
+    /// A Q, QL or QR parameter.
+    Parameter {
+        /// The parameter.
+        parameter: Parameter,
+        /// Whether a minus sign precedes it.
+        is_negative: bool,
+    },
+}
+
+/// A text or a text parameter.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum TextOperand {
+    /// As written, without quotation marks.
+    Text(String),
+    /// A QS parameter (also written `:'QS1'` in paths of FN 16).
+    Parameter(Parameter),
+}
+
+/// A label.
+#[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Target {
+    /// By number; 0 ends a subprogram.
+    Number(u32),
+    /// By name.
+    Name(String),
+    /// The name is in a QS parameter, or the number in a Q parameter.
+    Parameter(Parameter),
+}
+
+/// As it is written after `LBL`: `5`, `"LOOP"`, `QS5`.
+impl fmt::Display for Target {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::Number(number) => write!(f, "{number}"),
+            Self::Name(name) => f.write_str(&super::write_formula::quoted(name)),
+            Self::Parameter(parameter) => write!(f, "{parameter}"),
+        }
+    }
+}
+
+as_text!(Unit, Target, CycleName);
+
+/// The condition of a jump.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Condition {
+    /// FN 9 to FN 12 with two values.
+    Compare(Operand, Relation, Operand),
+    /// `IS DEFINED`
+    IsDefined(Parameter),
+    /// `IS UNDEFINED`
+    IsUndefined(Parameter),
+}
+
+/// How two values are compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Relation {
+    /// `EQU`
+    Equal,
+    /// `NE`
+    NotEqual,
+    /// `GT`
+    Greater,
+    /// `LT`
+    Less,
+}
+
+/// Columns of a table.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Columns {
+    /// `"X,Y,D"`: one or more names.
+    Names(Vec<String>),
+    /// The name is in a QS parameter.
+    Parameter(Parameter),
+}
+
+/// A tool.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Tool {
+    /// By number, or by the number in a Q parameter.
+    Number(Operand),
+    /// By name, or by the name in a QS parameter.
+    Name(TextOperand),
+}
+
+/// A linear or rotary axis.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+#[expect(missing_docs, reason = "the names say it")]
+pub enum Axis {
+    X,
+    Y,
+    Z,
+    A,
+    B,
+    C,
+    U,
+    V,
+    W,
+}
+
+/// A straight line.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Movement {
+    /// The axes that move.
+    pub axes: Vec<AxisWord>,
+    /// `R0`, `RL`, `RR`, as written.
+    pub compensation: Option<String>,
+    /// The feed.
+    pub feed: Option<Feed>,
+    /// M functions.
+    pub machine: Vec<MachineFunction>,
+}
+
+/// `IX+2,5`
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub struct AxisWord {
+    /// The axis.
+    pub axis: Axis,
+    /// Whether an `I` precedes it: the value counts from where the axis is.
+    pub is_incremental: bool,
+    /// The destination.
+    pub value: Operand,
+}
+
+/// A feed.
+#[derive(Debug, Clone, Copy, PartialEq)]
+pub enum Feed {
+    /// `FMAX`
+    Rapid,
+    /// `FAUTO`
+    Auto,
+    /// `F200`, `FQ1822`: mm per minute, or a tenth of an inch per minute.
+    Value(Operand),
+}
+
+/// An M function: `M30`, `M140 MB MAX`.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct MachineFunction {
+    /// Its number.
+    pub number: u32,
+    /// The text after it, as written.
+    pub rest: String,
+}

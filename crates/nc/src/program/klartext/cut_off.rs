@@ -1,0 +1,142 @@
+//! Lines that a missing or a surplus `~` has put into the wrong block.
+//!
+//! A cycle whose line lacks its `~` ends there. What a control makes of the next line is on no page that we found; read alone,
+//! `Q275=+25.01` is an assignment, and the cycle would measure without its limit. So such a line is refused, and so is a block
+//! that a comment's `~` has swallowed.
+
+use fitcheck_core::probing::cycle::{Control, Cycle};
+use fitcheck_core::probing::cycles::cycles_of;
+
+use super::super::around::Frame;
+use super::super::block::{Block, Body};
+use super::super::cursor::Cursor;
+use super::super::cycle_block::CycleBlock;
+use super::super::error::ProgramWarningKind;
+use super::super::lines::{Front, Piece, front};
+use super::body::body;
+use super::cycle::first_parameter;
+use crate::control::variables::Parameter;
+
+/// A cycle, and nothing behind it yet but comments and lines that may be its own.
+#[derive(Debug)]
+pub(in super::super) struct Before {
+    has_number: bool,
+    code: String,
+    /// Its last line, from 1.
+    line: usize,
+}
+
+impl Before {
+    /// The cycle that a block is, or that it still stands behind.
+    pub(in super::super) fn after(
+        before: Option<Self>,
+        front: Front,
+        body: &Body,
+        end: usize,
+        is_cut_off: bool,
+    ) -> Option<Self> {
+        match body {
+            Body::Probe(CycleBlock { number, .. }) => {
+                Some(Self { has_number: front.number.is_some(), code: number.clone(), line: end })
+            }
+            Body::Nothing => before,
+            _ if is_cut_off => before,
+            _ => None,
+        }
+    }
+
+    fn declares(&self, parameter: Parameter) -> bool {
+        let cycle: Option<&Cycle> = cycles_of(Control::Milling).find(|cycle| cycle.code == self.code);
+        cycle.is_some_and(|cycle| cycle.parameter_named(&parameter.to_string()).is_some())
+    }
+}
+
+/// What is wrong, in which of the pieces, and whether the block can mean something else: a control may read it otherwise than
+/// whoever wrote it.
+pub(in super::super) struct CutOff {
+    pub piece: usize,
+    pub what: ProgramWarningKind,
+    pub is_refused: bool,
+}
+
+/// Looks at a block that was read, behind the last cycle if there is nothing between.
+pub(super) fn cut_off(before: Option<&Before>, front: Front, pieces: &[Piece<'_>], read: &Body) -> Option<CutOff> {
+    let (first, more) = pieces.split_first()?;
+    if let Some(cut_off) = assigned(before, front, first, read) {
+        return Some(cut_off);
+    }
+    let what = ProgramWarningKind::CommentGoesOn;
+    match read {
+        // The lines of a cycle are its own; what a comment has swallowed of a measuring cycle is looked for in them.
+        Body::Probe(_) => {
+            let of = |piece: &Piece<'_>| piece.comment.and_then(parameter_in);
+            let (piece, found) = pieces.iter().enumerate().find_map(|(number, piece)| Some((number, of(piece)?)))?;
+            Some(CutOff { piece, what: ProgramWarningKind::CommentHolds { found }, is_refused: true })
+        }
+        Body::CycleDefinition(_) | Body::GlobalDefinition(_) | Body::Frame(Frame::Preset(_)) | Body::Other => None,
+        Body::Nothing | Body::Heading { .. } | Body::PassedOver(_) => swallowed(more),
+        _ if first.goes_on && first.comment.is_some() => Some(CutOff { piece: 0, what, is_refused: true }),
+        _ => swallowed(more),
+    }
+}
+
+/// A block that a `~` before it has made part of another.
+fn swallowed(more: &[Piece<'_>]) -> Option<CutOff> {
+    let number = more.iter().position(|piece| {
+        let line = if piece.code.is_empty() { piece.comment.unwrap_or_default() } else { piece.code };
+        is_block(line)
+    })?;
+    let is_comment = more.get(number).is_some_and(|piece| piece.code.is_empty());
+    let what = if is_comment { ProgramWarningKind::CommentGoesOn } else { ProgramWarningKind::BlockGoesOn };
+    Some(CutOff { piece: 1 + number, what, is_refused: true })
+}
+
+/// A parameter with its value within a comment, as an error repeats it.
+fn parameter_in(comment: &str) -> Option<String> {
+    let at = first_parameter(comment, |cursor| cursor.take('='))?;
+    Some(comment.get(at..)?.split_whitespace().next().unwrap_or_default().chars().take(24).collect())
+}
+
+/// `Q275=+25.01` where the cycle's next line would stand.
+pub(in super::super) fn assigned(
+    before: Option<&Before>,
+    front: Front,
+    first: &Piece<'_>,
+    read: &Body,
+) -> Option<CutOff> {
+    let before = before?;
+    let (Body::Assign { to: parameter, .. } | Body::AssignText { to: parameter, .. }) = read else { return None };
+    // `FN 0:` and `DECLARE STRING` begin no line of a cycle.
+    if !first.code.starts_with(['Q', 'q']) {
+        return None;
+    }
+    let is_unnumbered = front.number.is_none();
+    let is_line = is_unnumbered && before.has_number || before.declares(*parameter) || first.goes_on;
+    let what = ProgramWarningKind::CycleCut { cycle: before.code.clone(), line: before.line, parameter: *parameter };
+    is_line.then_some(CutOff { piece: 0, what, is_refused: is_unnumbered || first.goes_on })
+}
+
+/// Whether a line behind a machining cycle or a definition of global values belongs to it, although the `~` before it is
+/// missing: CAM programs have such cycles, and nothing that is measured depends on them. Numbered lines are blocks.
+pub(super) fn belongs(last: Option<&Block>, front: Front, first: &Piece<'_>) -> bool {
+    let Some(last) = last else { return false };
+    let is_definition = match &last.body {
+        // In a program without numbers a line cannot be told from an assignment, which has the same effect.
+        Body::CycleDefinition(_) => last.number.is_some(),
+        Body::GlobalDefinition(_) => true,
+        _ => false,
+    };
+    let mut cursor = Cursor::new(first.code);
+    let is_line = cursor.take_prefix("Q") && matches!(cursor.next(), Some('0'..='9' | 'S' | 's'));
+    is_definition && is_line && front.number.is_none()
+}
+
+/// Whether a line is a block by itself.
+fn is_block(line: &str) -> bool {
+    let front = front(line);
+    let code = line.get(front.end..).unwrap_or_default();
+    let code = code.split(';').next().unwrap_or_default().trim_end_matches([' ', '~']);
+    let is_cycle = |words: [&str; 2]| Cursor::new(code).take_words(&words);
+    [["TCH", "PROBE"], ["CYCL", "DEF"], ["GLOBAL", "DEF"]].into_iter().any(is_cycle)
+        || matches!(body(code), Ok(read) if !matches!(read, Body::Nothing | Body::PassedOver(_) | Body::Other))
+}

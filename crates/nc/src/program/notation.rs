@@ -1,0 +1,56 @@
+//! In which notation a program is written.
+
+use fitcheck_core::probing::cycle::Control;
+
+use super::lines::Lines;
+use super::{din_plus, iso};
+
+/// How a program is written. All notations give the same blocks.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Notation {
+    /// Klartext of HEIDENHAIN milling controls (`.h`).
+    Klartext,
+    /// ISO programs of HEIDENHAIN milling controls (`.i`).
+    Iso,
+    /// DIN PLUS of HEIDENHAIN lathe controls (`.nc`, subprograms `.ncs`).
+    DinPlus,
+}
+
+impl Notation {
+    /// The notation of a text.
+    pub(super) fn of(text: &str, lines: &Lines) -> Self {
+        if iso::begins(text, lines) {
+            Self::Iso
+        } else if din_plus::is_written_so(text, lines) {
+            Self::DinPlus
+        } else {
+            Self::Klartext
+        }
+    }
+
+    /// How a program begins.
+    pub const fn begin(self) -> &'static str {
+        match self {
+            Self::Klartext => "BEGIN PGM",
+            Self::Iso => "%NAME G71 *",
+            Self::DinPlus => "%NAME.nc",
+        }
+    }
+
+    /// How it ends.
+    pub const fn end(self) -> &'static str {
+        match self {
+            Self::Klartext => "END PGM",
+            Self::Iso => "N99999999 %NAME G71 *",
+            Self::DinPlus => "ENDE",
+        }
+    }
+
+    /// The controls that read it.
+    pub const fn control(self) -> Control {
+        match self {
+            Self::Klartext | Self::Iso => Control::Milling,
+            Self::DinPlus => Control::Lathe,
+        }
+    }
+}

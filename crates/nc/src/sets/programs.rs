@@ -1,0 +1,184 @@
+//! The main program of a set, and what its programs share: all are made from the built-in ones, block by block.
+
+use fitcheck_core::length::Length;
+use fitcheck_core::part::{self, Kind};
+use fitcheck_core::probing::cycle::{Axis, Key, Meaning};
+use fitcheck_core::tolerance::Callout;
+use fitcheck_core::words::Dialogue;
+use fitcheck_shipped as shipped;
+
+use super::Planned;
+use super::called::Called;
+use super::error::SetRemark;
+use super::names::{Control, Names};
+use crate::control::variables::Parameter;
+use crate::program::{Body, Expression, Operand, Program, TextExpression, TextOperand, Unit, write};
+
+/// Blocks with their comments.
+pub(super) type Blocks = Vec<(Body, String)>;
+
+/// The class, or the band of a point.
+const CLASS: Parameter = Parameter::qs(1);
+
+/// The bodies of blocks, without BEGIN and END.
+pub(super) fn blocks(text: &[u8]) -> Blocks {
+    let Ok((program, _warnings)) = Program::read(text) else { return Blocks::new() };
+    let blocks = program.blocks().iter().enumerate();
+    let inner = blocks.filter(|(_, block)| !matches!(block.body, Body::Begin { .. } | Body::End { .. }));
+    let comment = |number| program.comment_of(number).unwrap_or_default().to_owned();
+    inner.map(|(number, block)| (block.body.clone(), comment(number))).collect()
+}
+
+/// A built-in program; these are part of Fitcheck, and tests make a set in every language.
+pub(super) fn shipped_program(name: &str, language: Dialogue) -> Blocks {
+    blocks(shipped::file(shipped::NC, &format!("{name}_{language}.h")).unwrap_or_default())
+}
+
+/// The file of a program. All of it is ASCII, since names and texts are.
+pub(super) fn written(file: &str, blocks: &[(Body, String)]) -> Vec<u8> {
+    // A program has the name of its file, without the ending.
+    let name = file.rsplit_once('.').map_or(file, |(stem, _)| stem).to_owned();
+    let begin = [bare(Body::Begin { name: name.clone(), unit: Unit::Mm })];
+    let end = [bare(Body::End { name, unit: Unit::Mm })];
+    let all = begin.iter().chain(blocks).chain(&end);
+    write::program(all.map(|(body, comment)| (body, comment.as_str()))).into_bytes()
+}
+
+/// A block without a comment.
+pub(super) fn bare(body: Body) -> (Body, String) {
+    (body, String::new())
+}
+
+pub(super) fn print(names: &Names<'_>, called: Called, output: String) -> (Body, String) {
+    bare(Body::Print { mask: names.operand(names.mask(called)), output: TextOperand::Text(output) })
+}
+
+/// The main program: for each feature its parameters, the call, a file with its result, and a stop.
+pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
+    let blocks = shipped_program("8255", names.target.language);
+    // Blocks that occur only once are before the first parameter or after the stop.
+    let is_parameter = |(body, _): &(Body, String)| matches!(body, Body::Assign { .. } | Body::AssignText { .. });
+    let first = blocks.iter().position(is_parameter).unwrap_or_default();
+    let behind = blocks.iter().position(|(body, _)| matches!(body, Body::Stop(_))).map_or(first, |at| at + 1);
+    let (head, rest) = blocks.split_at(first);
+    let (each, tail) = rest.split_at(behind - first);
+    let mut made = head.to_vec();
+    for planned in planned {
+        let text = format!("{}: {}", planned.feature.name, planned.feature.kind.asked());
+        made.push(bare(Body::Heading { depth: 2, text }));
+        made.extend(each.iter().flat_map(|block| main_block(block, names, *planned)));
+    }
+    made.extend_from_slice(tail);
+    written(&names.main, &made)
+}
+
+/// A block of the main program for a feature.
+fn main_block((body, comment): &(Body, String), names: &Names<'_>, planned: Planned<'_>) -> Blocks {
+    let (feature, [x, y, z]) = (planned.feature, planned.place);
+    let comment = comment.replace(Control::Itnc530.clearance(), names.target.control.clearance());
+    let one = |to: Parameter, value: f64| vec![number(to, value, comment.clone())];
+    match body {
+        Body::Assign { to, .. } => match to.number {
+            // A point has no nominal size.
+            1 => feature.kind.callouts().first().map_or_else(Blocks::new, |callout| one(*to, nominal(*callout))),
+            11 => one(*to, x.to_mm_f64()),
+            21 => one(*to, y.to_mm_f64()),
+            31 => one(*to, z.to_mm_f64()),
+            41 if matches!(feature.kind, Kind::Diameter(_)) => one(*to, feature.angle.to_degrees_f64()),
+            41 => direction_blocks(*to, names, &feature.kind),
+            51 => one(*to, feature.clearance.to_mm_f64()),
+            _ => one(*to, feature.clearance_height.to_mm_f64()),
+        },
+        Body::AssignText { .. } => class_blocks(names, &feature.kind, comment),
+        Body::CallProgram(_) => {
+            let result = names.path(&names.result(&feature.name));
+            let called = Called::of(&feature.kind);
+            vec![bare(Body::CallProgram(names.operand(names.check(called)))), print(names, called, result)]
+        }
+        body => vec![(body.clone(), comment)],
+    }
+}
+
+fn nominal(callout: Callout) -> f64 {
+    callout.nominal().to_mm_f64()
+}
+
+fn number(to: Parameter, value: f64, comment: String) -> (Body, String) {
+    (Body::Assign { to, value: Expression::Value(Operand::Number(value)) }, comment)
+}
+
+fn text(to: Parameter, value: String, comment: String) -> (Body, String) {
+    (Body::AssignText { to, value: TextExpression::Value(TextOperand::Text(value)) }, comment)
+}
+
+/// The class; of a pocket or boss also nominal size and class of the second side, of a point the band.
+fn class_blocks(names: &Names<'_>, kind: &Kind, comment: String) -> Blocks {
+    let language = names.target.language;
+    let class = |callout: &Callout| callout.class().map(|class| class.to_string()).unwrap_or_default();
+    match kind {
+        Kind::Diameter(callout) | Kind::Width(callout, _) | Kind::Face(callout, _) => {
+            vec![text(CLASS, class(callout), comment)]
+        }
+        Kind::Pocket([first, second]) | Kind::Boss([first, second]) => {
+            let name = Called::Rectangle.name_of(&[Meaning::Side(Axis::Second)], language);
+            vec![
+                text(CLASS, class(first), comment.clone()),
+                number(Parameter::q(71), nominal(*second), name),
+                text(Parameter::qs(6), class(second), comment),
+            ]
+        }
+        Kind::Point(band, _) => {
+            vec![text(CLASS, part::band_text(*band), Called::Point.name_of(&[Meaning::Band], language))]
+        }
+    }
+}
+
+/// In place of the angle: the measured axis, and for a face the direction; for a point the normal.
+fn direction_blocks(to: Parameter, names: &Names<'_>, kind: &Kind) -> Blocks {
+    let called = Called::of(kind);
+    let named = |meanings: &[Meaning]| called.name_of(meanings, names.target.language);
+    let axis = |vector: [f64; 3]| {
+        let [x, y, z] = vector.map(f64::abs);
+        number(to, x + 2.0 * y + 3.0 * z, named(&[Meaning::AxisOfPlane, Meaning::MeasuredAxis]))
+    };
+    match kind {
+        Kind::Diameter(_) | Kind::Pocket(_) | Kind::Boss(_) => Blocks::new(),
+        Kind::Width(_, across) => vec![axis(across.vector())],
+        Kind::Face(_, towards) => {
+            let sign = if towards.is_plus { 1.0 } else { -1.0 };
+            vec![axis(towards.vector()), number(Parameter::q(42), sign, named(&[Meaning::Direction]))]
+        }
+        Kind::Point(_, direction) => {
+            let axes = [(41, Axis::First), (42, Axis::Second), (43, Axis::Third)];
+            let parts = direction.normal().into_iter().zip(axes);
+            let part = |(part, (to, axis))| number(Parameter::q(to), part, named(&[Meaning::Normal(axis)]));
+            parts.map(part).collect()
+        }
+    }
+}
+
+/// The nominal sizes that the called program passes to the cycle, where they differ from those of the callouts.
+pub(super) fn moved_nominals(planned: Planned<'_>, control: Control) -> Vec<SetRemark> {
+    // What the cycle calls the nominal size, and the result that counts from it; a coordinate has no nominal size.
+    let sizes: &[(Meaning, u16)] = match Called::of(&planned.feature.kind) {
+        Called::Diameter => &[(Meaning::Diameter, 163)],
+        Called::Width => &[(Meaning::Width, 166)],
+        Called::Rectangle => &[(Meaning::Side(Axis::First), 164), (Meaning::Side(Axis::Second), 165)],
+        Called::Face | Called::Point => &[],
+    };
+    let callouts = planned.feature.kind.callouts();
+    let sides = callouts.into_iter().zip(planned.limits).zip(sizes);
+    let moved = sides.filter_map(|((callout, limits), (meaning, deviation))| {
+        let cycle = Called::of(&planned.feature.kind).cycle(limits.feature)?;
+        let parameter = cycle.meant(*meaning)?.key;
+        let value: Length = limits.nominal.max(limits.minimum()).min(limits.maximum());
+        (control.wants_nominal_between_limits() && value != limits.nominal).then(|| SetRemark::MovedNominal {
+            name: planned.feature.name.clone(),
+            callout,
+            value,
+            parameter,
+            deviation: Key::Q(*deviation),
+        })
+    });
+    moved.collect()
+}

@@ -1,0 +1,91 @@
+//! The keys of actions: which are shown beside them, which are heard now, and which action takes them where two could.
+
+use super::{Action, Key, Part, Place, Shortcut};
+use crate::parts::PlanField;
+use crate::program::ProgramField;
+use crate::tables::TablesField;
+use crate::{CheckField, Field, Page, PartsField, RecordsField, Session};
+
+impl Action {
+    /// All its keys, even those that another action takes first. The first one is shown to the user.
+    pub fn shortcuts(self) -> impl Iterator<Item = Shortcut> {
+        self.row().keys.into_iter().flatten()
+    }
+
+    /// The keys that are shown beside it: in the file dialog its own, else those of the page.
+    pub fn shortcut_shown(self, page: Page) -> Option<Shortcut> {
+        if self.place() == Place::Dialog { self.shortcuts().next() } else { self.shortcut_on(page) }
+    }
+
+    /// The keys that are shown on a page; `None` where it has none, or where another action of the page takes them.
+    pub fn shortcut_on(self, page: Page) -> Option<Shortcut> {
+        let first = self.shortcuts().next().filter(|_| self.place().is_on(page))?;
+        (!self.leaves_to_another(first, page)).then_some(first)
+    }
+
+    /// Whether another action of the page takes these keys, also while it is not possible: Ctrl+Z on the table page never
+    /// undoes what is not in sight.
+    fn leaves_to_another(self, keys: Shortcut, page: Page) -> bool {
+        let rank = self.place().rank();
+        let takes = |other: Self| {
+            let place = other.place();
+            place.is_on(page) && place.rank() < rank && other.shortcuts().any(|other| other == keys)
+        };
+        // Escape belongs to whatever can use it: a run that goes on, or what lies over the page.
+        keys.key != Key::Escape && Self::all().any(takes)
+    }
+
+    /// What Enter does in a text field of a page.
+    pub const fn on_enter(field: Field, page: Page) -> Option<Self> {
+        match (field, page) {
+            (
+                Field::Program(ProgramField::Filter)
+                | Field::Check(CheckField::HistoryFilter)
+                | Field::Records(RecordsField::Question),
+                _,
+            ) => None,
+            (Field::Parts(PartsField::Serial), _) => Some(Self::BeginPart),
+            (Field::Parts(PartsField::Value), _) => Some(Self::TakeValue),
+            (Field::Parts(PartsField::Reason), _) => Some(Self::SkipFor),
+            (Field::Records(RecordsField::Who), _) => Some(Self::TakeName),
+            (Field::Records(RecordsField::Server), _) => Some(Self::TakeServer),
+            (Field::Records(_), _) => Some(Self::SendCorrection),
+            (Field::Program(ProgramField::Name | ProgramField::Value), _) => Some(Self::GiveValue),
+            (Field::Tables(TablesField::CellUpper | TablesField::CellLower), _) => Some(Self::SetCell),
+            (Field::Tables(TablesField::To), _) => Some(Self::MakeTable),
+            (Field::Plan(PlanField::Cell), _) => Some(Self::TakePlanCell),
+            (_, Page::Check) => Some(Self::Measure),
+            (_, Page::Cycles) => Some(Self::RunCycle),
+            (_, Page::Program) => Some(Self::RunProgram),
+            (_, Page::Fit | Page::Tables | Page::Pairing | Page::Budget | Page::Records | Page::Parts) => None,
+        }
+    }
+}
+
+impl Session {
+    /// The actions of the keys now, the nearest place first: `part` has the focus, or a text field (`is_typing`).
+    pub fn keys(&self, part: Option<Part>, is_typing: bool) -> Vec<(Shortcut, Action)> {
+        let is_covered = self.dialog().is_some()
+            || self.open_columns().is_some()
+            || self.is_leaving()
+            || self.budget().is_asking()
+            || self.parts().is_asking();
+        let is_heard = |action: Action| match action.place() {
+            Place::Everywhere => true,
+            // The workpiece's window lies over the listing, and takes Escape.
+            Place::Page(Page::Program) if self.workpiece_is_open() => false,
+            Place::Dialog => false,
+            Place::Part(of) => part == Some(of) && of.page() == self.page(),
+            place => place.is_on(self.page()),
+        };
+        let is_of_cover = |action: Action| action == Action::Close || action.place() == Place::Dialog;
+        let heard = Action::all().filter(|action| if is_covered { is_of_cover(*action) } else { is_heard(*action) });
+        let mut keys: Vec<_> = heard
+            .flat_map(|action| action.shortcuts().map(move |shortcut| (shortcut, action)))
+            .filter(|(shortcut, action)| !(is_typing && shortcut.is_of_text()) && self.can(*action))
+            .filter(|(shortcut, action)| !action.leaves_to_another(*shortcut, self.page()))
+            .collect();
+        keys.sort_by_key(|(_, action)| action.place().rank());
+        keys
+    }
+}

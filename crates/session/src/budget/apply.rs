@@ -1,0 +1,145 @@
+//! How commands and news change the budget page.
+
+use std::path::{Path, PathBuf};
+
+use fitcheck_core::budget::{BudgetError, GeometryError};
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::probing::simulated::LARGEST;
+use jiff::civil::DateTime;
+
+use super::document::Document;
+use super::readings::Source;
+use super::{BudgetCommand, BudgetField, BudgetPage, TakenContacts};
+use crate::command::Effect;
+use crate::shared::{News, PageState, Shared};
+
+impl PageState for BudgetPage {
+    type Command = BudgetCommand;
+
+    fn apply(&mut self, command: BudgetCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
+        match command {
+            BudgetCommand::Type(field, text) => self.type_text(field, text),
+            BudgetCommand::Edit(text) => {
+                self.document.text = text;
+                self.read_anew();
+            }
+            BudgetCommand::New => self.open_or_ask(Document::new(now.date())),
+            BudgetCommand::Read { path, result } => self.budget_read(path, result, shared),
+            BudgetCommand::UsedRead { path, result } => self.used_read(path, result, shared),
+            BudgetCommand::Discard(discards) => {
+                if let Some(document) = self.waiting.take().filter(|_| discards) {
+                    self.open(document);
+                }
+            }
+            BudgetCommand::TakeContacts(record) => self.take(TakenContacts::of_check(&record), shared),
+            BudgetCommand::TakeRecorded => {
+                if let Some(recorded) = shared.workpiece.recorded.clone() {
+                    self.take(TakenContacts::recorded(&recorded), shared);
+                }
+            }
+            BudgetCommand::OwnContacts => {
+                self.contacts = None;
+                self.answer_anew();
+            }
+            BudgetCommand::ReadingsRead { name, result } => {
+                if let Some(sizes) = shared.file_answered(result) {
+                    self.use_source(Some(Source::File { name, sizes }));
+                    self.note_readings(shared);
+                }
+            }
+            BudgetCommand::TakeRecords => {
+                let records = shared.history.for_report().map(std::sync::Arc::clone).collect();
+                self.use_source(Some(Source::Records { records, is_choice: 0 < shared.history.chosen_count() }));
+                self.note_readings(shared);
+            }
+            BudgetCommand::OwnReadings => self.use_source(None),
+            BudgetCommand::Use => self.use_this(shared),
+            BudgetCommand::Leave => self.leave(shared),
+        }
+        Vec::new()
+    }
+
+    fn follow(&mut self, _news: &News, _shared: &mut Shared) {}
+}
+
+impl BudgetPage {
+    fn type_text(&mut self, field: BudgetField, text: String) {
+        self.texts.set(field, text);
+        if matches!(field, BudgetField::Touches | BudgetField::Step) {
+            // What is typed is what is meant.
+            self.contacts = None;
+        }
+        self.answer_anew();
+    }
+
+    fn budget_read(&mut self, path: PathBuf, result: Result<String, Message>, shared: &mut Shared) {
+        // A text that is too large for a budget is too large to be edited.
+        let result =
+            result.and_then(|text| if LARGEST < text.len() { Err(BudgetError::TooLarge.message()) } else { Ok(text) });
+        if let Some(text) = shared.file_answered(result) {
+            let mut document = Document::read(path, &text);
+            document.sha256 = shared.recording.of_file(&document.name());
+            self.open_or_ask(document);
+        }
+    }
+
+    /// Opens a budget; changes that no file holds are asked about first.
+    fn open_or_ask(&mut self, document: Document) {
+        if self.is_unsaved() {
+            self.waiting = Some(document);
+        } else {
+            self.open(document);
+        }
+    }
+
+    /// Shows another budget. Readings were those of the one before.
+    pub(super) fn open(&mut self, document: Document) {
+        (self.document, self.source, self.waiting) = (document, None, None);
+        self.opened += 1;
+        self.read_anew();
+    }
+
+    fn take(&mut self, taken: Result<TakenContacts, GeometryError>, shared: &mut Shared) {
+        match taken {
+            Ok(taken) => {
+                self.contacts = Some(taken);
+                // What does not count does not stand in the fields.
+                self.texts.set(BudgetField::Touches, "");
+                self.texts.set(BudgetField::Step, "");
+                self.answer_anew();
+            }
+            Err(problem) => shared.tell(Message::new("budget-page-no-circle").message("problem", problem.message())),
+        }
+    }
+
+    fn use_source(&mut self, source: Option<Source>) {
+        self.source = source;
+        self.answer_anew();
+    }
+
+    /// Says where readings come from, with everything that is to be said of them.
+    fn note_readings(&self, shared: &mut Shared) {
+        if let Some(readings) = &self.readings {
+            shared.note_details(readings.from.clone(), readings.notes.clone());
+        }
+    }
+
+    /// The bytes for a file.
+    pub(crate) fn bytes(&mut self, path: &Path) -> Vec<u8> {
+        self.saving = Some((path.to_owned(), self.document.text.clone()));
+        self.document.bytes()
+    }
+
+    /// A file was written. If it was the budget's, it holds the text as it was then.
+    pub(crate) fn saved(&mut self, path: &Path, shared: &Shared) {
+        if let Some((_, text)) = self.saving.take_if(|(saving, _)| saving == path) {
+            self.document.saved(path, text);
+            self.used_is_saved(shared);
+        }
+    }
+
+    /// A file was not written: whatever is written under its name later is not this text.
+    pub(crate) fn not_saved(&mut self, path: &Path) {
+        self.saving.take_if(|(saving, _)| saving == path);
+    }
+}

@@ -1,0 +1,57 @@
+//! What can be done on the budget page.
+
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_exchange::journal::Record;
+
+use super::{BothSizes, BudgetField};
+
+/// What can be done on the budget page.
+#[derive(Debug, Clone)]
+pub enum BudgetCommand {
+    /// Replaces the text of a field.
+    Type(BudgetField, String),
+    /// Replaces the text of the budget.
+    Edit(String),
+    /// Begins a new budget.
+    New,
+    /// A file of a budget was read, or not.
+    Read {
+        /// Its path.
+        path: PathBuf,
+        /// Its text.
+        result: Result<String, Message>,
+    },
+    /// The budget that checks used the last time was read, or not.
+    UsedRead {
+        /// Its path.
+        path: PathBuf,
+        /// Its text.
+        result: Result<String, Message>,
+    },
+    /// Opens what waits and loses the changes, or keeps them.
+    Discard(bool),
+    /// Evaluates for the contacts of a check.
+    TakeContacts(Arc<Record>),
+    /// Evaluates for the recorded contacts.
+    TakeRecorded,
+    /// Evaluates for the contacts of the fields or of the budget again.
+    OwnContacts,
+    /// A file of readings was read, or not.
+    ReadingsRead {
+        /// Its name without the folder.
+        name: String,
+        /// What it holds.
+        result: Result<Box<BothSizes>, Message>,
+    },
+    /// Takes the checks of the history as readings: those that are chosen, or all.
+    TakeRecords,
+    /// Takes the readings of the budget again.
+    OwnReadings,
+    /// Checks use this budget from now on.
+    Use,
+    /// Checks use no budget any more.
+    Leave,
+}

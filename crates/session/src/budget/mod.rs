@@ -1,0 +1,175 @@
+//! The budget page: how sure a measured value is, and what would help most.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the state |
+//! | `field` | the text fields |
+//! | `command`, `apply` | what can be done, and doing it |
+//! | `document` | the text of the budget, and its file |
+//! | `answering` | from text and fields to the answer: read anew at every change |
+//! | `contacts`, `readings` | what is taken from elsewhere: contacts, and readings of a calibrated piece |
+//! | `picture` | the bars, and what would help most |
+//! | `using` | which budget checks use |
+
+mod answering;
+mod apply;
+mod command;
+mod contacts;
+mod document;
+mod field;
+mod picture;
+mod readings;
+mod using;
+
+use std::collections::BTreeMap;
+use std::path::PathBuf;
+
+use fitcheck_core::budget::{Assessment, Basis, Budget, BudgetError};
+use fitcheck_core::message::{Located, Message};
+use jiff::civil::Date;
+
+pub use command::BudgetCommand;
+pub use contacts::TakenContacts;
+pub use field::BudgetField;
+pub use picture::{Bar, advice, bars};
+pub use readings::{BothSizes, Readings};
+pub use using::{OpenBudget, UseOf};
+
+use self::document::Document;
+use self::readings::Source;
+use super::field::Texts;
+use super::saved::SavedInputs;
+
+/// What a budget asks for besides its text: as long as the text cannot be read, what it asked for before.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct Asks {
+    /// The measured size.
+    pub size: bool,
+    /// Contacts.
+    pub contacts: bool,
+    /// Readings of a calibrated piece.
+    pub readings: bool,
+}
+
+/// The state of the budget page.
+#[derive(Debug, Default)]
+pub struct BudgetPage {
+    texts: Texts<BudgetField>,
+    errors: BTreeMap<BudgetField, Message>,
+    document: Document,
+    /// How many texts were opened.
+    opened: u64,
+    /// What is opened once the user gives up the changes.
+    waiting: Option<Document>,
+    /// A file that is being written, with its text.
+    saving: Option<(PathBuf, String)>,
+    /// `None` while there is no text.
+    read: Option<Result<Budget, Located<BudgetError>>>,
+    asks: Asks,
+    contacts: Option<TakenContacts>,
+    source: Option<Source>,
+    readings: Option<Readings>,
+    /// `None` while text or fields cannot be read.
+    answer: Option<Result<Assessment, Message>>,
+    today: Date,
+    /// The file of the budget that checks use.
+    used_file: Option<PathBuf>,
+    /// Whether that file is being read at the start.
+    awaits_used: bool,
+}
+
+impl BudgetPage {
+    /// The page with what was saved, or with empty fields.
+    pub(super) fn new(saved: &SavedInputs, used_file: Option<PathBuf>) -> Self {
+        let awaits_used = used_file.is_some();
+        Self { texts: Texts::restored(&saved.texts), used_file, awaits_used, ..Self::default() }
+    }
+
+    pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
+        self.texts.saved().filter(|(key, _)| BudgetField::is_kept(key))
+    }
+
+    /// The file of the budget that checks use, where one holds it.
+    pub(super) const fn used_file(&self) -> Option<&PathBuf> {
+        self.used_file.as_ref()
+    }
+
+    /// The text of a field.
+    pub fn text(&self, field: BudgetField) -> &str {
+        self.texts.text(field)
+    }
+
+    /// What is wrong with a field.
+    pub fn error(&self, field: BudgetField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    /// The text of the budget.
+    pub fn toml(&self) -> &str {
+        &self.document.text
+    }
+
+    /// The name of its file without the folder, or the one that it would get.
+    pub fn name(&self) -> String {
+        self.document.name()
+    }
+
+    /// A number that changes when another text is opened.
+    pub const fn opened(&self) -> u64 {
+        self.opened
+    }
+
+    /// Whether there are changes that no file holds.
+    pub fn is_unsaved(&self) -> bool {
+        self.document.is_unsaved()
+    }
+
+    /// Whether the user is asked about changes before another budget is opened.
+    pub const fn is_asking(&self) -> bool {
+        self.waiting.is_some()
+    }
+
+    /// What the text says; `None` while there is none.
+    pub const fn read(&self) -> Option<&Result<Budget, Located<BudgetError>>> {
+        self.read.as_ref()
+    }
+
+    /// What the budget asks for besides its text.
+    pub const fn asks(&self) -> Asks {
+        self.asks
+    }
+
+    /// The contacts that were taken over.
+    pub const fn contacts(&self) -> Option<&TakenContacts> {
+        self.contacts.as_ref()
+    }
+
+    /// The readings that take the place of those of the budget.
+    pub const fn readings(&self) -> Option<&Readings> {
+        self.readings.as_ref()
+    }
+
+    /// The day that it is evaluated for: today, unless another one is given.
+    pub fn day_shown(&self) -> String {
+        let given = self.texts.text(BudgetField::Day).trim();
+        if given.is_empty() { self.today.to_string() } else { given.to_owned() }
+    }
+
+    /// How many readings the budget itself has.
+    pub fn own_readings(&self) -> usize {
+        match &self.read {
+            Some(Ok(Budget { basis: Basis::Calibrated(piece), .. })) => piece.readings.len(),
+            _ => 0,
+        }
+    }
+
+    /// What the budget comes to, or why it comes to nothing; `None` while text or fields cannot be read.
+    pub const fn answer(&self) -> Option<&Result<Assessment, Message>> {
+        self.answer.as_ref()
+    }
+
+    /// What it comes to.
+    pub fn found(&self) -> Option<&Assessment> {
+        self.answer.as_ref()?.as_ref().ok()
+    }
+}

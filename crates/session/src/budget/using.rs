@@ -1,0 +1,163 @@
+//! Which budget checks use, and the file in which it is found again at the next start.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use fitcheck_core::budget::template::Placeholder;
+use fitcheck_core::budget::{Basis, Budget, Validity};
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_exchange::journal::chain::Hash;
+
+use super::document::Document;
+use super::{BudgetPage, Readings};
+use crate::shared::{News, Shared};
+
+/// A budget whose uncertainty checks may use.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenBudget {
+    /// Its file's name without the folder.
+    pub file: String,
+    /// The budget.
+    pub budget: Budget,
+    /// SHA-256 of the file, where it holds this budget.
+    pub sha256: Option<Hash>,
+}
+
+/// Which budget checks use, seen from the page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum UseOf {
+    /// None.
+    Nothing,
+    /// The one on the page, as it stands.
+    This,
+    /// Another one, or this one as it was before.
+    Another,
+}
+
+impl BudgetPage {
+    /// The budget on the page as checks would use it: readings that were taken are part of it.
+    fn usable(&self) -> Option<Budget> {
+        let mut budget = self.read.as_ref()?.as_ref().ok()?.clone();
+        if let (Basis::Calibrated(piece), Some(Readings { measured, .. })) = (&mut budget.basis, &self.readings) {
+            piece.readings.clone_from(measured);
+        }
+        Some(budget)
+    }
+
+    /// Whether checks can use the budget on the page: a calibrated piece without readings says nothing.
+    pub fn can_be_used(&self) -> bool {
+        match &self.read {
+            _ if !self.placeholders().is_empty() => false,
+            Some(Ok(Budget { basis: Basis::Contributions(_), .. })) => true,
+            Some(Ok(Budget { basis: Basis::Calibrated(_), .. })) => self.found().is_some(),
+            _ => false,
+        }
+    }
+
+    /// What of the template still stands in the budget: nobody has said it of this station.
+    pub fn placeholders(&self) -> Vec<Message> {
+        let Some(Ok(budget)) = &self.read else { return Vec::new() };
+        let message = |what| {
+            Message::new(match what {
+                Placeholder::Name => "budget-page-placeholder-name",
+                Placeholder::By => "budget-page-placeholder-by",
+                Placeholder::Figures => "budget-page-placeholder-figures",
+            })
+        };
+        budget.placeholders().into_iter().map(message).collect()
+    }
+
+    /// Which budget checks use.
+    pub fn use_of(&self, used: Option<&OpenBudget>) -> UseOf {
+        match used {
+            None => UseOf::Nothing,
+            Some(used) if self.usable().is_some_and(|budget| budget == used.budget) => UseOf::This,
+            Some(_) => UseOf::Another,
+        }
+    }
+
+    /// Checks use the budget on the page.
+    pub(super) fn use_this(&mut self, shared: &mut Shared) {
+        let Some(budget) = self.usable().filter(|_| self.can_be_used()) else { return };
+        self.keep_file();
+        let mut details = Vec::new();
+        if self.used_file.is_none() {
+            let has_readings = self.readings.is_some();
+            let id = if has_readings { "budget-page-readings-not-kept" } else { "budget-page-not-kept" };
+            details.push(Message::new(id));
+        }
+        details.extend(warning(&budget, budget.validity(self.today)));
+        // The page says which budget is in use; a notice only tells what is not seen there.
+        shared.note_details(Message::new("budget-page-used").text("name", &budget.name), details);
+        let sha256 = self.document.sha256.filter(|_| self.used_file.is_some() && !self.is_unsaved());
+        shared.budget = Some(Arc::new(OpenBudget { file: self.document.name(), budget, sha256 }));
+        shared.spread(News::Budget);
+    }
+
+    /// The file is found again at the next start, if it holds what checks use.
+    fn keep_file(&mut self) {
+        self.used_file = self.document.file().filter(|_| self.readings.is_none()).map(Path::to_owned);
+        self.awaits_used = false;
+    }
+
+    /// A budget that checks use has got a file.
+    pub(super) fn used_is_saved(&mut self, shared: &Shared) {
+        if self.use_of(shared.budget.as_deref()) == UseOf::This {
+            self.keep_file();
+        } else if self.used_file.as_deref() == self.document.file() {
+            // The file holds another budget now: at the next start it would be taken for the one in use.
+            self.used_file = None;
+        }
+    }
+
+    /// Checks use no budget any more.
+    pub(super) fn leave(&mut self, shared: &mut Shared) {
+        (self.used_file, self.awaits_used) = (None, false);
+        shared.budget = None;
+        shared.spread(News::Budget);
+    }
+
+    /// The budget of the last time was read; it comes too late where another was chosen, or none.
+    pub(super) fn used_read(&mut self, path: PathBuf, result: Result<String, Message>, shared: &mut Shared) {
+        if !self.awaits_used || self.used_file.as_ref() != Some(&path) {
+            return;
+        }
+        self.awaits_used = false;
+        let shown = path.display().to_string();
+        let document = result.map(|text| Document::read(path, &text));
+        let read = document.and_then(|document| match Budget::read(&document.text) {
+            Ok(budget) => Ok((document, budget)),
+            Err(error) => Err(error.message()),
+        });
+        match read {
+            Ok((document, budget)) => {
+                let warning = warning(&budget, budget.validity(self.today));
+                shared.note_details(
+                    Message::new("budget-page-used").text("name", &budget.name),
+                    warning.into_iter().collect(),
+                );
+                let sha256 = shared.recording.of_file(&document.name());
+                shared.budget = Some(Arc::new(OpenBudget { file: document.name(), budget, sha256 }));
+                shared.spread(News::Budget);
+                // What was opened meanwhile stays.
+                if self.document == Document::default() {
+                    self.open(document);
+                }
+            }
+            // A file that cannot be read now may be there the next time.
+            Err(problem) => {
+                shared.tell(Message::new("budget-page-used-unread").text("path", shown).message("problem", problem));
+            }
+        }
+    }
+}
+
+/// What to check about a budget on a day.
+fn warning(budget: &Budget, validity: Validity) -> Option<Message> {
+    use fitcheck_core::budget::BudgetWarning;
+    match validity {
+        Validity::Valid => None,
+        Validity::Expired => Some(BudgetWarning::Expired { until: budget.valid_until.to_string() }.message()),
+        Validity::NotYet => Some(BudgetWarning::NotYet { date: budget.date.to_string() }.message()),
+    }
+}

@@ -1,0 +1,284 @@
+//! The check page: one part against its limits.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the state |
+//! | `field` | the text fields |
+//! | `command`, `apply` | what can be done, and doing it |
+//! | `asked` | what the texts mean: callout, limits, errors beside their fields |
+//! | `doubted` | texts that may not mean what they say, and those that do |
+//! | `measuring` | from the fields to a measurement |
+//! | `importing` | from a file to checks and the notice about it |
+//! | `worth` | the rule that judges it, its uncertainty, its temperature |
+//! | `inputs` | what a check was made with, besides callout and value |
+//! | `lot` | the rows of an imported file: how many are what, worst first |
+
+mod apply;
+mod asked;
+mod command;
+mod doubted;
+mod field;
+mod importing;
+mod inputs;
+mod lot;
+mod measuring;
+mod rows;
+mod worth;
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+use fitcheck_core::length::Length;
+use fitcheck_core::message::Message;
+use fitcheck_core::tolerance::{Callout, Feature, Sources};
+use fitcheck_core::verdict::Doubt;
+use fitcheck_core::verdict::rules::RuleName;
+use fitcheck_exchange::journal::Record;
+use fitcheck_exchange::journal::query::RecordId;
+use serde::{Deserialize, Serialize};
+
+pub use asked::Asked;
+pub(super) use asked::{class_text, nominal_text};
+pub use command::CheckCommand;
+pub use doubted::Doubted;
+pub use field::CheckField;
+pub use lot::Lot;
+pub use worth::{Judging, UncertaintyFrom, Worth};
+
+use self::doubted::Meant;
+use self::inputs::Inputs;
+use super::asking::Asking;
+use super::command::Effect;
+use super::field::{KeptField as _, Texts};
+use super::recording::Named;
+use super::rows::Rows;
+use super::saved::SavedInputs;
+
+/// Where the next measurement comes from.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum MeasureBy {
+    /// A cycle on the simulated workpiece.
+    Simulating,
+    /// A diameter that is typed.
+    #[default]
+    Typing,
+}
+
+/// A record that is shown, and what the mask makes of it.
+#[derive(Debug, Clone)]
+pub struct Shown {
+    /// The record.
+    pub record: Arc<Record>,
+    /// Its number in the history; `None` where it is not in it.
+    pub id: Option<RecordId>,
+    /// The status window's text, or why the mask cannot be drawn.
+    pub window: Result<String, Message>,
+}
+
+/// A typed value that may not be what it seems to be: it is asked about before it is judged.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct Question {
+    /// The typed value.
+    pub measured: Length,
+    /// What is strange about it.
+    pub doubt: Doubt,
+}
+
+/// The state of the check page.
+#[derive(Debug)]
+#[expect(clippy::struct_excessive_bools, reason = "each answers another question about the page")]
+pub struct CheckPage {
+    texts: Texts<CheckField>,
+    by: MeasureBy,
+    /// Hole or shaft, and the callout that was meant: another one is asked about anew. Without one it is that of the first callout.
+    feature: Option<(Option<Callout>, Feature)>,
+    /// How it is judged.
+    judging: Judging,
+    /// How the user wants the next part to be judged, while a shown record's own stands in its place.
+    own_judging: Option<Judging>,
+    asked: Asked,
+    shown: Option<Shown>,
+    /// The record whose limits are on screen: it may come from tables that are no longer used, or from a log without a
+    /// callout. Limits of the latter stay after its verdict is gone.
+    lent: Option<Arc<Record>>,
+    /// The user's own texts of the fields that hold what a shown record was made with: they are the next part's.
+    own: BTreeMap<CheckField, String>,
+    inputs: Inputs,
+    /// Why the last simulation was refused, until something is changed.
+    refusal: Option<Message>,
+    /// Whether the typed diameter was measured already: a new callout empties its field.
+    measured_is_used: bool,
+    /// Whether Enter came once more for a check that is shown already.
+    is_repeated: bool,
+    /// When a typed value was judged last.
+    judged: Asking,
+    question: Option<Question>,
+    /// The doubted texts that are meant.
+    meant: Meant,
+    /// Whether a doubted text is asked about.
+    asks: bool,
+    lot: Option<Lot>,
+    /// The rows of a large file.
+    rows: Option<Rows>,
+    /// Whether they stand in the place of the history.
+    shows_rows: bool,
+    /// How many runs over large files there were.
+    runs: u64,
+    /// What has to be done outside because of what happened elsewhere.
+    errands: Vec<Effect>,
+}
+
+impl CheckPage {
+    /// The page with what was saved, or with empty fields.
+    pub(super) fn new(saved: &SavedInputs, sources: &Sources) -> Self {
+        let (texts, by) = (Texts::restored(&saved.texts), saved.by);
+        let judging = saved.judging;
+        let asked = Asked::read(&texts, None, judging, sources, &Meant::default());
+        Self {
+            texts,
+            by,
+            feature: None,
+            judging,
+            own_judging: None,
+            asked,
+            shown: None,
+            lent: None,
+            own: BTreeMap::new(),
+            inputs: Inputs::default(),
+            refusal: None,
+            measured_is_used: false,
+            is_repeated: false,
+            judged: Asking::default(),
+            question: None,
+            meant: Meant::default(),
+            asks: false,
+            lot: None,
+            rows: None,
+            shows_rows: false,
+            runs: 0,
+            errands: Vec::new(),
+        }
+    }
+
+    /// The texts that are kept: the user's own, without a value that was judged. A forgotten filter would hide checks
+    /// after the next start.
+    pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
+        let mut texts = self.texts.clone();
+        for (field, text) in &self.own {
+            texts.set(*field, text.clone());
+        }
+        let (filter, _) = CheckField::HistoryFilter.declared();
+        let (measured, _) = CheckField::Measured.declared();
+        let is_judged = self.measured_is_used;
+        texts
+            .saved()
+            .filter(|(key, _)| key != filter && !(is_judged && key == measured))
+            .collect::<Vec<_>>()
+            .into_iter()
+    }
+
+    /// What the user names beside the next check, whatever a shown one lent.
+    pub(super) fn named(&self) -> Named {
+        let own = |field: CheckField| {
+            let text = self.own.get(&field).map_or_else(|| self.text(field), String::as_str);
+            text.trim().to_owned()
+        };
+        let [part, serial, remark] = [CheckField::Part, CheckField::Serial, CheckField::Remark].map(own);
+        Named { part, serial, remark, ..Named::default() }
+    }
+
+    /// How the next part is judged, for the state file.
+    pub(super) fn own_judging(&self) -> Judging {
+        self.own_judging.unwrap_or(self.judging)
+    }
+
+    /// The text of a field.
+    pub fn text(&self, field: CheckField) -> &str {
+        self.texts.text(field)
+    }
+
+    /// What is wrong with a field.
+    pub fn error(&self, field: CheckField) -> Option<&Message> {
+        self.asked.error(field)
+    }
+
+    /// Where in a field's text an error shows: characters counted from 0.
+    pub fn culprit(&self, field: CheckField) -> Option<&Range<usize>> {
+        self.asked.culprit().filter(|_| field == CheckField::Callout)
+    }
+
+    /// What the fields mean.
+    pub const fn asked(&self) -> &Asked {
+        &self.asked
+    }
+
+    /// Where the next measurement comes from.
+    pub const fn by(&self) -> MeasureBy {
+        self.by
+    }
+
+    /// Hole or shaft, where the callout does not say it.
+    pub fn feature(&self) -> Option<Feature> {
+        self.feature.map(|(_, feature)| feature)
+    }
+
+    /// Whether what stands in the fields was judged already, and nothing was entered since: Enter is no second measurement.
+    pub const fn would_repeat(&self) -> bool {
+        matches!(self.by, MeasureBy::Typing) && self.measured_is_used && self.shown.is_some()
+    }
+
+    /// Says that it was asked for once more.
+    pub(super) const fn say_repeated(&mut self) {
+        self.is_repeated = self.would_repeat();
+    }
+
+    /// Whether the check that is shown was asked for once more, with nothing entered since: it is no second measurement.
+    pub const fn is_repeated(&self) -> bool {
+        self.is_repeated
+    }
+
+    /// The record that is shown, if any. It always belongs to what stands in the fields: any edit takes it away.
+    pub const fn shown(&self) -> Option<&Shown> {
+        self.shown.as_ref()
+    }
+
+    /// Why the last simulation was refused, until something is changed.
+    pub const fn refusal(&self) -> Option<&Message> {
+        self.refusal.as_ref()
+    }
+
+    /// What is asked about the typed value before it is judged.
+    pub const fn question(&self) -> Option<&Question> {
+        self.question.as_ref()
+    }
+
+    /// The text that is asked about before anything is judged.
+    pub fn doubted(&self) -> Option<&Doubted> {
+        self.asked.doubted().filter(|_| self.asks)
+    }
+
+    /// Whether the next part is judged by more than its limits: the rows of a large file are not.
+    pub fn judges_by_more_than_limits(&self) -> bool {
+        let temperature = self.own.get(&CheckField::PartTemperature);
+        let temperature = temperature.map_or_else(|| self.text(CheckField::PartTemperature), String::as_str);
+        self.own_judging().rule != RuleName::Simple || !temperature.trim().is_empty()
+    }
+
+    /// The file that was imported last, while one of its rows or none is shown.
+    pub const fn lot(&self) -> Option<&Lot> {
+        self.lot.as_ref()
+    }
+
+    /// The status window's text, where there is one.
+    pub fn status_text(&self) -> Option<&str> {
+        self.shown.as_ref()?.window.as_deref().ok()
+    }
+
+    /// The callout of the part that is judged: one side of a fit.
+    fn part_callout(&self) -> Option<Callout> {
+        let callout = self.asked.callout()?;
+        Some(self.feature().map_or(callout, |feature| callout.of_part(feature)))
+    }
+}

@@ -1,0 +1,104 @@
+//! The rows of a large file on the check page: they stand in the place of the history, and the check of one of them is
+//! shown where checks are shown.
+
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_exchange::journal::entry::FileRole;
+use jiff::civil::DateTime;
+
+use super::CheckPage;
+use crate::command::Effect;
+use crate::recording::used;
+use crate::rows::{Rows, RowsCommand};
+use crate::shared::Shared;
+
+impl CheckPage {
+    /// Does something with the rows of a large file.
+    pub(super) fn apply_rows(&mut self, command: RowsCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
+        if let RowsCommand::Opened { name, result } = command {
+            let Some((path, large)) = shared.file_answered(result) else { return Vec::new() };
+            self.runs += 1;
+            let (rows, effects) = Rows::begin(self.runs, name, path, large);
+            self.clear(&shared.sources);
+            self.rows = Some(rows);
+            self.shows_rows = true;
+            return effects;
+        }
+        let Some(rows) = &mut self.rows else { return Vec::new() };
+        match command {
+            RowsCommand::Opened { .. } => {}
+            RowsCommand::Judged { run, news } => rows.judged(run, *news),
+            RowsCommand::Cancel => return rows.cancel(),
+            RowsCommand::Again => return self.judge_again(),
+            RowsCommand::Close => {
+                self.shows_rows = false;
+                self.rows = None;
+                return vec![Effect::StopRows];
+            }
+            RowsCommand::Show(shows_rows) => self.shows_rows = shows_rows,
+            RowsCommand::Fate(fate) => rows.toggle_fate(fate),
+            RowsCommand::Class(class) => rows.toggle_class(Some(class)),
+            RowsCommand::AllClasses => rows.toggle_class(None),
+            RowsCommand::See(places) => return rows.see(&places),
+            RowsCommand::Read { run, result } => {
+                if let Some(number) = rows.take_read(run, result) {
+                    self.show_row(number, shared, now);
+                }
+            }
+            RowsCommand::Move(step) => rows.step(step),
+            RowsCommand::Check(number) => {
+                let effects = rows.go_to(number);
+                self.show_row(number, shared, now);
+                return effects;
+            }
+            RowsCommand::Keep => {
+                if let Some((record, labels)) = rows.shown().and_then(|row| row.record.clone().zip(row.labels.clone()))
+                {
+                    let file = rows.sha256().and_then(|sha256| used(FileRole::Measurements, rows.name(), Some(sha256)));
+                    let id = shared.history.add(vec![Arc::clone(&record)]);
+                    self.keep(id, (&[record], &[labels]), file.as_ref(), shared);
+                    shared.note(Message::new("rows-kept"), Vec::new());
+                    shared.note_change();
+                }
+            }
+        }
+        Vec::new()
+    }
+
+    /// Judges the file once more, as its limits come from elsewhere now, or because the user asks for it.
+    pub(super) fn judge_again(&mut self) -> Vec<Effect> {
+        let Some(rows) = &self.rows else { return Vec::new() };
+        self.runs += 1;
+        let (rows, effects) = rows.again(self.runs);
+        self.rows = Some(rows);
+        effects
+    }
+
+    /// Shows the check of a row that was read, or why it has none. It does not go to the history.
+    fn show_row(&mut self, number: u64, shared: &Shared, now: DateTime) {
+        let Some(row) = self.rows.as_ref().and_then(|rows| rows.row(number, &shared.sources, now)) else { return };
+        match &row.record {
+            Some(record) => self.show_record(Arc::clone(record), None, shared),
+            None => self.clear(&shared.sources),
+        }
+        if let Some(rows) = &mut self.rows {
+            rows.show(row);
+        }
+    }
+
+    /// The rows of a large file, if one was opened.
+    pub const fn rows(&self) -> Option<&Rows> {
+        self.rows.as_ref()
+    }
+
+    /// Whether they are in sight, in the place of the history.
+    pub const fn shows_rows(&self) -> bool {
+        self.shows_rows && self.rows.is_some()
+    }
+
+    /// What has to be done outside because of what happened elsewhere.
+    pub(crate) fn take_errands(&mut self) -> Vec<Effect> {
+        std::mem::take(&mut self.errands)
+    }
+}

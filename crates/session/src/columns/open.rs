@@ -1,0 +1,225 @@
+//! A file whose columns are being looked at: what is chosen, and what that makes of its first rows.
+
+use std::path::PathBuf;
+
+use fitcheck_core::message::{Located, Message, Say as _};
+use fitcheck_core::part::Plan;
+use fitcheck_core::tolerance::Sources;
+use fitcheck_exchange::exchange::{ByPlan, Choice, FirstRows, Given, Item, Kept, Mapping, Role};
+use jiff::civil::DateTime;
+
+use super::ColumnChoice;
+use crate::command::ImportInto;
+
+/// A file whose columns are asked about.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Asked {
+    /// Its name without the folder.
+    pub name: String,
+    /// The file.
+    pub path: PathBuf,
+    /// Where its values go.
+    pub into: ImportInto,
+    /// Its beginning.
+    pub first: FirstRows,
+    /// What was remembered for it, to begin with.
+    pub mapping: Mapping,
+    /// Whether the user asked to see its columns; otherwise they are not certain.
+    pub is_wanted: bool,
+}
+
+/// A file whose columns are being looked at.
+#[derive(Debug, Clone)]
+pub struct OpenColumns {
+    asked: Asked,
+    choice: Choice,
+    rows: Vec<(usize, Vec<String>)>,
+    width: usize,
+    names: Vec<String>,
+    header: Option<usize>,
+    /// The lines of the shown rows that are read as values.
+    lines: Vec<usize>,
+    /// What says the unit of sizes, as it stands in the file.
+    unit_from: Option<String>,
+    read: usize,
+    problem: Option<Message>,
+    /// Why nothing can be taken.
+    refusal: Option<Message>,
+}
+
+impl OpenColumns {
+    pub(super) fn new(asked: Asked, sources: &Sources, plan: Option<&Plan>, now: DateTime) -> Self {
+        let choice = asked.first.guess(&asked.mapping);
+        let mut open = Self {
+            asked,
+            choice,
+            rows: Vec::new(),
+            width: 0,
+            names: Vec::new(),
+            header: None,
+            lines: Vec::new(),
+            unit_from: None,
+            read: 0,
+            problem: None,
+            refusal: None,
+        };
+        open.look(sources, plan, now);
+        open
+    }
+
+    pub(super) fn choose(&mut self, choice: ColumnChoice) {
+        let word = |word: Option<&'static str>| word.map(str::to_owned);
+        match choice {
+            ColumnChoice::Role(at, role) => self.choice.give(at, role),
+            ColumnChoice::Sheet(sheet) => {
+                self.choice = self.asked.first.guess(&Mapping::split(Some(sheet), None));
+            }
+            ColumnChoice::Separator(separator) => {
+                self.choice = self.asked.first.guess(&Mapping::split(None, word(Some(separator))));
+            }
+            ColumnChoice::Decimal(decimal) => self.choice.decimal = word(decimal),
+            ColumnChoice::Unit(unit) => self.choice.unit = word(unit),
+            ColumnChoice::PlaceUnit(unit) => self.choice.place_unit = word(unit),
+            ColumnChoice::FirstRow(line) => self.choice.first_row = line,
+        }
+    }
+
+    /// What is chosen, as a mapping.
+    pub(super) fn mapping(&self) -> Mapping {
+        self.choice.mapping(&self.names)
+    }
+
+    pub(super) fn kept(&self, now: DateTime) -> Option<Kept> {
+        Kept::of(&self.asked.first, &self.choice, now)
+    }
+
+    /// Looks at the first rows with what is chosen.
+    pub(super) fn look(&mut self, sources: &Sources, plan: Option<&Plan>, now: DateTime) {
+        self.names = self.asked.first.names(&self.choice);
+        let mapping = self.mapping();
+        self.rows = self.asked.first.rows(&mapping);
+        self.width = self.asked.first.width(&mapping).max(self.choice.roles.len());
+        let detected = self.asked.first.detect(&mapping);
+        (self.header, self.lines, self.read, self.problem, self.refusal) = (None, Vec::new(), 0, None, None);
+        self.unit_from = None;
+        match &detected {
+            Ok(detected) => {
+                self.header = detected.header;
+                self.unit_from.clone_from(&detected.unit_from);
+                let is_shown = |line: &usize| self.rows.iter().any(|(shown, _)| shown == line);
+                self.lines = detected.rows.iter().map(|(line, _)| *line).filter(is_shown).collect();
+                self.refusal = refusal(self.asked.into, |role| detected.has(role));
+            }
+            Err(error) => {
+                let chosen = refusal(self.asked.into, |role| self.choice.roles.contains(&Some(role)));
+                self.refusal = Some(chosen.unwrap_or_else(|| error.message()));
+            }
+        }
+        let given = Given { has_plan: plan.is_some(), ..Given::new(sources, now) };
+        let Ok(items) = self.asked.first.items(&mapping, given) else { return };
+        let by_plan = plan.map(ByPlan::new);
+        for item in items {
+            match &by_plan {
+                Some(by_plan) => by_plan.item(item, &mut |item| see(&item, &mut self.read, &mut self.problem)),
+                None => see(&item, &mut self.read, &mut self.problem),
+            }
+        }
+    }
+
+    /// The file's name without its folder.
+    pub fn name(&self) -> &str {
+        &self.asked.name
+    }
+
+    /// The file, where its values go, and whether the user asked to see its columns.
+    pub const fn asked(&self) -> &Asked {
+        &self.asked
+    }
+
+    /// What is chosen.
+    pub const fn choice(&self) -> &Choice {
+        &self.choice
+    }
+
+    /// The first rows from the top, with their lines.
+    pub fn rows(&self) -> &[(usize, Vec<String>)] {
+        &self.rows
+    }
+
+    /// How many columns there are.
+    pub const fn width(&self) -> usize {
+        self.width
+    }
+
+    /// The name of a column, from 0; empty where it has none.
+    pub fn column_name(&self, at: usize) -> &str {
+        self.names.get(at).map_or("", String::as_str)
+    }
+
+    /// What a column holds, from 0.
+    pub fn role(&self, at: usize) -> Option<Role> {
+        self.choice.roles.get(at).copied().flatten()
+    }
+
+    /// The line of the header.
+    pub const fn header(&self) -> Option<usize> {
+        self.header
+    }
+
+    /// The lines of the shown rows that are read as values.
+    pub fn lines(&self) -> &[usize] {
+        &self.lines
+    }
+
+    /// What says the unit of sizes, as it stands in the file.
+    pub fn unit_from(&self) -> Option<&str> {
+        self.unit_from.as_deref()
+    }
+
+    /// Whether a column has a coordinate.
+    pub fn has_place(&self) -> bool {
+        [Role::X, Role::Y, Role::Z].into_iter().any(|role| self.choice.roles.contains(&Some(role)))
+    }
+
+    /// How many of the shown rows become values.
+    pub const fn read(&self) -> usize {
+        self.read
+    }
+
+    /// What is wrong with the first one that becomes none.
+    pub const fn problem(&self) -> Option<&Message> {
+        self.problem.as_ref()
+    }
+
+    /// Why nothing can be taken.
+    pub const fn refusal(&self) -> Option<&Message> {
+        self.refusal.as_ref()
+    }
+}
+
+/// What is needed to use a file, where a column for it is missing: measured values, and what they are of.
+pub fn refusal(into: ImportInto, has: impl Fn(Role) -> bool) -> Option<Message> {
+    if !has(Role::Measured) {
+        return Some(Message::new("columns-page-no-measured"));
+    }
+    match into {
+        ImportInto::History => (!has(Role::Tolerance)).then(|| Message::new("columns-page-no-callout")),
+        ImportInto::Part(_) => {
+            let is_found = has(Role::Id) || has(Role::Number) || has(Role::X) && has(Role::Y);
+            (!is_found).then(|| Message::new("columns-page-no-name"))
+        }
+    }
+}
+
+fn see(item: &Item, read: &mut usize, problem: &mut Option<Message>) {
+    let wrong = match item {
+        Item::Record { .. } => {
+            *read += 1;
+            return;
+        }
+        Item::Error(error) => error.message(),
+        Item::Unjudged(unjudged) => Located::in_line(unjudged.line, unjudged.why.clone()).message(),
+        Item::Warning(_) | Item::Contacts(_) => return,
+    };
+    problem.get_or_insert(wrong);
+}

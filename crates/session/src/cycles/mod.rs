@@ -1,0 +1,240 @@
+//! The cycles page: a form made from a cycle's declaration, where its contacts come from, and what it found.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the state |
+//! | `field` | the text fields |
+//! | `command`, `apply` | what can be done, and doing it |
+//! | `reading` | what the fields mean, read anew at every change |
+//! | `workpiece`, `workpiece_field` | the simulated workpiece as text fields |
+//! | `running` | from the fields to a run, and stepping along its path |
+//! | `filling` | NC blocks and files into fields |
+//!
+//! A result is kept with what it was made with: any change of an input clears it.
+
+mod apply;
+mod command;
+mod field;
+mod filling;
+mod reading;
+mod running;
+mod workpiece;
+mod workpiece_field;
+
+use std::collections::BTreeMap;
+
+use fitcheck_core::message::Message;
+use fitcheck_core::probing::TouchProbe;
+use fitcheck_core::probing::cycle::{Cycle, Inputs, Key, Parameter, Unset, Value};
+use fitcheck_core::probing::cycles::CYCLES;
+use fitcheck_nc::control::probe_table::ProbeTable;
+
+pub use command::CyclesCommand;
+pub use field::{Axis, CycleField};
+pub use running::{CycleRun, RunLog};
+pub use workpiece::WorkpieceForm;
+pub use workpiece_field::WorkpieceField;
+
+use super::saved::SavedCycles;
+
+/// Where contacts come from.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum ContactsFrom {
+    /// A perfect workpiece at nominal.
+    #[default]
+    Perfect,
+    /// The simulated workpiece.
+    Simulated,
+    /// Contacts recorded in a file.
+    Recorded,
+}
+
+impl ContactsFrom {
+    /// Every source.
+    pub const ALL: [Self; 3] = [Self::Perfect, Self::Simulated, Self::Recorded];
+}
+
+/// Where the value of a parameter comes from.
+#[derive(Debug, Clone, PartialEq)]
+pub enum Standing {
+    /// It was typed.
+    Given,
+    /// Nothing was typed, and this counts.
+    Default(Value),
+    /// Nothing was typed, and it may be left out.
+    Optional,
+    /// Nothing was typed, and it must be given.
+    Required,
+}
+
+/// The state of the cycles page.
+#[derive(Debug)]
+pub struct CyclesPage {
+    cycle: &'static Cycle,
+    texts: BTreeMap<(u16, Key), String>,
+    globals: BTreeMap<(u16, Key), String>,
+    position: BTreeMap<Axis, String>,
+    errors: BTreeMap<CycleField, Message>,
+    inputs: Inputs,
+    from: ContactsFrom,
+    probes: Option<(String, ProbeTable)>,
+    probe: Option<u32>,
+    block: Option<String>,
+    block_problem: Option<Message>,
+    run: Option<CycleRun>,
+    step: usize,
+}
+
+impl Default for CyclesPage {
+    fn default() -> Self {
+        #[expect(clippy::expect_used, reason = "the list of cycles is a constant with members")]
+        let cycle = CYCLES.first().copied().expect("there are cycles");
+        let mut page = Self {
+            cycle,
+            texts: BTreeMap::new(),
+            globals: BTreeMap::new(),
+            position: BTreeMap::new(),
+            errors: BTreeMap::new(),
+            inputs: Inputs::new(),
+            from: ContactsFrom::default(),
+            probes: None,
+            probe: None,
+            block: None,
+            block_problem: None,
+            run: None,
+            step: 0,
+        };
+        page.read();
+        page
+    }
+}
+
+impl CyclesPage {
+    /// Whether the result on screen was made with what stands in the fields, and would come once more as it is.
+    pub fn would_repeat(&self) -> bool {
+        self.run.is_some() && self.from != ContactsFrom::Simulated
+    }
+
+    /// The page with what was saved, or with empty fields.
+    pub(super) fn new(saved: &SavedCycles) -> Self {
+        let mut page = Self::default();
+        page.restore(saved);
+        page
+    }
+
+    /// The chosen cycle.
+    pub const fn cycle(&self) -> &'static Cycle {
+        self.cycle
+    }
+
+    /// The text of a field; empty where nothing was typed.
+    pub fn text(&self, field: CycleField) -> &str {
+        let text = match field {
+            CycleField::Parameter(key) => self.texts.get(&(self.cycle.number, key)),
+            CycleField::Global(key) => self.globals.get(&(self.cycle.number, key)),
+            CycleField::Position(axis) => self.position.get(&axis),
+        };
+        text.map_or("", String::as_str)
+    }
+
+    /// What is wrong with a field.
+    pub fn error(&self, field: CycleField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    /// The value of a parameter: what was typed or its default, where that can be used.
+    pub fn value(&self, parameter: &Parameter) -> Option<Value> {
+        self.inputs.value(parameter.key).cloned().or_else(|| parameter.default_with(&self.inputs))
+    }
+
+    /// Where the value of a parameter comes from.
+    pub fn standing(&self, parameter: &Parameter) -> Standing {
+        let is_given = !self.text(CycleField::Parameter(parameter.key)).trim().is_empty();
+        if is_given { Standing::Given } else { self.unset(parameter) }
+    }
+
+    /// What counts for a parameter while nothing is typed.
+    pub fn unset(&self, parameter: &Parameter) -> Standing {
+        match (parameter.default_with(&self.inputs), parameter.unset) {
+            (None, Unset::Refused) => Standing::Required,
+            (None | Some(Value::Band(None)), _) => Standing::Optional,
+            (Some(value), _) => Standing::Default(value),
+        }
+    }
+
+    /// Whether PREDEF was typed for a parameter, so that its value must be given elsewhere.
+    pub fn is_predef(&self, key: Key) -> bool {
+        self.inputs.value(key) == Some(&Value::Predef)
+    }
+
+    /// What was typed, as far as it can be used.
+    pub const fn inputs(&self) -> &Inputs {
+        &self.inputs
+    }
+
+    /// Whether every field can be used and none is missing.
+    pub fn is_complete(&self) -> bool {
+        self.errors.is_empty() && self.missing().next().is_none()
+    }
+
+    /// The first field, in the order of the form, that keeps the cycle from running.
+    pub fn first_wrong(&self) -> Option<CycleField> {
+        let of_parameter =
+            |parameter: &Parameter| [CycleField::Parameter(parameter.key), CycleField::Global(parameter.key)];
+        let parameters = self.cycle.parameters.iter().flat_map(of_parameter);
+        let mut fields = parameters.chain(Axis::ALL.map(CycleField::Position));
+        fields.find(|field| self.errors.contains_key(field))
+    }
+
+    /// The parameters that must be given and are not.
+    fn missing(&self) -> impl Iterator<Item = &'static Parameter> {
+        let is_missing = |parameter: &&Parameter| {
+            parameter.unset == Unset::Refused && self.text(CycleField::Parameter(parameter.key)).trim().is_empty()
+        };
+        self.cycle.parameters.iter().filter(is_missing)
+    }
+
+    /// Where contacts come from.
+    pub const fn from(&self) -> ContactsFrom {
+        self.from
+    }
+
+    /// The name of the user's touch-probe table, where one was opened.
+    pub fn probes_name(&self) -> Option<&str> {
+        self.probes.as_ref().map(|(name, _)| name.as_str())
+    }
+
+    /// The probes of the table.
+    pub fn probes(&self) -> &[TouchProbe] {
+        &self.probe_table().probes
+    }
+
+    fn probe_table(&self) -> &ProbeTable {
+        self.probes.as_ref().map_or_else(|| ProbeTable::shipped(), |(_, table)| table)
+    }
+
+    /// The probe that measures.
+    pub fn probe(&self) -> TouchProbe {
+        self.probe_table().probe(self.probe).copied().unwrap_or_default()
+    }
+
+    /// The NC block that is being typed, where its field is open.
+    pub fn block(&self) -> Option<&str> {
+        self.block.as_deref()
+    }
+
+    /// Why the NC block cannot be used.
+    pub const fn block_problem(&self) -> Option<&Message> {
+        self.block_problem.as_ref()
+    }
+
+    /// What the last run found; it belongs to the inputs on screen.
+    pub const fn run(&self) -> Option<&CycleRun> {
+        self.run.as_ref()
+    }
+
+    /// The number of the move that is shown, from 0.
+    pub const fn step(&self) -> usize {
+        self.step
+    }
+}

@@ -1,0 +1,354 @@
+//! Dialogs, and what comes back from files: every answer is reported, in the dialog or as a notice.
+//!
+//! | file | what |
+//! |---|---|
+//! | `command` | what can be done |
+//! | `content` | what a file gets |
+//! | `dialog` | the open dialog: its path, its list, its question |
+//! | `folder_list` | the list of a folder |
+//! | `kinds` | kinds of files, their endings, and what a file is opened for |
+//! | `names` | proposed names |
+//! | `places` | last folders and recent files |
+//! | `working` | the file that is being read or written |
+
+mod command;
+mod content;
+mod dialog;
+mod folder_list;
+mod kinds;
+mod names;
+mod places;
+mod working;
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::tolerance::{Absent, DeviationTable};
+use fitcheck_core::words::Words;
+use fitcheck_exchange::journal::Record;
+use fitcheck_exchange::report::{RENDERINGS, Report};
+use fitcheck_files::FileError;
+use fitcheck_nc::control::mask::Mask;
+use jiff::civil::DateTime;
+
+pub use command::{Fate, FilesCommand, Launch};
+pub use content::Content;
+pub use dialog::Dialog;
+pub use folder_list::FolderList;
+pub use kinds::{HEAD, OpenError};
+pub(super) use places::Places;
+pub use places::RecentFile;
+pub use working::Working;
+
+use super::Session;
+use super::command::{Effect, Page, Purpose};
+use super::shared::{MaskChoice, News, Notice, OwnMask};
+
+impl Session {
+    /// Does something about files.
+    pub(super) fn apply_files(&mut self, command: FilesCommand, now: DateTime) -> Vec<Effect> {
+        let places = &self.shared.places;
+        match command {
+            FilesCommand::Open(purpose, path) => return self.open_file(purpose, path, now),
+            FilesCommand::OpenRecent(number) => {
+                let Some(file) = places.recent().get(number).cloned() else { return Vec::new() };
+                return self.open_file(file.purpose, file.path, now);
+            }
+            FilesCommand::ForgetRecent => self.shared.places.forget(),
+            FilesCommand::Seen { purpose, path, fate } => self.shared.places.seen(purpose, path, fate),
+            FilesCommand::Launch(how) => {
+                let written = self.shared.notices.first().and_then(|notice| notice.file.clone());
+                return written.map(|path| Effect::Launch(path, how)).into_iter().collect();
+            }
+            FilesCommand::Working(working) => self.shared.working = working,
+            FilesCommand::StopWorking => return vec![Effect::StopWorking],
+            FilesCommand::Launched(Ok(())) => {}
+            FilesCommand::Launched(Err(problem)) => self.shared.tell_first(problem),
+            FilesCommand::IsFolder(path) => {
+                self.pairing.is_no_file(&path);
+                if !self.shared.dialog_waits() {
+                    self.shared.tell(FileError::IsFolder { path }.message());
+                } else if let Some(dialog) = &mut self.shared.dialog {
+                    dialog.apply(FilesCommand::IsFolder(path), None);
+                }
+            }
+            FilesCommand::Take(number) => {
+                if let Some(dialog) = &mut self.shared.dialog {
+                    dialog.list.select(number);
+                }
+                return self.confirm(now);
+            }
+            FilesCommand::Replace(true) => return self.replace(now),
+            command => {
+                let home = places.home.clone();
+                if let Some(dialog) = &mut self.shared.dialog {
+                    dialog.apply(command, home);
+                }
+            }
+        }
+        Vec::new()
+    }
+
+    pub(super) fn open_dialog(&mut self, purpose: Purpose, now: DateTime) {
+        let path = match purpose {
+            Purpose::Export(_) => {
+                let several = Words::new(self.shared.language).get("file-name-checks");
+                let records = self.shared.history.for_report().map(Arc::as_ref);
+                names::of_records(records, &several, now, ending(purpose))
+            }
+            Purpose::ReportRecords(_) => {
+                let several = Words::new(self.shared.language).get("file-name-checks");
+                let records = self.records.for_report();
+                names::of_records(records.iter().map(Arc::as_ref), &several, now, ending(purpose))
+            }
+            Purpose::ReportPart(_) => self.parts.report(now).map_or_else(String::new, |report| {
+                let walking = self.parts.walking();
+                let part = report.part.unwrap_or_else(|| Words::new(self.shared.language).get("file-name-checks"));
+                let name = [part.as_str(), walking.serial()].into_iter().filter(|text| !text.is_empty());
+                names::dated(&names::allowed(&name.collect::<Vec<_>>().join("-")), now, ending(purpose))
+            }),
+            Purpose::ExportStatus => {
+                let part = self.check.shown().map(|shown| names::of_record(&shown.record)).unwrap_or_default();
+                names::dated(&names::allowed(&format!("{part}-status")), now, ending(purpose))
+            }
+            // A control knows a table and a log by these names.
+            Purpose::SaveTable(format) => self.tables.file_name(format),
+            Purpose::SaveCycleLog => self.cycles.log().map_or_else(String::new, |log| log.name.clone()),
+            Purpose::SaveWorkpiece => "workpiece.toml".to_owned(),
+            Purpose::SaveTools => self.tools().map_or_else(String::new, |tools| tools.name.clone()),
+            Purpose::SaveBudget => self.budget.name(),
+            Purpose::SavePlan(_) => names::with_ending(&self.parts.document().name(), ending(purpose)),
+            Purpose::SavePairs(_) => {
+                let name = Words::new(self.shared.language).get("pairing-page-file-name");
+                names::dated(&names::allowed(&name), now, ending(purpose))
+            }
+            _ => String::new(),
+        };
+        self.shared.open_dialog(purpose, path);
+    }
+
+    pub(super) fn browse(&self) -> Vec<Effect> {
+        let Some(dialog) = &self.shared.dialog else { return Vec::new() };
+        let folder = dialog.list.folder().map(Path::to_owned);
+        let name = if dialog.purpose.is_reading() { String::new() } else { dialog.path.clone() };
+        let browse = Effect::Browse { purpose: dialog.purpose, folder, name };
+        vec![Effect::ForDialog(dialog.number, Box::new(browse))]
+    }
+
+    pub(super) fn picked(&mut self, path: Option<&Path>, now: DateTime) -> Vec<Effect> {
+        let Some(dialog) = self.shared.answered_dialog() else { return Vec::new() };
+        dialog.picked(path);
+        if path.is_some() { self.confirm(now) } else { Vec::new() }
+    }
+
+    pub(super) fn confirm(&mut self, now: DateTime) -> Vec<Effect> {
+        let home = self.shared.places.home.as_deref();
+        let Some(dialog) = self.shared.dialog.as_mut().filter(|dialog| !dialog.is_waiting()) else { return Vec::new() };
+        // A selected folder is gone into.
+        let Some(path) = dialog.asked_for(home) else { return Vec::new() };
+        self.send(path, false, now)
+    }
+
+    /// The user was asked and writes over the file.
+    fn replace(&mut self, now: DateTime) -> Vec<Effect> {
+        let path = self.shared.dialog.as_mut().and_then(|dialog| dialog.exists.take());
+        path.map(|path| self.send(path, true, now)).unwrap_or_default()
+    }
+
+    /// Sends the dialog's file to work, or says in the dialog why not.
+    fn send(&mut self, path: PathBuf, replaces: bool, now: DateTime) -> Vec<Effect> {
+        let asking = self.shared.dialog.as_ref().map(|dialog| (dialog.number, dialog.purpose));
+        let Some((number, purpose)) = asking else { return Vec::new() };
+        match self.errand(purpose, path, now) {
+            Ok(effect) => {
+                if let Some(dialog) = &mut self.shared.dialog {
+                    dialog.begin();
+                }
+                let effect = match effect {
+                    Effect::Save(path, bytes) if replaces => Effect::Replace(path, bytes),
+                    effect => effect,
+                };
+                vec![Effect::ForDialog(number, Box::new(effect))]
+            }
+            Err(problem) => {
+                self.shared.refuse_dialog(problem);
+                Vec::new()
+            }
+        }
+    }
+
+    /// Reads a file without a dialog, on the page that shows it.
+    fn open_file(&mut self, purpose: Purpose, path: PathBuf, now: DateTime) -> Vec<Effect> {
+        // Measurements that are dropped on a part that is being measured are its own.
+        let is_of_walk =
+            purpose == Purpose::Import && self.shared.page == Page::Parts && self.parts.walking().is_begun();
+        let purpose = if is_of_walk { Purpose::ImportValues(self.parts.walking().run()) } else { purpose };
+        if let Some(page) = purpose.page(self.shared.page) {
+            self.shared.open(page);
+        }
+        match self.errand(purpose, path, now) {
+            Ok(effect) => vec![effect],
+            Err(problem) => {
+                self.shared.tell(problem);
+                Vec::new()
+            }
+        }
+    }
+
+    /// The effect that a dialog asks for, or why there is none.
+    fn errand(&mut self, purpose: Purpose, path: PathBuf, now: DateTime) -> Result<Effect, Message> {
+        if path.as_os_str().is_empty() {
+            return Err(Message::new("dialog-no-path"));
+        }
+        let content: Content = match purpose {
+            Purpose::OpenTable if !self.tables.settle_cell(&mut self.shared) => {
+                return Err(Message::new("tables-cell-unreadable"));
+            }
+            Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?.into(),
+            Purpose::Export(format) => self.export(format, now)?,
+            Purpose::ReportRecords(format) => self.report_records(format, now)?,
+            Purpose::ReportPart(format) => self.report_part(format, now)?,
+            Purpose::SaveWorkpiece => self.shared.workpiece.bytes()?.into(),
+            Purpose::SaveTools => self.tools_bytes()?.into(),
+            Purpose::SaveBudget => self.budget.bytes(&path).into(),
+            Purpose::SavePlan(_) => self.parts.bytes(&path).into(),
+            Purpose::SaveCycleLog => {
+                let log = self.cycles.log().ok_or_else(|| Message::new("cycles-no-log"))?;
+                log.bytes.clone().into()
+            }
+            Purpose::ExportStatus => {
+                let text = self.check.status_text().ok_or_else(|| Message::new("dialog-no-status"))?;
+                text.as_bytes().to_vec().into()
+            }
+            Purpose::SavePairs(format) => self.pairing.content(format)?,
+            Purpose::OpenParts(feature) => {
+                self.pairing.awaits(feature, path.clone());
+                return Ok(Effect::Read(purpose, path));
+            }
+            _ => return Ok(Effect::Read(purpose, path)),
+        };
+        Ok(Effect::Save(path, content))
+    }
+
+    /// The chosen records, or all of them when none is chosen, as a report.
+    fn export(&self, format: usize, now: DateTime) -> Result<Content, Message> {
+        let Some(rendering) = RENDERINGS.get(format) else { return Err(Message::new("dialog-no-path")) };
+        let records: Vec<Arc<Record>> = self.shared.history.for_report().map(Arc::clone).collect();
+        let report = Box::new(Report::new(now, records));
+        Ok(Content::Report { report, rendering, language: self.shared.language })
+    }
+
+    /// The chosen records of the records page as a report.
+    fn report_records(&self, format: usize, now: DateTime) -> Result<Content, Message> {
+        let Some(rendering) = RENDERINGS.get(format) else { return Err(Message::new("dialog-no-path")) };
+        let journal = self.shared.recording.journal().map(|journal| (journal.chain, journal.head));
+        let report = Box::new(self.records.report(now, journal));
+        Ok(Content::Report { report, rendering, language: self.shared.language })
+    }
+
+    /// The part that is being measured as a report.
+    fn report_part(&self, format: usize, now: DateTime) -> Result<Content, Message> {
+        let report = RENDERINGS.get(format).zip(self.parts.report(now));
+        let (rendering, report) = report.ok_or_else(|| Message::new("dialog-no-path"))?;
+        Ok(Content::Report { report: Box::new(report), rendering, language: self.shared.language })
+    }
+
+    pub(super) fn close(&mut self) {
+        if self.shared.dialog.as_ref().is_some_and(|dialog| dialog.exists.is_some()) {
+            // The question is answered with "keep"; the dialog asks for another name.
+            _ = self.shared.dialog.as_mut().and_then(|dialog| dialog.exists.take());
+        } else if self.shared.dialog.take().is_none() && !self.shared.notices.is_empty() {
+            self.shared.notices.remove(0);
+        }
+    }
+
+    pub(super) fn mask_read(&mut self, path: PathBuf, result: Result<(Box<Mask>, Vec<Message>), Message>) {
+        if self.shared.answered.is_none() && self.shared.given_up_mask.take_if(|given_up| *given_up == path).is_some() {
+            return;
+        }
+        let awaited = OwnMask::Awaited(path.clone());
+        if let Some((mask, details)) = self.shared.file_answered(result) {
+            let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+            self.shared.note_details(Message::new("mask-loaded-with-warnings").text("name", &name), details);
+            self.shared.set_mask(MaskChoice::Own { name, path, mask: Arc::new(*mask) });
+        } else if self.shared.own_mask == awaited {
+            self.shared.own_mask = OwnMask::Unread(path);
+            self.shared.spread(News::OwnMask);
+        }
+    }
+
+    pub(super) fn tables_read(
+        &mut self,
+        folder: PathBuf,
+        result: Result<(Vec<DeviationTable>, Vec<Message>), Message>,
+    ) {
+        if self.shared.answered.is_none() && self.shared.given_up.take_if(|given_up| *given_up == folder).is_some() {
+            return;
+        }
+        if let Some((tables, details)) = self.shared.file_answered(result) {
+            let message = Message::new("tables-loaded").count("count", tables.len()).text("folder", folder.display());
+            self.shared.note(message, details);
+            self.use_tables(tables, Some(folder));
+        } else if self.shared.awaits_tables() && self.shared.tables_folder == Some(folder) {
+            self.do_without_tables();
+        }
+    }
+
+    /// The tables that were used the last time cannot be read: limits come from the next source, and say so.
+    fn do_without_tables(&mut self) {
+        let sources = self.shared.sources.as_ref().clone();
+        let absent = match sources.absent() {
+            Some(Absent::Awaited(folder)) => Some(Absent::Unread(Arc::clone(folder))),
+            other => other.cloned(),
+        };
+        self.shared.use_sources(sources.with_absent(absent));
+    }
+
+    pub(super) fn use_tables(&mut self, own: Vec<DeviationTable>, folder: Option<PathBuf>) {
+        if self.shared.awaits_tables() && self.shared.tables_folder != folder {
+            self.shared.given_up = self.shared.tables_folder.take();
+        }
+        self.shared.tables_folder = folder;
+        let sources = self.shared.sources.as_ref().clone().with_own(own).with_absent(None);
+        self.shared.use_sources(sources);
+        self.shared.spread(News::OwnTables);
+    }
+
+    pub(super) fn saved_file(&mut self, path: &Path, result: Result<(), FileError>) {
+        let dialog = self.shared.answered_dialog().filter(|dialog| dialog.busy);
+        let purpose = dialog.as_ref().map(|dialog| dialog.purpose);
+        if result.is_err() {
+            self.tables.not_saved(path);
+            self.budget.not_saved(path);
+            self.parts.not_saved(path);
+        }
+        let result = match (result, dialog) {
+            // The user is asked, or taken to the folder whose name was typed.
+            (Err(FileError::Exists { path }), Some(dialog)) => return dialog.ask(path),
+            (Err(FileError::IsFolder { path }), Some(dialog)) => return dialog.go_to(path),
+            (result, _) => result.map_err(|error| error.message()),
+        };
+        if self.shared.file_answered(result).is_none() {
+            return;
+        }
+        self.tables.saved(path);
+        self.budget.saved(path, &self.shared);
+        let details = self.parts.saved(path).into_iter().collect();
+        if let Some(purpose) = purpose {
+            self.shared.places.used(purpose, path);
+        }
+        let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
+        let message = match path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
+            Some(folder) => Message::new("file-written").text("name", name).text("folder", folder.display()),
+            None => Message::new("file-written-here").text("name", name),
+        };
+        let file = Some(path.to_owned());
+        self.shared.notices.push(Notice { details, file, ..Notice::of(message, false) });
+    }
+}
+
+/// The ending that a name gets which has none.
+fn ending(purpose: Purpose) -> &'static str {
+    purpose.endings().first().copied().unwrap_or("txt")
+}

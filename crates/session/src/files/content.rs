@@ -1,0 +1,79 @@
+//! What a file gets: bytes, or a report that is made while it is written.
+
+use std::io::{self, Write};
+use std::sync::Arc;
+
+use fitcheck_core::words::{Language, Words};
+use fitcheck_exchange::report::pairing::Format;
+use fitcheck_exchange::report::{Rendering, Report};
+
+use crate::pairing::Paired;
+
+/// What is written into a file.
+#[derive(Debug, Clone)]
+pub enum Content {
+    /// These bytes.
+    Bytes(Vec<u8>),
+    /// A report, check by check: one of the whole history would fill the memory.
+    Report {
+        /// The report.
+        report: Box<Report>,
+        /// How it is written.
+        rendering: &'static Rendering,
+        /// The language of its words.
+        language: Language,
+    },
+    /// The pairs of measured parts.
+    Pairs {
+        /// The pairs.
+        paired: Arc<Paired>,
+        /// How they are written.
+        format: &'static Format,
+    },
+}
+
+impl Content {
+    /// Writes it.
+    ///
+    /// # Errors
+    /// The stream's own.
+    pub fn write(&self, out: &mut dyn Write) -> io::Result<()> {
+        match self {
+            Self::Bytes(bytes) => out.write_all(bytes),
+            Self::Report { report, rendering, language } => (rendering.render)(report, &Words::new(*language), out),
+            Self::Pairs { paired, format } => (format.write)(&paired.answer, out),
+        }
+    }
+
+    /// All of it in memory.
+    ///
+    /// # Errors
+    /// As for [`Self::write`].
+    pub fn bytes(&self) -> io::Result<Vec<u8>> {
+        let mut bytes = Vec::new();
+        self.write(&mut bytes)?;
+        Ok(bytes)
+    }
+}
+
+impl From<Vec<u8>> for Content {
+    fn from(bytes: Vec<u8>) -> Self {
+        Self::Bytes(bytes)
+    }
+}
+
+/// Reports are equal that are the same: their checks are not compared one by one.
+impl PartialEq for Content {
+    fn eq(&self, other: &Self) -> bool {
+        match (self, other) {
+            (Self::Bytes(bytes), Self::Bytes(others)) => bytes == others,
+            (Self::Report { report, .. }, Self::Report { report: other, .. }) => {
+                Arc::ptr_eq(&report.checks, &other.checks)
+            }
+            (Self::Pairs { paired, format }, Self::Pairs { paired: other, format: other_format }) => {
+                Arc::ptr_eq(paired, other) && format.name == other_format.name
+            }
+            _ => false,
+        }
+    }
+}

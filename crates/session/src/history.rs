@@ -1,0 +1,255 @@
+//! All checks of the session: which of them are listed and in which order, which are chosen for a report, and how to undo
+//! a change.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the checks, the row of the list at which the keys are, undo |
+//! | `command` | what can be done with the list, and doing it |
+//! | `filter` | what the words of a filter mean in the user's language |
+//! | `copy` | rows as a spreadsheet takes them |
+
+mod command;
+mod copy;
+mod filter;
+
+use std::collections::{BTreeSet, VecDeque};
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_exchange::journal::Record;
+use fitcheck_exchange::journal::memory::{Memory, Removed};
+use fitcheck_exchange::journal::query::{Query, RecordId, Records};
+
+pub use command::ListCommand;
+pub use copy::status_text;
+
+/// How many steps back undo remembers.
+const UNDO_STEPS: usize = 50;
+
+/// The checks.
+#[derive(Debug, Default)]
+pub struct History {
+    records: Memory,
+    chosen: BTreeSet<RecordId>,
+    /// How many of the chosen ones the list does not show.
+    hidden: usize,
+    /// The row of the list at which the keys are.
+    cursor: Option<RecordId>,
+    /// Goes up whenever the cursor has to come into sight.
+    look: u64,
+    undo: VecDeque<(ChangeId, Change)>,
+    /// How many changes there were.
+    changes: u64,
+}
+
+/// The number of a change of the history: no two changes of a session have the same.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub struct ChangeId(u64);
+
+/// What undo takes back: only what was added or removed, never a copy of everything.
+#[derive(Debug)]
+enum Change {
+    /// Records were added from this one on.
+    Added { first: RecordId, count: usize },
+    /// Records were removed; some of them were chosen.
+    Cleared { removed: Removed, chosen: BTreeSet<RecordId>, cursor: Option<RecordId> },
+}
+
+impl Change {
+    /// What it was, as undo names it.
+    fn message(&self) -> Message {
+        match self {
+            Self::Added { count, .. } => Message::new("undo-add").count("count", *count),
+            Self::Cleared { .. } => Message::new("undo-clear"),
+        }
+    }
+}
+
+impl History {
+    /// How many checks there are, listed or not.
+    pub fn len(&self) -> usize {
+        self.records.len()
+    }
+
+    /// Whether there is none.
+    pub fn is_empty(&self) -> bool {
+        self.records.is_empty()
+    }
+
+    /// Every check, oldest first.
+    pub fn iter(&self) -> impl DoubleEndedIterator<Item = &Arc<Record>> {
+        self.records.all().map(|(_, record)| record)
+    }
+
+    /// A check.
+    pub fn get(&self, id: RecordId) -> Option<Arc<Record>> {
+        self.records.get(id)
+    }
+
+    /// What the list shows: the answer to the filter, in the chosen order.
+    pub const fn listed(&self) -> &dyn Records {
+        &self.records
+    }
+
+    /// Whether a check is chosen for a report.
+    pub fn is_chosen(&self, id: RecordId) -> bool {
+        self.chosen.contains(&id)
+    }
+
+    /// How many checks are chosen.
+    pub fn chosen_count(&self) -> usize {
+        self.chosen.len()
+    }
+
+    /// How many of the chosen checks the list does not show.
+    pub const fn hidden_count(&self) -> usize {
+        self.hidden
+    }
+
+    /// The row of the list at which the keys are; it may have been filtered out.
+    pub const fn cursor(&self) -> Option<RecordId> {
+        self.cursor
+    }
+
+    /// Where to look: a number that goes up whenever a row has to come into sight, and its place.
+    pub fn look(&self) -> (u64, Option<usize>) {
+        (self.look, self.cursor.and_then(|id| self.records.place_of(id)))
+    }
+
+    /// The chosen checks, or those that are listed where none is chosen, oldest first.
+    pub(super) fn for_report(&self) -> impl Iterator<Item = &Arc<Record>> {
+        let listed: BTreeSet<RecordId> = if self.chosen.is_empty() {
+            self.records.page(0..self.records.count()).into_iter().map(|(id, _)| id).collect()
+        } else {
+            self.chosen.clone()
+        };
+        self.records.all().filter(move |(id, _)| listed.contains(id)).map(|(_, record)| record)
+    }
+
+    /// How many checks a report has.
+    pub fn exported_count(&self) -> usize {
+        if self.chosen.is_empty() { self.records.count() } else { self.chosen.len() }
+    }
+
+    /// What undo would take back.
+    pub fn undoes(&self) -> Option<Message> {
+        self.undo.back().map(|(_, change)| change.message())
+    }
+
+    /// The change that undo would take back.
+    pub fn last_change(&self) -> Option<ChangeId> {
+        self.undo.back().map(|(id, _)| *id)
+    }
+
+    /// Puts checks of the journal before all others, the oldest first; undo knows nothing of them. Returns their numbers.
+    pub(super) fn restore(&mut self, records: Vec<Arc<Record>>) -> Vec<RecordId> {
+        let ids = self.records.put_before(records);
+        self.count_hidden();
+        ids
+    }
+
+    /// Takes out a check that does not stand any more: it was corrected or withdrawn in the journal. Undo does not bring it back.
+    pub(super) fn take_out(&mut self, id: RecordId) {
+        self.records.take_out(id);
+        self.chosen.remove(&id);
+        self.cursor = self.cursor.filter(|cursor| *cursor != id);
+        self.count_hidden();
+    }
+
+    /// The numbers of the checks that undo would take away.
+    pub(super) fn taken_by_undo(&self) -> BTreeSet<RecordId> {
+        match self.undo.back() {
+            Some((_, Change::Added { first, count })) => (first.0..).take(*count).map(RecordId).collect(),
+            _ => BTreeSet::new(),
+        }
+    }
+
+    /// The numbers of all checks.
+    pub(super) fn ids(&self) -> BTreeSet<RecordId> {
+        self.records.all().map(|(id, _)| id).collect()
+    }
+
+    /// Leaves room before the first check for those of the journal.
+    pub(super) fn leave_room(&mut self, count: u64) {
+        self.records.leave_room(count);
+    }
+
+    /// The number that the next check will get.
+    pub(super) const fn next(&self) -> RecordId {
+        self.records.next()
+    }
+
+    /// Adds checks as one step; returns the number of the last one.
+    pub(super) fn add(&mut self, records: Vec<Arc<Record>>) -> RecordId {
+        let (first, count) = (self.records.next(), records.len());
+        self.remember(Change::Added { first, count });
+        self.records.add(records);
+        RecordId(self.records.next().0.saturating_sub(1))
+    }
+
+    pub(super) fn choose(&mut self, id: RecordId, is_chosen: bool) {
+        if is_chosen && self.records.get(id).is_some() {
+            self.chosen.insert(id);
+        } else {
+            self.chosen.remove(&id);
+        }
+        self.count_hidden();
+    }
+
+    /// Asks for another list.
+    fn ask(&mut self, query: Query) {
+        self.records.ask(query);
+        self.count_hidden();
+        self.look += 1;
+    }
+
+    fn count_hidden(&mut self) {
+        self.hidden = self.chosen.iter().filter(|id| self.records.place_of(**id).is_none()).count();
+    }
+
+    /// Puts the cursor on a check, which comes into sight.
+    pub(super) const fn go_to(&mut self, id: RecordId) {
+        self.cursor = Some(id);
+        self.look += 1;
+    }
+
+    /// Empties it; returns how many checks it had.
+    pub(super) fn clear(&mut self) -> usize {
+        let removed = self.records.remove_from(RecordId::default());
+        let count = removed.len();
+        if 0 < count {
+            let (chosen, cursor) = (std::mem::take(&mut self.chosen), self.cursor.take());
+            self.hidden = 0;
+            self.remember(Change::Cleared { removed, chosen, cursor });
+        }
+        count
+    }
+
+    /// Undoes the last change; returns what it was. `None` where there is none.
+    pub(super) fn take_back(&mut self) -> Option<Message> {
+        let (_, change) = self.undo.pop_back()?;
+        let message = change.message();
+        match change {
+            Change::Added { first, .. } => {
+                self.records.remove_from(first);
+                self.chosen.retain(|id| *id < first);
+                self.cursor = self.cursor.filter(|id| *id < first);
+            }
+            Change::Cleared { removed, chosen, cursor } => {
+                self.records.put_back(removed);
+                (self.chosen, self.cursor) = (chosen, cursor);
+            }
+        }
+        self.count_hidden();
+        self.look += 1;
+        Some(message)
+    }
+
+    fn remember(&mut self, change: Change) {
+        if UNDO_STEPS <= self.undo.len() {
+            self.undo.pop_front();
+        }
+        self.changes += 1;
+        self.undo.push_back((ChangeId(self.changes), change));
+    }
+}

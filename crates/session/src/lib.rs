@@ -1,0 +1,430 @@
+//! The state of the application, and the only place that changes it.
+//!
+//! Menu, key, button, file and test send a [`Command`]; [`Session::apply`] changes the state and answers with
+//! [`Effect`]s for the world outside. No file, thread, clock or window is touched here: the time comes in.
+//!
+//! Nine pages of the same shape, each in a folder of its name, as in `gui`: its state, its text fields (`field`), what
+//! can be done (`command`) and how (`apply`). A page changes itself and what belongs to all (`shared`).
+//!
+//! | file | what |
+//! |---|---|
+//! | `check` | one part against its limits |
+//! | `fit` | hole against shaft |
+//! | `cycles` | a measuring cycle on a workpiece or on recorded contacts |
+//! | `tables` | tables of deviations against ISO 286 |
+//! | `program` | an NC program is run and stepped |
+//! | `pairing` | measured holes against measured shafts |
+//! | `budget` | how sure a measured value is |
+//! | `records` | everything that was recorded |
+//! | `parts` | plans of whole parts, and the walk through them |
+//! | `rows` | the rows of a file that is too large for the history |
+//! | `shared`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
+//! | `asking` | questions that Enter answers, and none in passing |
+//! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
+//! | `action` | what a user can do by menu, button or key |
+//! | `files` | dialogs, and what comes back from files |
+//! | `columns` | the columns of files of measurements, as they are corrected and remembered |
+//! | `saved` | what survives a restart |
+//!
+//! To add a page, begin here; `gui/mod.rs` has the other half:
+//!
+//! 1. Add a variant to [`Page`] and to `Page::ALL` with its length, and its own command to [`Command`] and `from_variants!` (`command.rs`).
+//! 2. Write its folder: `mod.rs` (state), `command.rs`, `field.rs`, `apply.rs`. A page changes itself and `shared`, and hears of other pages
+//!    by `News`.
+//! 3. Add its fields to [`Field`] (`field.rs`), its state to [`Session`], its command to `Session::apply`, and its reader to `readers.rs`.
+//! 4. Add its arm to `Action::Open` in `action/table.rs` (Ctrl+1 to Ctrl+9 are taken), what Enter does to `action/keys.rs`, and its own
+//!    rows as a file of `action`.
+//! 5. Add what survives a restart to `saved.rs`, with a default where a state file lacks it.
+//! 6. Test it without a window in `tests/core/session_NAME.rs`.
+
+/// `From` the value of a variant, for variants that each hold a different type.
+macro_rules! from_variants {
+    ($whole:ident: $($variant:ident($part:ty)),+) => {
+        $(impl From<$part> for $whole {
+            fn from(part: $part) -> Self {
+                Self::$variant(part)
+            }
+        })+
+    };
+}
+
+pub mod action;
+mod asking;
+mod budget;
+mod check;
+mod columns;
+mod command;
+mod cycles;
+mod field;
+mod files;
+mod fit;
+mod history;
+mod pairing;
+mod part;
+pub mod parts;
+pub mod program;
+mod readers;
+mod recording;
+pub mod records;
+mod rows;
+mod saved;
+mod shared;
+mod step;
+pub mod tables;
+mod tools;
+mod workpiece;
+
+use std::sync::Arc;
+
+use jiff::civil::DateTime;
+
+pub use action::Action;
+pub use budget::{
+    Asks, Bar, BothSizes, BudgetCommand, BudgetField, BudgetPage, OpenBudget, Readings, TakenContacts, UseOf, advice,
+    bars,
+};
+pub use check::{
+    Asked, CheckCommand, CheckField, CheckPage, Doubted, Judging, Lot, MeasureBy, Question, Shown, UncertaintyFrom,
+    Worth,
+};
+pub use columns::{
+    Asked as AskedColumns, ColumnChoice, ColumnsCommand, NoticeColumns, OpenColumns, UsedColumns, refusal, role_id,
+    unit_id,
+};
+pub use command::{Command, CycleFile, Density, DialogId, Effect, ImportInto, Page, Purpose, Theme};
+pub use cycles::{
+    Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Standing, WorkpieceField,
+    WorkpieceForm,
+};
+pub use field::Field;
+pub use files::{Content, Dialog, Fate, FilesCommand, FolderList, HEAD, Launch, OpenError, RecentFile, Working};
+pub use fit::{
+    ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
+};
+use fitcheck_core::tolerance::fit::thermal::Temperature;
+use fitcheck_core::tolerance::{Absent, Sources};
+use fitcheck_core::verdict::Rule;
+use fitcheck_core::words::Language;
+use fitcheck_nc::control::mask::Mask;
+use fitcheck_nc::control::shipped_tables;
+pub use history::{ChangeId, History, ListCommand, status_text};
+pub use pairing::{
+    Bin, FromMiddle, Marks, PairRow, Paired, PairingCommand, PairingField, PairingPage, PairsPicture, Sight, usable,
+};
+pub use part::{feature_message, shape_id};
+pub use parts::{PartsCommand, PartsField, PartsPage};
+pub use program::{ProgramCommand, ProgramField, ProgramPage};
+pub use recording::{Keeping, MOST_NAMES, Named, OpenJournal, RESTORED, Recorded, Recording};
+pub use records::{RecordRow, RecordsCommand, RecordsField, RecordsPage};
+pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
+pub use saved::{
+    Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
+};
+use shared::OwnMask;
+pub use shared::{MaskChoice, Notice};
+pub use step::Step;
+pub use tables::{TablesCommand, TablesField, TablesPage};
+pub use tools::{Monitoring, NamedTool, OpenTools, ToolsCommand, text_of_tool, tool_message};
+pub use workpiece::{OpenPart, RecordedContacts, WorkpieceCommand};
+
+use self::asking::Asking;
+use self::files::Places;
+use self::shared::{PageState as _, Shared};
+
+/// The state of the application.
+#[derive(Debug)]
+pub struct Session {
+    shared: Shared,
+    check: CheckPage,
+    fit: FitPage,
+    cycles: CyclesPage,
+    tables: TablesPage,
+    program: ProgramPage,
+    pairing: PairingPage,
+    budget: BudgetPage,
+    records: RecordsPage,
+    parts: PartsPage,
+    /// When a page asked something last.
+    asking: Asking,
+}
+
+impl Session {
+    /// A session with ISO 286 as source of limits and empty fields.
+    pub fn new(language: Language) -> Self {
+        Self::restore(Saved { language, ..Saved::default() }).0
+    }
+
+    /// A session from what was saved. The tables' folder and the budget that checks used are read by the effects that come
+    /// with it; until the answer of the first comes, nothing is judged by a class.
+    pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
+        let mut shared = Shared::new(saved.language, saved.theme, saved.records);
+        shared.keypad = saved.keypad;
+        shared.places = Places::restore(saved.files);
+        shared.density = saved.density;
+        shared.columns = columns::Columns::restore(saved.columns);
+        let awaited = saved.tables_folder.as_ref().map(|folder| Absent::Awaited(folder.to_string_lossy().into()));
+        let sources = Sources::default().with_base(saved.source, shipped_tables).with_options(saved.standard);
+        shared.sources = Arc::new(sources.with_absent(awaited));
+        if saved.walk.plan.is_some() {
+            // An interrupted part goes on where it was.
+            shared.page = Page::Parts;
+        }
+        // A folder that cannot be read now may be there the next time.
+        shared.tables_folder.clone_from(&saved.tables_folder);
+        shared.own_mask = saved.mask.clone().map(OwnMask::Awaited).unwrap_or_default();
+        let session = Self {
+            check: CheckPage::new(&saved.inputs, &shared.sources),
+            fit: FitPage::new(&saved.inputs, &shared.sources),
+            cycles: CyclesPage::new(&saved.cycles),
+            tables: TablesPage::new(&saved.inputs),
+            program: ProgramPage::default(),
+            pairing: PairingPage::new(&saved.inputs, &shared.sources),
+            budget: BudgetPage::new(&saved.inputs, saved.budget.clone()),
+            records: RecordsPage::default(),
+            parts: PartsPage::new(&saved.inputs, saved.walk.clone()),
+            asking: Asking::default(),
+            shared,
+        };
+        let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));
+        let mask = saved.mask.map(|path| Effect::Read(Purpose::LoadMask, path));
+        let budget = saved.budget.map(|path| Effect::Read(Purpose::UseBudget, path));
+        // The plan of a part that was interrupted.
+        let plan = saved.walk.plan.or_else(|| saved.walk.watched.map(|watched| watched.plan));
+        let plan = plan.map(|path| Effect::Read(Purpose::OpenPlan, path));
+        (session, tables.into_iter().chain(mask).chain(budget).chain(plan).collect())
+    }
+
+    /// What survives a restart.
+    pub fn saved(&self) -> Saved {
+        let texts = self.check.texts().chain(self.fit.texts()).chain(self.tables.texts());
+        let texts = texts.chain(self.pairing.texts()).chain(self.budget.texts()).chain(self.parts.texts());
+        Saved {
+            language: self.shared.language,
+            theme: self.shared.theme,
+            keypad: self.shared.keypad,
+            density: self.shared.density,
+            // A path that is not text cannot be written.
+            tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
+            mask: self.shared.mask_file().filter(|path| path.to_str().is_some()),
+            budget: self.budget.used_file().cloned().filter(|path| path.to_str().is_some()),
+            source: self.shared.sources.base(),
+            standard: self.shared.sources.options(),
+            inputs: SavedInputs { texts: texts.collect(), by: self.check.by(), judging: self.check.own_judging() },
+            cycles: self.cycles.saved(),
+            files: self.shared.places.saved(),
+            columns: self.shared.columns.saved(),
+            records: self.shared.recording.saved(),
+            walk: self.parts.saved_walk(),
+            ..Saved::default()
+        }
+    }
+
+    /// The user's own mask by its name: what it has printed is read back through it. Nothing where a built-in one is chosen.
+    pub const fn own_masks(&self) -> &Arc<Vec<(String, Mask)>> {
+        &self.shared.own_masks
+    }
+
+    /// Applies a command at a local date and time, and returns what the outside world has to do.
+    pub fn apply(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
+        if let Command::Answered(dialog, answer) = command {
+            self.shared.answered = Some(dialog);
+            let effects = self.apply(*answer, now);
+            self.shared.answered = None;
+            return effects;
+        }
+        if let Command::Enter(field) = command {
+            return self.enter(field, now);
+        }
+        let was_asking = !self.answers().is_empty();
+        self.budget.see_day(now.date());
+        self.records.see_time(now);
+        self.shared.recording.named = self.check.named();
+        let shared = &mut self.shared;
+        let mut effects = match command {
+            Command::Check(command) => {
+                let effects = self.check.apply(command, shared, now);
+                shared.take_worth(self.check.own_worth());
+                effects
+            }
+            Command::Fit(command) => self.fit.apply(command, shared, now),
+            Command::Cycles(command) => self.cycles.apply(command, shared, now),
+            Command::Tables(command) => self.tables.apply(command, shared, now),
+            Command::Program(command) => self.program.apply(command, shared, now),
+            Command::Pairing(command) => self.pairing.apply(command, shared, now),
+            Command::Budget(command) => self.budget.apply(command, shared, now),
+            Command::Records(command) => self.records.apply(command, shared, now),
+            Command::Parts(command) => {
+                shared.take_worth(self.check.own_worth());
+                self.parts.apply(command, shared, now)
+            }
+            command => self.apply_shared(command, now),
+        };
+        let shared = &mut self.shared;
+        while let Some(news) = shared.next_news() {
+            self.check.follow(&news, shared);
+            self.fit.follow(&news, shared);
+            self.cycles.follow(&news, shared);
+            self.tables.follow(&news, shared);
+            self.program.follow(&news, shared);
+            self.pairing.follow(&news, shared);
+            self.budget.follow(&news, shared);
+            self.records.follow(&news, shared);
+            self.parts.follow(&news, shared);
+        }
+        let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
+        effects.extend(to_read.map(Effect::List));
+        effects.extend(self.check.take_errands());
+        effects.extend(self.pairing.take_errands());
+        effects.extend(self.records.take_errands());
+        effects.extend(self.parts.take_errands());
+        effects.extend(shared.recording.take_errands());
+        let effects = shared.in_order(effects);
+        if !was_asking && !self.answers().is_empty() {
+            self.asking.ask(now);
+        }
+        effects
+    }
+
+    /// Enter was pressed in a field. A scanner or gauge that ends its line with two signs answers no question with the second one.
+    fn enter(&mut self, field: Field, now: DateTime) -> Vec<Effect> {
+        let Some(action) = self.on_enter(field) else { return Vec::new() };
+        if self.answers().contains(&action) && self.asking.is_in_passing(now) {
+            return Vec::new();
+        }
+        if self.repeats(action) {
+            self.check.say_repeated();
+            return Vec::new();
+        }
+        action.command(self).map(|command| self.apply(command, now)).unwrap_or_default()
+    }
+
+    /// Applies a command that belongs to no page.
+    fn apply_shared(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
+        let shared = &mut self.shared;
+        match command {
+            Command::Check(_)
+            | Command::Fit(_)
+            | Command::Cycles(_)
+            | Command::Tables(_)
+            | Command::Program(_)
+            | Command::Pairing(_)
+            | Command::Budget(_)
+            | Command::Records(_)
+            | Command::Parts(_) => {}
+            // Their commands were taken out of them.
+            Command::Answered(..) | Command::Enter(_) => return Vec::new(),
+            Command::Workpiece(command) => {
+                let (cycles, program) = (&self.cycles, &self.program);
+                shared.apply_workpiece(command, |shared| match shared.page {
+                    Page::Program => program.suited(shared).map(Ok),
+                    _ => Some(cycles.suited(shared)),
+                });
+            }
+            Command::Tools(command) => shared.apply_tools(command),
+            Command::OpenPage(page) => shared.open(page),
+            Command::GoTo(field) => return vec![Effect::Focus(field)],
+            Command::ShowKeypad(shown) => shared.keypad = shown,
+            Command::SetLanguage(language) => shared.set_language(language),
+            Command::SetTheme(theme) => shared.theme = theme,
+            Command::SetDensity(density) => shared.density = density,
+            Command::Touched(is_touched) => shared.is_touched = is_touched,
+            Command::SetMask(language) => {
+                shared.set_mask(language.map_or(MaskChoice::OfLanguage, MaskChoice::Shipped));
+            }
+            Command::Files(command) => return self.apply_files(command, now),
+            Command::Columns(command) => return self.apply_columns(command, now),
+            Command::OpenDialog(purpose) => self.open_dialog(purpose, now),
+            Command::TypePath(path) => {
+                if let Some(dialog) = &mut shared.dialog {
+                    dialog.type_path(path);
+                }
+            }
+            Command::Browse => return self.browse(),
+            Command::Picked(path) => return self.picked(path.as_deref(), now),
+            Command::Confirm => return self.confirm(now),
+            Command::Close => self.close(),
+            Command::AskToLeave => {
+                if !self.would_lose() {
+                    return vec![Effect::Leave];
+                }
+                self.shared.leaving = true;
+            }
+            Command::Leave(false) => shared.leaving = false,
+            Command::Leave(true) => return vec![Effect::Leave],
+            Command::MaskRead { path, result } => self.mask_read(path, result),
+            Command::TablesRead { folder, result } => self.tables_read(folder, result),
+            Command::NoOwnTables => self.use_tables(Vec::new(), None),
+            Command::UseSource(base) => {
+                let sources = shared.sources.as_ref().clone().with_base(base, shipped_tables);
+                shared.use_sources(sources);
+            }
+            Command::SetStandard(options) => {
+                let sources = shared.sources.as_ref().clone().with_options(options);
+                shared.use_sources(sources);
+            }
+            Command::Saved { path, result } => self.saved_file(&path, result),
+        }
+        Vec::new()
+    }
+
+    /// The check page.
+    pub const fn check(&self) -> &CheckPage {
+        &self.check
+    }
+
+    /// From which temperature the values of files are brought to 20 °C; `None` where they count as they are.
+    pub fn temperature(&self) -> Option<Temperature> {
+        self.check.own_worth().temperature()
+    }
+
+    /// The fit page.
+    pub const fn fit(&self) -> &FitPage {
+        &self.fit
+    }
+
+    /// The cycles page.
+    pub const fn cycles(&self) -> &CyclesPage {
+        &self.cycles
+    }
+
+    /// The table page.
+    pub const fn tables(&self) -> &TablesPage {
+        &self.tables
+    }
+
+    /// The program page.
+    pub const fn program(&self) -> &ProgramPage {
+        &self.program
+    }
+
+    /// The rule that the next value of the check page is judged by, as far as it is known before the value is.
+    pub fn rule_ahead(&self) -> Option<Rule> {
+        let asked = self.check.asked();
+        asked.worth().rule_ahead(asked.limits()?, self.used_budget())
+    }
+
+    /// The budget whose uncertainty checks may use.
+    pub fn used_budget(&self) -> Option<&OpenBudget> {
+        self.shared.budget.as_deref()
+    }
+
+    /// Whether the rows of a large file are listed in the place of the history.
+    pub fn lists_rows(&self) -> bool {
+        self.shared.page == Page::Check && self.check.shows_rows()
+    }
+
+    /// The pairing page.
+    pub const fn pairing(&self) -> &PairingPage {
+        &self.pairing
+    }
+
+    /// The parts page.
+    pub const fn parts(&self) -> &PartsPage {
+        &self.parts
+    }
+
+    /// The budget page.
+    pub const fn budget(&self) -> &BudgetPage {
+        &self.budget
+    }
+}

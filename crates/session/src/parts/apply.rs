@@ -1,0 +1,175 @@
+//! Doing what can be done on the parts page.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_core::part::{Document, Draft, Row};
+use jiff::civil::DateTime;
+
+use super::document::PlanDocument;
+use super::picture::Shown;
+use super::sheet::Sheet;
+use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand, Saving, serials};
+use crate::command::{Effect, Page};
+use crate::shared::{News, PageState, Shared};
+
+impl PageState for PartsPage {
+    type Command = PartsCommand;
+
+    fn apply(&mut self, command: PartsCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
+        let mut effects = Vec::new();
+        match command {
+            PartsCommand::Type(field, text) => {
+                match field {
+                    PartsField::Value => self.type_value(&text),
+                    PartsField::Serial => self.again = None,
+                    PartsField::Reason => {}
+                }
+                self.texts.set(field, text);
+                self.errors.remove(&field);
+                // Of what is typed a letter at a time only its own serial number is told before Enter.
+                if field == PartsField::Value && serials::is_named(self.text(field), self.walking.serial()) {
+                    self.refuse_serial(shared);
+                }
+            }
+            PartsCommand::Show(view) => {
+                self.settle();
+                self.view = view;
+                self.ask_for_keys();
+            }
+            PartsCommand::Plan(command) => effects.extend(self.apply_plan(command, shared)),
+            PartsCommand::Walk(command) => effects = self.apply_walk(command, shared, now),
+        }
+        // While a name is typed it is not yet that of a file.
+        let picture = if self.document.is_typing() { None } else { self.ask_for_picture() };
+        effects.extend(picture.map(Effect::ReadPicture));
+        self.keep_picture();
+        effects
+    }
+
+    fn follow(&mut self, news: &News, shared: &mut Shared) {
+        let was_begun = self.walking.is_begun();
+        if let News::Opened(page) = news {
+            self.settle();
+            self.is_shown = *page == Page::Parts;
+            self.ask_for_keys();
+        }
+        if matches!(news, News::Sources | News::OwnTables) {
+            self.document.check(&shared.sources);
+        }
+        match news {
+            News::Kept(run, is_kept) => self.batch_kept(*run, *is_kept, shared),
+            // Notes are in the language of the window, and prints are read through the user's own mask.
+            News::Columns | News::StatusWindow | News::Temperature => self.watch_anew(shared),
+            News::OwnMask => self.begin_watch(shared),
+            News::TakenBack { number, by } => self.taken_back(*number, by.as_deref(), shared),
+            News::Journal => {
+                self.begin_watch(shared);
+                self.try_resume(shared);
+            }
+            News::Sources | News::OwnTables => self.try_resume(shared),
+            _ => {}
+        }
+        self.keep_picture();
+        if !was_begun && self.walking.is_begun() {
+            self.ask_for_keys();
+        }
+    }
+}
+
+impl PartsPage {
+    fn apply_plan(&mut self, command: PlanCommand, shared: &mut Shared) -> Option<Effect> {
+        let sources = Arc::clone(&shared.sources);
+        match command {
+            PlanCommand::New => {
+                let draft = Draft::of(vec![Row::default()]);
+                self.open_or_ask(PlanDocument::new(draft, &sources), shared);
+            }
+            PlanCommand::Read { path, result } => self.plan_read(path, result, shared),
+            PlanCommand::Discard(true) => {
+                if let Some(document) = self.waiting.take() {
+                    self.open(document, shared);
+                }
+            }
+            PlanCommand::Discard(false) => self.waiting = None,
+            PlanCommand::Undo => self.step_back(true, &sources),
+            PlanCommand::Redo => self.step_back(false, &sources),
+            command => return self.edit(command, shared),
+        }
+        None
+    }
+
+    fn plan_read(&mut self, path: PathBuf, result: Result<Box<Document>, Message>, shared: &mut Shared) {
+        if let Some(document) = shared.file_answered(result) {
+            let document = PlanDocument::read(path, *document, &shared.sources);
+            self.open_or_ask(document, shared);
+            self.try_resume(shared);
+            self.ask_for_keys();
+        }
+    }
+
+    /// Opens a plan; changes that no file holds are asked about first.
+    fn open_or_ask(&mut self, document: PlanDocument, shared: &mut Shared) {
+        if self.document.is_unsaved() {
+            self.waiting = Some(document);
+        } else {
+            self.open(document, shared);
+        }
+    }
+
+    fn open(&mut self, mut document: PlanDocument, shared: &mut Shared) {
+        let remarks = document.take_remarks();
+        let opened = Message::new("parts-page-opened").text("name", document.name()).count("count", remarks.len());
+        shared.note_details(opened, remarks);
+        self.document = document;
+        // What is still being written is another plan.
+        self.saving = None;
+        if self.document.is_blank() {
+            self.view = PartsView::Plan;
+        }
+        self.sheet = Sheet::of(&self.document);
+        self.shown = Shown::default();
+        self.opened += 1;
+        self.ask_for_keys();
+    }
+
+    /// Gives the keys to what is typed next: the table of the plan, the value of the size that is asked for, or the serial number where a
+    /// part can be begun.
+    fn ask_for_keys(&mut self) {
+        let effect = match self.view {
+            PartsView::Plan if self.document.is_empty() => None,
+            PartsView::Plan => Some(Effect::FocusTable),
+            PartsView::Walk if self.walking.is_begun() => {
+                self.walking.at().map(|_| Effect::Focus(PartsField::Value.into()))
+            }
+            PartsView::Walk => self.document.plan().map(|_| Effect::Focus(PartsField::Serial.into())),
+        };
+        self.errands.extend(effect.filter(|_| self.is_shown));
+    }
+
+    /// The bytes for a file.
+    pub(crate) fn bytes(&mut self, path: &Path) -> Vec<u8> {
+        let (draft, left) = (self.document.to_save(), self.document.left_out_of(path));
+        self.saving = Some(Saving { path: path.to_owned(), draft, left });
+        self.document.bytes(path)
+    }
+
+    /// A file was written. If it was the plan's, it holds the plan as it was then; returns what is to be said of one with less in it.
+    pub(crate) fn saved(&mut self, path: &Path) -> Option<Message> {
+        let Saving { draft, left, .. } = self.saving.take_if(|saving| saving.path == path)?;
+        if left.is_empty() {
+            let name = self.document.name();
+            let lost = self.document.saved(path, draft);
+            self.watched.saved_as(self.document.plan(), path);
+            let said = Message::new("parts-page-comments-lost").text("name", name).count("count", lost);
+            return (0 < lost).then_some(said);
+        }
+        Some(Message::new("parts-page-csv-copy").text("keys", left.join(", ")))
+    }
+
+    /// A file was not written: whatever is written under its name later is not this plan.
+    pub(crate) fn not_saved(&mut self, path: &Path) {
+        self.saving.take_if(|saving| saving.path == path);
+    }
+}

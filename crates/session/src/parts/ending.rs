@@ -1,0 +1,86 @@
+//! A part begins with its serial number, and the next one comes.
+
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use jiff::civil::DateTime;
+
+use super::{PartsField, PartsPage, serials};
+use crate::command::Effect;
+use crate::shared::Shared;
+
+impl PartsPage {
+    /// Begins a part; a serial number that was measured already is asked about once.
+    pub(super) fn begin(&mut self, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
+        let serial = self.text(PartsField::Serial).trim().to_owned();
+        let Some(plan) = self.document.plan().map(Arc::clone) else { return Vec::new() };
+        if self.is_measured_already(&plan.head.part, &serial, shared) {
+            let is_new = self.again.as_ref() != Some(&serial);
+            if is_new {
+                self.asking.ask(now);
+            }
+            if is_new || !self.asking.is_answered(now) {
+                let question = Message::new("walk-page-serial-again").text("serial", &serial);
+                self.errors.insert(PartsField::Serial, question);
+                self.again = Some(serial);
+                return Vec::new();
+            }
+        }
+        self.again = None;
+        // A plan that was changed and not saved cannot be read again.
+        let path = self.document.path().filter(|_| !self.document.is_unsaved()).map(std::path::Path::to_owned);
+        if let Some(waiting) = self.give_up_resuming() {
+            shared.tell(Message::new("walk-page-given-up").text("serial", waiting.serial));
+        }
+        self.walking.begin(&plan, path, serial, shared.recording.newest());
+        self.clear_value();
+        self.errors.clear();
+        self.watch_plan(&plan, shared);
+        vec![Effect::Focus(PartsField::Value.into())]
+    }
+
+    /// Whether a part of this serial number was measured since the window was opened, has values from files that were read meanwhile, or
+    /// is among the newest of the journal.
+    pub(super) fn is_measured_already(&self, part: &str, serial: &str, shared: &Shared) -> bool {
+        let is_ended = || self.ended.contains(&(part.to_owned(), serial.to_owned()));
+        !serial.is_empty() && (is_ended() || shared.recording.has_serial(part, serial))
+    }
+
+    /// Puts another serial number into the field.
+    pub(super) fn set_serial(&mut self, serial: String) {
+        self.texts.set(PartsField::Serial, serial);
+        self.errors.remove(&PartsField::Serial);
+        self.again = None;
+    }
+
+    /// The next part: what is missing of this one is said first, and what was left out of it at last.
+    pub(super) fn next_part(&mut self, shared: &mut Shared) -> Vec<Effect> {
+        let standing = self.walking.standing();
+        if 0 < standing.missing && !self.walking.is_warned {
+            self.walking.quiet();
+            self.walking.is_warned = true;
+            return Vec::new();
+        }
+        let part = self.walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
+        if 0 < standing.measured {
+            self.ended.insert((part, self.walking.serial().to_owned()));
+        }
+        self.say_left_out(shared);
+        let next = serials::next(self.walking.serial());
+        // An answer of the journal that comes now is of no part any more.
+        self.give_up_resuming();
+        self.walking.end();
+        self.errors.clear();
+        self.set_serial(next);
+        self.clear_value();
+        vec![Effect::Focus(PartsField::Serial.into())]
+    }
+
+    /// The sizes without a value and the reasons: no record has them.
+    fn say_left_out(&self, shared: &mut Shared) {
+        let of_size = |(name, reason)| Message::new("walk-page-ended-size").text("name", name).text("reason", reason);
+        let left_out: Vec<Message> = self.walking.left_out().map(of_size).collect();
+        let ended = Message::new("walk-page-ended").text("serial", self.walking.serial());
+        shared.note_details(ended, left_out);
+    }
+}

@@ -1,0 +1,85 @@
+//! What one look at the walk is told: the size while sizes are open, and the whole part afterwards.
+
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::part::Step;
+use fitcheck_core::verdict::Status;
+
+use super::walking::{Value, Walking};
+
+/// The most sizes that are named.
+const NAMED: usize = 12;
+
+/// What the large verdict is of.
+#[derive(Debug, Clone)]
+pub enum Headline<'a> {
+    /// Sizes are open: the size that the page is about, where it has a value.
+    Size(Option<(usize, &'a Value)>),
+    /// Every size has a value or a reason: the part.
+    Part(Whole),
+}
+
+/// A part of which nothing is open.
+#[derive(Debug, Clone, PartialEq)]
+pub struct Whole {
+    /// Its verdict; `None` where it has none.
+    pub status: Option<Status>,
+    /// Whether nobody measured what decides it.
+    pub is_simulated: bool,
+    /// Why it is so, the most important reason first.
+    pub reasons: Vec<Message>,
+}
+
+impl Walking {
+    /// What the large verdict is of.
+    pub fn headline(&self) -> Headline<'_> {
+        if self.is_done() { Headline::Part(self.whole()) } else { Headline::Size(self.faced_value()) }
+    }
+
+    /// Whether every size has a value or a reason.
+    pub fn is_done(&self) -> bool {
+        self.is_begun() && self.standing().missing == 0
+    }
+
+    /// Whether nobody measured what decides the part.
+    pub fn is_decided_by_simulation(&self) -> bool {
+        let status = self.status();
+        let decides =
+            |step: &Step| step.counts().is_some_and(|taken| Some(taken.status) == status && !taken.is_simulated);
+        status.is_some() && !self.walk().steps().iter().any(decides)
+    }
+
+    fn whole(&self) -> Whole {
+        let (status, standing) = (self.status(), self.standing());
+        let mut reasons = Vec::new();
+        if let Some(status) = status.filter(|status| *status != Status::Good) {
+            let of_it = self.named(|step| step.counts().is_some_and(|taken| taken.status == status));
+            reasons.push(Message::new("walk-page-because").text("names", of_it));
+        }
+        reasons.push(standing.message());
+        if 0 < standing.skipped {
+            let skipped = self.named(|step| step.counts().is_none() && step.skipped.is_some());
+            reasons.push(Message::new("walk-page-left-out").text("names", skipped));
+        }
+        if 0 < standing.contradicted {
+            reasons.push(self.contradicted_said());
+        }
+        if 0 < standing.simulated {
+            reasons.push(Message::new("walk-page-simulated").count("count", standing.simulated));
+        }
+        Whole { status, is_simulated: self.is_decided_by_simulation(), reasons }
+    }
+
+    /// That values of sizes contradict each other.
+    pub(super) fn contradicted_said(&self) -> Message {
+        let names = self.named(|step| !step.contradicting().is_empty());
+        Message::new("walk-page-contradicted").text("names", names)
+    }
+
+    /// The names of the sizes of which something is true.
+    fn named(&self, is_it: impl Fn(&Step) -> bool) -> String {
+        let all: Vec<&str> =
+            (0..).zip(self.walk().steps()).filter(|(_, step)| is_it(step)).map(|(at, _)| self.name(at)).collect();
+        let more = if NAMED < all.len() { " …" } else { "" };
+        format!("{}{more}", all.get(..NAMED).unwrap_or(&all).join(", "))
+    }
+}

@@ -1,0 +1,311 @@
+//! What is done on the walk: a value is typed or simulated, a size is left out.
+
+use std::sync::Arc;
+
+use fitcheck_core::length::Length;
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::part::Step;
+use fitcheck_core::probing::{Measurement, Origin};
+use fitcheck_core::words::Words;
+use fitcheck_exchange::exchange::gauge;
+use fitcheck_exchange::journal::Record;
+use fitcheck_exchange::journal::entry::{FileRole, UsedFile};
+use jiff::civil::DateTime;
+
+use super::judging::judged;
+use super::serials;
+use super::walking::Value;
+use super::{PartsField, PartsPage, WalkCommand};
+use crate::Question;
+use crate::command::Effect;
+use crate::field::Range;
+use crate::recording::{Named, Sent, ToKeep, used};
+use crate::shared::Shared;
+
+impl PartsPage {
+    pub(super) fn apply_walk(&mut self, command: WalkCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
+        match command {
+            WalkCommand::Begin => return self.begin(shared, now),
+            WalkCommand::CountUp => {
+                let next = serials::next(self.text(PartsField::Serial));
+                self.set_serial(next);
+            }
+            WalkCommand::Go(at) => {
+                self.walking.go(at);
+                self.errors.remove(&PartsField::Value);
+                // What a gauge types next is a value of it.
+                return vec![Effect::Focus(PartsField::Value.into())];
+            }
+            WalkCommand::Move(step) => {
+                if let Some(last) = self.walking.count().checked_sub(1) {
+                    self.walking.go(step.place(self.walking.at(), last));
+                }
+            }
+            WalkCommand::Take => self.take_typed(shared, now),
+            WalkCommand::TakeMeant => {
+                if let Some(meant) = self.walking.question.take().and_then(|question| question.doubt.meant()) {
+                    self.texts.set(PartsField::Value, meant.to_string());
+                    self.take_typed(shared, now);
+                }
+            }
+            WalkCommand::Simulate => self.simulate(shared, now),
+            WalkCommand::Again => {
+                if let Some((at, _)) = self.walking.shown() {
+                    self.walking.go(at);
+                    return vec![Effect::Focus(PartsField::Value.into())];
+                }
+            }
+            WalkCommand::CountNewest => {
+                if let Some(name) = self.walking.count_newest() {
+                    shared.tell(Message::new("walk-page-newest-counts").text("name", name));
+                }
+            }
+            WalkCommand::AskSkip(is_open) => {
+                self.walking.quiet();
+                self.walking.is_skipping = is_open && self.walking.at().is_some();
+                if !is_open {
+                    return vec![Effect::Focus(PartsField::Value.into())];
+                }
+            }
+            WalkCommand::Skip(reason) => return self.skip(&reason),
+            WalkCommand::Next => return self.next_part(shared),
+            WalkCommand::Imported { run, name, result } => self.imported(run, &name, result, shared),
+            WalkCommand::Came { run, result } => self.came(run, result, shared),
+            WalkCommand::Watch { folder, is_folder } => self.watch(folder, is_folder, shared),
+            WalkCommand::StopWatch => return self.watched.stop().into_iter().collect(),
+            WalkCommand::Watched { run, news } => self.watch_news(run, *news, shared, now),
+        }
+        Vec::new()
+    }
+
+    /// Reads the field, asks about a doubtful value, and takes it.
+    fn take_typed(&mut self, shared: &mut Shared, now: DateTime) {
+        let asked_about = self.walking.question.take();
+        let Some(at) = self.walking.at() else { return };
+        // A value is of the size that it was typed for, and of no other one.
+        if let Some(typed_at) = self.walking.typed_elsewhere() {
+            let [name, asked] = [typed_at, at].map(|at| self.walking.name(at));
+            let refusal = Message::new("walk-page-typed-elsewhere").text("name", name).text("asked", asked);
+            self.errors.insert(PartsField::Value, refusal);
+            return;
+        }
+        if self.refuse_serial(shared) {
+            return;
+        }
+        let range = if self.walking.may_be_any() { Range::Any } else { Range::AboveZero };
+        let asked = self.walking.asked().map(|size| size.limits.nominal);
+        let gauged = gauge::read(self.text(PartsField::Value), asked).map_err(|error| error.message());
+        let read = gauged.and_then(|gauged| {
+            // The range of the other fields.
+            let value = range.read(&gauged.value.to_string())?;
+            Ok((value, gauged.remarks.iter().map(fitcheck_core::message::Say::message).collect::<Vec<_>>()))
+        });
+        let taken = read.and_then(|(value, mut remarks)| {
+            let (record, said) = self.judge(Measurement::of_diameter(value, Origin::Typed), shared, now)?;
+            remarks.extend(said);
+            Ok((record, remarks))
+        });
+        let (record, remarks) = match taken {
+            Ok(taken) => taken,
+            Err(problem) => {
+                self.errors.insert(PartsField::Value, problem);
+                return;
+            }
+        };
+        if let Some(question) = question(&record) {
+            let is_new = asked_about != Some(question);
+            if is_new {
+                self.asking.ask(now);
+            }
+            if is_new || !self.asking.is_answered(now) {
+                self.walking.question = Some(question);
+                return;
+            }
+        }
+        self.clear_value();
+        self.walking.settle_seen(at);
+        self.keep_own(vec![(at, record, remarks)], shared);
+        self.walking.go_on();
+    }
+
+    /// A text for the field of the value. What was asked about another one is over.
+    pub(super) fn type_value(&mut self, text: &str) {
+        self.walking.question = None;
+        self.walking.typed(text);
+    }
+
+    /// A serial number that was scanned into the field of the value is told, and does not stay there. Returns whether it was one.
+    pub(super) fn refuse_serial(&mut self, shared: &Shared) -> bool {
+        let text = self.text(PartsField::Value).trim().to_owned();
+        let part = self.walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
+        let is_serial =
+            serials::is_like(&text, self.walking.serial()) || self.is_measured_already(&part, &text, shared);
+        if is_serial {
+            self.clear_value();
+            self.errors.insert(PartsField::Value, Message::new("walk-page-is-serial").text("given", text));
+        }
+        is_serial
+    }
+
+    /// Empties the field of the value.
+    pub(super) fn clear_value(&mut self) {
+        self.texts.set(PartsField::Value, "");
+        self.walking.typed("");
+        self.errors.remove(&PartsField::Value);
+    }
+
+    /// The size that is asked for is one that is open, unless somebody is at another one: while a value is typed it stays its own.
+    pub(super) fn stay_open(&mut self) {
+        if self.text(PartsField::Value).trim().is_empty() {
+            self.walking.stay_open();
+        }
+    }
+
+    fn judge(
+        &self,
+        measurement: Measurement,
+        shared: &Shared,
+        now: DateTime,
+    ) -> Result<(Record, Vec<Message>), Message> {
+        let size = self.walking.asked().ok_or_else(|| Message::new("walk-page-nothing-asked"))?;
+        judged(&size, measurement, shared, now)
+    }
+
+    /// Measures the feature by its cycle. The cycle of a pocket or boss measures both sides: the other one is taken where it is open.
+    fn simulate(&mut self, shared: &mut Shared, now: DateTime) {
+        self.walking.quiet();
+        let Some(at) = self.walking.at() else { return };
+        match self.simulated(at, shared, now) {
+            Ok(taken) => {
+                self.walking.seed += 1;
+                self.keep_own(taken, shared);
+                self.walking.go(at);
+                self.walking.go_on();
+                self.walking.rest(at, true);
+            }
+            Err(problem) => self.walking.refusal = Some(problem),
+        }
+    }
+
+    fn simulated(&self, at: usize, shared: &Shared, now: DateTime) -> Result<Vec<Judged>, Message> {
+        // It would not count, and nobody would know that he has to measure again.
+        if self.walking.is_measured(at) {
+            return Err(Message::new("walk-page-simulate-measured").text("name", self.walking.name(at)));
+        }
+        let size = self.walking.asked().ok_or_else(|| Message::new("walk-page-nothing-asked"))?;
+        let measured = size.feature.simulated(self.walking.seed + 1)?;
+        let first = at.saturating_sub(size.side);
+        let steps = self.walking.walk().steps();
+        let mut taken = Vec::new();
+        for ((place, size), measurement) in (first..).zip(size.feature.sizes()).zip(measured) {
+            if place == at || steps.get(place).is_some_and(Step::is_open) {
+                let (record, remarks) = judged(&size, measurement, shared, now)?;
+                taken.push((place, record, remarks));
+            }
+        }
+        // The one that was asked for is shown.
+        taken.sort_by_key(|(place, ..)| *place == at);
+        Ok(taken)
+    }
+
+    /// Values of this part that were measured here.
+    fn keep_own(&mut self, taken: Vec<Judged>, shared: &mut Shared) {
+        let mut values = Vec::new();
+        for (at, record, remarks) in taken {
+            values.push(Arriving { at: Some(at), record: Arc::new(record), remarks, labels: None, file: None });
+        }
+        self.keep(values, shared);
+        self.walking.quiet();
+    }
+
+    /// Puts checks into the history, sends them to the journal as one batch, and those of this part into the walk.
+    pub(super) fn keep(&mut self, values: Vec<Arriving>, shared: &mut Shared) -> Sent {
+        if values.is_empty() {
+            return Sent::default();
+        }
+        let first = shared.history.next();
+        shared.history.add(values.iter().map(|value| Arc::clone(&value.record)).collect());
+        let budget = shared.budget.as_deref().and_then(|open| used(FileRole::Budget, &open.file, open.sha256));
+        let words = Words::new(shared.language);
+        let checks = values.iter().map(|value| {
+            let budget = budget.clone().filter(|_| value.record.budget.is_some());
+            let files = value.file.iter().cloned().chain(budget).collect();
+            ToKeep { record: Arc::clone(&value.record), named: self.named(value, &words), files }
+        });
+        let checks = checks.collect();
+        let sent = shared.recording.keep_named(first, checks);
+        if let Some((count, why)) = &sent.refused {
+            shared.tell(Message::new("walk-page-refused").count("count", *count).message("why", why.clone()));
+        }
+        let before = self.walking.standing().contradicted;
+        for (id, value) in (first.0..).map(fitcheck_exchange::journal::query::RecordId).zip(values) {
+            let Arriving { at, record, remarks, labels, .. } = value;
+            // Of what was measured here the time is known, of what a file holds where that says it.
+            let when = labels.map_or(Some(record.time), |labels| labels.time);
+            if let Some(at) = at {
+                self.walking.take(at, Value { record, id: Some(id), number: None, remarks, when, is_settled: false });
+            }
+        }
+        if before < self.walking.standing().contradicted {
+            shared.tell(self.walking.contradicted_said());
+        }
+        sent
+    }
+
+    /// What a value is named in the journal: by its file, and what that does not say by this part.
+    fn named(&self, value: &Arriving, words: &Words) -> Named {
+        let (is_own, of_file) = (value.at.is_some(), value.labels.as_deref());
+        let part = self.walking.plan().or(self.watched.plan()).map(|plan| plan.head.part.clone()).unwrap_or_default();
+        let given = |text: Option<&String>| text.filter(|text| !text.is_empty()).cloned();
+        let label = given(of_file.map(|labels| &labels.part)).unwrap_or_default();
+        let part = if part.is_empty() { label.clone() } else { part };
+        // What the file calls the part stays findable where that is another name.
+        let is_other = !label.is_empty() && !label.trim().eq_ignore_ascii_case(&part);
+        let remark = is_other.then(|| words.say(&Message::new("walk-page-remark-label").text("part", label.trim())));
+        Named {
+            part,
+            serial: given(of_file.map(|labels| &labels.serial))
+                .unwrap_or_else(|| if is_own { self.walking.serial().to_owned() } else { String::new() }),
+            feature: value.record.id.clone(),
+            who: given(of_file.map(|labels| &labels.who)).unwrap_or_default(),
+            remark: remark.unwrap_or_default(),
+        }
+    }
+
+    fn skip(&mut self, reason: &str) -> Vec<Effect> {
+        let Some(at) = self.walking.at() else { return Vec::new() };
+        if !self.walking.skip(at, reason) {
+            self.walking.is_skipping = true;
+            self.errors.insert(PartsField::Reason, Message::new("walk-page-no-reason"));
+            return Vec::new();
+        }
+        self.errors.remove(&PartsField::Reason);
+        self.texts.set(PartsField::Reason, "");
+        self.walking.go_on();
+        vec![Effect::Focus(PartsField::Value.into())]
+    }
+}
+
+/// A judged value of a size, and what is to be said of it.
+type Judged = (usize, Record, Vec<Message>);
+
+/// A check on its way into history, journal and walk.
+#[derive(Debug)]
+pub(super) struct Arriving {
+    /// The size of this part; `None` where it is of another part.
+    pub at: Option<usize>,
+    /// The check.
+    pub record: Arc<Record>,
+    /// What is to be said of it.
+    pub remarks: Vec<Message>,
+    /// What its file says of it.
+    pub labels: Option<Box<fitcheck_exchange::exchange::Labels>>,
+    /// Its file.
+    pub file: Option<UsedFile>,
+}
+
+/// What is asked about a typed value before it is taken, as it was typed.
+fn question(record: &Record) -> Option<Question> {
+    let measured: Length = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
+    record.doubt.map(|doubt| Question { measured, doubt })
+}

@@ -1,0 +1,200 @@
+//! The parts page: a plan of the features of a part, and the walk through them.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the page: which of its two views is open |
+//! | `document` | the plan: a draft that is edited, the file that holds it, undo and redo, and what is wrong with it |
+//! | `sheet`, `editing`, `rows`, `pasting`, `paste`, `sorting` | its table: where the keys are, and what can be done there |
+//! | `picture` | the part's picture and the balloons on it |
+//! | `walking` | the part that is being measured: which size is asked for, what was measured |
+//! | `measuring`, `judging`, `serials` | what is done on the walk; a value becomes a check; serial numbers are counted up |
+//! | `ending` | a part begins, and the next one comes |
+//! | `arriving`, `watched` | values from files; a folder that is watched |
+//! | `resume`, `planned` | an interrupted part comes back, as far as its plan asks for the same |
+//! | `reporting` | the part as a report |
+//! | `headline`, `choices` | what one look is told; the words that a cell may have |
+//! | `field`, `command`, `apply` | its text fields, what can be done, and how |
+
+mod apply;
+mod arriving;
+mod choices;
+mod command;
+mod document;
+mod editing;
+mod ending;
+mod field;
+mod headline;
+mod judging;
+mod measuring;
+mod paste;
+mod pasting;
+mod picture;
+mod planned;
+mod reporting;
+mod resume;
+mod rows;
+mod serials;
+mod sheet;
+mod sorting;
+mod walking;
+mod watched;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_core::part::Draft;
+
+pub use command::{PartsCommand, PlanCommand, WalkCommand};
+pub use document::PlanDocument;
+pub use field::{PartsField, PlanField};
+pub use headline::{Headline, Whole};
+pub use picture::{Balloon, PartPicture, Sight};
+pub use sheet::Sheet;
+pub use walking::{Value, WalkRow, Walking};
+pub use watched::{TakenFile, WatchNews, Watched, WatchedFile};
+
+use self::resume::Resume;
+use super::asking::Asking;
+use super::command::Effect;
+use crate::field::{KeptField as _, Texts};
+use crate::saved::{SavedInputs, SavedWalk};
+
+/// The views of the page.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub enum PartsView {
+    /// The part is measured, feature by feature.
+    #[default]
+    Walk,
+    /// The plan is edited.
+    Plan,
+}
+
+impl PartsView {
+    /// Both, in the order of the switch.
+    pub const ALL: [Self; 2] = [Self::Walk, Self::Plan];
+}
+
+/// The parts page.
+#[derive(Debug, Default)]
+pub struct PartsPage {
+    view: PartsView,
+    /// Whether it is the open page.
+    is_shown: bool,
+    texts: Texts<PartsField>,
+    errors: BTreeMap<PartsField, Message>,
+    document: PlanDocument,
+    sheet: Sheet,
+    shown: picture::Shown,
+    /// How many plans were opened.
+    opened: u64,
+    walk_picture: Option<picture::WalkPicture>,
+    walking: Walking,
+    asking: Asking,
+    /// The parts that were measured since the window was opened, by their names and serial numbers.
+    ended: BTreeSet<(String, String)>,
+    /// The serial number that is to be begun once more, after the question about it.
+    again: Option<String>,
+    resume: Resume,
+    watched: Watched,
+    /// What has to be done outside because of what happened elsewhere.
+    errands: Vec<Effect>,
+    /// A plan that is to be opened, once it is said what becomes of the changes.
+    waiting: Option<PlanDocument>,
+    saving: Option<Saving>,
+}
+
+/// A plan that is being written.
+#[derive(Debug)]
+struct Saving {
+    path: PathBuf,
+    draft: Arc<Draft>,
+    /// What the file has no place for: with less than the plan it is a copy.
+    left: Vec<&'static str>,
+}
+
+impl PartsPage {
+    pub(super) fn new(saved: &SavedInputs, walk: SavedWalk) -> Self {
+        // A window with an interrupted part opens there.
+        let is_shown = walk.plan.is_some();
+        Self { is_shown, texts: Texts::restored(&saved.texts), resume: Resume::new(walk), ..Self::default() }
+    }
+
+    /// What its fields have, by their keys in the state file.
+    pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
+        // A value that was not taken is typed again.
+        let passing = [PartsField::Value, PartsField::Reason].map(|field| field.declared().0);
+        self.texts.saved().filter(move |(key, _)| !passing.contains(&key.as_str()))
+    }
+
+    /// What has to be done outside because of what happened elsewhere.
+    pub(super) fn take_errands(&mut self) -> Vec<Effect> {
+        std::mem::take(&mut self.errands)
+    }
+
+    /// Whether the plan was changed since the part was begun.
+    pub fn has_other_plan(&self) -> bool {
+        match (self.walking.plan(), self.document.plan()) {
+            (Some(own), Some(now)) => !Arc::ptr_eq(own, now) && own != now,
+            (own, _) => own.is_some(),
+        }
+    }
+
+    /// The file of the plan by which the part is measured, where another plan is open.
+    pub fn other_plan(&self) -> Option<String> {
+        let path = self.walking.path.as_deref().filter(|_| self.walking.is_begun())?;
+        (Some(path) != self.document.path()).then(|| name_of(path))
+    }
+
+    /// The file of the plan by which the watched folder is judged, where another plan is open.
+    pub fn watched_plan(&self) -> Option<String> {
+        let path = self.watched.plan_path()?;
+        (Some(path) != self.document.path()).then(|| name_of(path))
+    }
+
+    /// The folder that is watched, and what came from it.
+    pub const fn watched(&self) -> &Watched {
+        &self.watched
+    }
+
+    /// The text of a field.
+    pub fn text(&self, field: PartsField) -> &str {
+        self.texts.text(field)
+    }
+
+    /// What is wrong with a field.
+    pub fn error(&self, field: PartsField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    /// The open view.
+    pub const fn view(&self) -> PartsView {
+        self.view
+    }
+
+    /// The plan.
+    pub const fn document(&self) -> &PlanDocument {
+        &self.document
+    }
+
+    /// The part that is being measured.
+    pub const fn walking(&self) -> &Walking {
+        &self.walking
+    }
+
+    /// Whether it is asked what becomes of changes.
+    pub const fn is_asking(&self) -> bool {
+        self.waiting.is_some()
+    }
+
+    /// Whether the plan has changes that no file holds.
+    pub fn is_unsaved(&self) -> bool {
+        self.document.is_unsaved()
+    }
+}
+
+/// The name of a file without its folder.
+fn name_of(path: &std::path::Path) -> String {
+    path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned()
+}

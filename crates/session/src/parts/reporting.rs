@@ -1,0 +1,36 @@
+//! The part that is being measured as a report: its status, what is missing, its picture, and every value with where it is from.
+
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_exchange::journal::Record;
+use fitcheck_exchange::report::Report;
+use fitcheck_exchange::report::image::Image;
+use fitcheck_exchange::report::part::PartSheet;
+use jiff::civil::DateTime;
+
+use super::{PartsPage, Sight};
+
+impl PartsPage {
+    /// The report; `None` before a part is begun.
+    pub(crate) fn report(&self, now: DateTime) -> Option<Report> {
+        let plan = self.walking.plan()?;
+        let values = (0..self.walking.count()).map(|at| self.walking.values(at));
+        let values = values.map(|values| values.iter().map(|value| Arc::clone(&value.record)).collect());
+        let mut sheet = PartSheet::of_walk(plan, self.walking.walk().clone(), values.collect());
+        sheet.picture = (!plan.head.picture.is_empty()).then(|| self.image());
+        let records: Vec<Arc<Record>> = sheet.records().map(Arc::clone).collect();
+        let part = Some(plan.head.part.clone()).filter(|part| !part.is_empty());
+        Some(Report { part, parts: vec![sheet], ..Report::new(now, records) })
+    }
+
+    /// The picture that the plan had when the part was begun, or why it is not at hand.
+    fn image(&self) -> Result<Image, Message> {
+        match self.walk_sight() {
+            Some(Sight::Seen(picture)) => Ok(picture.file.clone()),
+            Some(Sight::Refused(why)) => Err(why),
+            Some(Sight::Awaited) => Err(Message::new("parts-page-picture-awaited")),
+            None => Err(Message::new("parts-page-picture-none")),
+        }
+    }
+}

@@ -1,0 +1,308 @@
+//! The seven inputs of 8255 as fields, and Fitcheck's own answer beside the program's.
+
+use std::collections::BTreeMap;
+
+use fitcheck_core::length::Length;
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::probing::cycle::{self, Axis, Meaning};
+use fitcheck_core::probing::cycles::measuring;
+use fitcheck_core::tolerance::{Callout, Feature, Limits, Sources};
+use fitcheck_core::verdict::{SizeVerdict, judge_size};
+use fitcheck_nc::control::variables::{Parameter, Value};
+use fitcheck_nc::program::{Body, Expression, NumberFunction, Operand, Program, TextExpression, TextOperand};
+
+use super::{ProgramField, ProgramPage, Run};
+use crate::field::Range;
+
+/// An input of NC-Solution 8255 (7/2020).
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum Input {
+    /// Nominal size, Q1, mm.
+    Size,
+    /// Tolerance class, QS1.
+    Class,
+    /// Centre in X, Q11, mm.
+    CentreX,
+    /// Centre in Y, Q21, mm.
+    CentreY,
+    /// Measuring height, Q31, mm.
+    Height,
+    /// Angle of the first contact, Q41, degrees.
+    Angle,
+    /// Set-up clearance, Q51, mm.
+    Clearance,
+}
+
+impl Input {
+    /// All of them, in the order of the program.
+    pub const ALL: [Self; 7] =
+        [Self::Size, Self::Class, Self::CentreX, Self::CentreY, Self::Height, Self::Angle, Self::Clearance];
+
+    /// The parameter that holds it.
+    pub const fn parameter(self) -> Parameter {
+        match self {
+            Self::Size => Parameter::q(1),
+            Self::Class => Parameter::qs(1),
+            Self::CentreX => Parameter::q(11),
+            Self::CentreY => Parameter::q(21),
+            Self::Height => Parameter::q(31),
+            Self::Angle => Parameter::q(41),
+            Self::Clearance => Parameter::q(51),
+        }
+    }
+
+    /// The input that a parameter holds.
+    pub(super) fn of(parameter: Parameter) -> Option<Self> {
+        Self::ALL.into_iter().find(|input| input.parameter() == parameter)
+    }
+
+    /// Its unit.
+    pub const fn unit(self) -> &'static str {
+        match self {
+            Self::Class => "",
+            Self::Angle => "°",
+            _ => "mm",
+        }
+    }
+
+    /// The parameter of the measuring cycle that it sets; the parameter says what is allowed.
+    const fn of_cycle(self) -> Option<Meaning> {
+        match self {
+            Self::Size | Self::Class => None,
+            Self::CentreX => Some(Meaning::Centre(Axis::First)),
+            Self::CentreY => Some(Meaning::Centre(Axis::Second)),
+            Self::Height => Some(Meaning::MeasuringHeight),
+            Self::Angle => Some(Meaning::FirstAngle),
+            Self::Clearance => Some(Meaning::SetUpClearance),
+        }
+    }
+
+    /// Reads a text as the value of the parameter.
+    pub(super) fn read(self, text: &str) -> Result<Value, Message> {
+        let Some(meaning) = self.of_cycle() else {
+            return match self {
+                Self::Class => Ok(Value::Text(text.trim().to_owned())),
+                _ => Range::AboveZero.read(text).map(Value::Length),
+            };
+        };
+        let parameter = measuring(Feature::Hole).meant(meaning);
+        match parameter.map(|parameter| parameter.accept(text)) {
+            Some(Ok(cycle::Value::Length(length))) => Ok(Value::Length(length)),
+            Some(Ok(cycle::Value::Angle(angle))) => Ok(Value::Number(angle.to_degrees_f64())),
+            Some(Err(error)) => Err(error.message()),
+            Some(Ok(_)) | None => Err(Message::new("field-not-whole").text("given", text.trim())),
+        }
+    }
+}
+
+/// A length of any sign.
+pub(super) fn length(text: &str) -> Result<Length, Message> {
+    text.parse::<Length>().map_err(|error| error.message())
+}
+
+/// What a program assigns to parameters before it calls, jumps or measures: plain values only.
+pub(super) fn assigned(program: &Program) -> BTreeMap<Parameter, String> {
+    let mut found = BTreeMap::new();
+    for block in program.blocks() {
+        let (to, text) = match &block.body {
+            Body::Assign { to, value } => match plain(value) {
+                Some(number) => (*to, number.to_string()),
+                None => continue,
+            },
+            Body::AssignText { to, value: TextExpression::Value(TextOperand::Text(text)) } => (*to, text.clone()),
+            Body::Begin { .. }
+            | Body::Nothing
+            | Body::Heading { .. }
+            | Body::AssignText { .. }
+            | Body::ToolCall { .. }
+            | Body::Move(_)
+            | Body::Other => continue,
+            _ => break,
+        };
+        found.entry(to).or_insert(text);
+    }
+    found
+}
+
+/// A number, with or without a minus sign.
+fn plain(value: &Expression) -> Option<f64> {
+    match value {
+        Expression::Value(Operand::Number(number)) => Some(*number),
+        Expression::Function(NumberFunction::Negative, number) => plain(number).map(|number| -number),
+        _ => None,
+    }
+}
+
+/// Whether program and native answer say the same.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum Agreement {
+    /// They do.
+    Agrees,
+    /// Neither has an answer, each for its own reason.
+    BothRefuse,
+    /// The program has set other inputs since: it measures more than one feature.
+    OtherInputs,
+    /// They do not: what differs, one sentence each.
+    Differs(Vec<Message>),
+}
+
+impl ProgramPage {
+    /// Whether the open program has the inputs of 8255: at least size and class, assigned or given. Without them Q1
+    /// means whatever the program wants: it is no nominal size, and nothing is asked of it.
+    pub fn has_inputs(&self) -> bool {
+        self.has_input(Input::Size) && self.has_input(Input::Class)
+    }
+
+    fn has_input(&self, input: Input) -> bool {
+        self.own(input).is_some() || self.typed.contains_key(&input.parameter())
+    }
+
+    /// Whether the program has the inputs of 8255 once this one has been given.
+    pub(super) fn would_have_inputs(&self, given: Input) -> bool {
+        [Input::Size, Input::Class].into_iter().all(|input| input == given || self.has_input(input))
+    }
+
+    /// The inputs of 8255 that the open program assigns or that were given to it; none where it has another purpose.
+    pub fn inputs(&self) -> impl Iterator<Item = Input> {
+        let has_inputs = self.has_inputs();
+        Input::ALL.into_iter().filter(move |input| has_inputs && self.has_input(*input))
+    }
+
+    /// What the open program itself assigns to an input.
+    fn own(&self, input: Input) -> Option<&str> {
+        self.main()?.assigned().get(&input.parameter()).map(String::as_str)
+    }
+
+    /// The value of that.
+    pub(super) fn own_value(&self, input: Input) -> Option<Value> {
+        input.read(self.own(input)?).ok()
+    }
+
+    fn input(&self, input: Input) -> Option<Value> {
+        input.read(self.text(ProgramField::Input(input))).ok()
+    }
+
+    /// An input that is a length, mm.
+    pub(super) fn input_length(&self, input: Input) -> Option<Length> {
+        match self.input(input) {
+            Some(Value::Length(length)) => Some(length),
+            _ => None,
+        }
+    }
+
+    /// Takes what was typed into an input's field.
+    pub(super) fn type_input(&mut self, input: Input, text: String) {
+        self.typed.insert(input.parameter(), text);
+        self.check_inputs();
+    }
+
+    /// Reads the inputs and all other given values anew.
+    pub(super) fn check_inputs(&mut self) {
+        let asked: Vec<_> = self.inputs().collect();
+        for input in Input::ALL {
+            let field = ProgramField::Input(input);
+            self.errors.remove(&field);
+            if let Some(Err(problem)) = asked.contains(&input).then(|| input.read(self.text(field))) {
+                self.errors.insert(field, problem);
+            }
+        }
+        self.check_tools();
+        self.read_typed();
+    }
+}
+
+impl ProgramPage {
+    /// Fitcheck's own limits for the program's inputs; `None` where the program has none.
+    pub fn limits(&self, sources: &Sources) -> Option<Result<Limits, Message>> {
+        if !self.has_inputs() {
+            return None;
+        }
+        let size = self.input_length(Input::Size)?;
+        let class = self.text(ProgramField::Input(Input::Class)).trim();
+        let callout = format!("{size} {class}").parse::<Callout>().map_err(|error| error.message());
+        let limits =
+            callout.and_then(|callout| sources.limits(&callout, callout.feature()).map_err(|error| error.message()));
+        Some(limits)
+    }
+
+    /// Whether the run has set size or class to other values than those of the form: then it measures another feature.
+    fn has_other_inputs(&self, run: &Run) -> bool {
+        let size = run.length(Input::Size.parameter());
+        let has_other_size = size.is_some_and(|size| Some(size) != self.input_length(Input::Size));
+        let has_other_class = match run.variables().get(Input::Class.parameter()) {
+            Some(Value::Text(class)) => class.trim() != self.text(ProgramField::Input(Input::Class)).trim(),
+            _ => false,
+        };
+        has_other_size || has_other_class
+    }
+
+    /// The diameter that the program measured (Q153), and Fitcheck's verdict on it by its own limits.
+    pub fn verdict(&self, sources: &Sources) -> Option<(Length, SizeVerdict)> {
+        let limits = self.limits(sources)?.ok()?;
+        let run = self.run.as_ref().filter(|run| !self.has_other_inputs(run))?;
+        run.status()?;
+        let measured = run.length(Parameter::q(153))?;
+        Some((measured, judge_size(&limits, measured)))
+    }
+
+    /// Whether the program's answer agrees with Fitcheck's: its limits Q33 and Q23, and its status. Known once the
+    /// program has measured or has ended otherwise.
+    pub fn agreement(&self, sources: &Sources) -> Option<Agreement> {
+        let native = self.limits(sources)?;
+        let run = self.run.as_ref()?;
+        if self.has_other_inputs(run) {
+            return run.status().map(|_| Agreement::OtherInputs);
+        }
+        let Ok(limits) = native else {
+            // Both refuse, each in its own words: that is not a difference.
+            return match (run.fault(), run.status()) {
+                (Some(_), _) => Some(Agreement::BothRefuse),
+                (None, Some(_)) => Some(Agreement::Differs(vec![Message::new("program-page-differs-native-refuses")])),
+                (None, None) => None,
+            };
+        };
+        let Some(status) = run.status() else {
+            return run.fault().map(|_| Agreement::Differs(vec![Message::new("program-page-differs-fault")]));
+        };
+        let mut differences = Vec::new();
+        for (id, parameter, own) in [
+            ("program-page-differs-minimum", Parameter::q(33), limits.minimum()),
+            ("program-page-differs-maximum", Parameter::q(23), limits.maximum()),
+        ] {
+            match run.length(parameter) {
+                Some(theirs) if theirs != own => {
+                    differences.push(Message::new(id).mm("program", theirs).mm("own", own));
+                }
+                _ => {}
+            }
+        }
+        if let Some((_, verdict)) = self.verdict(sources).filter(|(_, verdict)| verdict.status != status) {
+            let difference = Message::new("program-page-differs-status");
+            differences.push(difference.with("program", &status).with("own", &verdict.status));
+        }
+        Some(if differences.is_empty() { Agreement::Agrees } else { Agreement::Differs(differences) })
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn an_input_is_what_its_cycle_allows() {
+        let length = |mm: &str| Ok(Value::Length(mm.parse().unwrap()));
+        assert_eq!(Input::Size.read("25,5"), length("25.5"));
+        assert_eq!(Input::Height.read("-5"), length("-5"));
+        assert_eq!(Input::Angle.read("45"), Ok(Value::Number(45.0)));
+        assert_eq!(Input::Class.read(" h7 "), Ok(Value::Text("h7".to_owned())));
+        for (input, text) in [
+            (Input::Size, "0"),
+            (Input::Size, "100000"),
+            (Input::Size, ""),
+            (Input::Clearance, "-1"),
+            (Input::Angle, "x"),
+        ] {
+            assert!(input.read(text).is_err(), "{input:?} {text}");
+        }
+    }
+}

@@ -1,0 +1,90 @@
+//! Notes about the program, block by block: warnings of the reader, remarks of the run, and the error that ended it.
+
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_nc::machine::BlockPlace;
+
+use super::ProgramPage;
+
+/// An error, a warning or a remark.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Note {
+    /// What it is.
+    pub kind: NoteKind,
+    /// The block.
+    pub place: BlockPlace,
+    /// Its text.
+    pub message: Message,
+}
+
+/// How much it matters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum NoteKind {
+    /// An error: it ended the run.
+    Error,
+    /// A remark of the run.
+    Remark,
+    /// A warning of the reader.
+    Warning,
+    /// A file that the run has read.
+    File,
+}
+
+impl ProgramPage {
+    /// How many notes there are.
+    pub fn note_count(&self) -> usize {
+        let run = self.run.as_ref();
+        let of_run = run.map_or(0, |run| usize::from(run.fault().is_some()) + run.remark_count());
+        let count = of_run + self.warnings.len();
+        // Where nothing is odd, nobody asks where the files came from.
+        let files = run.filter(|_| 0 < count).map_or(0, super::Run::file_count);
+        count + files
+    }
+
+    /// A note by its number: the error first, then the remarks of the run, the warnings of the reader, and the files
+    /// that the run has read.
+    pub fn note(&self, number: usize) -> Option<Note> {
+        let run = self.run.as_ref();
+        let fault = run.and_then(|run| run.fault());
+        let Some(number) = number.checked_sub(usize::from(fault.is_some())) else {
+            let fault = fault?;
+            return Some(Note { kind: NoteKind::Error, place: fault.place.clone(), message: fault.message() });
+        };
+        if let Some((place, remark)) = run.and_then(|run| run.remark(number)) {
+            return Some(self.remark_at(place, remark.message()));
+        }
+        let number = number.checked_sub(run.map_or(0, super::Run::remark_count))?;
+        let main = self.main()?;
+        let Some(warning) = self.warnings.get(number) else {
+            if self.note_count() == 0 {
+                return None;
+            }
+            let file = run?.file(number.checked_sub(self.warnings.len())?)?;
+            let place = BlockPlace { program: main.path().clone(), block: 0 };
+            return Some(Note { kind: NoteKind::File, place, message: file.message() });
+        };
+        // A line between blocks belongs to the block before it.
+        let line = warning.place.line.unwrap_or_default().saturating_sub(1);
+        let block = main.program().blocks().partition_point(|block| block.lines.start <= line).saturating_sub(1);
+        let place = BlockPlace { program: main.path().clone(), block };
+        Some(Note { kind: NoteKind::Warning, place, message: warning.message() })
+    }
+
+    /// A remark with the number of its block, or with its line.
+    fn remark_at(&self, place: &BlockPlace, what: Message) -> Note {
+        let line = self.documents.get(&place.program).map(|document| document.first_line(place.block) + 1);
+        let message = match (self.block_number(place), line) {
+            (Some(number), _) => Message::new("program-page-at-block").text("number", number),
+            (None, Some(line)) => Message::new("program-page-at-line").text("line", line),
+            (None, None) => Message::new("program-page-at-block").text("number", place.block),
+        };
+        Note { kind: NoteKind::Remark, place: place.clone(), message: message.message("what", what) }
+    }
+
+    fn block_number(&self, place: &BlockPlace) -> Option<u32> {
+        let program = match self.documents.get(&place.program) {
+            Some(document) => std::sync::Arc::clone(document.program()),
+            None => self.run.as_ref()?.program(&place.program)?,
+        };
+        program.blocks().get(place.block)?.number
+    }
+}

@@ -1,0 +1,97 @@
+//! Programs from files, and what is typed into the page's fields.
+
+use std::path::PathBuf;
+
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_exchange::journal::chain::Hash;
+use fitcheck_nc::machine::Shipped;
+use fitcheck_nc::program::ProgramWarning;
+
+use super::{Document, Input, Origin, ProgramField, ProgramPage, WorkpieceFrom};
+use crate::shared::Shared;
+
+/// How many files are remembered.
+const MOST_RECENT: usize = 8;
+
+impl ProgramPage {
+    /// Opens the page; the first time with the built-in program of the window's language.
+    pub(super) fn opened(&mut self, shared: &mut Shared) {
+        if self.origin.is_some() {
+            return;
+        }
+        let dialogue = shared.language.dialogue();
+        if let Some((_, name)) = Shipped::main_programs().find(|(known, _)| *known == dialogue) {
+            self.open_shipped(name, shared);
+        }
+    }
+
+    pub(super) fn open_shipped(&mut self, name: &'static str, shared: &mut Shared) {
+        let Some(bytes) = Shipped::file(name) else {
+            return shared.tell(Message::new("program-page-not-shipped").text("name", name));
+        };
+        match Document::read(name, bytes) {
+            Ok((document, warnings)) => {
+                self.open_program(Origin::Shipped(name), document, warnings, shared);
+                self.sha256 = Some(Hash::of_file(bytes));
+            }
+            Err(error) => shared.tell(error.message()),
+        }
+    }
+
+    pub(super) fn program_read(
+        &mut self,
+        path: PathBuf,
+        result: Result<(Box<Document>, Vec<ProgramWarning>), Message>,
+        shared: &mut Shared,
+    ) {
+        if let Some((document, warnings)) = shared.file_answered(result) {
+            self.recent.retain(|known| *known != path);
+            self.recent.insert(0, path.clone());
+            self.recent.truncate(MOST_RECENT);
+            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            self.open_program(Origin::File(path), *document, warnings, shared);
+            self.sha256 = shared.recording.of_file(&name);
+        }
+    }
+
+    fn open_program(&mut self, origin: Origin, document: Document, warnings: Vec<ProgramWarning>, shared: &Shared) {
+        let path = document.path().clone();
+        let sign = shared.language.decimal_sign().to_string();
+        self.texts.retain(|field, _| !matches!(field, ProgramField::Input(_)));
+        for (parameter, text) in document.assigned() {
+            let Some(input) = Input::of(*parameter) else { continue };
+            let text = if input.unit().is_empty() { text.clone() } else { text.replace('.', &sign) };
+            self.texts.insert(ProgramField::Input(input), text);
+        }
+        self.breakpoints.clear();
+        self.typed.clear();
+        self.documents.clear();
+        self.documents.insert(path.clone(), document);
+        (self.main, self.shown, self.origin) = (Some(path.clone()), Some(path), Some(origin));
+        self.warnings = warnings;
+        (self.looks, self.look) = (self.looks.wrapping_add(1), 0);
+        self.check_inputs();
+        self.reset();
+    }
+
+    pub(super) fn type_text(&mut self, field: ProgramField, text: String) {
+        if let ProgramField::Input(input) = field {
+            self.type_input(input, text);
+            return self.reset();
+        }
+        if let ProgramField::Tool(parameter) = field {
+            self.type_tool(parameter, text);
+            return self.reset();
+        }
+        self.texts.insert(field, text);
+        match field {
+            ProgramField::Input(_) | ProgramField::Tool(_) | ProgramField::Filter => {}
+            ProgramField::Diameter | ProgramField::WorkpieceX | ProgramField::WorkpieceY => {
+                self.workpiece = WorkpieceFrom::Given;
+                self.check_workpiece();
+                self.reset();
+            }
+            ProgramField::Name | ProgramField::Value => _ = self.errors.remove(&field),
+        }
+    }
+}

@@ -1,0 +1,99 @@
+//! The tools that the cycles of the open program name in Q330: fixed ones, and parameters to which a tool can be given
+//! before a run.
+
+use fitcheck_core::message::Message;
+use fitcheck_core::probing::cycle::{Control, Range};
+use fitcheck_core::probing::cycles::cycles_of;
+use fitcheck_nc::control::variables::{Parameter, Value};
+use fitcheck_nc::program::{Body, CycleBlock, CycleValue, Operand, Program, TextOperand};
+
+use super::{Document, ProgramField, ProgramPage};
+use crate::tools::NamedTool;
+
+/// What Q330 of a program's cycle says.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ToolOf {
+    /// Always this tool.
+    Fixed(NamedTool),
+    /// The value of a parameter is the tool.
+    Parameter(Parameter),
+}
+
+/// The tools that a program's cycles name, each once, in the order of the program.
+pub(super) fn named(program: &Program) -> Vec<ToolOf> {
+    let mut found: Vec<ToolOf> = Vec::new();
+    for block in program.blocks() {
+        let Body::Probe(block) = &block.body else { continue };
+        if let Some(tool) = of_block(block, program.notation().control()).filter(|tool| !found.contains(tool)) {
+            found.push(tool);
+        }
+    }
+    found
+}
+
+fn of_block(block: &CycleBlock, control: Control) -> Option<ToolOf> {
+    let cycle = cycles_of(control).find(|cycle| cycle.code == block.number)?;
+    let is_tool = |name: String| cycle.parameter_named(&name).is_some_and(|parameter| parameter.range == Range::Tool);
+    let line = block.lines.iter().find(|line| is_tool(line.parameter.to_string()))?;
+    match &line.value {
+        CycleValue::Number { value: Operand::Number(number), .. } => NamedTool::of_number(*number).map(ToolOf::Fixed),
+        CycleValue::Number { value: Operand::Parameter { parameter, is_negative: false }, .. }
+        | CycleValue::Text(TextOperand::Parameter(parameter)) => Some(ToolOf::Parameter(*parameter)),
+        CycleValue::Text(TextOperand::Text(name)) => Some(ToolOf::Fixed(NamedTool::Name(name.clone()))),
+        // No tool has a number below zero.
+        CycleValue::Number { .. } | CycleValue::Word(_) => None,
+    }
+}
+
+impl ProgramPage {
+    /// The tools that the cycles of the open program name, each once.
+    pub fn tools(&self) -> &[ToolOf] {
+        self.main().map(Document::tools).unwrap_or_default()
+    }
+
+    /// The parameters among them: a tool can be given to each before a run.
+    pub fn tool_inputs(&self) -> impl Iterator<Item = Parameter> {
+        self.tools().iter().filter_map(|tool| match tool {
+            ToolOf::Parameter(parameter) => Some(*parameter),
+            ToolOf::Fixed(_) => None,
+        })
+    }
+
+    /// What the program itself assigns to a parameter of a tool, where it is a plain value.
+    pub fn own_tool(&self, parameter: Parameter) -> Option<&str> {
+        self.main()?.assigned().get(&parameter).map(String::as_str)
+    }
+
+    /// The tool that a parameter names when the run begins: what is given to it, else what the program assigns. `None` where
+    /// neither is known, and where it is 0: no tool.
+    pub fn tool_of(&self, parameter: Parameter) -> Option<NamedTool> {
+        match self.given.get(&parameter) {
+            Some(Value::Text(name)) => Some(NamedTool::Name(name.clone())),
+            Some(Value::Number(value)) => NamedTool::of_number(*value),
+            Some(Value::Length(length)) => NamedTool::of_number(length.to_mm_f64()),
+            None if parameter.family.is_text() => Some(NamedTool::Name(self.own_tool(parameter)?.to_owned())),
+            None => NamedTool::of_number(self.own_tool(parameter)?.parse().ok()?),
+        }
+    }
+
+    /// Takes what was typed or picked for the tool of a parameter; nothing typed is the program's own value.
+    pub(super) fn type_tool(&mut self, parameter: Parameter, text: String) {
+        if text.is_empty() {
+            self.typed.remove(&parameter);
+        } else {
+            self.typed.insert(parameter, text);
+        }
+        self.check_inputs();
+    }
+
+    /// Reads the fields of the tools anew.
+    pub(super) fn check_tools(&mut self) {
+        self.errors.retain(|field, _| !matches!(field, ProgramField::Tool(_)));
+        let problem = |parameter: Parameter| super::watching::problem(parameter, self.typed.get(&parameter)?);
+        let wrong: Vec<(ProgramField, Message)> = self
+            .tool_inputs()
+            .filter_map(|parameter| Some((ProgramField::Tool(parameter), problem(parameter)?)))
+            .collect();
+        self.errors.extend(wrong);
+    }
+}

@@ -1,0 +1,228 @@
+//! How commands and news change the records page, and what the journal answers.
+
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_exchange::journal::Record;
+use fitcheck_exchange::journal::chain::Head;
+use fitcheck_exchange::journal::entry::{Check, Checked};
+use jiff::civil::DateTime;
+
+use super::{OpenRecord, RecordRow, RecordsCommand, RecordsField, RecordsPage};
+use crate::Step;
+use crate::command::{Effect, Page};
+use crate::recording::{OpenJournal, RESTORED};
+use crate::shared::{News, PageState, Shared};
+
+impl PageState for RecordsPage {
+    type Command = RecordsCommand;
+
+    fn apply(&mut self, command: RecordsCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
+        match command {
+            RecordsCommand::Type(field, text) => self.type_text(field, text, shared),
+            RecordsCommand::Begin { usual, station, zone } => {
+                self.zone = Some(zone);
+                shared.recording.begin(usual, station);
+                if shared.recording.is_on() {
+                    shared.history.leave_room(RESTORED);
+                }
+                shared.spread(News::Journal);
+            }
+            RecordsCommand::Opened(result) => self.journal_opened(result, shared),
+            RecordsCommand::Kept { run, result } => self.kept(run, result, shared),
+            RecordsCommand::TryAgain => {
+                shared.notices.retain(|notice| !notice.records);
+                shared.recording.try_again();
+            }
+            RecordsCommand::Measured { name, sha256 } => shared.recording.saw(name, sha256),
+            command @ (RecordsCommand::Sent { .. }
+            | RecordsCommand::AskForServer(_)
+            | RecordsCommand::TakeServer
+            | RecordsCommand::LeaveServer
+            | RecordsCommand::SendAgain
+            | RecordsCommand::Server(_)) => return self.apply_server(command, shared),
+            RecordsCommand::Note(note) => shared.note(note, Vec::new()),
+            RecordsCommand::UseName(name) => shared.recording.use_name(&name),
+            RecordsCommand::TakeName => {
+                shared.recording.use_name(self.text(RecordsField::Who));
+                self.texts.remove(&RecordsField::Who);
+            }
+            RecordsCommand::Toggle(shorthand) => {
+                self.toggle(shorthand);
+                self.ask(shared, false);
+            }
+            RecordsCommand::AskAgain => self.ask(shared, false),
+            RecordsCommand::See(places) => {
+                let pages = self.listing.see(&places).into_iter();
+                return pages.map(Effect::ReadRecords).collect();
+            }
+            RecordsCommand::Found { run, result } => self.found(run, result),
+            RecordsCommand::Read { numbers, result } => self.read(numbers, result),
+            RecordsCommand::Move(step) => self.step(step),
+            RecordsCommand::Open(number) => return self.open(number),
+            RecordsCommand::CloseRecord => (self.open, self.correcting) = (None, None),
+            RecordsCommand::Choose(number, is_chosen) => self.choose(number, is_chosen),
+            RecordsCommand::ChooseNone => self.chosen.clear(),
+            RecordsCommand::WithSimulated(with) => self.with_simulated = with,
+            RecordsCommand::Copy => return self.copied(shared.language).map(Effect::Copy).into_iter().collect(),
+            RecordsCommand::MeasureAgain => self.measure_again(shared),
+            RecordsCommand::Correct(is_open) => self.correct(is_open),
+            RecordsCommand::Withdraw(withdraws) => self.withdraw(withdraws),
+            RecordsCommand::SendCorrection => self.send_correction(shared),
+            command @ (RecordsCommand::Verify
+            | RecordsCommand::CancelVerify
+            | RecordsCommand::Verifying { .. }
+            | RecordsCommand::Verified { .. }) => return self.walk_on(command),
+        }
+        Vec::new()
+    }
+
+    fn follow(&mut self, news: &News, shared: &mut Shared) {
+        if *news == News::Opened(Page::Records) {
+            // What was recorded meanwhile, here and elsewhere.
+            self.ask(shared, false);
+        }
+    }
+}
+
+impl RecordsPage {
+    fn type_text(&mut self, field: RecordsField, text: String, shared: &Shared) {
+        self.texts.insert(field, text);
+        self.errors.remove(&field);
+        if field == RecordsField::Question {
+            self.ask(shared, true);
+        }
+    }
+
+    /// The journal is open: its newest checks stand in the history, as if the window had never been closed.
+    fn journal_opened(&mut self, result: Result<(Box<OpenJournal>, Vec<RecordRow>), Message>, shared: &mut Shared) {
+        match result {
+            Ok((journal, rows)) => {
+                for remark in &journal.remarks {
+                    shared.note(remark.clone(), Vec::new());
+                }
+                let is_first = shared.recording.journal().is_none();
+                shared.recording.opened(Ok(*journal));
+                if is_first {
+                    shared.recording.know_parts(rows.iter().filter_map(|row| row.entry.as_ref().ok()));
+                    let stand: Vec<_> = rows.iter().filter_map(standing).collect();
+                    let ids = shared.history.restore(stand.iter().map(|(_, record)| Arc::clone(record)).collect());
+                    shared.recording.know(ids.into_iter().zip(stand.iter().map(|(number, _)| *number)));
+                }
+                if shared.page == Page::Records {
+                    self.ask(shared, false);
+                }
+            }
+            Err(problem) => {
+                shared.tell_of_records(Message::new("records-page-not-opened").message("why", problem.clone()));
+                shared.recording.opened(Err(problem));
+            }
+        }
+        shared.spread(News::Journal);
+    }
+
+    /// The journal has answered about entries.
+    fn kept(&mut self, run: u64, result: Result<Vec<Head>, Message>, shared: &mut Shared) {
+        let problem = result.as_ref().err().cloned();
+        shared.spread(News::Kept(run, problem.is_none()));
+        if shared.recording.kept(run, result) {
+            let count = shared.recording.failed();
+            let why = problem.unwrap_or_else(|| Message::new("records-page-not-kept-why"));
+            let told = Message::new("records-page-not-kept").count("count", count).message("why", why);
+            shared.tell_of_records(told);
+        }
+        self.correction_kept(run, shared);
+    }
+
+    fn found(&mut self, run: u64, result: Result<super::Found, Message>) {
+        if run != self.asks {
+            return;
+        }
+        match result {
+            Ok(found) => {
+                let is_first = self.listing.is_stale();
+                self.listing.take(found);
+                self.look += u64::from(is_first);
+            }
+            Err(problem) => self.listing.refuse(problem),
+        }
+    }
+
+    fn read(&mut self, numbers: Vec<u64>, result: Result<Vec<Arc<RecordRow>>, Message>) {
+        if let Some(open) = self.open.as_mut().filter(|open| open.row.is_none() && numbers.contains(&open.number)) {
+            open.row = match &result {
+                Ok(rows) => rows.iter().find(|row| row.head.number == open.number).cloned().map(Ok),
+                Err(problem) => Some(Err(problem.clone())),
+            };
+        }
+        let corrected: Vec<u64> = {
+            let entries = result.iter().flatten().filter_map(|row| row.entry.as_ref().ok());
+            entries.filter_map(|entry| entry.corrects()).map(|correction| correction.target.number).collect()
+        };
+        // What is chosen is reported as it stands now.
+        for row in result.iter().flatten() {
+            if let Some(chosen) = self.chosen.get_mut(&row.head.number) {
+                chosen.clone_from(row);
+            }
+        }
+        self.listing.take_rows(numbers, result);
+        for number in corrected {
+            let is_old = |row: &Arc<RecordRow>| row.corrected_by.is_none();
+            if self.listing.row(number).is_some_and(is_old) {
+                self.listing.forget(number);
+            }
+            if self.chosen.get(&number).is_some_and(is_old) {
+                self.chosen.remove(&number);
+            }
+        }
+    }
+
+    /// Moves the cursor. One that is not in the list counts as before its first row.
+    fn step(&mut self, step: Step) {
+        let Some(last) = self.listing.count().checked_sub(1) else { return };
+        let here = self.cursor.and_then(|number| self.listing.place_of(number));
+        self.cursor = self.listing.at(step.place(here, last));
+        self.look += 1;
+    }
+
+    /// Opens a record; what was not read yet is asked for.
+    pub(super) fn open(&mut self, number: u64) -> Vec<Effect> {
+        let row = self.listing.row(number).map(|row| Ok(Arc::clone(row)));
+        let effects = if row.is_none() { vec![Effect::ReadRecords(vec![number])] } else { Vec::new() };
+        self.cursor = Some(number);
+        self.look += 1;
+        self.open = Some(OpenRecord { number, row });
+        self.correcting = None;
+        effects
+    }
+
+    /// Whether the open record asked for a size that can be measured again.
+    pub fn can_measure_again(&self) -> bool {
+        let check = self.opened_row().and_then(|row| row.entry.as_ref().ok()?.check());
+        check.is_some_and(|check| matches!(check.what, Checked::Size(_)))
+    }
+
+    fn measure_again(&self, shared: &mut Shared) {
+        let Some(entry) = self.opened_row().and_then(|row| row.entry.as_ref().ok()) else { return };
+        let Some(Check { what: Checked::Size(record), .. }) = entry.check() else { return };
+        shared.spread(News::MeasureAgain {
+            record: Arc::clone(record),
+            part: entry.about.part.clone(),
+            serial: entry.about.serial.clone(),
+        });
+        shared.open(Page::Check);
+    }
+}
+
+/// A check that the history shows: a size that no other entry corrects or takes back.
+fn standing(row: &RecordRow) -> Option<(u64, Arc<Record>)> {
+    let check = row.entry.as_ref().ok()?.check().filter(|_| row.corrected_by.is_none())?;
+    match &check.what {
+        Checked::Size(record) => {
+            let part = &row.entry.as_ref().ok()?.about.part;
+            let named = if record.id.is_empty() { record.called(part) } else { Arc::clone(record) };
+            Some((row.head.number, named))
+        }
+        Checked::Cycle(_) => None,
+    }
+}

@@ -1,0 +1,227 @@
+//! The chosen records, as a report and on the clipboard. Only checks of a size that stand are reported; simulated ones only where
+//! the user asks for them. What is left out is said.
+
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_core::words::{Language, Words};
+use fitcheck_exchange::journal::Record;
+use fitcheck_exchange::journal::chain::{ChainId, Head};
+use fitcheck_exchange::journal::entry::Checked;
+use fitcheck_exchange::report::Report;
+use fitcheck_exchange::report::csv::harmless;
+use jiff::civil::DateTime;
+
+use super::{RecordRow, RecordsPage};
+use crate::history::status_text;
+
+/// How many of the chosen records a report leaves out, and why.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub struct LeftOut {
+    /// Nobody measured.
+    pub simulated: usize,
+    /// Corrected or taken back, or a withdrawal itself.
+    pub replaced: usize,
+    /// What a cycle says by itself.
+    pub cycles: usize,
+    /// Cannot be read.
+    pub unread: usize,
+}
+
+/// What a report can make of a record.
+enum Use {
+    Reported(Arc<Record>),
+    Simulated(Arc<Record>),
+    Replaced,
+    Cycle,
+    Unread,
+}
+
+fn use_of(row: &RecordRow) -> Use {
+    let Ok(entry) = &row.entry else { return Use::Unread };
+    let Some(check) = entry.check().filter(|_| row.corrected_by.is_none()) else { return Use::Replaced };
+    // The record's own name is what its file or field called it; the entry says which part it is.
+    let named = |record: &Arc<Record>| match entry.about.name() {
+        name if name.is_empty() => Arc::clone(record),
+        name => record.called(&name),
+    };
+    match &check.what {
+        Checked::Size(record) if check.is_simulated() => Use::Simulated(named(record)),
+        Checked::Size(record) => Use::Reported(named(record)),
+        Checked::Cycle(_) => Use::Cycle,
+    }
+}
+
+impl RecordsPage {
+    /// Chooses a record, or not; one that was not read cannot be chosen.
+    pub(super) fn choose(&mut self, number: u64, is_chosen: bool) {
+        match self.listing.row(number).filter(|_| is_chosen) {
+            Some(row) => _ = self.chosen.insert(number, Arc::clone(row)),
+            None => _ = self.chosen.remove(&number),
+        }
+    }
+
+    /// How many are chosen.
+    pub fn chosen_count(&self) -> usize {
+        self.chosen.len()
+    }
+
+    /// How many of them a report leaves out.
+    pub fn left_out(&self) -> LeftOut {
+        let mut out = LeftOut::default();
+        for row in self.chosen.values() {
+            match use_of(row) {
+                Use::Simulated(_) if !self.with_simulated => out.simulated += 1,
+                Use::Reported(_) | Use::Simulated(_) => {}
+                Use::Replaced => out.replaced += 1,
+                Use::Cycle => out.cycles += 1,
+                Use::Unread => out.unread += 1,
+            }
+        }
+        out
+    }
+
+    /// How many of the chosen ones are simulated.
+    pub fn chosen_simulated(&self) -> usize {
+        self.chosen.values().filter(|row| matches!(use_of(row), Use::Simulated(_))).count()
+    }
+
+    /// How many records a report has.
+    pub fn reported(&self) -> usize {
+        let LeftOut { simulated, replaced, cycles, unread } = self.left_out();
+        self.chosen.len().saturating_sub(simulated + replaced + cycles + unread)
+    }
+
+    /// The records of a report, the oldest first.
+    pub(crate) fn for_report(&self) -> Vec<Arc<Record>> {
+        let used = self.chosen.values().filter_map(|row| match use_of(row) {
+            Use::Reported(record) => Some(record),
+            Use::Simulated(record) if self.with_simulated => Some(record),
+            _ => None,
+        });
+        used.collect()
+    }
+
+    /// The chosen records as a report, which says what it leaves out and where its records stand.
+    pub(crate) fn report(&self, now: DateTime, journal: Option<(ChainId, Head)>) -> Report {
+        let mut report = Report::new(now, self.for_report());
+        let LeftOut { simulated, replaced, cycles, unread } = self.left_out();
+        let with_simulated = if self.with_simulated { self.chosen_simulated() } else { 0 };
+        for (id, count) in [
+            ("records-page-report-simulated", with_simulated),
+            ("records-page-out-simulated", simulated),
+            ("records-page-out-replaced", replaced),
+            ("records-page-out-cycles", cycles),
+            ("records-page-out-unread", unread),
+        ] {
+            if 0 < count {
+                report.notes.push(Message::new(id).count("count", count));
+            }
+        }
+        if let Some((chain, head)) = journal {
+            let numbers: Vec<String> = self.chosen.keys().take(20).map(u64::to_string).collect();
+            let more = if numbers.len() < self.chosen.len() { ", …" } else { "" };
+            let said = Message::new("records-page-report-from").text("numbers", numbers.join(", ") + more);
+            let said = said.text("chain", chain).text("number", head.number).text("hash", head.hash.short());
+            report.notes.push(said);
+        }
+        report
+    }
+
+    /// The chosen rows as a spreadsheet takes them, or the open record, or the row at which the keys are; `None` where there is none.
+    pub(super) fn copied(&self, language: Language) -> Option<String> {
+        let words = Words::new(language);
+        let cursor = self.open.as_ref().map(|open| open.number).or(self.cursor);
+        let one = cursor.and_then(|number| self.listing.row(number)).or_else(|| self.opened_row());
+        let rows: Vec<&Arc<RecordRow>> =
+            if self.chosen.is_empty() { one.into_iter().collect() } else { self.chosen.values().rev().collect() };
+        let heads = [
+            "records-page-head-number",
+            "head-time",
+            "head-part",
+            "records-page-serial",
+            "records-page-feature",
+            "head-callout",
+            "head-measured",
+            "head-deviation",
+            "head-status",
+            "records-page-who",
+            "records-page-hash",
+        ];
+        let lines = rows.iter().map(|row| cells(row, &words).join("\t") + "\n");
+        let heads = heads.map(|id| words.get(id)).join("\t") + "\n";
+        (!rows.is_empty()).then(|| std::iter::once(heads).chain(lines).collect())
+    }
+}
+
+/// The cells of a row, exact.
+fn cells(row: &RecordRow, words: &Words) -> [String; 11] {
+    let text = |text: &str| harmless(&text.replace(char::is_control, " "));
+    let number = row.head.number.to_string();
+    let Ok(entry) = &row.entry else {
+        let mut cells: [String; 11] = Default::default();
+        cells[0] = number;
+        return cells;
+    };
+    let cells = RowTexts::of(row, words);
+    [
+        number,
+        cells.time,
+        text(&entry.about.part),
+        text(&entry.about.serial),
+        text(&entry.about.feature),
+        text(&cells.callout),
+        // A spreadsheet reads `-12,5` as a number, a true minus sign as text.
+        cells.measured.replace('\u{2212}', "-"),
+        cells.deviation.replace('\u{2212}', "-"),
+        text(&cells.status),
+        text(&entry.about.who),
+        row.head.hash.to_string(),
+    ]
+}
+
+/// The texts of a row that are the same in the list and on the clipboard.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct RowTexts {
+    /// Date and time as the station's clock showed it.
+    pub time: String,
+    /// The callout; of a cycle its number.
+    pub callout: String,
+    /// The measured value, exact, mm.
+    pub measured: String,
+    /// The deviation, exact, µm, with its sign.
+    pub deviation: String,
+    /// The verdict's word; a simulated one says so. A withdrawal says what it is.
+    pub status: String,
+}
+
+impl RowTexts {
+    /// The texts of a row; empty where it cannot be read.
+    pub fn of(row: &RecordRow, words: &Words) -> Self {
+        let Ok(entry) = &row.entry else { return Self::default() };
+        let time = super::local_time(&entry.about.time);
+        let Some(check) = entry.check() else {
+            return Self { time, status: words.get("records-page-withdrawal"), ..Self::default() };
+        };
+        match &check.what {
+            Checked::Size(record) => Self {
+                time,
+                callout: fitcheck_exchange::journal::query::callout(record),
+                measured: words.mm(record.measurement.diameter, 3),
+                deviation: words.signed_um(record.verdict.size.deviation),
+                status: status_text(record, words),
+            },
+            Checked::Cycle(cycle) => {
+                let word = cycle.status.map_or_else(|| words.get("word-none"), |status| words.told(&status));
+                let simulated = Message::new("status-simulated").text("status", &word);
+                Self {
+                    time,
+                    callout: words.say(&Message::new("records-page-cycle").text("cycle", cycle.cycle)),
+                    measured: cycle.measured.map(|length| words.mm(length, 3)).unwrap_or_default(),
+                    deviation: String::new(),
+                    status: if check.is_simulated() { words.say(&simulated) } else { word },
+                }
+            }
+        }
+    }
+}

@@ -1,0 +1,136 @@
+//! What can be done on the records page, what the journal answers, and what is said of who measures.
+
+use std::ops::Range;
+use std::path::PathBuf;
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_exchange::journal::chain::{Hash, Head};
+use jiff::civil::DateTime;
+use jiff::tz::TimeZone;
+
+use super::{Found, RecordRow, RecordsField, Shorthand, Verified};
+use crate::recording::OpenJournal;
+use crate::step::Step;
+
+/// What can be done on the records page, and what comes back from the journal.
+#[derive(Debug, Clone)]
+pub enum RecordsCommand {
+    /// Replaces the text of a field.
+    Type(RecordsField, String),
+    /// The window has begun.
+    Begin {
+        /// Where records are kept unless the state file names another file; `None` keeps none.
+        usual: Option<PathBuf>,
+        /// The name of the station.
+        station: String,
+        /// Where its days begin.
+        zone: TimeZone,
+    },
+    /// The journal was opened, with its newest checks, the oldest of them first; or it cannot be opened.
+    Opened(Result<(Box<OpenJournal>, Vec<RecordRow>), Message>),
+    /// Entries are on disk with these numbers and hashes, or are not.
+    Kept {
+        /// Which entries: the number of their batch.
+        run: u64,
+        /// Where they are.
+        result: Result<Vec<Head>, Message>,
+    },
+    /// Writes again what could not be written.
+    TryAgain,
+    /// A file was read, and its bytes have this SHA-256: before the answer with what it holds.
+    Measured {
+        /// Its name without the folder.
+        name: String,
+        /// SHA-256 of its bytes.
+        sha256: Hash,
+    },
+    /// What is known of the server of the shop.
+    Sent {
+        /// How many entries it does not have yet; `None` where that is not known.
+        unsent: Option<u64>,
+        /// What is wrong, when something is.
+        trouble: Option<Message>,
+    },
+    /// Opens the form for the server of the shop, or closes it.
+    AskForServer(bool),
+    /// Sends to the server whose address is in the field.
+    TakeServer,
+    /// Sends to no server any more.
+    LeaveServer,
+    /// Sends at once, whatever went wrong before.
+    SendAgain,
+    /// The address in the field is one, without its password; or it is none.
+    Server(Result<String, Message>),
+    /// Something that the user should know.
+    Note(Message),
+    /// Somebody of the list measures from now on.
+    UseName(String),
+    /// The name in the field measures from now on.
+    TakeName,
+
+    /// Puts a word of the language of questions into the question, or takes it out.
+    Toggle(Shorthand),
+    /// Asks the question again, for what is new.
+    AskAgain,
+    /// These places of the list are in sight: their rows are read.
+    See(Range<usize>),
+    /// The reader has found records for a question, or cannot.
+    Found {
+        /// Which question.
+        run: u64,
+        /// What it has found since it last said something.
+        result: Result<Found, Message>,
+    },
+    /// Rows were read, or cannot be.
+    Read {
+        /// Those that were asked for.
+        numbers: Vec<u64>,
+        /// The rows.
+        result: Result<Vec<Arc<RecordRow>>, Message>,
+    },
+    /// Goes to another row.
+    Move(Step),
+    /// Opens a record by its number.
+    Open(u64),
+    /// Goes back to the list.
+    CloseRecord,
+    /// Chooses a record for the report, or not.
+    Choose(u64, bool),
+    /// Chooses none.
+    ChooseNone,
+    /// Takes simulated checks into the report, or leaves them out.
+    WithSimulated(bool),
+    /// Puts the chosen records on the clipboard, or the one at which the keys are.
+    Copy,
+    /// Goes to the check page with what the open record asked for.
+    MeasureAgain,
+    /// Opens the form of a correction, or closes it.
+    Correct(bool),
+    /// Whether the correction takes the record back, and puts nothing in its place.
+    Withdraw(bool),
+    /// Writes the correction.
+    SendCorrection,
+    /// Walks the chain from its first entry.
+    Verify,
+    /// Stops that.
+    CancelVerify,
+    /// The walk goes on.
+    Verifying {
+        /// Which one.
+        run: u64,
+        /// How many entries it has walked over.
+        done: u64,
+        /// Of how many.
+        of: u64,
+    },
+    /// The walk has ended.
+    Verified {
+        /// Which one.
+        run: u64,
+        /// What it has found.
+        result: Result<Verified, Message>,
+        /// When.
+        at: DateTime,
+    },
+}

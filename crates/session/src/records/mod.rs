@@ -1,0 +1,213 @@
+//! The records page: everything that the journal has, however much that is. Only what is in sight is read, and not here: the
+//! page asks, and takes the answers as they come.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the state |
+//! | `field` | the text fields |
+//! | `command`, `apply` | what can be done, and doing it |
+//! | `asking` | from the text of the question to what is asked |
+//! | `listing` | which records are listed, and those that were read |
+//! | `correcting` | from the form of a correction to the entry that makes it |
+//! | `sending` | the form for the server of the shop |
+//! | `walking` | the walk along the chain |
+//! | `choosing` | the chosen records, as a report and on the clipboard |
+
+mod apply;
+mod asking;
+mod choosing;
+mod command;
+mod correcting;
+mod field;
+mod listing;
+mod sending;
+mod walking;
+
+use std::collections::BTreeMap;
+use std::ops::Range;
+use std::sync::Arc;
+
+pub use asking::Shorthand;
+pub use choosing::{LeftOut, RowTexts};
+pub use command::RecordsCommand;
+pub use correcting::Correcting;
+pub use field::RecordsField;
+use fitcheck_core::message::Message;
+use fitcheck_exchange::journal::chain::Head;
+use fitcheck_exchange::journal::entry::{Entry, Moment};
+use fitcheck_exchange::journal::query::TIME;
+use jiff::Timestamp;
+use jiff::civil::DateTime;
+use jiff::tz::TimeZone;
+pub use listing::{Found, Listing, Numbers, PAGE};
+
+use super::command::Effect;
+
+/// A record as it is read from the journal.
+#[derive(Debug, Clone, PartialEq)]
+pub struct RecordRow {
+    /// Its number and hash.
+    pub head: Head,
+    /// What it tells, or why that cannot be read.
+    pub entry: Result<Entry, Message>,
+    /// The entry that corrects it or takes it back.
+    pub corrected_by: Option<u64>,
+    /// Whether the station's clock stood earlier than for the entry before it.
+    pub went_back: bool,
+}
+
+/// What a walk along the chain has found.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Verified {
+    /// How many entries it has walked over.
+    pub entries: u64,
+    /// The newest of them.
+    pub head: Head,
+    /// What is wrong; empty where the chain is whole.
+    pub problems: Vec<Message>,
+}
+
+/// A walk along the chain.
+#[derive(Debug, Clone, PartialEq, Eq, Default)]
+pub enum Walk {
+    /// There was none.
+    #[default]
+    None,
+    /// It goes on: so many entries of so many.
+    Running {
+        /// How many entries are done.
+        done: u64,
+        /// How many there are.
+        of: u64,
+    },
+    /// It was stopped.
+    Cancelled,
+    /// It has ended.
+    Done {
+        /// What it has found.
+        result: Result<Verified, Message>,
+        /// When.
+        at: DateTime,
+    },
+}
+
+/// The record that is open.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenRecord {
+    /// Its number.
+    pub number: u64,
+    /// The record, once it is read; or why it cannot be.
+    pub row: Option<Result<Arc<RecordRow>, Message>>,
+}
+
+/// The state of the records page.
+#[derive(Debug, Default)]
+pub struct RecordsPage {
+    texts: BTreeMap<RecordsField, String>,
+    errors: BTreeMap<RecordsField, Message>,
+    /// Where in the question an error shows.
+    culprit: Option<Range<usize>>,
+    /// How many questions and walks there were.
+    runs: u64,
+    /// The number of the question that is asked.
+    asks: u64,
+    listing: Listing,
+    /// The newest number when the question was asked.
+    asked_at: u64,
+    /// The row of the list at which the keys are.
+    cursor: Option<u64>,
+    /// Goes up whenever the cursor has to come into sight.
+    look: u64,
+    chosen: BTreeMap<u64, Arc<RecordRow>>,
+    with_simulated: bool,
+    open: Option<OpenRecord>,
+    correcting: Option<Correcting>,
+    /// The number of the walk that goes on.
+    walks: u64,
+    walk: Walk,
+    /// The time of the last command.
+    now: DateTime,
+    /// Where its days begin; UTC until that is known.
+    zone: Option<TimeZone>,
+    errands: Vec<Effect>,
+}
+
+impl RecordsPage {
+    /// The text of a field.
+    pub fn text(&self, field: RecordsField) -> &str {
+        self.texts.get(&field).map_or("", String::as_str)
+    }
+
+    /// What is wrong with a field.
+    pub fn error(&self, field: RecordsField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    /// Where in a field's text an error shows: characters counted from 0.
+    pub fn culprit(&self, field: RecordsField) -> Option<&Range<usize>> {
+        self.culprit.as_ref().filter(|_| field == RecordsField::Question)
+    }
+
+    /// Which records are listed, and those that were read.
+    pub const fn listing(&self) -> &Listing {
+        &self.listing
+    }
+
+    /// The row of the list at which the keys are.
+    pub const fn cursor(&self) -> Option<u64> {
+        self.cursor
+    }
+
+    /// Where to look: a number that goes up whenever a row has to come into sight, and its place.
+    pub fn look(&self) -> (u64, Option<usize>) {
+        (self.look, self.cursor.and_then(|number| self.listing.place_of(number)))
+    }
+
+    /// Whether a record is chosen for a report.
+    pub fn is_chosen(&self, number: u64) -> bool {
+        self.chosen.contains_key(&number)
+    }
+
+    /// Whether simulated checks are taken into the report.
+    pub const fn with_simulated(&self) -> bool {
+        self.with_simulated
+    }
+
+    /// The record that is open.
+    pub const fn opened(&self) -> Option<&OpenRecord> {
+        self.open.as_ref()
+    }
+
+    /// The record that is open, where it could be read.
+    pub fn opened_row(&self) -> Option<&Arc<RecordRow>> {
+        self.open.as_ref()?.row.as_ref()?.as_ref().ok()
+    }
+
+    /// The correction that is being made.
+    pub const fn correcting(&self) -> Option<&Correcting> {
+        self.correcting.as_ref()
+    }
+
+    /// The walk along the chain.
+    pub const fn walk(&self) -> &Walk {
+        &self.walk
+    }
+
+    /// What time it is: a question may ask for today.
+    pub(super) const fn see_time(&mut self, now: DateTime) {
+        self.now = now;
+    }
+
+    /// What has to be done outside.
+    pub(super) fn take_errands(&mut self) -> Vec<Effect> {
+        std::mem::take(&mut self.errands)
+    }
+}
+
+/// Date and time as the station's clock showed them.
+pub fn local_time(moment: &Moment) -> String {
+    let minutes = i64::from(moment.offset_min);
+    let local = minutes.checked_mul(60_000).and_then(|ahead| moment.utc_ms.checked_add(ahead));
+    let local = local.and_then(|local| Timestamp::from_millisecond(local).ok());
+    local.map_or_else(String::new, |local| TimeZone::UTC.to_datetime(local).strftime(TIME).to_string())
+}

@@ -1,0 +1,283 @@
+//! The rows of a file that is too large for the history: judged by the workers of `batch`, counted, filtered and walked
+//! by what is kept of each (its verdict and class), and read again from the file where they are in sight.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the rows, which of them are listed, the row at which the keys are |
+//! | `command` | what can be done, and what the worker says |
+//! | `apply` | doing it |
+
+mod apply;
+mod command;
+
+use std::collections::{BTreeMap, BTreeSet};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_core::tolerance::ToleranceClass;
+use fitcheck_exchange::exchange::Labels;
+use fitcheck_exchange::exchange::batch::{FATES, Fate, Filter, Layout, Part, Picked, Sieve, Tally};
+use fitcheck_exchange::journal::Record;
+use fitcheck_exchange::journal::chain::Hash;
+
+pub use command::{End, Large, News, RowsCommand};
+
+/// From how many bytes on a file of measurements is judged row by row: 1 MiB, about 40 000 rows. An import of that many
+/// takes 35 MB and holds the frame for a tenth of a second while its records go to the history; one of 4 MiB holds it for
+/// four.
+pub const LARGE: u64 = 1 << 20;
+
+/// The rows of a large file.
+#[derive(Debug)]
+pub struct Rows {
+    run: u64,
+    name: String,
+    path: PathBuf,
+    large: Large,
+    layout: Option<Arc<Layout>>,
+    parts: Vec<Arc<Part>>,
+    /// How many listed rows come before each part, and how many there are.
+    before: Vec<usize>,
+    classes: Vec<ToleranceClass>,
+    /// How many rows of each class have each fate; the first one has no class.
+    counts: Vec<[u64; FATES]>,
+    tally: Tally,
+    bytes: (u64, u64),
+    elapsed_ms: u64,
+    end: Option<End>,
+    /// SHA-256 of the file, once it was read to its end.
+    sha256: Option<Hash>,
+    filter: Filter,
+    /// The same for the classes so far.
+    sieve: Sieve,
+    /// The row at which the keys are.
+    cursor: Option<u64>,
+    /// Goes up whenever the cursor has to come into sight.
+    look: u64,
+    /// The rows that were read again, by their numbers.
+    read: BTreeMap<u64, Arc<Picked>>,
+    /// Those that are being read.
+    asked: BTreeSet<u64>,
+    /// Why rows cannot be read again.
+    unread: Option<Message>,
+    /// The row whose check is to be shown as soon as it is read.
+    wanted: Option<u64>,
+    shown: Option<ShownRow>,
+}
+
+/// The row whose check is shown.
+#[derive(Debug, Clone)]
+pub struct ShownRow {
+    /// Its number among all rows, from 0.
+    pub number: u64,
+    /// Its line in the file, from 1.
+    pub line: usize,
+    /// The cells with the names of their columns; one that has no column has its number.
+    pub cells: Vec<(String, String)>,
+    /// Its check; `None` where it has no verdict.
+    pub record: Option<Arc<Record>>,
+    /// What the file says of it besides.
+    pub labels: Option<Labels>,
+    /// Why it has none.
+    pub why: Option<Message>,
+}
+
+/// A row of the list.
+#[derive(Debug, Clone, Copy)]
+pub struct Listed<'a> {
+    /// Its number among all rows, from 0.
+    pub number: u64,
+    /// What became of it.
+    pub fate: Fate,
+    /// Its class, if its callout has one.
+    pub class: Option<ToleranceClass>,
+    /// The row itself, once it is read again.
+    pub read: Option<&'a Arc<Picked>>,
+    /// Whether it is being read.
+    pub is_asked: bool,
+}
+
+impl Rows {
+    fn new(run: u64, name: String, path: PathBuf, large: Large) -> Self {
+        Self {
+            run,
+            name,
+            path,
+            large,
+            layout: None,
+            parts: Vec::new(),
+            before: vec![0],
+            classes: Vec::new(),
+            counts: vec![[0; FATES]],
+            tally: Tally::default(),
+            bytes: (0, 0),
+            elapsed_ms: 0,
+            end: None,
+            sha256: None,
+            filter: Filter::default(),
+            sieve: Filter::default().sieve(0),
+            cursor: None,
+            look: 0,
+            read: BTreeMap::new(),
+            asked: BTreeSet::new(),
+            unread: None,
+            wanted: None,
+            shown: None,
+        }
+    }
+
+    /// The file's name without its folder.
+    pub fn name(&self) -> &str {
+        &self.name
+    }
+
+    /// SHA-256 of the file, once it was read to its end.
+    pub const fn sha256(&self) -> Option<Hash> {
+        self.sha256
+    }
+
+    /// The file.
+    pub fn path(&self) -> &Path {
+        &self.path
+    }
+
+    /// Why it is judged row by row.
+    pub const fn large(&self) -> Large {
+        self.large
+    }
+
+    /// What its rows are, once that is known.
+    pub fn layout(&self) -> Option<&Layout> {
+        self.layout.as_deref()
+    }
+
+    /// Whether rows are being judged.
+    pub const fn is_running(&self) -> bool {
+        self.end.is_none()
+    }
+
+    /// How it has ended, if it has.
+    pub const fn end(&self) -> Option<&End> {
+        self.end.as_ref()
+    }
+
+    /// How many rows there are so far.
+    pub fn count(&self) -> u64 {
+        self.fates().iter().map(|(_, count)| count).sum()
+    }
+
+    /// How many rows have each fate so far.
+    pub fn fates(&self) -> [(Fate, u64); FATES] {
+        let mut all = [0; FATES];
+        for counts in &self.counts {
+            all.iter_mut().zip(counts).for_each(|(all, count)| *all += count);
+        }
+        let mut fates = Fate::ALL.into_iter().zip(all);
+        std::array::from_fn(|_| fates.next().unwrap_or((Fate::NotJudged, 0)))
+    }
+
+    /// The classes that occur so far, each with its number for the filter and its counts in the order of [`Fate::ALL`];
+    /// rows without a class come last.
+    pub fn classes(&self) -> impl Iterator<Item = (usize, Option<ToleranceClass>, &[u64; FATES])> {
+        let named = self.classes.iter().copied().map(Some).zip(1..);
+        let all = named.chain([(None, 0)]);
+        all.filter_map(|(class, number)| Some((number, class, self.counts.get(number)?)))
+            .filter(|(_, _, counts)| counts.iter().any(|count| 0 < *count))
+    }
+
+    /// What is said of the rows so far.
+    pub const fn tally(&self) -> &Tally {
+        &self.tally
+    }
+
+    /// How many bytes of the file were read, and how many it has.
+    pub const fn bytes(&self) -> (u64, u64) {
+        self.bytes
+    }
+
+    /// How many rows were judged in a second; `None` before that can be said.
+    pub fn rate(&self) -> Option<u64> {
+        (self.count() * 1000).checked_div(self.elapsed_ms)
+    }
+
+    /// For how long it was judged, in milliseconds.
+    pub const fn elapsed_ms(&self) -> u64 {
+        self.elapsed_ms
+    }
+
+    /// Which rows are listed.
+    pub const fn filter(&self) -> &Filter {
+        &self.filter
+    }
+
+    /// How many rows are listed.
+    pub fn listed(&self) -> usize {
+        self.before.last().copied().unwrap_or_default()
+    }
+
+    /// The row at a place of the list.
+    pub fn at(&self, place: usize) -> Option<Listed<'_>> {
+        let after = self.before.partition_point(|before| *before <= place);
+        let at = after.checked_sub(1)?;
+        let (part, before) = (self.parts.get(at)?, self.before.get(at)?);
+        let nth = place - before;
+        let in_part = part.nth(nth, &self.sieve)?;
+        let (fate, class) = part.row(in_part)?;
+        let number = part.first + u64::try_from(in_part).unwrap_or_default();
+        Some(Listed {
+            number,
+            fate,
+            class: class.checked_sub(1).and_then(|class| self.classes.get(class)).copied(),
+            read: self.read.get(&number),
+            is_asked: self.asked.contains(&number),
+        })
+    }
+
+    /// The part of a row, its place among the parts, and the row's number in it.
+    fn part_of(&self, number: u64) -> Option<(usize, &Arc<Part>, usize)> {
+        // Parts without rows have the number of the next one.
+        let at = self.parts.partition_point(|part| part.first <= number).checked_sub(1)?;
+        let part = self.parts.get(at)?;
+        let in_part = usize::try_from(number - part.first).ok().filter(|row| *row < part.len())?;
+        Some((at, part, in_part))
+    }
+
+    /// The place of a row in the list, if it is listed.
+    fn place_of(&self, number: u64) -> Option<usize> {
+        let (at, part, in_part) = self.part_of(number)?;
+        let before = self.before.get(at)?;
+        if self.filter.is_all() {
+            return Some(before + in_part);
+        }
+        let found = part.listed(&self.sieve).take_while(|row| *row <= in_part);
+        let (count, last) = found.fold((0, None), |(count, _), row| (count + 1, Some(row)));
+        (last == Some(in_part)).then(|| before + count - 1)
+    }
+
+    /// The row at which the keys are.
+    pub const fn cursor(&self) -> Option<u64> {
+        self.cursor
+    }
+
+    /// Where to look: a number that goes up whenever a row has to come into sight, and its place.
+    pub fn look(&self) -> (u64, Option<usize>) {
+        (self.look, self.cursor.and_then(|number| self.place_of(number)))
+    }
+
+    /// Why rows cannot be read again.
+    pub const fn unread(&self) -> Option<&Message> {
+        self.unread.as_ref()
+    }
+
+    /// The row whose check is shown.
+    pub const fn shown(&self) -> Option<&ShownRow> {
+        self.shown.as_ref()
+    }
+
+    /// Nothing of it is shown any more.
+    pub(super) fn hide(&mut self) {
+        self.shown = None;
+        self.wanted = None;
+    }
+}

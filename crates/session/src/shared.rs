@@ -1,0 +1,389 @@
+//! What belongs to every page: settings, where limits are looked up, checks, the simulated workpiece, dialogs and
+//! notices.
+//!
+//! A page changes its own state and this, never another page. It announces what others have to know as [`News`].
+
+use std::collections::{BTreeMap, VecDeque};
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use fitcheck_core::message::Message;
+use fitcheck_core::tolerance::fit::materials::Materials;
+use fitcheck_core::tolerance::{Absent, Sources};
+use fitcheck_core::words::{Dialogue, Language};
+use fitcheck_exchange::journal::Record;
+use fitcheck_exchange::journal::entry::Entry;
+use fitcheck_nc::control::mask::Mask;
+use fitcheck_nc::machine::{NcPath, Store};
+use jiff::civil::DateTime;
+
+use super::budget::OpenBudget;
+use super::check::Worth;
+use super::columns::{Columns, NoticeColumns};
+use super::command::{Density, DialogId, Effect, Page, Purpose, Theme};
+use super::files::{Dialog, Places, Working};
+use super::history::{ChangeId, History};
+use super::recording::Recording;
+use super::saved::SavedRecords;
+use super::tools::OpenTools;
+use super::workpiece::SimulatedWorkpiece;
+
+/// The mask that the status window is drawn with.
+#[derive(Debug, Clone, Default)]
+pub enum MaskChoice {
+    /// The built-in mask of the window's language.
+    #[default]
+    OfLanguage,
+    /// A built-in mask.
+    Shipped(Dialogue),
+    /// The user's own.
+    Own {
+        /// Its file's name.
+        name: String,
+        /// Its file.
+        path: PathBuf,
+        /// The mask.
+        mask: Arc<Mask>,
+    },
+}
+
+/// Where the NC program of this file finds other files. No file is opened here, so the window hands it in; until then a
+/// program finds none.
+#[derive(Debug, Clone, Copy)]
+pub(super) struct ProgramFiles(pub fn(&Path) -> Box<dyn Store>);
+
+impl Default for ProgramFiles {
+    fn default() -> Self {
+        Self(|_program| Box::new(BTreeMap::<NcPath, Vec<u8>>::new()))
+    }
+}
+
+/// The user's own mask of the last time, before another one is chosen.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub(super) enum OwnMask {
+    /// There was none, or it was read.
+    #[default]
+    Settled,
+    /// It is being read.
+    Awaited(PathBuf),
+    /// It could not be read; it may be there the next time.
+    Unread(PathBuf),
+}
+
+/// A notice, shown until it is closed.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub struct Notice {
+    /// The headline.
+    pub message: Message,
+    /// Details, one per line: rows of a file that could not be used, warnings.
+    pub details: Vec<Message>,
+    /// Whether something failed.
+    pub is_problem: bool,
+    /// The file that was written.
+    pub file: Option<PathBuf>,
+    /// The change of the history that it tells of.
+    pub change: Option<ChangeId>,
+    /// Whether it tells of checks that could not be recorded.
+    pub records: bool,
+    /// The file whose columns it tells of.
+    pub columns: Option<NoticeColumns>,
+}
+
+impl Notice {
+    /// A headline alone.
+    pub(super) const fn of(message: Message, is_problem: bool) -> Self {
+        Self { message, details: Vec::new(), is_problem, file: None, change: None, records: false, columns: None }
+    }
+}
+
+/// A change by a page, or for all of them, that other pages follow.
+#[derive(Debug, Clone, PartialEq)]
+pub(super) enum News {
+    /// A page was opened.
+    Opened(Page),
+    /// Limits come from other sources.
+    Sources,
+    /// The user's own tables were read.
+    OwnTables,
+    /// The status window is drawn in another language or with another mask.
+    StatusWindow,
+    /// The user's own mask of the last time cannot be read.
+    OwnMask,
+    /// The simulated workpiece was changed.
+    Workpiece,
+    /// The simulated workpiece was changed, and is what is measured from now on.
+    WorkpieceTaken,
+    /// Contacts were read, and are what is measured from now on.
+    ContactsTaken,
+    /// A part of several features was read, and is what is measured from now on.
+    PartTaken,
+    /// Tools are monitored with another table, or with none.
+    Tools,
+    /// Checks may use another budget's uncertainty, or none any more.
+    Budget,
+    /// The record of a number was corrected or withdrawn.
+    TakenBack {
+        /// Its number.
+        number: u64,
+        /// The number of what stands in its place, and what it tells.
+        by: Option<Box<(u64, Entry)>>,
+    },
+    /// Other columns of files are remembered.
+    Columns,
+    /// Values are brought to 20 °C from another temperature, or no longer.
+    Temperature,
+    /// The journal is open, or cannot be opened.
+    Journal,
+    /// The journal has answered about a batch of checks: whether they are on disk.
+    Kept(u64, bool),
+    /// A part of this callout is to be checked.
+    Check(String),
+    /// What a record asked for is to be measured again.
+    MeasureAgain {
+        /// The record.
+        record: Arc<Record>,
+        /// The part.
+        part: String,
+        /// Its serial number.
+        serial: String,
+    },
+}
+
+/// What every page does: follow its commands and the news of the others.
+pub(super) trait PageState {
+    /// What can be done on the page.
+    type Command;
+
+    /// Does a command of the page.
+    fn apply(&mut self, command: Self::Command, shared: &mut Shared, now: DateTime) -> Vec<Effect>;
+
+    /// Follows what happened elsewhere.
+    fn follow(&mut self, news: &News, shared: &mut Shared);
+}
+
+/// What belongs to every page.
+#[derive(Debug, Default)]
+pub(super) struct Shared {
+    /// The open page.
+    pub page: Page,
+    pub language: Language,
+    pub theme: Theme,
+    /// Whether the keypad is shown.
+    pub keypad: bool,
+    pub density: Density,
+    /// Whether a finger was used last.
+    pub is_touched: bool,
+    pub mask: MaskChoice,
+    /// The user's own mask of the last time.
+    pub own_mask: OwnMask,
+    /// The mask that was still being read when the user chose another one: its answer comes too late.
+    pub given_up_mask: Option<PathBuf>,
+    /// The user's own mask by its name, for whatever reads prints.
+    pub own_masks: Arc<Vec<(String, Mask)>>,
+    pub sources: Arc<Sources>,
+    /// The folder of the user's own tables.
+    pub tables_folder: Option<PathBuf>,
+    /// What waits until those and the mask are read: a file that is judged as it is read.
+    held: Vec<Effect>,
+    /// The folder that was still being read when the user chose other tables, or none: its answer comes too late.
+    pub given_up: Option<PathBuf>,
+    pub materials: Materials,
+    pub program_files: ProgramFiles,
+    pub history: History,
+    pub recording: Recording,
+    pub workpiece: SimulatedWorkpiece,
+    /// The tool table that was opened.
+    pub tools: Option<Arc<OpenTools>>,
+    /// How the check page judges the next value, for pages that judge values of their own.
+    pub worth: Worth,
+    /// The budget whose uncertainty checks may use.
+    pub budget: Option<Arc<OpenBudget>>,
+    pub dialog: Option<Dialog>,
+    /// How many dialogs were opened.
+    dialogs: u64,
+    /// The dialog whose answer is being applied.
+    pub answered: Option<DialogId>,
+    pub places: Places,
+    pub columns: Columns,
+    pub notices: Vec<Notice>,
+    /// The file that is being read or written, where that takes long.
+    pub working: Option<Box<Working>>,
+    /// Whether the user wants to close the window and something is unsaved.
+    pub leaving: bool,
+    news: VecDeque<News>,
+}
+
+impl Shared {
+    pub fn new(language: Language, theme: Theme, records: SavedRecords) -> Self {
+        let recording = Recording::new(records);
+        Self { language, theme, recording, materials: Materials::shipped().clone(), ..Self::default() }
+    }
+
+    /// Takes what a measured value is worth from now on.
+    pub(super) fn take_worth(&mut self, worth: Worth) {
+        let is_other = worth.temperature() != self.worth.temperature();
+        self.worth = worth;
+        if is_other {
+            self.spread(News::Temperature);
+        }
+    }
+
+    /// Announces news to the other pages.
+    pub fn spread(&mut self, news: News) {
+        self.news.push_back(news);
+    }
+
+    /// The oldest news that no page has heard.
+    pub fn next_news(&mut self) -> Option<News> {
+        self.news.pop_front()
+    }
+
+    pub fn open(&mut self, page: Page) {
+        self.page = page;
+        self.spread(News::Opened(page));
+    }
+
+    pub fn set_language(&mut self, language: Language) {
+        self.language = language;
+        self.spread(News::StatusWindow);
+    }
+
+    pub fn set_mask(&mut self, mask: MaskChoice) {
+        self.own_masks = Arc::new(match &mask {
+            MaskChoice::Own { name, mask, .. } => vec![(name.clone(), Mask::clone(mask))],
+            MaskChoice::OfLanguage | MaskChoice::Shipped(_) => Vec::new(),
+        });
+        if let OwnMask::Awaited(path) = std::mem::take(&mut self.own_mask) {
+            let is_it = matches!(&mask, MaskChoice::Own { path: read, .. } if *read == path);
+            self.given_up_mask = Some(path).filter(|_| !is_it);
+        }
+        self.mask = mask;
+        self.spread(News::StatusWindow);
+    }
+
+    /// What a status window is drawn with: a language, and the user's own mask.
+    pub fn drawn_with(&self) -> (Dialogue, Option<&Mask>) {
+        match &self.mask {
+            MaskChoice::OfLanguage => (self.language.dialogue(), None),
+            MaskChoice::Shipped(language) => (*language, None),
+            MaskChoice::Own { mask, .. } => (self.language.dialogue(), Some(mask.as_ref())),
+        }
+    }
+
+    /// The file of the user's own mask, also of one that is not read yet.
+    pub fn mask_file(&self) -> Option<PathBuf> {
+        match (&self.own_mask, &self.mask) {
+            (OwnMask::Awaited(path) | OwnMask::Unread(path), _) | (_, MaskChoice::Own { path, .. }) => {
+                Some(path.clone())
+            }
+            _ => None,
+        }
+    }
+
+    /// Holds back files that are judged as they are read while the user's own tables or mask are awaited, and lets them go
+    /// afterwards: nothing is judged by limits that are about to change.
+    pub fn in_order(&mut self, effects: Vec<Effect>) -> Vec<Effect> {
+        if !self.awaits_tables() && !matches!(self.own_mask, OwnMask::Awaited(_)) {
+            return effects.into_iter().chain(std::mem::take(&mut self.held)).collect();
+        }
+        let is_judged = |effect: &Effect| match effect.errand() {
+            Effect::Read(purpose, _) => {
+                matches!(purpose, Purpose::Import | Purpose::ImportValues(_) | Purpose::AskColumns(_))
+            }
+            Effect::ReadColumns { .. } => true,
+            _ => false,
+        };
+        let (held, others): (Vec<_>, Vec<_>) = effects.into_iter().partition(is_judged);
+        self.held.extend(held);
+        others
+    }
+
+    /// Whether the user's own tables, which were used the last time, have not been read yet.
+    pub fn awaits_tables(&self) -> bool {
+        matches!(self.sources.absent(), Some(Absent::Awaited(_)))
+    }
+
+    /// Looks limits up in other sources.
+    pub fn use_sources(&mut self, sources: Sources) {
+        self.sources = Arc::new(sources);
+        self.spread(News::Sources);
+    }
+
+    /// Tells the user what failed.
+    pub fn tell(&mut self, message: Message) {
+        self.notices.push(Notice::of(message, true));
+    }
+
+    /// Tells the user what failed, before the notice that asked for it.
+    pub fn tell_first(&mut self, message: Message) {
+        self.notices.insert(0, Notice::of(message, true));
+    }
+
+    /// Tells the user that checks are not recorded, and offers to try again: one notice for all of them.
+    pub fn tell_of_records(&mut self, message: Message) {
+        self.notices.retain(|notice| !notice.records);
+        self.notices.push(Notice { records: true, ..Notice::of(message, true) });
+    }
+
+    /// Tells the user what was done.
+    pub fn note(&mut self, message: Message, details: Vec<Message>) {
+        self.notices.push(Notice { details, ..Notice::of(message, false) });
+    }
+
+    /// Tells the user what was done, where there are details.
+    pub fn note_details(&mut self, message: Message, details: Vec<Message>) {
+        if !details.is_empty() {
+            self.note(message, details);
+        }
+    }
+
+    /// The newest notice tells of the last change of the history, and offers to undo it.
+    pub fn note_change(&mut self) {
+        if let Some(notice) = self.notices.last_mut() {
+            notice.change = self.history.last_change();
+        }
+    }
+
+    pub fn open_dialog(&mut self, purpose: Purpose, path: String) {
+        self.dialogs += 1;
+        self.dialog = Some(Dialog::new(DialogId(self.dialogs), purpose, path, self.places.folder(purpose)));
+    }
+
+    pub fn refuse_dialog(&mut self, problem: Message) {
+        if let Some(dialog) = &mut self.dialog {
+            (dialog.busy, dialog.problem) = (false, Some(problem));
+        }
+    }
+
+    /// The dialog to which an answer belongs, while it is open; it may have been closed, and another one opened.
+    pub fn answered_dialog(&mut self) -> Option<&mut Dialog> {
+        let answered = self.answered;
+        self.dialog.as_mut().filter(|dialog| answered == Some(dialog.number))
+    }
+
+    /// Whether the dialog that sent a file to work is still open.
+    pub fn dialog_waits(&self) -> bool {
+        self.dialog.as_ref().is_some_and(|dialog| dialog.busy && self.answered == Some(dialog.number))
+    }
+
+    /// The content of a file that a dialog asked for. The dialog closes, or shows what is wrong with the file; if it
+    /// was closed before, a notice shows it.
+    pub fn file_answered<T>(&mut self, result: Result<T, Message>) -> Option<T> {
+        match result {
+            Ok(read) => {
+                if self.dialog_waits() {
+                    self.dialog = None;
+                }
+                Some(read)
+            }
+            Err(problem) => {
+                if self.dialog_waits() {
+                    self.refuse_dialog(problem);
+                } else {
+                    self.tell(problem);
+                }
+                None
+            }
+        }
+    }
+}

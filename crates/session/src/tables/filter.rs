@@ -1,0 +1,128 @@
+//! What a filter's text means: classes, letters and grades choose columns, a size marks its row.
+
+use fitcheck_core::length::Length;
+use fitcheck_core::tolerance::{DeviationTable, ToleranceClass};
+
+/// The columns that are shown and the rows that are marked.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+pub struct Filter {
+    columns: Vec<usize>,
+    rows: Vec<usize>,
+    unmatched: Vec<String>,
+}
+
+/// A word of the filter.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+enum Word<'a> {
+    /// Letters and a grade, `H7`, or the name of an own column with digits in it, `U1Z1`.
+    Class(&'a str),
+    /// Letters alone, `h`, or the name of an own column, `PF`.
+    Letters(&'a str),
+    /// A grade alone, `7`.
+    Grade(&'a str),
+    /// A size in millimetres.
+    Size(Length),
+    Unknown,
+}
+
+impl Filter {
+    /// Reads a filter. Blanks, and commas that no digit follows, separate words; an empty text shows every column.
+    ///
+    /// Case counts where it tells columns apart; otherwise `h7` finds `H7`, too. A whole number that is a grade of the
+    /// table is the grade; `7 mm` and `7.0` are sizes.
+    pub fn of(text: &str, table: &DeviationTable) -> Self {
+        let mut filter = Self::default();
+        let mut chooses = false;
+        let mut shown = vec![false; table.columns().len()];
+        let text = text.replace(" mm", "mm");
+        for given in
+            text.split([' ', ';', '/', '\t']).map(|word| word.trim_matches(',')).filter(|word| !word.is_empty())
+        {
+            let word = Word::of(given, table);
+            let found = match word {
+                Word::Size(size) => filter.mark(size, table),
+                Word::Unknown => false,
+                word => {
+                    chooses = true;
+                    choose(word, table, &mut shown)
+                }
+            };
+            if !found {
+                filter.unmatched.push(given.to_owned());
+            }
+        }
+        let chosen = shown.iter().enumerate().filter(|(_, shown)| **shown || !chooses);
+        filter.columns = chosen.map(|(column, _)| column).collect();
+        filter
+    }
+
+    /// The numbers of the columns that are shown, ascending.
+    pub fn columns(&self) -> &[usize] {
+        &self.columns
+    }
+
+    /// The numbers of the rows that are marked.
+    pub fn rows(&self) -> &[usize] {
+        &self.rows
+    }
+
+    /// The words that match no column or row.
+    pub fn unmatched(&self) -> &[String] {
+        &self.unmatched
+    }
+
+    fn mark(&mut self, size: Length, table: &DeviationTable) -> bool {
+        let row = table.ends().partition_point(|&end| end < size);
+        let is_there = Length::ZERO < size && row < table.ends().len();
+        if is_there && !self.rows.contains(&row) {
+            self.rows.push(row);
+        }
+        is_there
+    }
+}
+
+impl<'a> Word<'a> {
+    fn of(given: &'a str, table: &DeviationTable) -> Self {
+        let bare = given.trim_start_matches(['Ø', 'ø', '⌀']);
+        let letters = bare.trim_end_matches(|c: char| c.is_ascii_digit());
+        let is_letters = bare.starts_with(|c: char| c.is_ascii_alphabetic())
+            && bare.bytes().all(|byte| byte.is_ascii_alphanumeric());
+        let is_whole = !bare.is_empty() && letters.is_empty();
+        let is_grade = || table.columns().iter().any(|column| grade_of(column.class.as_str()) == bare);
+        match bare.parse() {
+            _ if is_letters && letters.len() == bare.len() => Self::Letters(bare),
+            _ if is_letters => Self::Class(bare),
+            _ if is_whole && bare.len() == given.len() && is_grade() => Self::Grade(bare),
+            Ok(size) => Self::Size(size),
+            Err(_no_size) => Self::Unknown,
+        }
+    }
+
+    fn matches(self, class: ToleranceClass, same: fn(&str, &str) -> bool) -> bool {
+        match self {
+            Self::Class(wanted) => same(class.as_str(), wanted),
+            Self::Letters(wanted) => same(class.letters(), wanted),
+            Self::Grade(wanted) => grade_of(class.as_str()) == wanted,
+            Self::Size(_) | Self::Unknown => false,
+        }
+    }
+}
+
+/// The grade of a class's text.
+fn grade_of(class: &str) -> &str {
+    class.trim_start_matches(|c: char| c.is_ascii_alphabetic())
+}
+
+/// Shows the columns that a word matches; case counts unless no column matches exactly.
+fn choose(word: Word<'_>, table: &DeviationTable, shown: &mut [bool]) -> bool {
+    let ways: [fn(&str, &str) -> bool; 2] = [|one, other| one == other, str::eq_ignore_ascii_case];
+    ways.into_iter().any(|same| {
+        let mut found = false;
+        for (column, shown) in table.columns().iter().zip(shown.iter_mut()) {
+            let matches = word.matches(column.class, same);
+            *shown |= matches;
+            found |= matches;
+        }
+        found
+    })
+}

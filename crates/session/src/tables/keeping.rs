@@ -1,0 +1,86 @@
+//! Saving the shown table, and using it for limits.
+
+use std::path::{Path, PathBuf};
+use std::sync::Arc;
+
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::tolerance::DeviationTable;
+use fitcheck_exchange::exchange::tables::TABLE_FORMATS;
+
+use super::{Document, Origin, TablesPage};
+use crate::shared::Shared;
+
+/// A table that is being written to a file.
+#[derive(Debug)]
+pub(super) struct Saving {
+    document: String,
+    path: PathBuf,
+    table: DeviationTable,
+}
+
+/// The table under another name.
+fn renamed(table: &DeviationTable, name: &str) -> DeviationTable {
+    // The parts come from a table, so they fit together.
+    DeviationTable::new(name, false, table.ends().to_vec(), table.columns().to_vec()).unwrap_or_else(|_| table.clone())
+}
+
+impl TablesPage {
+    /// The proposed name of a file in a format of the list.
+    pub(crate) fn file_name(&self, format: usize) -> String {
+        let title = self.shown().map(Document::title).unwrap_or_default();
+        let stem = title.rsplit_once('.').map_or(title, |(stem, _)| stem);
+        let ending = TABLE_FORMATS.get(format).and_then(|format| format.endings.first()).copied().unwrap_or("tab");
+        format!("{stem}.{ending}")
+    }
+
+    /// The shown table's bytes in a format of the list, for a file.
+    pub(crate) fn bytes(&mut self, format: usize, path: &Path, shared: &mut Shared) -> Result<Vec<u8>, Message> {
+        if !self.settle_cell(shared) {
+            return Err(Message::new("tables-cell-unreadable"));
+        }
+        let (Some(document), Some(format)) = (self.shown(), TABLE_FORMATS.get(format)) else {
+            return Err(Message::new("tables-nothing-to-save"));
+        };
+        // The table has the name of its file; a blank would end the name.
+        let name = path.file_name().unwrap_or_default().to_string_lossy().replace(char::is_whitespace, "_");
+        let bytes = (format.write)(&renamed(document.table(), &name)).map_err(|error| error.message())?;
+        // A built-in table never changes; a file in another format cannot be opened again. Neither counts as saving.
+        let saves = format.endings.contains(&"tab") && document.origin() != Origin::Shipped;
+        let (document, table) = (document.title().to_owned(), document.table().clone());
+        self.saving = saves.then(|| Saving { document, path: path.to_owned(), table });
+        Ok(bytes)
+    }
+
+    /// A file was written. If it was a table's, the table is saved as it was then and takes the file's name.
+    pub(crate) fn saved(&mut self, path: &Path) {
+        let Some(saving) = self.saving.take_if(|saving| saving.path == path) else { return };
+        let title = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+        let Some(number) = self.by_title(&saving.document) else { return };
+        // Another open table of that name no longer has a file.
+        let other = self.by_title(&title).filter(|other| *other != number);
+        let free = self.free_title(&title);
+        if let Some(other) = other.and_then(|other| self.documents.get_mut(other)) {
+            other.lose_file(free);
+        }
+        if let Some(document) = self.documents.get_mut(number) {
+            document.saved(title, saving.table);
+        }
+    }
+
+    /// A file was not written: whatever is written under its name later is not this table.
+    pub(crate) fn not_saved(&mut self, path: &Path) {
+        self.saving.take_if(|saving| saving.path == path);
+    }
+
+    /// The shown table becomes the first of the user's own.
+    pub(super) fn use_shown(&self, shared: &mut Shared) {
+        let Some(document) = self.shown() else { return };
+        let title = document.title().to_owned();
+        let table = Arc::new(renamed(document.table(), &title));
+        let others = shared.sources.own().iter().filter(|own| !own.name().eq_ignore_ascii_case(&title)).cloned();
+        let own = std::iter::once(table).chain(others).collect::<Vec<_>>();
+        let sources = shared.sources.as_ref().clone().with_own(own);
+        shared.use_sources(sources);
+        shared.note(Message::new("tables-used").text("name", title), Vec::new());
+    }
+}

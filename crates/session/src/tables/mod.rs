@@ -1,0 +1,134 @@
+//! The table page: which tables are open, the shown one's selected cell, its filter, edits and comparison.
+//!
+//! | file | what |
+//! |---|---|
+//! | here | the state |
+//! | `field` | the text fields |
+//! | `command`, `apply` | what can be done, and doing it |
+//! | `document` | an open table: its edits, and its comparison with ISO 286 |
+//! | `filter` | which columns and rows a filter's text means |
+//! | `editing` | from the fields to cells and columns |
+//! | `walking` | moving from cell to cell |
+//! | `opening` | which tables are open, and the shown one |
+//! | `keeping` | saving, and using a table for limits |
+//!
+//! A table stays open, with its edits, until the window is closed: looking at another one loses nothing.
+
+mod apply;
+mod command;
+mod document;
+mod editing;
+mod field;
+mod filter;
+mod keeping;
+mod opening;
+mod walking;
+
+use std::collections::BTreeMap;
+
+use fitcheck_core::message::Message;
+use fitcheck_core::tolerance::Sources;
+
+pub use command::{TableChoice, TablesCommand};
+pub use document::{Document, Origin};
+pub use field::TablesField;
+pub use filter::Filter;
+
+use self::keeping::Saving;
+use super::field::Texts;
+use super::saved::SavedInputs;
+
+/// The state of the table page.
+#[derive(Debug, Default)]
+pub struct TablesPage {
+    texts: Texts<TablesField>,
+    documents: Vec<Document>,
+    shown: usize,
+    filter: Filter,
+    errors: BTreeMap<TablesField, Message>,
+    saving: Option<Saving>,
+}
+
+/// How many tables are open at most; beyond that the oldest without unsaved edits is closed.
+const MOST_DOCUMENTS: usize = 32;
+
+impl TablesPage {
+    /// The page with what was saved, or with empty fields.
+    pub(super) fn new(saved: &SavedInputs) -> Self {
+        Self { texts: Texts::restored(&saved.texts), ..Self::default() }
+    }
+
+    pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
+        self.texts.saved()
+    }
+
+    /// The text of a field.
+    pub fn text(&self, field: TablesField) -> &str {
+        self.texts.text(field)
+    }
+
+    /// The open tables, the two built-in ones first.
+    pub fn documents(&self) -> &[Document] {
+        &self.documents
+    }
+
+    /// The open tables with unsaved changes.
+    pub fn unsaved(&self) -> impl Iterator<Item = &Document> {
+        self.documents.iter().filter(|document| document.is_unsaved())
+    }
+
+    /// The shown table; `None` before the page was opened for the first time.
+    pub fn shown(&self) -> Option<&Document> {
+        self.documents.get(self.shown)
+    }
+
+    /// The shown table's number.
+    pub const fn number(&self) -> usize {
+        self.shown
+    }
+
+    /// What the filter makes of the shown table.
+    pub const fn filter(&self) -> &Filter {
+        &self.filter
+    }
+
+    /// What is wrong with a field of the page.
+    pub fn error(&self, field: TablesField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    /// Whether limits are looked up in the shown table first, as it stands.
+    pub fn is_used(&self, sources: &Sources) -> bool {
+        let (Some(document), Some(own)) = (self.shown(), sources.own().first()) else { return false };
+        own.name() == document.title() && document.holds_what(own)
+    }
+
+    fn shown_mut(&mut self) -> Option<&mut Document> {
+        self.documents.get_mut(self.shown)
+    }
+
+    /// The open table with a title. Built-in ones do not count: a user's own may have the same title.
+    pub(super) fn by_title(&self, title: &str) -> Option<usize> {
+        let is_it =
+            |document: &Document| document.origin() != Origin::Shipped && document.title().eq_ignore_ascii_case(title);
+        self.documents.iter().position(is_it)
+    }
+
+    /// A title that no open table has: `own.tab`, `own_2.tab`.
+    fn free_title(&self, wanted: &str) -> String {
+        let (stem, ending) = wanted.rsplit_once('.').unwrap_or((wanted, "tab"));
+        let numbered = (2..).map(|number| format!("{stem}_{number}.{ending}"));
+        let mut titles = std::iter::once(format!("{stem}.{ending}")).chain(numbered);
+        titles.find(|title| self.by_title(title).is_none()).unwrap_or_default()
+    }
+
+    /// Adds a table and returns its number, closing an old one without unsaved edits where there is no room.
+    fn add(&mut self, document: Document) -> Option<usize> {
+        if MOST_DOCUMENTS <= self.documents.len() {
+            let old = self.documents.iter().position(|old| old.origin() != Origin::Shipped && !old.is_unsaved())?;
+            self.documents.remove(old);
+        }
+        self.documents.push(document);
+        Some(self.documents.len() - 1)
+    }
+}

@@ -1,0 +1,83 @@
+//! Moving from cell to cell: by steps, and from difference to difference.
+
+use fitcheck_core::tolerance::ToleranceClass;
+
+use super::{Filter, TablesField, TablesPage};
+use crate::Step;
+use crate::shared::Shared;
+
+/// How many size ranges make a page.
+const PAGE: usize = 10;
+
+impl TablesPage {
+    pub(super) fn select(&mut self, class: ToleranceClass, range: usize, shared: &Shared) {
+        if let Some(document) = self.shown_mut() {
+            document.select(class, range);
+            document.keep_selection();
+        }
+        self.fill_cell_fields(shared);
+    }
+
+    /// Moves the selection to where the filter points: to the row of a size, and into the columns that are shown.
+    pub(super) fn filter_changed(&mut self, shared: &mut Shared) {
+        let Some(document) = self.shown() else { return };
+        let filter = Filter::of(self.text(TablesField::Filter), document.table());
+        let Some((class, range)) = document.selected() else { return };
+        let is_shown = document.column(class).is_some_and(|column| filter.columns().contains(&column));
+        let first = filter.columns().first().and_then(|&column| document.table().columns().get(column));
+        let wanted = first.filter(|_| !is_shown).map_or(class, |column| column.class);
+        let row = filter.rows().first().copied().unwrap_or(range);
+        self.filter = filter;
+        if (wanted, row) != (class, range) && self.settle_cell(shared) {
+            self.select(wanted, row, shared);
+        }
+    }
+
+    /// Moves by a step among the shown columns. A selected cell that the filter hides counts as the nearest shown one.
+    pub(super) fn move_by(&mut self, step: Step, shared: &Shared) {
+        let Some(document) = self.shown() else { return };
+        let (table, shown) = (document.table(), self.filter.columns());
+        let Some((class, range)) = document.selected() else { return };
+        let here = table.columns().iter().position(|column| column.class == class).unwrap_or_default();
+        let place = shown.partition_point(|&column| column < here);
+        let is_shown = shown.get(place) == Some(&here);
+        let (last_place, last_range) = (shown.len().saturating_sub(1), table.ends().len().saturating_sub(1));
+        let (place, range) = match step {
+            Step::Left => (place.saturating_sub(1), range),
+            Step::Right if is_shown => (place + 1, range),
+            Step::Right => (place, range),
+            Step::Up => (place, range.saturating_sub(1)),
+            Step::Down => (place, range + 1),
+            Step::PageUp => (place, range.saturating_sub(PAGE)),
+            Step::PageDown => (place, range.saturating_add(PAGE)),
+            Step::First => (0, range),
+            Step::Last => (last_place, range),
+            Step::Top => (place, 0),
+            Step::Bottom => (place, last_range),
+        };
+        let column = shown.get(place.min(last_place)).and_then(|&column| table.columns().get(column));
+        if let Some(class) = column.map(|column| column.class) {
+            self.select(class, range.min(last_range), shared);
+        }
+    }
+
+    /// Selects the next or previous cell that differs, column by column and round again. A hidden one ends the filter.
+    pub(super) fn select_difference(&mut self, forwards: bool, shared: &Shared) {
+        let Some(document) = self.shown() else { return };
+        let here = document.selected().and_then(|(class, range)| Some((document.column(class)?, range)));
+        let mut cells = document.differing_cells();
+        let next = if forwards {
+            cells.find(|cell| here < Some(*cell)).or_else(|| document.differing_cells().next())
+        } else {
+            cells.rfind(|cell| Some(*cell) < here).or_else(|| document.differing_cells().next_back())
+        };
+        drop(cells);
+        let Some((column, range)) = next else { return };
+        let Some(class) = document.table().columns().get(column).map(|column| column.class) else { return };
+        if !self.filter.columns().contains(&column) {
+            self.filter = Filter::of("", document.table());
+            self.texts.set(TablesField::Filter, "");
+        }
+        self.select(class, range, shared);
+    }
+}

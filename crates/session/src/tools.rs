@@ -1,0 +1,193 @@
+//! The tool table with which the cycles page and the program page monitor tools (Q330).
+//!
+//! Every run begins with the table as it was opened: what a run changes belongs to the run, until it is saved as a file.
+
+use std::sync::Arc;
+
+use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::probing::cycle::{Cycle, CycleResult, Inputs, Meaning, Value};
+use fitcheck_nc::control::tool_table::{Changed, Monitored, Tool, ToolChange, ToolNumber, ToolTable};
+use fitcheck_nc::control::variables::Parameter;
+use fitcheck_nc::machine::Remark;
+
+use super::Session;
+use super::command::Page;
+use super::shared::{News, Shared};
+
+/// What can be done with the tool table.
+#[derive(Debug, Clone)]
+pub enum ToolsCommand {
+    /// A tool table was read, or not.
+    Read {
+        /// Its name without the folder.
+        name: String,
+        /// The table.
+        result: Result<Box<ToolTable>, Message>,
+    },
+    /// Monitors no tools any more.
+    Close,
+}
+
+/// A tool table that was opened.
+#[derive(Debug, Clone, PartialEq)]
+pub struct OpenTools {
+    /// The file's name.
+    pub name: String,
+    /// The table as it was read.
+    pub table: ToolTable,
+}
+
+impl Shared {
+    /// Does a command.
+    pub fn apply_tools(&mut self, command: ToolsCommand) {
+        match command {
+            ToolsCommand::Read { name, result } => {
+                let Some(table) = self.file_answered(result) else { return };
+                let details = table.warnings().iter().map(fitcheck_core::message::Say::message).collect();
+                self.note_details(Message::new("tools-loaded").text("name", &name), details);
+                self.tools = Some(Arc::new(OpenTools { name, table: *table }));
+            }
+            ToolsCommand::Close => self.tools = None,
+        }
+        self.spread(News::Tools);
+    }
+
+    /// The tool table that a run begins with.
+    pub fn tool_table(&self) -> Option<&ToolTable> {
+        self.tools.as_ref().map(|tools| &tools.table)
+    }
+}
+
+impl Session {
+    /// The tool table that was opened.
+    pub fn tools(&self) -> Option<&OpenTools> {
+        self.shared.tools.as_deref()
+    }
+
+    /// The tool table as the run of the open page has changed it; `None` where it has changed nothing.
+    pub fn changed_tools(&self) -> Option<&ToolTable> {
+        match self.shared.page {
+            Page::Program => self.program.run()?.changed_tools(),
+            Page::Cycles => self.cycles.run()?.monitoring.as_ref()?.changed(),
+            _ => None,
+        }
+    }
+
+    /// The bytes of that table.
+    pub(super) fn tools_bytes(&self) -> Result<Vec<u8>, Message> {
+        let table = self.changed_tools().ok_or_else(|| Message::new("tools-nothing-changed"))?;
+        table.write().map_err(|error| error.message())
+    }
+}
+
+/// What the monitoring of a tool gave on the cycles page.
+#[derive(Debug, Clone)]
+pub struct Monitoring {
+    table: ToolTable,
+    /// What was found, or why nothing could be; `Ok(None)` where the cycle names no tool.
+    found: Result<Option<Monitored>, Message>,
+}
+
+impl Monitoring {
+    /// Monitors the tool of a result with a table; the opened one stays as it is.
+    pub(super) fn of(table: &ToolTable, cycle: &'static Cycle, result: &CycleResult) -> Self {
+        let mut table = table.clone();
+        let found = table.monitor(cycle, result).map_err(|fault| fault.message());
+        Self { table, found }
+    }
+
+    fn monitored(&self) -> Option<&Monitored> {
+        self.found.as_ref().ok()?.as_ref()
+    }
+
+    /// The changed cell.
+    pub fn change(&self) -> Option<&ToolChange> {
+        self.monitored()?.change.as_ref()
+    }
+
+    fn changed(&self) -> Option<&ToolTable> {
+        self.change().map(|_| &self.table)
+    }
+
+    /// Why the control would stop: a broken tool, or one that cannot be monitored.
+    pub fn problem(&self) -> Option<Message> {
+        match (&self.found, self.change().map(|change| change.what)) {
+            (Err(problem), _) => Some(problem.clone()),
+            (Ok(_), Some(Changed::Locked(broken))) => Some(broken.message()),
+            (Ok(_), _) => None,
+        }
+    }
+
+    /// What is worth knowing besides the change.
+    pub fn remark(&self) -> Option<Message> {
+        match &self.found {
+            Ok(None) => Some(Message::new("tools-none-named")),
+            Ok(Some(Monitored { same_name: Some((tool, more)), .. })) => {
+                Some(Remark::SameName { tool: tool.clone(), more: *more }.message())
+            }
+            Ok(Some(Monitored { change: None, .. })) => Some(Message::new("tools-no-deviation")),
+            _ => None,
+        }
+    }
+}
+
+/// A tool as Q330 names it.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum NamedTool {
+    /// By its number, as errors write it.
+    Number(String),
+    /// By its name.
+    Name(String),
+}
+
+impl NamedTool {
+    /// The tool of a number; 0 is none.
+    pub fn of_number(number: f64) -> Option<Self> {
+        (number != 0.0).then(|| Self::Number(number.to_string()))
+    }
+
+    /// The tool that the inputs of a cycle name.
+    pub fn of_inputs(cycle: &Cycle, inputs: &Inputs) -> Option<Self> {
+        match cycle.value_of(inputs, Meaning::Tool)? {
+            Value::Number(number) => Self::of_number(*number),
+            Value::Text(name) => Some(Self::Name(name.clone())),
+            _ => None,
+        }
+    }
+
+    /// As it is written.
+    pub fn text(&self) -> &str {
+        let (Self::Number(text) | Self::Name(text)) = self;
+        text
+    }
+
+    /// Its row in a table; of several with one name the first, as a control takes it.
+    pub fn row(&self, table: &ToolTable) -> Option<usize> {
+        match self {
+            Self::Number(number) => table.row_of(number.parse::<ToolNumber>().ok()?),
+            Self::Name(name) => table.rows_named(name).first().copied(),
+        }
+    }
+}
+
+/// What is typed to name a tool of a table: its number, or its name where a parameter holds texts. `None` where the name
+/// finds another tool, or the tool has none.
+pub fn text_of_tool(parameter: Option<Parameter>, tool: &Tool, row: usize, table: &ToolTable) -> Option<String> {
+    if !parameter.is_some_and(|parameter| parameter.family.is_text()) {
+        return Some(tool.number.to_string());
+    }
+    (table.rows_named(&tool.name).first() == Some(&row)).then(|| tool.name.clone())
+}
+
+/// A tool in one line, for people: number, name, lengths and tolerances.
+pub fn tool_message(tool: &Tool) -> Message {
+    let name = if tool.name.is_empty() { tool.number.to_string() } else { format!("{} {}", tool.number, tool.name) };
+    Message::new(if tool.is_locked { "tools-row-locked" } else { "tools-row" })
+        .text("tool", name)
+        .mm("length", tool.length)
+        .mm("radius", tool.radius)
+        .mm("delta-length", tool.delta_length)
+        .mm("delta-radius", tool.delta_radius)
+        .mm("length-breakage", tool.length_breakage.unwrap_or_default())
+        .mm("radius-breakage", tool.radius_breakage.unwrap_or_default())
+}
