@@ -25,12 +25,12 @@ const NM_PER_MM: i64 = 1_000_000;
 /// The bound (a thousand kilometres) is far beyond any machine and keeps every length exact in an `f64`, too.
 ///
 /// ```
-/// use fitcheck::length::Length;
+/// use fitcheck_core::length::Length;
 ///
 /// let measured: Length = "25,0120 mm".parse()?;
 /// assert_eq!(measured.nanometres(), 25_012_000);
 /// assert_eq!(measured.to_string(), "25.012");
-/// # Ok::<(), fitcheck::length::LengthError>(())
+/// # Ok::<(), fitcheck_core::length::LengthError>(())
 /// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Length(i64);
@@ -142,12 +142,12 @@ impl Length {
     /// sign (`+`, `-` or U+2212), exact to the nanometre.
     ///
     /// ```
-    /// use fitcheck::length::{Length, Unit};
+    /// use fitcheck_core::length::{Length, Unit};
     ///
     /// assert_eq!(Length::parse_in("+7,5", Unit::Micrometre)?.nanometres(), 7_500);
     /// assert_eq!(Length::parse_in("1.0005", Unit::Inch)?.to_string(), "25.4127");
     /// assert!(Length::parse_in("1.234,5", Unit::Millimetre).is_err());
-    /// # Ok::<(), fitcheck::length::LengthError>(())
+    /// # Ok::<(), fitcheck_core::length::LengthError>(())
     /// ```
     ///
     /// # Errors

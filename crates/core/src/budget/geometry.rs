@@ -49,11 +49,11 @@ impl Geometry {
     /// Touches at equal steps of an angle.
     ///
     /// ```
-    /// use fitcheck::budget::Geometry;
+    /// use fitcheck_core::budget::Geometry;
     ///
     /// let short_arc = Geometry::steps(3, 60.0)?;
     /// assert!((short_arc.factor - 3.464).abs() < 0.0005);
-    /// # Ok::<(), fitcheck::budget::GeometryError>(())
+    /// # Ok::<(), fitcheck_core::budget::GeometryError>(())
     /// ```
     ///
     /// # Errors
@@ -84,10 +84,10 @@ impl Geometry {
     /// How many times larger its factor is than that of as many touches evenly round the full circle, in thousandths.
     ///
     /// ```
-    /// use fitcheck::budget::Geometry;
+    /// use fitcheck_core::budget::Geometry;
     ///
     /// assert_eq!(Geometry::steps(3, 60.0)?.times_even(), 3_000);
-    /// # Ok::<(), fitcheck::budget::GeometryError>(())
+    /// # Ok::<(), fitcheck_core::budget::GeometryError>(())
     /// ```
     #[expect(
         clippy::as_conversions,

@@ -37,14 +37,14 @@ pub struct Pairing {
 /// The most pairs of holes and shafts with a wanted clearance, in the narrowest band around its middle.
 ///
 /// ```
-/// use fitcheck::length::Length;
-/// use fitcheck::pairing::pair;
+/// use fitcheck_core::length::Length;
+/// use fitcheck_core::pairing::pair;
 ///
 /// let sizes = |all: [&str; 2]| all.map(|size| size.parse::<Length>().unwrap());
 /// let pairing = pair(&sizes(["25.030", "25.010"]), &sizes(["24.990", "25.008"]), "0.010..0.030".parse()?);
 /// let clearances: Vec<String> = pairing.pairs.iter().map(|pair| pair.clearance.to_string()).collect();
 /// assert_eq!(clearances, ["0.02", "0.022"]);
-/// # Ok::<(), fitcheck::pairing::PairingError>(())
+/// # Ok::<(), fitcheck_core::pairing::PairingError>(())
 /// ```
 pub fn pair(holes: &[Length], shafts: &[Length], wanted: Wanted) -> Pairing {
     let (sorted_holes, sorted_shafts) = (Sorted::of(holes), Sorted::of(shafts));

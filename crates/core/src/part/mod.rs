@@ -89,11 +89,11 @@ impl Document {
     /// Reads a plan, as TOML or as CSV, whichever it is.
     ///
     /// ```
-    /// use fitcheck::part::{Column, Document};
+    /// use fitcheck_core::part::{Column, Document};
     ///
     /// let document = Document::read(b"name;callout;x;y;z\nA1;25 H7;40;30,5;-8\n")?;
     /// assert_eq!(document.draft.rows[0].text(Column::Callout), Some("25 H7"));
-    /// # Ok::<(), fitcheck::part::PlanError>(())
+    /// # Ok::<(), fitcheck_core::part::PlanError>(())
     /// ```
     ///
     /// # Errors

@@ -118,12 +118,12 @@ impl fmt::Display for GeneralClass {
 /// The general tolerance of a size: 0.5 mm up to 4000 mm, each range above its lower end and up to its upper one.
 ///
 /// ```
-/// use fitcheck::tolerance::iso2768::{GeneralClass, deviations};
+/// use fitcheck_core::tolerance::iso2768::{GeneralClass, deviations};
 ///
 /// let cell = deviations(GeneralClass::Medium, "10".parse().unwrap())?;
 /// assert_eq!(cell.deviations.upper().to_string(), "0.2");
 /// assert_eq!(cell.deviations.lower().to_string(), "-0.2");
-/// # Ok::<(), fitcheck::tolerance::iso2768::GeneralError>(())
+/// # Ok::<(), fitcheck_core::tolerance::iso2768::GeneralError>(())
 /// ```
 ///
 /// # Errors

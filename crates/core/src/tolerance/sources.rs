@@ -238,7 +238,7 @@ impl Sources {
     /// `feature` says which one is meant.
     ///
     /// ```
-    /// use fitcheck::tolerance::{Feature, Sources};
+    /// use fitcheck_core::tolerance::{Feature, Sources};
     ///
     /// let sources = Sources::default();
     /// let limits = sources.limits(&"280 M6".parse()?, None)?;

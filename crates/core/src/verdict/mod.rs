@@ -193,8 +193,8 @@ pub fn classify(feature: Feature, minimum: Length, maximum: Length, measured: Le
 /// Judges a diameter: a hole too small or a shaft too large can be reworked, the other side is scrap.
 ///
 /// ```
-/// use fitcheck::tolerance::Sources;
-/// use fitcheck::verdict::{Status, judge_size};
+/// use fitcheck_core::tolerance::Sources;
+/// use fitcheck_core::verdict::{Status, judge_size};
 ///
 /// let limits = Sources::default().limits(&"25 H7".parse()?, None)?;
 /// let verdict = judge_size(&limits, "24.998".parse()?);

@@ -130,9 +130,9 @@ struct Places {
 /// the separator. A header with x, y and z in any order is optional.
 ///
 /// ```
-/// let contacts = fitcheck::exchange::contacts::read(b"x;y\n12,5;0\n0;12,5\n-12,5;0\n")?;
+/// let contacts = fitcheck_exchange::exchange::contacts::read(b"x;y\n12,5;0\n0;12,5\n-12,5;0\n")?;
 /// assert_eq!(contacts.contacts[0].x, 12.5);
-/// # Ok::<(), fitcheck::message::Located<fitcheck::exchange::contacts::ContactsError>>(())
+/// # Ok::<(), fitcheck_core::message::Located<fitcheck_exchange::exchange::contacts::ContactsError>>(())
 /// ```
 ///
 /// # Errors

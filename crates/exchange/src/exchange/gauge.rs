@@ -67,7 +67,7 @@ const NEAR: Length = Length::from_micrometres(10_000);
 /// Reads what a gauge has typed.
 ///
 /// ```
-/// use fitcheck::exchange::gauge;
+/// use fitcheck_exchange::exchange::gauge;
 ///
 /// assert_eq!(gauge::read("\u{2}01A+0025.012\u{3}", None)?.value, "25.012".parse()?);
 /// assert_eq!(gauge::read("25,012 mm =", None)?.value, "25.012".parse()?);

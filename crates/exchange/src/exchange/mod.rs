@@ -223,11 +223,11 @@ display!(Format);
 /// memory, so no more than [`MOST_ROWS`] rows are read; an error says so.
 ///
 /// ```
-/// use fitcheck::tolerance::Sources;
+/// use fitcheck_core::tolerance::Sources;
 ///
 /// let csv = b"id;callout;measured\nbore 1;25 H7;25,0l2\n";
 /// let now = jiff::civil::date(2024, 3, 14).at(8, 5, 9, 0);
-/// let imported = fitcheck::exchange::import("bores.csv", csv, &Sources::default(), now);
+/// let imported = fitcheck_exchange::exchange::import("bores.csv", csv, &Sources::default(), now);
 /// let error = imported.errors.first().map(ToString::to_string);
 /// assert_eq!(error.as_deref(), Some("line 2, column 3: measured: 25,0l2 is not a number"));
 /// ```

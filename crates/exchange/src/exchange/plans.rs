@@ -20,14 +20,14 @@ use super::{FORMATS, sheet_rows};
 /// AQDEF, QIF or CALYPSO declares. `given` hands over the file beside it where a format is two files.
 ///
 /// ```
-/// use fitcheck::exchange::{Given, read_plan};
-/// use fitcheck::tolerance::Sources;
+/// use fitcheck_exchange::exchange::{Given, read_plan};
+/// use fitcheck_core::tolerance::Sources;
 ///
 /// let sources = Sources::default();
 /// let given = Given::new(&sources, jiff::civil::DateTime::default());
 /// let document = read_plan("plan.csv", b"name;callout\nA1;25 H7\n", given)?;
 /// assert_eq!(document.draft.rows.len(), 1);
-/// # Ok::<(), fitcheck::part::PlanError>(())
+/// # Ok::<(), fitcheck_core::part::PlanError>(())
 /// ```
 ///
 /// # Errors

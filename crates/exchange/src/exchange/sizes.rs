@@ -73,9 +73,9 @@ type Reads = fn(&mut Source<'_>, &mut Sink<'_>, SizesOf<'_>) -> Result<(), Impor
 /// Reads the measured sizes of a file of any known format; `feature` is what the file should hold.
 ///
 /// ```
-/// use fitcheck::tolerance::Feature;
+/// use fitcheck_core::tolerance::Feature;
 ///
-/// let read = fitcheck::exchange::sizes("holes.csv", b"id;measured\nH1;25,012\nH2;\n", Feature::Hole);
+/// let read = fitcheck_exchange::exchange::sizes("holes.csv", b"id;measured\nH1;25,012\nH2;\n", Feature::Hole);
 /// assert_eq!(read.measured[0].measured.to_string(), "25.012");
 /// assert_eq!(read.errors[0].to_string(), "line 3, column 2: measured: a length is missing");
 /// ```

@@ -101,8 +101,8 @@ impl Band {
     /// the nominal size where they are less than a zone width away; a value farther out becomes an arrow.
     ///
     /// ```
-    /// use fitcheck::report::band::{Band, Marker, Side};
-    /// use fitcheck::tolerance::{Deviations, Feature, Limits, Source};
+    /// use fitcheck_exchange::report::band::{Band, Marker, Side};
+    /// use fitcheck_core::tolerance::{Deviations, Feature, Limits, Source};
     ///
     /// let deviations = Deviations::new("0.021".parse()?, "0".parse()?)?;
     /// let limits = Limits::new(Feature::Hole, "25".parse()?, deviations, Source::File("x".into())).unwrap();
@@ -122,10 +122,10 @@ impl Band {
     /// fit is cut at the axis's end.
     ///
     /// ```
-    /// use fitcheck::report::band::{Band, GuardBand, Guarded};
-    /// use fitcheck::tolerance::Sources;
-    /// use fitcheck::verdict::Rule;
-    /// use fitcheck::verdict::rules::{Given, RuleName};
+    /// use fitcheck_exchange::report::band::{Band, GuardBand, Guarded};
+    /// use fitcheck_core::tolerance::Sources;
+    /// use fitcheck_core::verdict::Rule;
+    /// use fitcheck_core::verdict::rules::{Given, RuleName};
     ///
     /// let limits = Sources::default().limits(&"25 H7".parse()?, None)?;
     /// let rule = Rule::new(RuleName::Fixed, Given { width: Some("0.002".parse()?), ..Given::default() })?;

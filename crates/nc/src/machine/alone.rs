@@ -58,14 +58,14 @@ pub enum Alone {
 /// has no limits to judge by.
 ///
 /// ```
-/// use fitcheck::control::probe_block::read;
-/// use fitcheck::nc::machine::{Alone, alone};
+/// use fitcheck_nc::control::probe_block::read;
+/// use fitcheck_nc::machine::{Alone, alone};
 ///
 /// let text = "CYCL DEF 10.1 ROT+15\nTCH PROBE 427 MEASURE COORDINATE ~\nQ263=+35";
 /// let told = alone(text, &read(text)?);
 /// assert_eq!(told[0].place.line, Some(1));
 /// assert_eq!(told[0].what, Alone::Moved { text: "CYCL DEF 10.1 ROT+15".to_owned() });
-/// # Ok::<(), fitcheck::control::probe_block::ProbeBlockError>(())
+/// # Ok::<(), fitcheck_nc::control::probe_block::ProbeBlockError>(())
 /// ```
 pub fn alone(text: &str, block: &ProbeBlock) -> Vec<Located<Alone>> {
     if block.cycle.control == Control::Lathe {

@@ -54,12 +54,12 @@ impl NcPath {
     /// A path from the root: `TNC:\fit\a.h`, or without its drive.
     ///
     /// ```
-    /// use fitcheck::nc::machine::NcPath;
+    /// use fitcheck_nc::machine::NcPath;
     ///
     /// let main = NcPath::new(r"TNC:\fit\main.h")?;
     /// assert_eq!(main.resolve(r"..\tables\own.tab")?.to_string(), r"TNC:\tables\own.tab");
     /// assert!(main.resolve(r"..\..\own.tab").is_err());
-    /// # Ok::<(), fitcheck::nc::machine::PathError>(())
+    /// # Ok::<(), fitcheck_nc::machine::PathError>(())
     /// ```
     ///
     /// # Errors

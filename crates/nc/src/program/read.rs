@@ -19,7 +19,7 @@ impl Program {
     /// warnings.
     ///
     /// ```
-    /// use fitcheck::nc::program::{Body, Program, Target};
+    /// use fitcheck_nc::program::{Body, Program, Target};
     ///
     /// let text = "0 BEGIN PGM fit MM\n1 LBL 11\n2 BLK FORM 0.1 Z X+0 Y+0 Z-20\n3 END PGM fit MM\n";
     /// let (program, warnings) = Program::read(text.as_bytes())?;
@@ -28,7 +28,7 @@ impl Program {
     /// assert!(matches!(program.blocks()[2].body, Body::PassedOver(_)));
     /// assert_eq!(program.label(&Target::Number(11)), Ok(1));
     /// assert_eq!(program.write(), text.as_bytes());
-    /// # Ok::<(), fitcheck::nc::program::ProgramError>(())
+    /// # Ok::<(), fitcheck_nc::program::ProgramError>(())
     /// ```
     ///
     /// # Errors

@@ -32,7 +32,7 @@ pub fn program<'a>(blocks: impl IntoIterator<Item = (&'a Body, &'a str)>) -> Str
 /// Characters that would end a text are removed: line ends, quotation marks within others, a `~` at a line's end.
 ///
 /// ```
-/// use fitcheck::nc::program::{Body, Operand, Target, write};
+/// use fitcheck_nc::program::{Body, Operand, Target, write};
 ///
 /// let call = Body::CallLabel { label: Target::Name("LOOP".to_owned()), repeat: Some(Operand::Number(3.0)) };
 /// assert_eq!(write::block(7, &call), ["7  CALL LBL \"LOOP\" REP 3"]);

@@ -101,10 +101,10 @@ impl NcSet {
     /// Makes the files for a plan.
     ///
     /// ```
-    /// use fitcheck::nc::sets::{Control, NcSet, Target};
-    /// use fitcheck::part::Document;
-    /// use fitcheck::tolerance::Sources;
-    /// use fitcheck::words::Dialogue;
+    /// use fitcheck_nc::sets::{Control, NcSet, Target};
+    /// use fitcheck_core::part::Document;
+    /// use fitcheck_core::tolerance::Sources;
+    /// use fitcheck_core::words::Dialogue;
     ///
     /// let document = Document::read(b"callout;x;y;z\n25 H7;40;30;-8\n")?;
     /// let plan = document.plan(&Sources::default()).map_err(|mut faults| faults.remove(0))?;

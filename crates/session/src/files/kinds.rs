@@ -181,7 +181,7 @@ impl Purpose {
     /// What a file is opened for, by its name and its first [`HEAD`] bytes.
     ///
     /// ```
-    /// use fitcheck::session::Purpose;
+    /// use fitcheck_session::Purpose;
     ///
     /// assert_eq!(Purpose::of_file("part.csv", b"id,callout,measured\n"), Ok(Purpose::Import));
     /// assert_eq!(Purpose::of_file("bore.h", b"0 BEGIN PGM BORE MM\n"), Ok(Purpose::OpenProgram));

@@ -98,13 +98,13 @@ fn spread(numbers: impl Iterator<Item = f64>) -> (f64, f64) {
 /// The geometric least-squares circle through contacts.
 ///
 /// ```
-/// use fitcheck::probing::Contact;
-/// use fitcheck::probing::circle::least_squares;
+/// use fitcheck_core::probing::Contact;
+/// use fitcheck_core::probing::circle::least_squares;
 ///
 /// let contacts = [(62.5, 50.0), (50.0, 62.5), (37.5, 50.0), (50.0, 37.5)].map(|(x, y)| Contact { x, y, z: -5.0 });
 /// let circle = least_squares(&contacts)?;
 /// assert!((circle.diameter - 25.0).abs() < 1e-12);
-/// # Ok::<(), fitcheck::probing::circle::CircleError>(())
+/// # Ok::<(), fitcheck_core::probing::circle::CircleError>(())
 /// ```
 pub fn least_squares(contacts: &[Contact]) -> Result<Circle, CircleError> {
     let frame = Frame::new(contacts)?;

@@ -253,11 +253,11 @@ impl Simulation {
     /// Reads a file.
     ///
     /// ```
-    /// use fitcheck::probing::simulated::Simulation;
+    /// use fitcheck_core::probing::simulated::Simulation;
     ///
     /// let simulation = Simulation::read("[bore]\ncentre = [50, 20]\ndiameter = 25.012\n")?;
     /// assert_eq!(simulation.temperature, 20.0);
-    /// # Ok::<(), fitcheck::probing::simulated::SimulationError>(())
+    /// # Ok::<(), fitcheck_core::probing::simulated::SimulationError>(())
     /// ```
     ///
     /// # Errors

@@ -43,11 +43,11 @@ enum Pair<'a> {
 /// Reads deviations without a nominal size, in the grammar of callouts: `±0.05`, `+0.1/-0.05`, `-20 µm`.
 ///
 /// ```
-/// use fitcheck::tolerance::callout::band;
+/// use fitcheck_core::tolerance::callout::band;
 ///
 /// let deviations = band("+0,1/-0,05")?;
 /// assert_eq!((deviations.upper().to_string(), deviations.lower().to_string()), ("0.1".into(), "-0.05".into()));
-/// # Ok::<(), fitcheck::tolerance::CalloutError>(())
+/// # Ok::<(), fitcheck_core::tolerance::CalloutError>(())
 /// ```
 ///
 /// # Errors

@@ -16,13 +16,13 @@ use crate::length::Length;
 /// −1 and −2. These cycles have neither fits nor limits of size.
 ///
 /// ```
-/// use fitcheck::tolerance::callout::CycleText;
+/// use fitcheck_core::tolerance::callout::CycleText;
 ///
 /// let text: CycleText = "? 10 H7 @ 10,004".parse()?;
 /// assert!(text.position_unknown);
 /// assert_eq!(text.callout().unwrap().to_string(), "10 H7");
 /// assert_eq!(text.to_string(), "?10H7@10.004");
-/// # Ok::<(), fitcheck::tolerance::CalloutError>(())
+/// # Ok::<(), fitcheck_core::tolerance::CalloutError>(())
 /// ```
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
 pub struct CycleText {

@@ -14,7 +14,7 @@ const LONGEST_GIVEN: usize = 80;
 /// Why a text is not a callout, and where.
 ///
 /// ```
-/// use fitcheck::tolerance::Callout;
+/// use fitcheck_core::tolerance::Callout;
 ///
 /// let error = "12 +0.1 -0.2 H7".parse::<Callout>().unwrap_err();
 /// assert_eq!(error.to_string(), "H7 is not expected here: the text is complete without it (character 14)");

@@ -53,14 +53,14 @@ use crate::message::{Arg, IntoArg};
 /// A nominal size above zero and its tolerance; the minimum limit that it states is also above zero.
 ///
 /// ```
-/// use fitcheck::tolerance::{Callout, Feature};
+/// use fitcheck_core::tolerance::{Callout, Feature};
 ///
 /// let callout: Callout = "Ø25,0H7".parse()?;
 /// assert_eq!(callout.to_string(), "25 H7");
 /// assert_eq!(callout.feature(), Some(Feature::Hole));
 /// let callout: Callout = "12+0,2/0".parse()?;
 /// assert_eq!((callout.to_string().as_str(), callout.feature()), ("12 +0.2 0", None));
-/// # Ok::<(), fitcheck::tolerance::CalloutError>(())
+/// # Ok::<(), fitcheck_core::tolerance::CalloutError>(())
 /// ```
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub struct Callout {

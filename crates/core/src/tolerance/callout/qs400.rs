@@ -17,12 +17,12 @@ const LONGEST: usize = 255;
 /// A text may have point or comma, keyboard hyphen, true minus or en dash; numbers are millimetres without a unit.
 ///
 /// ```
-/// use fitcheck::tolerance::callout::qs400;
+/// use fitcheck_core::tolerance::callout::qs400;
 ///
 /// let deviations = qs400("0,4–0,1")?.unwrap();
 /// assert_eq!((deviations.upper().to_string(), deviations.lower().to_string()), ("0.4".into(), "-0.1".into()));
 /// assert_eq!(qs400(" ")?, None);
-/// # Ok::<(), fitcheck::tolerance::CalloutError>(())
+/// # Ok::<(), fitcheck_core::tolerance::CalloutError>(())
 /// ```
 ///
 /// # Errors

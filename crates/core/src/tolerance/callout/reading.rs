@@ -59,7 +59,7 @@ pub(super) fn callout(text: &str) -> Result<Callout, CalloutError> {
 /// The halves of a callout while it is typed: its size, and everything after it, both as given; either may be empty.
 ///
 /// ```
-/// use fitcheck::tolerance::callout::halves;
+/// use fitcheck_core::tolerance::callout::halves;
 ///
 /// assert_eq!(halves(" Ø25,5js6"), ("25,5", "js6"));
 /// assert_eq!(halves("12 +0.1 -"), ("12", "+0.1 -"));

@@ -97,8 +97,8 @@ impl Fit {
     /// The fit of a callout such as `25 H7/g6`, with each part's limits from the same sources.
     ///
     /// ```
-    /// use fitcheck::tolerance::Sources;
-    /// use fitcheck::tolerance::fit::{Fit, Kind};
+    /// use fitcheck_core::tolerance::Sources;
+    /// use fitcheck_core::tolerance::fit::{Fit, Kind};
     ///
     /// let fit = Fit::of_callout(&"50 H7/p6".parse()?, &Sources::default())?;
     /// assert_eq!((fit.minimum_clearance().to_string(), fit.kind()), ("-0.042".into(), Kind::Interference));

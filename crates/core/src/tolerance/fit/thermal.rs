@@ -188,7 +188,7 @@ impl Warm {
 /// How much larger the clearance is with both parts at a temperature than at 20 °C: ΔC = (α hole − α shaft)(T − 20) D.
 ///
 /// ```
-/// use fitcheck::tolerance::fit::thermal::clearance_change;
+/// use fitcheck_core::tolerance::fit::thermal::clearance_change;
 ///
 /// // 50 mm of aluminium around steel at 80 °C: (23.1 − 11.5) · 60 · 50 mm = 34.8 µm.
 /// let change = clearance_change("50".parse()?, "23.1".parse()?, "11.5".parse()?, "80".parse()?);
@@ -222,7 +222,7 @@ impl Correction {
     /// Brings a length to 20 °C: `L₂₀ = L [1 − α (T − 20) + α_s (T_s − 20)]` (metrology.md, section 8).
     ///
     /// ```
-    /// use fitcheck::tolerance::fit::thermal::{Correction, Warm};
+    /// use fitcheck_core::tolerance::fit::thermal::{Correction, Warm};
     ///
     /// // 80 mm of aluminium at 28 °C, read from scales at 24 °C.
     /// let part = Warm { expansion: "23.1".parse()?, temperature: "28".parse()? };

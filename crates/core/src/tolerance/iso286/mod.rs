@@ -77,7 +77,7 @@ pub struct Cell {
 /// The limit deviations of a class at a nominal size.
 ///
 /// ```
-/// use fitcheck::tolerance::iso286;
+/// use fitcheck_core::tolerance::iso286;
 ///
 /// let cell = iso286::deviations("M6".parse()?, "280".parse()?, iso286::Options::default())?;
 /// assert_eq!(cell.deviations.upper().to_string(), "-0.009");

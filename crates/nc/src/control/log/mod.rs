@@ -89,7 +89,7 @@ pub fn layout(cycle: u16) -> Option<&'static TextLog> {
 ///
 /// ```
 /// let bytes = std::fs::read("tests/data/samples/logs/en/TCHPR421.TXT")?;
-/// let logs = fitcheck::control::log::read(&bytes);
+/// let logs = fitcheck_nc::control::log::read(&bytes);
 /// let log = logs.first().and_then(|log| log.as_ref().ok());
 /// assert_eq!(log.map(|log| log.cycle), Some(421));
 /// # Ok::<(), std::io::Error>(())

@@ -73,9 +73,9 @@ pub enum LogWriteError {
 /// zero ([`Log::printed`] gives the resulting log).
 ///
 /// ```
-/// use fitcheck::control::log::{self, Figure, Further, LimitPair, Log};
-/// use fitcheck::length::Unit;
-/// use fitcheck::words::Dialogue;
+/// use fitcheck_nc::control::log::{self, Figure, Further, LimitPair, Log};
+/// use fitcheck_core::length::Unit;
+/// use fitcheck_core::words::Dialogue;
 ///
 /// let limits = LimitPair { maximum: "5.1".parse()?, minimum: "4.95".parse()? };
 /// let coordinate = Figure::bare(Some(limits), "5.0231".parse()?);

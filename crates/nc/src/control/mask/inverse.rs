@@ -126,7 +126,7 @@ impl Mask {
     /// The mask as a reader of what it prints.
     ///
     /// ```
-    /// use fitcheck::control::mask::{Found, Mask};
+    /// use fitcheck_nc::control::mask::{Found, Mask};
     ///
     /// let (mask, _) = Mask::read(b"\"MIN:%9.4LF MAX:%9.4LF\", Q33, Q23;")?;
     /// let inverse = mask.inverse()?;

@@ -19,11 +19,11 @@ impl Mask {
     /// Reads a mask: UTF-8 or Windows-1252, any line ends.
     ///
     /// ```
-    /// use fitcheck::control::mask::Mask;
+    /// use fitcheck_nc::control::mask::Mask;
     ///
     /// let (_, warnings) = Mask::read(b"\"STATUS: %S\", QS3\n")?;
     /// assert_eq!(warnings[0].to_string(), "line 1: the ; at the end is missing");
-    /// # Ok::<(), fitcheck::control::mask::MaskError>(())
+    /// # Ok::<(), fitcheck_nc::control::mask::MaskError>(())
     /// ```
     ///
     /// # Errors

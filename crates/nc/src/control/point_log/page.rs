@@ -62,9 +62,9 @@ struct Axis {
 /// four decimals, and inches rounded to seven.
 ///
 /// ```
-/// use fitcheck::control::point_log::{self, Band, PointLog};
-/// use fitcheck::length::{Length, Unit};
-/// use fitcheck::words::Dialogue;
+/// use fitcheck_nc::control::point_log::{self, Band, PointLog};
+/// use fitcheck_core::length::{Length, Unit};
+/// use fitcheck_core::words::Dialogue;
 ///
 /// let band = Band { upper: "0.4".parse()?, lower: "-0.1".parse()? };
 /// let deviation = "0.0123".parse()?;

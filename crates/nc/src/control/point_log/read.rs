@@ -10,7 +10,7 @@ use super::stored::{CLOSE, COUNT, OPEN, parse};
 /// affect the others. A page with fewer or more measurements than it announces gives one more result, an error.
 ///
 /// ```
-/// use fitcheck::control::point_log::{PointFault, read};
+/// use fitcheck_nc::control::point_log::{PointFault, read};
 ///
 /// let answers = read(b"<html></html>");
 /// let error = answers.first().and_then(|answer| answer.as_ref().err());

@@ -19,13 +19,13 @@ pub(super) const MOST_PARTS: usize = 1_000;
 /// block on the next one. Other blocks of a program are skipped, and reported in [`ProbeBlock::unused`].
 ///
 /// ```
-/// use fitcheck::control::probe_block::read;
-/// use fitcheck::probing::cycle::Inputs;
+/// use fitcheck_nc::control::probe_block::read;
+/// use fitcheck_core::probing::cycle::Inputs;
 ///
 /// let block = read("5 TCH PROBE 427 MEASURE COORDINATE ~\n  Q272=+3 ;MEASURING AXIS ~\n  Q263=+35 ;1ST POINT 1ST AXIS")?;
 /// assert_eq!((block.cycle.code, block.settings.len()), ("427", 2));
 /// assert!(block.put_into(Inputs::new())?.is_given(272));
-/// # Ok::<(), fitcheck::control::probe_block::ProbeBlockError>(())
+/// # Ok::<(), fitcheck_nc::control::probe_block::ProbeBlockError>(())
 /// ```
 ///
 /// # Errors

@@ -13,10 +13,10 @@ const LINE_END: &str = "\r\n";
 /// order, with its name in a dialogue language if that is known. Without a block number; CRLF between lines.
 ///
 /// ```
-/// use fitcheck::control::probe_block::write;
-/// use fitcheck::probing::cycle::Inputs;
-/// use fitcheck::probing::cycles::cycle_named;
-/// use fitcheck::words::Dialogue;
+/// use fitcheck_nc::control::probe_block::write;
+/// use fitcheck_core::probing::cycle::Inputs;
+/// use fitcheck_core::probing::cycles::cycle_named;
+/// use fitcheck_core::words::Dialogue;
 ///
 /// let cycle = cycle_named("427").unwrap();
 /// let block = write(cycle, &cycle.set(Inputs::new(), "Q263", "35")?, Dialogue::It)?;

@@ -26,11 +26,11 @@ pub use write::WriteError;
 /// A control's table.
 ///
 /// ```
-/// use fitcheck::control::table::ControlTable;
+/// use fitcheck_nc::control::table::ControlTable;
 ///
 /// let file = ControlTable::read(b"BEGIN own.tab MM\r\nNR BEREICH U1\r\n0  3       +8\r\n[END]\r\n", "own.tab")?;
 /// assert_eq!(file.table.rows, [["0", "3", "+8"]]);
-/// # Ok::<(), fitcheck::control::table::TableError>(())
+/// # Ok::<(), fitcheck_nc::control::table::TableError>(())
 /// ```
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct ControlTable {

@@ -120,13 +120,13 @@ impl ToolTable {
     /// Rows may end where only blank cells follow; blank numbers are 0.
     ///
     /// ```
-    /// use fitcheck::control::tool_table::ToolTable;
+    /// use fitcheck_nc::control::tool_table::ToolTable;
     ///
     /// let bytes = b"BEGIN TOOL.T MM\nT   NAME   L   R   DL  DR      TL\n5   MILL   +90 +6  +0  -0.005  L\n[END]\n";
     /// let table = ToolTable::read(bytes, "tool.t")?;
     /// assert_eq!(table.tools()[0].delta_radius.to_string(), "-0.005");
     /// assert!(table.tools()[0].is_locked);
-    /// # Ok::<(), fitcheck::control::tool_table::ToolTableError>(())
+    /// # Ok::<(), fitcheck_nc::control::tool_table::ToolTableError>(())
     /// ```
     ///
     /// # Errors

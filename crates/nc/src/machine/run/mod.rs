@@ -96,10 +96,10 @@ enum State {
 /// ```
 /// use std::sync::Arc;
 ///
-/// use fitcheck::nc::machine::{Contacts, Machine, Settings, Shipped, Step};
-/// use fitcheck::nc::program::Program;
-/// use fitcheck::control::variables::{Parameter, Value};
-/// use fitcheck::words::Dialogue;
+/// use fitcheck_nc::machine::{Contacts, Machine, Settings, Shipped, Step};
+/// use fitcheck_nc::program::Program;
+/// use fitcheck_nc::control::variables::{Parameter, Value};
+/// use fitcheck_core::words::Dialogue;
 ///
 /// let text = b"BEGIN PGM sum MM\nQ1 = 5 * 3 + 2 * 10\nEND PGM sum MM\n";
 /// let program = Arc::new(Program::read(text)?.0);

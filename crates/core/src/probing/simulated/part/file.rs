@@ -346,7 +346,7 @@ impl Part {
     /// Reads a file: one with `[[feature]]` tables, or one with a single table as [`Simulation::read`] does.
     ///
     /// ```
-    /// use fitcheck::probing::simulated::Part;
+    /// use fitcheck_core::probing::simulated::Part;
     ///
     /// let part = Part::read(
     ///     "[[feature]]\nkind = \"bore\"\ncentre = [50, 20]\ndiameter = 25.012\n\
@@ -354,7 +354,7 @@ impl Part {
     /// )?;
     /// assert_eq!(part.features[0].name, "F1");
     /// assert_eq!(part.features[1].extent.length, 30.0);
-    /// # Ok::<(), fitcheck::probing::simulated::SimulationError>(())
+    /// # Ok::<(), fitcheck_core::probing::simulated::SimulationError>(())
     /// ```
     ///
     /// # Errors

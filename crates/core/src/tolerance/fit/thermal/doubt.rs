@@ -82,7 +82,7 @@ impl ThermalDoubt {
     /// What is doubtful about the temperature of a part, or of scales, that is measured.
     ///
     /// ```
-    /// use fitcheck::tolerance::fit::thermal::ThermalDoubt;
+    /// use fitcheck_core::tolerance::fit::thermal::ThermalDoubt;
     ///
     /// let meant = |given: &str| Some(ThermalDoubt::of_measured(given.parse().ok()?)?.meant()?.to_string());
     /// assert_eq!([meant("68"), meant("293.15"), meant("23.7")], [Some("20".into()), Some("20".into()), None]);
