@@ -27,7 +27,6 @@ pub struct Setup {
     pub store: Store,
     /// The language of the first start.
     pub language: Language,
-    /// The texts of a language.
     pub words: fn(Language) -> Words,
     /// How files are read and written.
     pub errands: Errands,

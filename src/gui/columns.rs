@@ -50,7 +50,6 @@ pub(super) enum Shape {
     One,
     /// What is asked beside the rest.
     Two,
-    /// All three.
     Three,
 }
 

@@ -15,11 +15,9 @@ use crate::session::{Command, Field};
 
 /// How a field looks.
 pub(super) struct Look {
-    /// The font of the text.
     pub font: FontId,
     /// The width in points.
     pub width: f32,
-    /// Where the text is aligned.
     pub align: Align,
     /// What counts while nothing is typed, or that something must be.
     pub hint: RichText,

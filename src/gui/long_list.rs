@@ -7,7 +7,6 @@ use super::theme::{control, palette, space};
 
 /// A list that is longer than its room.
 pub(super) struct Long {
-    /// Its id.
     pub id: Id,
     /// How many rows it has.
     pub count: usize,

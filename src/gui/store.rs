@@ -26,12 +26,10 @@ impl Store {
         Self { path: folder.map(|folder| folder.join("state.toml")) }
     }
 
-    /// At a path.
     pub fn at(path: &Path) -> Self {
         Self { path: Some(path.to_owned()) }
     }
 
-    /// Nowhere.
     pub const fn nowhere() -> Self {
         Self { path: None }
     }

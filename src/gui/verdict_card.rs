@@ -27,9 +27,7 @@ pub(super) struct Card {
     pub status: Option<Status>,
     /// Whether the value was simulated: nobody measured it.
     pub is_simulated: bool,
-    /// The word.
     pub word: String,
-    /// The value.
     pub value: Option<String>,
     /// What is to be done, readable from as far as the word, and the rest of that sentence.
     pub instruction: Option<(String, String)>,
@@ -214,7 +212,6 @@ pub(super) fn chip_ui(ui: &mut Ui, status: Status, text: &str) -> Response {
     response
 }
 
-/// The height of a strip.
 pub(super) fn strip_height(ui: &Ui) -> f32 {
     control(ui) + space(1.0)
 }

@@ -220,7 +220,6 @@ pub(super) fn quiet_within(ui: &mut Ui, text: impl Into<String>, width: f32) -> 
     within.inner
 }
 
-/// The height of such a text.
 pub(super) fn quiet_height(ui: &Ui, text: &str, width: f32) -> f32 {
     let font = theme::font(theme::sizes().small);
     ui.painter().layout(text.to_owned(), font, egui::Color32::PLACEHOLDER, width).size().y

@@ -67,7 +67,6 @@ impl Job {
         self.far.borrow_mut().0.all = u64::try_from(bytes).ok();
     }
 
-    /// Another row.
     pub fn row(&self) {
         self.far.borrow_mut().0.rows += 1;
         self.tell();

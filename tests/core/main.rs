@@ -35,6 +35,7 @@ mod cycle_texts;
 mod cycle_windows;
 mod cycles;
 mod exact_cycles;
+mod file_circles;
 mod file_places;
 mod files;
 mod fit_cli;

@@ -63,7 +63,6 @@ pub enum Command {
     Tools(ToolsCommand),
     /// Does something with the file dialog, recent files or a file that was written.
     Files(FilesCommand),
-    /// Opens a page.
     OpenPage(Page),
     /// Goes to a field and selects its text.
     GoTo(Field),
@@ -99,14 +98,12 @@ pub enum Command {
     Leave(bool),
     /// A mask was read, or not.
     MaskRead {
-        /// Its path.
         path: PathBuf,
         /// The mask and its warnings.
         result: Result<(Box<Mask>, Vec<Message>), Message>,
     },
     /// A folder of tables was read, or not.
     TablesRead {
-        /// The folder.
         folder: PathBuf,
         /// The tables, and warnings.
         result: Result<(Vec<DeviationTable>, Vec<Message>), Message>,
@@ -121,7 +118,6 @@ pub enum Command {
     Answered(DialogId, Box<Self>),
     /// A file was written, or not.
     Saved {
-        /// Its path.
         path: PathBuf,
         /// Whether that succeeded.
         result: Result<(), FileError>,
@@ -330,9 +326,7 @@ pub enum Theme {
     /// As the system is set.
     #[default]
     System,
-    /// Light.
     Light,
-    /// Dark.
     Dark,
 }
 
@@ -343,7 +337,6 @@ pub enum Density {
     /// As it is used: high once a finger has touched the window, until a mouse moves over it.
     #[default]
     ByUse,
-    /// For a mouse.
     Mouse,
     /// For fingers and gloves.
     Touch,
@@ -398,7 +391,6 @@ pub enum Effect {
     Launch(PathBuf, Launch),
     /// Judge the rows of a large file and send [`RowsCommand::Judged`] again and again.
     JudgeRows {
-        /// The number of the run.
         run: u64,
         /// The file.
         path: PathBuf,
@@ -416,12 +408,10 @@ pub enum Effect {
     Pair {
         /// The number of the question.
         run: u64,
-        /// What is asked.
         asked: Box<Asked>,
     },
     /// Open the journal, which is made where there is none, and send [`RecordsCommand::Opened`] with so many of its newest checks.
     OpenJournal {
-        /// The file.
         file: PathBuf,
         /// The name of the station, for a journal that is made.
         station: String,
@@ -460,16 +450,13 @@ pub enum Effect {
     Watch {
         /// The number of the watch.
         run: u64,
-        /// The folder.
         folder: PathBuf,
-        /// The plan.
         plan: Arc<Plan>,
     },
     /// What a look of a watch has found is recorded.
     WatchTaken {
         /// The number of the watch.
         run: u64,
-        /// The number of the look.
         look: u64,
     },
     /// End the watch, if there is one.

@@ -71,7 +71,6 @@ from_variants!(Field: Pairing(PairingField), Budget(BudgetField), Records(Record
 from_variants!(Field: Program(ProgramField), Plan(PlanField), Workpiece(WorkpieceField));
 
 impl Session {
-    /// The text of a field.
     pub fn text(&self, field: impl Into<Field>) -> &str {
         match field.into() {
             Field::Check(field) => self.check.text(field),
@@ -231,7 +230,6 @@ pub(super) enum Range {
     Any,
     /// Not below zero.
     ZeroOrMore,
-    /// Above zero.
     AboveZero,
 }
 

@@ -367,7 +367,6 @@ impl Session {
         Vec::new()
     }
 
-    /// The check page.
     pub const fn check(&self) -> &CheckPage {
         &self.check
     }
@@ -377,22 +376,18 @@ impl Session {
         self.check.own_worth().temperature()
     }
 
-    /// The fit page.
     pub const fn fit(&self) -> &FitPage {
         &self.fit
     }
 
-    /// The cycles page.
     pub const fn cycles(&self) -> &CyclesPage {
         &self.cycles
     }
 
-    /// The table page.
     pub const fn tables(&self) -> &TablesPage {
         &self.tables
     }
 
-    /// The program page.
     pub const fn program(&self) -> &ProgramPage {
         &self.program
     }
@@ -413,17 +408,14 @@ impl Session {
         self.shared.page == Page::Check && self.check.shows_rows()
     }
 
-    /// The pairing page.
     pub const fn pairing(&self) -> &PairingPage {
         &self.pairing
     }
 
-    /// The parts page.
     pub const fn parts(&self) -> &PartsPage {
         &self.parts
     }
 
-    /// The budget page.
     pub const fn budget(&self) -> &BudgetPage {
         &self.budget
     }

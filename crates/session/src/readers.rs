@@ -170,7 +170,6 @@ impl Session {
         self.shared.recording.of_check(self.check.shown()?.id?)
     }
 
-    /// The records page.
     pub const fn records(&self) -> &RecordsPage {
         &self.records
     }

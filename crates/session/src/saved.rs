@@ -76,7 +76,6 @@ pub struct SavedRecords {
 pub struct SavedWalk {
     /// The file of its plan; `None` where no part is being measured.
     pub plan: Option<PathBuf>,
-    /// Its serial number.
     pub serial: String,
     /// The newest record of the journal when it was begun.
     pub since: u64,
@@ -93,7 +92,6 @@ pub struct SavedWalk {
 /// What is kept of a watched folder; what was taken from it is in the journal.
 #[derive(Debug, Clone, PartialEq, Eq, Serialize, Deserialize)]
 pub struct SavedWatch {
-    /// The folder.
     pub folder: PathBuf,
     /// The file of the plan that its values are judged by.
     pub plan: PathBuf,
@@ -117,7 +115,6 @@ pub struct SavedFiles {
 pub struct SavedFile {
     /// The kind of thing that it was read as; an unknown one is left out.
     pub kind: String,
-    /// Its path.
     pub path: PathBuf,
 }
 
@@ -177,10 +174,7 @@ pub enum SavedError {
     },
     /// Written by a later version.
     #[say(args(known = VERSION))]
-    Newer {
-        /// Its version.
-        version: u32,
-    },
+    Newer { version: u32 },
 }
 
 impl Saved {

@@ -42,7 +42,6 @@ pub enum MaskChoice {
         name: String,
         /// Its file.
         path: PathBuf,
-        /// The mask.
         mask: Arc<Mask>,
     },
 }
@@ -99,7 +98,6 @@ impl Notice {
 /// A change by a page, or for all of them, that other pages follow.
 #[derive(Debug, Clone, PartialEq)]
 pub(super) enum News {
-    /// A page was opened.
     Opened(Page),
     /// Limits come from other sources.
     Sources,
@@ -123,7 +121,6 @@ pub(super) enum News {
     Budget,
     /// The record of a number was corrected or withdrawn.
     TakenBack {
-        /// Its number.
         number: u64,
         /// The number of what stands in its place, and what it tells.
         by: Option<Box<(u64, Entry)>>,
@@ -140,11 +137,8 @@ pub(super) enum News {
     Check(String),
     /// What a record asked for is to be measured again.
     MeasureAgain {
-        /// The record.
         record: Arc<Record>,
-        /// The part.
         part: String,
-        /// Its serial number.
         serial: String,
     },
 }

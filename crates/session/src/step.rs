@@ -17,7 +17,6 @@ pub enum Step {
     PageDown,
     /// To the first one: of a table's row, its first class.
     First,
-    /// To the last one.
     Last,
     /// To the first row of a table.
     Top,

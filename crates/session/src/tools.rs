@@ -21,7 +21,6 @@ pub enum ToolsCommand {
     Read {
         /// Its name without the folder.
         name: String,
-        /// The table.
         result: Result<Box<ToolTable>, Message>,
     },
     /// Monitors no tools any more.
@@ -136,7 +135,6 @@ impl Monitoring {
 pub enum NamedTool {
     /// By its number, as errors write it.
     Number(String),
-    /// By its name.
     Name(String),
 }
 

@@ -33,7 +33,6 @@ pub enum WorkpieceCommand {
     PartRead {
         /// Its name without the folder.
         name: String,
-        /// The part.
         result: Result<Box<Part>, Message>,
     },
     /// A file of contacts was read, or not.
@@ -63,7 +62,6 @@ pub struct RecordedContacts {
 pub struct OpenPart {
     /// The file's name.
     pub name: String,
-    /// The part.
     pub part: Part,
     /// SHA-256 of the file.
     pub sha256: Option<Hash>,

@@ -276,7 +276,6 @@ fn follow(ui: &Ui, view: &View<'_>, top: f32, left: f32) {
     ui.scroll_to_rect_animation(row, None, ScrollAnimation::none());
 }
 
-/// The texts of a row.
 struct Cells {
     time: String,
     part: String,

@@ -19,7 +19,6 @@ pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
     run_ui(ui, view);
 }
 
-/// The form.
 pub(super) fn form_ui(ui: &mut Ui, view: &mut View<'_>) {
     parameters_ui(ui, view);
     position_ui(ui, view);

@@ -84,7 +84,6 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     }
 }
 
-/// The letters of a side.
 pub(super) fn letter_text(letter: Letter, side: Feature) -> String {
     match side {
         Feature::Hole => letter.text().to_uppercase(),

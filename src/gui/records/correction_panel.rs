@@ -9,7 +9,6 @@ use crate::message::Message;
 use crate::session::records::Correcting;
 use crate::session::{Action, RecordsField};
 
-/// The form.
 pub(super) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
     heading(ui, view.text("records-page-correction"));
     quiet(ui, view.text("records-page-correction-hint"));

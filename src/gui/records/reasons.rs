@@ -15,7 +15,6 @@ pub(super) enum Line {
     Sentence(String),
 }
 
-/// All lines.
 pub(super) fn lines(view: &View<'_>, row: &RecordRow) -> Vec<Line> {
     let entry = match &row.entry {
         Ok(entry) => entry,

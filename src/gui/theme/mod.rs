@@ -26,7 +26,6 @@ static TOKENS: LazyLock<Tokens> = LazyLock::new(|| {
     toml::from_str(include_str!("../../../assets/theme.toml")).expect("assets/theme.toml can be read")
 });
 
-/// The sizes.
 pub fn sizes() -> &'static Sizes {
     &TOKENS.sizes
 }

@@ -30,13 +30,11 @@ macro_rules! palette {
 palette! {
     /// Behind everything.
     background
-    /// Panels.
     panel
     /// Text fields.
     field
     /// Thin lines between things.
     line
-    /// Text.
     text
     /// Secondary text.
     quiet
@@ -48,25 +46,16 @@ palette! {
     error
     /// Selected rows and text.
     selection
-    /// GOOD.
     good
-    /// Text on it.
     on_good
-    /// REWORK.
     rework
-    /// Text on it.
     on_rework
-    /// SCRAP.
     scrap
-    /// Text on it.
     on_scrap
-    /// RE-MEASURE.
     re_measure
-    /// Text on it.
     on_re_measure
     /// No result.
     none
-    /// Text on it.
     on_none
     /// GOOD, simulated.
     pale_good
@@ -96,7 +85,6 @@ palette! {
     popup
     /// Its title bar.
     popup_title
-    /// Text on that.
     on_popup_title
 }
 
@@ -131,9 +119,7 @@ impl Palette {
 pub struct Sizes {
     /// Table heads, remarks.
     pub small: f32,
-    /// Body text.
     pub body: f32,
-    /// Limits of size.
     pub limits: f32,
     /// Values that are typed or measured.
     pub value: f32,
@@ -157,10 +143,7 @@ pub struct Sizes {
 #[derive(Debug, Clone, PartialEq, Deserialize)]
 #[serde(deny_unknown_fields)]
 pub struct Tokens {
-    /// Light.
     pub light: Palette,
-    /// Dark.
     pub dark: Palette,
-    /// Sizes.
     pub sizes: Sizes,
 }

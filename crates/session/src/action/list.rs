@@ -34,7 +34,6 @@ macro_rules! actions {
 }
 
 actions! {
-    /// Opens a page.
     Open(Page): Page::ALL;
     /// Reads measurements.
     Import;
@@ -72,7 +71,6 @@ actions! {
     ClearHistory;
     /// Chooses every listed check that is not good for export.
     ChooseBad;
-    /// Chooses none.
     ChooseNone;
     /// Shows or hides the keypad.
     Keypad;
@@ -112,7 +110,6 @@ actions! {
     KeepText;
     /// Shows another row of the imported file, worst first.
     ShowInLot(Step): Step::PATH;
-    /// Clears the result.
     ClearResult;
     /// Chooses where the next measurement comes from.
     MeasureBy(MeasureBy): [MeasureBy::Typing, MeasureBy::Simulating];
@@ -156,7 +153,6 @@ actions! {
     /// Takes one side of the fit to the check page.
     CheckPart(Feature): [Feature::Hole, Feature::Shaft];
 
-    /// Runs the cycle.
     RunCycle;
     /// Clears the result.
     ClearCycle;
@@ -201,7 +197,6 @@ actions! {
     SaveTable(usize): 0..TABLE_FORMATS.len();
     /// Undoes the last edit of the shown table.
     UndoEdit;
-    /// Redoes it.
     RedoEdit;
     /// Looks limits up in the shown table first.
     UseTable;
@@ -232,9 +227,7 @@ actions! {
     OpenProgram;
     /// Reads a simulated part of several features.
     OpenPart;
-    /// Runs the program.
     RunProgram;
-    /// Pauses it.
     PauseProgram;
     /// Runs one block.
     StepProgram;
@@ -342,7 +335,6 @@ actions! {
     SkipSize;
     /// Leaves it out for the reason in its field.
     SkipFor;
-    /// Leaves it in.
     LeaveSkip;
     /// Ends the part; the serial number of the next one is counted up.
     NextPart;
@@ -374,7 +366,6 @@ actions! {
     FindRecords;
     /// Goes to another record.
     MoveRecord(Step): Step::BLOCKS;
-    /// Opens the record.
     OpenRecord;
     /// Chooses the record for the report, or not.
     ChooseRecord;

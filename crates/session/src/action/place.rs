@@ -9,7 +9,6 @@ pub enum Place {
     Everywhere,
     /// On the pages that measure the simulated workpiece.
     Workpiece,
-    /// On a page.
     Page(Page),
     /// In the focused part of a page.
     Part(Part),
@@ -69,7 +68,6 @@ impl Part {
 }
 
 impl Place {
-    /// Whether it is on a page.
     pub fn is_on(self, page: Page) -> bool {
         match self {
             Self::Everywhere => true,

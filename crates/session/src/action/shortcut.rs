@@ -14,24 +14,17 @@ pub struct Shortcut {
 /// What is held down while a key is pressed. Ctrl is the command key where the system has one.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Held {
-    /// Nothing.
     Nothing,
-    /// Shift.
     Shift,
-    /// Ctrl.
     Ctrl,
-    /// Ctrl and Shift.
     CtrlShift,
-    /// Alt.
     Alt,
 }
 
-/// A key.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Key {
     /// A capital letter or a digit.
     Character(char),
-    /// A function key by its number.
     Function(u8),
     /// The left arrow.
     Left,
@@ -41,19 +34,12 @@ pub enum Key {
     Up,
     /// The downward arrow.
     Down,
-    /// Page up.
     PageUp,
-    /// Page down.
     PageDown,
-    /// Home.
     Home,
-    /// End.
     End,
-    /// Enter.
     Enter,
-    /// Escape.
     Escape,
-    /// Delete.
     Delete,
     /// The space bar.
     Space,

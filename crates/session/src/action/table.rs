@@ -29,7 +29,6 @@ const fn open(purpose: Purpose) -> Command {
     Command::OpenDialog(purpose)
 }
 
-/// The row of an action.
 #[expect(clippy::too_many_lines, reason = "one table of everything that can be done")]
 pub(super) fn row(action: Action) -> Row {
     match action {
@@ -454,7 +453,6 @@ const fn with_shift(keys: Shortcut) -> Shortcut {
     Shortcut { held, key: keys.key }
 }
 
-/// The keys of a step.
 const fn keys(step: Step) -> Shortcut {
     let key = match step {
         Step::Left => Key::Left,

@@ -21,7 +21,6 @@ impl BudgetPage {
         }
     }
 
-    /// The text is another one.
     pub(super) fn read_anew(&mut self) {
         let text = &self.document.text;
         self.read = (!text.trim().is_empty()).then(|| Budget::read(text));

@@ -18,19 +18,9 @@ pub enum BudgetCommand {
     /// Begins a new budget.
     New,
     /// A file of a budget was read, or not.
-    Read {
-        /// Its path.
-        path: PathBuf,
-        /// Its text.
-        result: Result<String, Message>,
-    },
+    Read { path: PathBuf, result: Result<String, Message> },
     /// The budget that checks used the last time was read, or not.
-    UsedRead {
-        /// Its path.
-        path: PathBuf,
-        /// Its text.
-        result: Result<String, Message>,
-    },
+    UsedRead { path: PathBuf, result: Result<String, Message> },
     /// Opens what waits and loses the changes, or keeps them.
     Discard(bool),
     /// Evaluates for the contacts of a check.

@@ -45,7 +45,6 @@ use super::saved::SavedInputs;
 pub struct Asks {
     /// The measured size.
     pub size: bool,
-    /// Contacts.
     pub contacts: bool,
     /// Readings of a calibrated piece.
     pub readings: bool,
@@ -94,7 +93,6 @@ impl BudgetPage {
         self.used_file.as_ref()
     }
 
-    /// The text of a field.
     pub fn text(&self, field: BudgetField) -> &str {
         self.texts.text(field)
     }
@@ -104,7 +102,6 @@ impl BudgetPage {
         self.errors.get(&field)
     }
 
-    /// The text of the budget.
     pub fn toml(&self) -> &str {
         &self.document.text
     }

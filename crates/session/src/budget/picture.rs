@@ -6,7 +6,6 @@ use fitcheck_core::message::Message;
 /// A bar of the picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Bar {
-    /// What it is of.
     pub name: Message,
     /// Its length as a part of the longest possible, 0 to 1.
     pub length: f64,

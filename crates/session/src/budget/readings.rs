@@ -34,7 +34,6 @@ pub(super) enum Source {
 pub struct Readings {
     /// How many, and where they come from.
     pub from: Message,
-    /// The readings.
     pub measured: Vec<Length>,
     /// What was not used, and what to check.
     pub notes: Vec<Message>,

@@ -17,7 +17,6 @@ use crate::shared::{News, Shared};
 pub struct OpenBudget {
     /// Its file's name without the folder.
     pub file: String,
-    /// The budget.
     pub budget: Budget,
     /// SHA-256 of the file, where it holds this budget.
     pub sha256: Option<Hash>,

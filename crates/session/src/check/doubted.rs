@@ -13,7 +13,6 @@ use crate::field::Texts;
 /// A text that is asked about.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Doubted {
-    /// Its field.
     pub field: CheckField,
     /// The text, as it was understood.
     pub text: String,
@@ -56,7 +55,6 @@ impl Doubted {
 pub(super) struct Meant(BTreeSet<(CheckField, String)>);
 
 impl Meant {
-    /// Whether a text is.
     pub(super) fn has(&self, field: CheckField, text: &str) -> bool {
         self.0.contains(&(field, text.to_owned()))
     }

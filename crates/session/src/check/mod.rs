@@ -69,7 +69,6 @@ pub enum MeasureBy {
 /// A record that is shown, and what the mask makes of it.
 #[derive(Debug, Clone)]
 pub struct Shown {
-    /// The record.
     pub record: Arc<Record>,
     /// Its number in the history; `None` where it is not in it.
     pub id: Option<RecordId>,
@@ -94,7 +93,6 @@ pub struct CheckPage {
     by: MeasureBy,
     /// Hole or shaft, and the callout that was meant: another one is asked about anew. Without one it is that of the first callout.
     feature: Option<(Option<Callout>, Feature)>,
-    /// How it is judged.
     judging: Judging,
     /// How the user wants the next part to be judged, while a shown record's own stands in its place.
     own_judging: Option<Judging>,
@@ -194,7 +192,6 @@ impl CheckPage {
         self.own_judging.unwrap_or(self.judging)
     }
 
-    /// The text of a field.
     pub fn text(&self, field: CheckField) -> &str {
         self.texts.text(field)
     }

@@ -27,7 +27,6 @@ pub(crate) type Refusal = (CheckField, Message);
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum UncertaintyFrom {
-    /// As a standard uncertainty.
     #[default]
     Standard,
     /// As an expanded one, with its coverage factor.
@@ -45,7 +44,6 @@ impl UncertaintyFrom {
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
 #[serde(default)]
 pub struct Judging {
-    /// The rule.
     pub rule: RuleName,
     /// Who has to prove.
     pub prover: Prover,

@@ -19,7 +19,6 @@ pub enum CyclesCommand {
     ChooseProbe(u32),
     /// Takes the built-in touch-probe table.
     ShippedProbes,
-    /// Runs the cycle.
     Run,
     /// Clears the result.
     Clear,
@@ -43,7 +42,6 @@ pub enum CyclesCommand {
     ProbesRead {
         /// Its name without the folder.
         name: String,
-        /// The table.
         result: Result<ProbeTable, Message>,
     },
 }

@@ -28,7 +28,6 @@ impl Axis {
     /// All axes.
     pub const ALL: [Self; 3] = [Self::X, Self::Y, Self::Z];
 
-    /// Its letter.
     pub const fn letter(self) -> &'static str {
         match self {
             Self::X => "X",

@@ -22,10 +22,8 @@ use crate::recording::used;
 use crate::shared::Shared;
 use crate::tools::Monitoring;
 
-/// A run of a cycle.
 #[derive(Debug, Clone)]
 pub struct CycleRun {
-    /// The cycle.
     pub cycle: &'static Cycle,
     /// Where its contacts came from.
     pub from: Message,
@@ -47,7 +45,6 @@ pub struct CycleRun {
     pub log: Option<Result<RunLog, Message>>,
     /// What the monitoring of its tool gave, where a tool table is open.
     pub monitoring: Option<Monitoring>,
-    /// The time of the run.
     pub time: DateTime,
     /// The number under which it was sent to the journal; `None` where it judged nothing, or nothing is recorded.
     pub record: Option<u64>,
@@ -82,7 +79,6 @@ impl RunLog {
 }
 
 impl CycleRun {
-    /// What it found.
     pub fn found(&self) -> Option<&CycleResult> {
         self.result.as_deref().ok()
     }

@@ -119,7 +119,6 @@ impl WorkpieceForm {
         self.fill_lobes([F::LobingCount, F::LobingHeight, F::LobingAngle], &probe.lobing);
     }
 
-    /// What shape the workpiece has.
     pub const fn shape(&self) -> Shape {
         self.shape
     }
@@ -129,7 +128,6 @@ impl WorkpieceForm {
         self.plane
     }
 
-    /// The text of a field.
     pub fn text(&self, field: WorkpieceField) -> &str {
         self.texts.get(&field).map_or("", String::as_str)
     }

@@ -149,7 +149,6 @@ impl WorkpieceField {
         matches!(self, Self::WaveHeight | Self::Radius | Self::OffsetX | Self::OffsetY)
     }
 
-    /// Its unit, where it has one.
     pub const fn unit(self) -> &'static str {
         self.declared().unit
     }

@@ -47,7 +47,6 @@ pub enum FilesCommand {
     Seen {
         /// What it was read for.
         purpose: Purpose,
-        /// Its path.
         path: PathBuf,
         /// How that went.
         fate: Fate,
@@ -65,7 +64,6 @@ pub enum FilesCommand {
 /// What came of reading a file.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Fate {
-    /// It was read.
     Read,
     /// It is there, and could not be read or used.
     Refused,
@@ -78,6 +76,5 @@ pub enum Fate {
 pub enum Launch {
     /// By the program that the system has for it.
     Open,
-    /// In its folder.
     ShowInFolder,
 }

@@ -16,7 +16,6 @@ pub enum Content {
     Bytes(Vec<u8>),
     /// A report, check by check: one of the whole history would fill the memory.
     Report {
-        /// The report.
         report: Box<Report>,
         /// How it is written.
         rendering: &'static Rendering,
@@ -25,7 +24,6 @@ pub enum Content {
     },
     /// The pairs of measured parts.
     Pairs {
-        /// The pairs.
         paired: Arc<Paired>,
         /// How they are written.
         format: &'static Format,

@@ -15,7 +15,6 @@ use crate::command::{DialogId, Purpose};
 pub struct Dialog {
     /// Its number: what it asked for comes back with it.
     pub number: DialogId,
-    /// Its purpose.
     pub purpose: Purpose,
     /// The typed path: from the listed folder on, where it does not begin at the root.
     pub path: String,

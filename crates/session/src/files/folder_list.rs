@@ -10,7 +10,6 @@ use crate::step::Step;
 /// How many entries a page is.
 const PAGE: usize = 6;
 
-/// The list of a folder.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct FolderList {
     /// The endings that fit; none where any will do.
@@ -86,7 +85,6 @@ impl FolderList {
         entries.into_iter().any(|entry| entry.is_folder && entry.path == path)
     }
 
-    /// The number of the selected one.
     pub const fn selected(&self) -> Option<usize> {
         self.selected
     }

@@ -38,10 +38,7 @@ const PACKED: [&str; 2] = ["gz", "zst"];
 #[say(prefix = "open", error)]
 pub enum OpenError {
     /// Nothing that the window reads.
-    Unknown {
-        /// Its name.
-        name: String,
-    },
+    Unknown { name: String },
 }
 
 impl Purpose {

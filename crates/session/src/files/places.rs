@@ -15,11 +15,9 @@ const MOST_RECENT: usize = 10;
 pub struct RecentFile {
     /// What it was read for.
     pub purpose: Purpose,
-    /// Its path.
     pub path: PathBuf,
 }
 
-/// Where files were.
 #[derive(Debug, Default)]
 pub(crate) struct Places {
     /// The user's own folder, where there is one.

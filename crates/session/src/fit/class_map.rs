@@ -11,7 +11,6 @@ use crate::Step;
 /// A class at the map's size.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct MapCell {
-    /// The class.
     pub class: ToleranceClass,
     /// Its limit deviations.
     pub deviations: Deviations,

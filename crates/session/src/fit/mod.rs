@@ -63,7 +63,6 @@ pub enum Parts {
 /// The fit at a temperature of both parts.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct WarmFit {
-    /// The temperature.
     pub temperature: Temperature,
     /// How much more clearance there is than at 20 °C.
     pub change: Length,
@@ -140,7 +139,6 @@ impl FitPage {
         self.texts.saved()
     }
 
-    /// The text of a field.
     pub fn text(&self, field: FitField) -> &str {
         self.texts.text(field)
     }

@@ -20,7 +20,6 @@ pub enum ListCommand {
     ChooseAll,
     /// Chooses every check of the list that is not good, and no other one.
     ChooseBad,
-    /// Chooses none.
     ChooseNone,
     /// Puts the chosen rows on the clipboard, or the row at which the keys are.
     Copy,

@@ -81,7 +81,6 @@ impl PairingPage {
         self.texts.saved()
     }
 
-    /// The text of a field.
     pub fn text(&self, field: PairingField) -> &str {
         self.texts.text(field)
     }

@@ -13,9 +13,7 @@ use super::picture::PairsPicture;
 /// An answer with its picture.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Paired {
-    /// The answer.
     pub answer: Answer,
-    /// Its picture.
     pub picture: PairsPicture,
     /// How many pairs have a part that nobody measured.
     pub simulated: usize,
@@ -60,9 +58,7 @@ fn padded(figure: &str, decimals: usize) -> String {
 /// A pair of the list.
 #[derive(Debug, Clone, Copy)]
 pub struct PairRow<'a> {
-    /// The hole.
     pub hole: &'a Size,
-    /// The shaft.
     pub shaft: &'a Size,
     /// Hole minus shaft.
     pub clearance: Length,

@@ -47,14 +47,12 @@ pub struct Bin {
     pub left_shafts: f64,
 }
 
-/// What is in sight.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Sight {
     /// The lower end of the axis.
     pub low: f64,
     /// The upper end, always above the lower one.
     pub high: f64,
-    /// The pairs.
     pub pairs: Marks,
     /// The leftover holes.
     pub holes: Marks,
@@ -79,7 +77,6 @@ impl Marks {
         Self { range, step }
     }
 
-    /// What is drawn.
     pub fn drawn(&self) -> impl Iterator<Item = usize> + use<> {
         self.range.clone().step_by(self.step)
     }

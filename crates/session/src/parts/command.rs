@@ -32,7 +32,6 @@ pub enum PlanCommand {
     New,
     /// A file of a plan was read, or not.
     Read {
-        /// Its path.
         path: PathBuf,
         /// What it holds.
         result: Result<Box<Document>, Message>,
@@ -87,7 +86,6 @@ pub enum PlanCommand {
     LeaveOut,
     /// Puts the balloon of a row on the picture: shares of its width and height.
     PlaceBalloon {
-        /// The row.
         row: usize,
         /// From the left and from the top.
         at: [f64; 2],
@@ -101,12 +99,7 @@ pub enum PlanCommand {
     /// A picture was chosen; its file is beside the plan.
     ChoosePicture(PathBuf),
     /// A picture was read, or not.
-    PictureRead {
-        /// Its path.
-        path: PathBuf,
-        /// The picture.
-        result: Result<Arc<PartPicture>, Message>,
-    },
+    PictureRead { path: PathBuf, result: Result<Arc<PartPicture>, Message> },
     /// Takes the last change back.
     Undo,
     /// Makes it again.
@@ -157,19 +150,13 @@ pub enum WalkCommand {
         result: Result<Vec<RecordRow>, Message>,
     },
     /// Watches a folder from now on; a file is none.
-    Watch {
-        /// The folder.
-        folder: PathBuf,
-        /// Whether it is one.
-        is_folder: bool,
-    },
+    Watch { folder: PathBuf, is_folder: bool },
     /// Ends the watch.
     StopWatch,
     /// Something came from a watched folder.
     Watched {
         /// The number of the watch.
         run: u64,
-        /// What.
         news: Box<WatchNews>,
     },
 }

@@ -19,7 +19,6 @@ const MOST_UNDO: usize = 200;
 /// What is typed into, or dragged: until it is settled it is one change.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Typing {
-    /// A cell.
     Cell(usize, Column),
     /// A field of the part.
     Head(HeadField),

@@ -300,7 +300,6 @@ pub(super) struct Arriving {
     pub remarks: Vec<Message>,
     /// What its file says of it.
     pub labels: Option<Box<fitcheck_exchange::exchange::Labels>>,
-    /// Its file.
     pub file: Option<UsedFile>,
 }
 

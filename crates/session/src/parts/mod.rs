@@ -76,7 +76,6 @@ impl PartsView {
     pub const ALL: [Self; 2] = [Self::Walk, Self::Plan];
 }
 
-/// The parts page.
 #[derive(Debug, Default)]
 pub struct PartsPage {
     view: PartsView,
@@ -158,7 +157,6 @@ impl PartsPage {
         &self.watched
     }
 
-    /// The text of a field.
     pub fn text(&self, field: PartsField) -> &str {
         self.texts.text(field)
     }
@@ -173,7 +171,6 @@ impl PartsPage {
         self.view
     }
 
-    /// The plan.
     pub const fn document(&self) -> &PlanDocument {
         &self.document
     }

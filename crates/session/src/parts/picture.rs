@@ -37,7 +37,6 @@ impl fmt::Debug for PartPicture {
 pub enum Sight {
     /// It is being read.
     Awaited,
-    /// The picture.
     Seen(Arc<PartPicture>),
     /// Why there is none.
     Refused(Message),

@@ -64,7 +64,6 @@ impl Sheet {
         (self.row, self.columns.get(self.column).copied().unwrap_or(Column::Name))
     }
 
-    /// The selected rows.
     pub fn selected_rows(&self) -> RangeInclusive<usize> {
         self.row.min(self.from.0)..=self.row.max(self.from.0)
     }
@@ -74,7 +73,6 @@ impl Sheet {
         self.column.min(self.from.1)..=self.column.max(self.from.1)
     }
 
-    /// The selected columns.
     pub(super) fn selected_columns(&self) -> Vec<Column> {
         self.columns.get(self.selected_places()).map(<[Column]>::to_vec).unwrap_or_default()
     }

@@ -177,7 +177,6 @@ impl Walking {
         (self.look, self.at)
     }
 
-    /// The size that is asked for.
     pub fn asked(&self) -> Option<Size<'_>> {
         self.plan.as_deref()?.sizes().nth(self.at?)
     }
@@ -301,7 +300,6 @@ impl Walking {
         self.take_anew(values.into_iter().chain(since).collect());
     }
 
-    /// Whether it has a value.
     pub(super) fn has(&self, is_it: impl Fn(&Value) -> bool) -> bool {
         self.values.iter().flatten().any(is_it)
     }

@@ -35,7 +35,6 @@ pub enum WatchNews {
     Look {
         /// The number of the look.
         number: u64,
-        /// The files.
         files: Vec<WatchedFile>,
     },
     /// These files are not ready, with the reasons; none where nothing is waited for.
@@ -57,7 +56,6 @@ pub struct WatchedFile {
     pub remarks: Vec<Message>,
 }
 
-/// A file that was taken.
 #[derive(Debug, Clone)]
 pub struct TakenFile {
     /// Its name without the folder.
@@ -77,7 +75,6 @@ pub struct Watched {
     plan: Option<Arc<Plan>>,
     /// The file of the plan, where it has one.
     plan_path: Option<PathBuf>,
-    /// The number of the watch.
     run: u64,
     /// Whether it has to wait before it can begin.
     is_late: bool,

@@ -18,7 +18,6 @@ pub enum ProgramCommand {
     OpenShipped(&'static str),
     /// A program's file was read, or not.
     Read {
-        /// Its path.
         path: PathBuf,
         /// The program and its warnings.
         result: Result<(Box<Document>, Vec<ProgramWarning>), Message>,
@@ -37,7 +36,6 @@ pub enum ProgramCommand {
     RunToSelected,
     /// Runs the next slice; the window asks for it while a run goes on.
     Tick,
-    /// Pauses.
     Pause,
     /// Goes back to before the first block.
     Reset,
@@ -107,6 +105,5 @@ impl WorkpieceFrom {
 pub enum Origin {
     /// It is built in; its file name.
     Shipped(&'static str),
-    /// A file.
     File(PathBuf),
 }

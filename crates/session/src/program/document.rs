@@ -30,13 +30,11 @@ pub struct Document {
 /// A place that can be jumped to from the outline.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Entry {
-    /// The block.
     pub block: usize,
     /// Structure or label.
     pub kind: EntryKind,
     /// How deep a structure block is, from 1; 1 for a label.
     pub depth: usize,
-    /// Its text.
     pub text: String,
 }
 
@@ -45,7 +43,6 @@ pub struct Entry {
 pub enum EntryKind {
     /// A structure block.
     Heading,
-    /// A label.
     Label,
 }
 
@@ -81,7 +78,6 @@ impl Document {
         self.path.file_name()
     }
 
-    /// The program.
     pub const fn program(&self) -> &Arc<Program> {
         &self.program
     }

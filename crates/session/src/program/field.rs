@@ -21,6 +21,5 @@ pub enum ProgramField {
     Filter,
     /// The parameter that is given a value before a run.
     Name,
-    /// That value.
     Value,
 }

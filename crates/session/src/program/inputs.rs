@@ -56,7 +56,6 @@ impl Input {
         Self::ALL.into_iter().find(|input| input.parameter() == parameter)
     }
 
-    /// Its unit.
     pub const fn unit(self) -> &'static str {
         match self {
             Self::Class => "",
@@ -173,7 +172,6 @@ impl ProgramPage {
         self.main()?.assigned().get(&input.parameter()).map(String::as_str)
     }
 
-    /// The value of that.
     pub(super) fn own_value(&self, input: Input) -> Option<Value> {
         input.read(self.own(input)?).ok()
     }

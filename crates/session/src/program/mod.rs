@@ -74,7 +74,6 @@ pub struct ProgramPage {
     given: BTreeMap<Parameter, Value>,
     pinned: BTreeSet<Parameter>,
     breakpoints: BTreeSet<BlockPlace>,
-    /// What is switched on.
     switches: BTreeSet<Switch>,
     speed: Speed,
     run: Option<Run>,

@@ -8,11 +8,8 @@ use super::ProgramPage;
 /// An error, a warning or a remark.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Note {
-    /// What it is.
     pub kind: NoteKind,
-    /// The block.
     pub place: BlockPlace,
-    /// Its text.
     pub message: Message,
 }
 

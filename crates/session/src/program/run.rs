@@ -38,7 +38,6 @@ pub enum Speed {
 }
 
 impl Speed {
-    /// Every speed.
     pub const ALL: [Self; 3] = [Self::Slow, Self::Medium, Self::Fast];
 
     /// Seconds between two slices; zero is at once.
@@ -80,7 +79,6 @@ pub(super) enum Goal {
     Block(BlockPlace),
 }
 
-/// A run.
 #[derive(Debug)]
 pub struct Run {
     pub(super) machine: Machine,
@@ -124,7 +122,6 @@ impl Run {
         self.state
     }
 
-    /// Whether it is over.
     pub fn is_over(&self) -> bool {
         matches!(self.state, State::Ended | State::Faulted)
     }
@@ -230,7 +227,6 @@ impl Run {
         self.listed.len()
     }
 
-    /// A remark by its number.
     pub fn remark(&self, number: usize) -> Option<&(BlockPlace, Remark)> {
         self.machine.remarks().get(*self.listed.get(number)?)
     }

@@ -17,7 +17,6 @@ pub enum Token {
     Parameter,
     /// A text in quotation marks.
     Text,
-    /// A comment with its `;`.
     Comment,
     /// A structure block.
     Heading,

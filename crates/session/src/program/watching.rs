@@ -11,7 +11,6 @@ use super::{Input, ProgramField, ProgramPage};
 /// A parameter in the list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Watched<'a> {
-    /// The parameter.
     pub parameter: Parameter,
     /// Its value; `None` where a pinned one has none yet.
     pub value: Option<&'a Value>,

@@ -16,9 +16,7 @@ use super::{Known, Recording};
 /// What a user names beside a check.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Named {
-    /// The part.
     pub part: String,
-    /// Its serial number.
     pub serial: String,
     /// The feature of a part that has several.
     pub feature: String,

@@ -43,7 +43,6 @@ pub enum Keeping {
     Off,
     /// The journal is being opened.
     Opening,
-    /// It is open.
     Open,
     /// It cannot be opened.
     Failed(Message),
@@ -88,7 +87,6 @@ enum Fate {
     Refused(Message),
 }
 
-/// The journal that was opened.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OpenJournal {
     /// The name of its chain.

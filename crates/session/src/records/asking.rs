@@ -25,10 +25,8 @@ pub enum Shorthand {
 }
 
 impl Shorthand {
-    /// Every one.
     pub const ALL: [Self; 4] = [Self::Today, Self::ThisWeek, Self::NotGood, Self::Measured];
 
-    /// The word.
     pub const fn word(self) -> &'static str {
         match self {
             Self::Today => "today",

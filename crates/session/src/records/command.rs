@@ -33,7 +33,6 @@ pub enum RecordsCommand {
     Kept {
         /// Which entries: the number of their batch.
         run: u64,
-        /// Where they are.
         result: Result<Vec<Head>, Message>,
     },
     /// Writes again what could not be written.
@@ -86,7 +85,6 @@ pub enum RecordsCommand {
     Read {
         /// Those that were asked for.
         numbers: Vec<u64>,
-        /// The rows.
         result: Result<Vec<Arc<RecordRow>>, Message>,
     },
     /// Goes to another row.
@@ -97,7 +95,6 @@ pub enum RecordsCommand {
     CloseRecord,
     /// Chooses a record for the report, or not.
     Choose(u64, bool),
-    /// Chooses none.
     ChooseNone,
     /// Takes simulated checks into the report, or leaves them out.
     WithSimulated(bool),
@@ -117,7 +114,6 @@ pub enum RecordsCommand {
     CancelVerify,
     /// The walk goes on.
     Verifying {
-        /// Which one.
         run: u64,
         /// How many entries it has walked over.
         done: u64,
@@ -126,7 +122,6 @@ pub enum RecordsCommand {
     },
     /// The walk has ended.
     Verified {
-        /// Which one.
         run: u64,
         /// What it has found.
         result: Result<Verified, Message>,

@@ -43,7 +43,6 @@ pub struct Found {
     pub is_end: bool,
 }
 
-/// The list.
 #[derive(Debug, Default)]
 pub struct Listing {
     numbers: Numbers,

@@ -70,7 +70,6 @@ pub struct Verified {
 /// A walk along the chain.
 #[derive(Debug, Clone, PartialEq, Eq, Default)]
 pub enum Walk {
-    /// There was none.
     #[default]
     None,
     /// It goes on: so many entries of so many.
@@ -91,10 +90,8 @@ pub enum Walk {
     },
 }
 
-/// The record that is open.
 #[derive(Debug, Clone, PartialEq)]
 pub struct OpenRecord {
-    /// Its number.
     pub number: u64,
     /// The record, once it is read; or why it cannot be.
     pub row: Option<Result<Arc<RecordRow>, Message>>,
@@ -133,7 +130,6 @@ pub struct RecordsPage {
 }
 
 impl RecordsPage {
-    /// The text of a field.
     pub fn text(&self, field: RecordsField) -> &str {
         self.texts.get(&field).map_or("", String::as_str)
     }
@@ -173,7 +169,6 @@ impl RecordsPage {
         self.with_simulated
     }
 
-    /// The record that is open.
     pub const fn opened(&self) -> Option<&OpenRecord> {
         self.open.as_ref()
     }

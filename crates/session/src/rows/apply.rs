@@ -190,7 +190,6 @@ impl Rows {
         Some(ShownRow { number, line, cells, record, labels, why })
     }
 
-    /// Shows a row.
     pub(crate) fn show(&mut self, row: ShownRow) {
         self.shown = Some(row);
     }

@@ -23,7 +23,6 @@ pub enum RowsCommand {
     },
     /// The worker of a run has judged more rows, or has ended.
     Judged {
-        /// Which run.
         run: u64,
         /// What it says.
         news: Box<News>,
@@ -45,12 +44,7 @@ pub enum RowsCommand {
     /// These places of the list are in sight: their cells are read.
     See(Range<usize>),
     /// Rows were read again, by their numbers, or cannot be.
-    Read {
-        /// Of which run.
-        run: u64,
-        /// The rows.
-        result: Result<Vec<(u64, Arc<Picked>)>, Message>,
-    },
+    Read { run: u64, result: Result<Vec<(u64, Arc<Picked>)>, Message> },
     /// Goes to another row.
     Move(Step),
     /// Goes to the row with this number and shows its check.
@@ -83,7 +77,6 @@ pub struct News {
     pub bytes: (u64, u64),
     /// For how long the run has been going on, in milliseconds.
     pub elapsed_ms: u64,
-    /// Whether it has ended.
     pub end: Option<End>,
     /// SHA-256 of the file, where it was read to its end.
     pub sha256: Option<Hash>,

@@ -83,7 +83,6 @@ pub struct ShownRow {
     pub why: Option<Message>,
 }
 
-/// A row of the list.
 #[derive(Debug, Clone, Copy)]
 pub struct Listed<'a> {
     /// Its number among all rows, from 0.

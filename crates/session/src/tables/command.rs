@@ -38,7 +38,6 @@ pub enum TablesCommand {
     TakeStandard,
     /// Undoes the last edit of the shown table.
     Undo,
-    /// Redoes it.
     Redo,
     /// Adds the classes of their field to the shown table, with the deviations of ISO 286.
     AddColumns,

@@ -133,7 +133,6 @@ impl Document {
         self.selected
     }
 
-    /// What is in a cell.
     pub fn cell(&self, class: ToleranceClass, range: usize) -> Option<Deviations> {
         let column = self.table().columns().iter().find(|column| column.class == class)?;
         column.cells.get(range).copied().flatten()
@@ -222,7 +221,6 @@ impl Document {
         }
     }
 
-    /// Changes the table.
     pub(super) fn change<T>(&mut self, change: impl FnOnce(&mut TableEdit) -> T) -> T {
         let answer = change(&mut self.edit);
         self.compare(self.options);

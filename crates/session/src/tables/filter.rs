@@ -11,7 +11,6 @@ pub struct Filter {
     unmatched: Vec<String>,
 }
 
-/// A word of the filter.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Word<'a> {
     /// Letters and a grade, `H7`, or the name of an own column with digits in it, `U1Z1`.

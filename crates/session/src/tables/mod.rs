@@ -62,7 +62,6 @@ impl TablesPage {
         self.texts.saved()
     }
 
-    /// The text of a field.
     pub fn text(&self, field: TablesField) -> &str {
         self.texts.text(field)
     }

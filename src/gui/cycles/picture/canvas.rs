@@ -91,7 +91,6 @@ impl<'a> Canvas<'a> {
         self.head(to, direction, stroke.color);
     }
 
-    /// An arrow on an arc.
     pub(super) fn arc_arrow(&self, centre: Pos2, radius: f32, [from, to]: [f32; 2], stroke: Stroke) {
         self.polyline(arc(centre, radius, from, to), stroke);
         let turn = if from < to { 90.0 } else { -90.0 };
@@ -176,7 +175,6 @@ impl<'a> Canvas<'a> {
         self.dashed(&arc(ball, radius, 0.0, 360.0), self.thin(), 3.0, 3.0);
     }
 
-    /// A contact.
     pub(super) fn contact(&self, at: Pos2, colour: Color32) {
         self.circle(at, 4.0, colour, Stroke::new(1.0, self.palette.panel.0));
     }

@@ -10,7 +10,6 @@ use crate::probing::cycle::Meaning;
 /// Of more numbers than this, only the first are drawn.
 const MOST: usize = 5;
 
-/// The ball.
 const BALL: f32 = 7.0;
 
 pub(super) fn draw(canvas: &Canvas<'_>, scene: Scene, (meaning, numbers): (Meaning, &[i64]), key: &str) {

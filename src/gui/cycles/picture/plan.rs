@@ -7,12 +7,10 @@ use super::parameter::Scene;
 use crate::probing::cycle::{Axis, Meaning};
 use crate::probing::simulated::Shape;
 
-/// The datum.
 const DATUM: Pos2 = pos2(46.0, 128.0);
 /// The centre of the circle, and its radius.
 const CENTRE: Pos2 = pos2(160.0, 62.0);
 const RADIUS: f32 = 42.0;
-/// The ball.
 const BALL: f32 = 9.0;
 /// The angle of the first contact, and the step to the next.
 const FIRST: f32 = 50.0;

@@ -18,7 +18,6 @@ const CLEARANCE: f32 = 28.0;
 const BOTTOM: f32 = 158.0;
 /// Where the dimensions of heights are.
 const ASIDE: f32 = 20.0;
-/// The ball.
 const BALL: f32 = 9.0;
 /// The clearance that the touch-probe table gives, and that together with the parameter's.
 const SET_UP: f32 = 15.0;

@@ -20,7 +20,6 @@ pub(super) struct Look<'a> {
     pub cursor: Option<bool>,
 }
 
-/// A cell.
 pub(super) fn cell(painter: &Painter, rect: Rect, look: &Look<'_>) {
     let palette = look.palette;
     let ground = match (look.is_selected, look.is_fixed) {

@@ -134,7 +134,6 @@ fn headline_card(view: &View<'_>, walking: &Walking) -> Card {
     }
 }
 
-/// The card of a size.
 fn size_card(view: &View<'_>, walking: &Walking, at: usize, value: &Value) -> Card {
     let card = check_card(view.words, &value.record, walking.is_round(at));
     Card { value: card.value.map(|mm| format!("{}: {mm}", walking.name(at))), ..card }

@@ -118,7 +118,6 @@ fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// Which part it is.
 fn part_ui(ui: &mut Ui, view: &View<'_>) {
     let walking = view.session.parts().walking();
     let part = walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
