@@ -7,7 +7,7 @@ use super::dialogs::just_opened;
 use super::theme::{self, control, sizes, space};
 use super::view::{View, heading, keep_focus, list_ui, live, problem, quiet};
 use crate::exchange::{DECIMAL_WORDS, Role, SEPARATOR_WORDS, UNIT_WORDS};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::{Action, ColumnChoice, ColumnsCommand, OpenColumns, role_id, unit_id};
 
 /// What a column may hold, in the order of the list.
@@ -54,7 +54,7 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     ui.spacing_mut().interact_size.y = control(ui);
     let foot = control(ui) + space(30.0);
     ScrollArea::vertical().id_salt("columns").max_height(screen.y - foot).show(ui, |ui| {
-        heading(ui, view.words.say(&Message::new("columns-page-title").text("name", open.name())));
+        heading(ui, view.words.say(&message!("columns-page-title").text("name", open.name())));
         quiet(ui, view.text(if open.asked().is_wanted { "columns-page-wanted" } else { "columns-page-uncertain" }));
         ui.horizontal_wrapped(|ui| file_ui(ui, view, open));
         ui.separator();
@@ -137,7 +137,7 @@ fn file_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     let places = units(choice.place_unit.as_deref(), ColumnChoice::PlaceUnit);
     let mut units = units(choice.unit.as_deref(), ColumnChoice::Unit);
     if let Some(((text, ..), from)) = units.first_mut().zip(open.unit_from().filter(|_| choice.unit.is_none())) {
-        *text = view.words.say(&Message::new("columns-page-unit-from").text("from", from));
+        *text = view.words.say(&message!("columns-page-unit-from").text("from", from));
     }
     named_list_ui(ui, view, "columns-page-decimal", decimals);
     named_list_ui(ui, view, "columns-page-unit", units);
@@ -147,7 +147,7 @@ fn file_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     let first = choice.first_row;
     let below = (view.text("columns-page-below-header"), first.is_none(), ColumnChoice::FirstRow(None));
     let line = |(line, _): &(usize, Vec<String>)| {
-        let text = view.words.say(&Message::new("columns-page-line").text("line", line));
+        let text = view.words.say(&message!("columns-page-line").text("line", line));
         (text, first == Some(*line), ColumnChoice::FirstRow(Some(*line)))
     };
     let lines = std::iter::once(below).chain(open.rows().iter().map(line)).collect();
@@ -159,7 +159,7 @@ fn table_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
     Grid::new("columns-rows").striped(true).spacing(vec2(space(3.0), space(1.0))).show(ui, |ui| {
         ui.label("");
         for at in 0..open.width() {
-            let name = Message::new("columns-page-column").text("number", at + 1).text("name", open.column_name(at));
+            let name = message!("columns-page-column").text("number", at + 1).text("name", open.column_name(at));
             let name = view.words.say(&name).trim().to_owned();
             let entry =
                 |role: Option<Role>| (view.text(&role_id(role)), open.role(at) == role, ColumnChoice::Role(at, role));
@@ -193,14 +193,14 @@ fn table_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
 
 /// What the first rows become, and why not.
 fn said_ui(ui: &mut Ui, view: &View<'_>, open: &OpenColumns) {
-    let message = Message::new("columns-page-read").count("read", open.read()).count("rows", open.lines().len());
+    let message = message!("columns-page-read").count("read", open.read()).count("rows", open.lines().len());
     let said = view.words.say(&message);
     let line = ui.label(&said);
     live(ui, &line, &said, Live::Polite);
     if let Some(refusal) = open.refusal() {
         problem(ui, view.words.say(refusal));
     } else if let Some(wrong) = open.problem() {
-        let first = Message::new("columns-page-first-problem").message("why", wrong.clone());
+        let first = message!("columns-page-first-problem").message("why", wrong.clone());
         problem(ui, view.words.say(&first));
     }
 }

@@ -10,7 +10,7 @@ use super::folder_list::{folder_list_ui, has_room};
 use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
 use super::working::working_ui;
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::parts::PlanCommand;
 use crate::session::{
     Action, BudgetCommand, Command, CycleFile, Dialog, FilesCommand, Notice, Page, PairingCommand, PartsCommand,
@@ -119,11 +119,11 @@ fn leaving_ui(ui: &mut Ui, view: &mut View<'_>) {
     heading(ui, view.text("leave"));
     let names = view.session.unsaved().join(", ");
     if !names.is_empty() {
-        ui.label(view.words.say(&Message::new("leave-unsaved").text("names", names)));
+        ui.label(view.words.say(&message!("leave-unsaved").text("names", names)));
     }
     let unwritten = view.session.recording().unwritten();
     if 0 < unwritten {
-        problem(ui, view.words.say(&Message::new("records-page-leave").count("count", unwritten)));
+        problem(ui, view.words.say(&message!("records-page-leave").count("count", unwritten)));
     }
     ui.horizontal(|ui| {
         ui.spacing_mut().interact_size.y = control(ui);
@@ -287,7 +287,7 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
 /// Asks whether a file may be replaced. Enter keeps it.
 fn replace_ui(ui: &mut Ui, view: &mut View<'_>, path: &Path) {
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
-    let question = view.words.say(&Message::new("dialog-exists").text("name", name));
+    let question = view.words.say(&message!("dialog-exists").text("name", name));
     problem(ui, question);
     let size = vec2(space(24.0), control(ui));
     let keep = view.named(Action::KeepFile).min_size(size);

@@ -21,7 +21,7 @@ use crate::control::mask::Mask;
 use crate::exchange::Remembered;
 use crate::exchange::batch::Part;
 use crate::files::{self, FileError};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::parts::PlanCommand;
 use crate::session::{
     Command, Content, Effect, Fate, FilesCommand, Launch, Paired, PairingCommand, PartsCommand, Purpose,
@@ -273,7 +273,7 @@ fn answers(effect: Effect, (errands, filters): (Errands, Option<Filters>), with:
                 Errands::OnThread => launch(&path, how),
                 Errands::AtOnce => Err("no program is started at once".to_owned()),
             };
-            let failed = |reason: String| Message::new("launch-failed").text("reason", reason);
+            let failed = |reason: String| message!("launch-failed").text("reason", reason);
             vec![FilesCommand::Launched(result.map_err(failed)).into()]
         }
         Effect::Pair { run, asked } => {

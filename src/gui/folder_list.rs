@@ -6,7 +6,7 @@ use eframe::egui::{Button, Frame, Id, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 use super::theme::{control, palette, space};
 use super::view::{View, problem, quiet, quiet_cut};
 use crate::files::{Entry, MOST_ENTRIES};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::{Action, Dialog, FilesCommand};
 use crate::words::Words;
 
@@ -43,17 +43,17 @@ pub(super) fn folder_list_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) 
             });
         });
     });
-    let folder = list.folder().map(|folder| Message::new("dialog-list").text("folder", folder.display()));
-    let folder = folder.unwrap_or_else(|| Message::new("dialog-list-none"));
+    let folder = list.folder().map(|folder| message!("dialog-list").text("folder", folder.display()));
+    let folder = folder.unwrap_or_else(|| message!("dialog-list-none"));
     quiet_cut(ui, view.words.say(&folder));
     rows_ui(ui, view, dialog);
     ui.horizontal_wrapped(|ui| {
         view.checkbox(ui, Action::AllFiles);
         let (more, left_out) = (list.has_more(), list.left_out());
         if more {
-            quiet_cut(ui, view.words.say(&Message::new("dialog-list-more").count("most", MOST_ENTRIES)));
+            quiet_cut(ui, view.words.say(&message!("dialog-list-more").count("most", MOST_ENTRIES)));
         } else if 0 < left_out {
-            quiet_cut(ui, view.words.say(&Message::new("dialog-list-left-out").count("count", left_out)));
+            quiet_cut(ui, view.words.say(&message!("dialog-list-left-out").count("count", left_out)));
         }
     });
 }

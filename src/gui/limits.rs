@@ -4,7 +4,7 @@ use eframe::egui::{Grid, RichText, Ui, vec2};
 
 use super::theme::{self, sizes, space};
 use super::view::{View, quiet};
-use crate::message::{Message, Say as _};
+use crate::message::{Say as _, message};
 use crate::tolerance::{Feature, Limits};
 
 /// The id of a feature's word.
@@ -34,5 +34,5 @@ pub(super) fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
 
 /// Where limits come from.
 pub(super) fn source_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
-    quiet(ui, view.words.say(&Message::new("from-source").message("source", limits.source.message())));
+    quiet(ui, view.words.say(&message!("from-source").message("source", limits.source.message())));
 }

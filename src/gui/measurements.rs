@@ -10,7 +10,7 @@ use crate::control::mask::Mask;
 use crate::exchange::{self, Detected, FirstRows, Given, Imported, Item, MOST_ROWS, Mapping};
 use crate::files;
 use crate::journal::chain::Hash;
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::parts::WalkCommand;
 use crate::session::{
     AskedColumns, CheckCommand, ColumnsCommand, Command, ImportInto, RowsCommand, UsedColumns, refusal,
@@ -79,7 +79,7 @@ pub(super) fn ask(into: ImportInto, path: PathBuf, with: With<'_>) -> Found {
     match Looked::new(into, path, FirstRows::of_columns) {
         Ok(looked) if looked.first.is_some() => looked.ask(true, with),
         Ok(looked) => {
-            let problem = Message::new("columns-page-none").text("name", &looked.name);
+            let problem = message!("columns-page-none").text("name", &looked.name);
             taken(into, looked.name, Err(problem))
         }
         Err((name, problem)) => taken(into, name, Err(problem)),
@@ -113,7 +113,7 @@ fn large(into: ImportInto, path: &Path, is_mapped: bool, with: With<'_>) -> Opti
         head.is_some_and(|first| with.columns.find(&first).is_some())
     };
     let result = if is_mapped || is_remembered() {
-        Err(Message::new("columns-page-large").text("name", &name))
+        Err(message!("columns-page-large").text("name", &name))
     } else {
         Ok((path.to_owned(), large))
     };

@@ -16,7 +16,7 @@ use crate::exchange::contacts::{self, Contacts};
 use crate::exchange::{self, Given, Remembered};
 use crate::files;
 use crate::journal::chain::Hash;
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::nc::program::ProgramWarning;
 use crate::part;
 use crate::probing::simulated::{Part, Simulation};
@@ -166,7 +166,7 @@ fn read_table(path: &Path) -> Result<(Box<DeviationTable>, Vec<Message>), Messag
     match table {
         Some(table) => Ok((Box::new(table), warnings)),
         // The last warning says that the table holds no deviations.
-        None => Err(warnings.pop().unwrap_or_else(|| Message::new("tables-nothing-read"))),
+        None => Err(warnings.pop().unwrap_or_else(|| message!("tables-nothing-read"))),
     }
 }
 
@@ -180,7 +180,7 @@ fn read_program(path: &Path, seen: &mut Option<Hash>) -> Result<(Box<Document>, 
 fn read_contacts(path: &Path, seen: &mut Option<Hash>) -> Result<(Contacts, Vec<Message>), Message> {
     let bytes = bytes_of(path, seen)?;
     let read = contacts::read(&bytes).map_err(|error| error.message())?;
-    let ignored = read.ignored.iter().map(|column| Message::new("cycles-column-ignored").text("column", column));
+    let ignored = read.ignored.iter().map(|column| message!("cycles-column-ignored").text("column", column));
     let warm = read.told_of_temperature(Temperature::REFERENCE).map(|told| told.message());
     let told = ignored.chain(warm).collect();
     Ok((read, told))

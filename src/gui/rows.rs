@@ -16,7 +16,7 @@ use crate::exchange::ImportErrorKind;
 use crate::exchange::batch::{BLOCK, Block, Court, Cutter, Layout, Marks, Part, Picked, Store, Tally, pick};
 use crate::files;
 use crate::journal::chain::FileHash;
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::session::{End, LARGE, Large, News};
 use crate::tolerance::Sources;
 
@@ -128,7 +128,7 @@ impl Runs {
             Ok(Ok(())) if watch.stop.load(Relaxed) => End::Cancelled,
             Ok(Ok(())) => End::Done,
             Ok(Err(problem)) => End::Failed(problem),
-            Err(_) => End::Failed(Message::new("rows-panicked")),
+            Err(_) => End::Failed(message!("rows-panicked")),
         };
         found.news.end = Some(end);
         found.say();
@@ -161,8 +161,7 @@ impl Runs {
         };
         let mut copy = None;
         if stream.packing != Packing::Plain || stream.is_utf16 {
-            let (file, written, name) =
-                unpacked().map_err(|error| Message::new("rows-no-copy").text("reason", error))?;
+            let (file, written, name) = unpacked().map_err(|error| message!("rows-no-copy").text("reason", error))?;
             text = Text { file: Mutex::new(file), stamp: None, start: 0, _name: name, ..text };
             copy = Some(written);
         }
@@ -184,7 +183,7 @@ impl Runs {
         }
         let after = std::fs::metadata(path).map(|metadata| stamp(&metadata)).ok();
         if after != Some(before) && !watch.stop.load(Relaxed) {
-            return Err(Message::new("rows-changed"));
+            return Err(message!("rows-changed"));
         }
         // What was not read to its end has no hash.
         let is_whole = size.is_some_and(|size| size == found.read.load(Relaxed));
@@ -197,7 +196,7 @@ impl Runs {
         let text = lock(&self.last).as_ref().filter(|run| run.number == number).and_then(|run| run.text.clone());
         // Another run has begun, and its rows are asked for anew.
         let Some(text) = text else { return Ok(Vec::new()) };
-        let changed = || Message::new("rows-changed");
+        let changed = || message!("rows-changed");
         let court = Court::new(&text.layout, &text.sources);
         let mut all = Vec::new();
         for (part, rows) in wanted {
@@ -225,8 +224,8 @@ impl Text {
 /// Why rows cannot be read again.
 fn unread(error: &io::Error) -> Message {
     match error.kind() {
-        io::ErrorKind::InvalidData | io::ErrorKind::UnexpectedEof => Message::new("rows-changed"),
-        _ => Message::new("rows-unread").text("reason", error),
+        io::ErrorKind::InvalidData | io::ErrorKind::UnexpectedEof => message!("rows-changed"),
+        _ => message!("rows-unread").text("reason", error),
     }
 }
 
@@ -269,7 +268,7 @@ impl<R: Read> Read for Copied<R> {
             self.length += u64::try_from(read).unwrap_or_default();
             if MOST_UNPACKED < self.length {
                 return Err(io::Error::other(
-                    Message::new("rows-too-much").with("most", &(MOST_UNPACKED >> 30)).to_string(),
+                    message!("rows-too-much").with("most", &(MOST_UNPACKED >> 30)).to_string(),
                 ));
             }
             copy.write_all(to.get(..read).unwrap_or_default())?;

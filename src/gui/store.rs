@@ -9,7 +9,7 @@ use std::time::Duration;
 use etcetera::BaseStrategy as _;
 
 use crate::files::{self, FileError};
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::session::{Saved, SavedError};
 use crate::tolerance::fit::materials::Materials;
 
@@ -46,9 +46,9 @@ impl Store {
         };
         log::error!("{error}");
         match files::set_aside(path) {
-            Ok(aside) => (None, Some(Message::new("state-set-aside").text("path", aside.display()))),
+            Ok(aside) => (None, Some(message!("state-set-aside").text("path", aside.display()))),
             Err(stays) => {
-                let told = Message::new("state-not-kept").message("reason", stays.message());
+                let told = message!("state-not-kept").message("reason", stays.message());
                 self.path = None;
                 (None, Some(told))
             }
@@ -65,7 +65,7 @@ impl Store {
             let bytes = files::read_file(&path).map_err(|error| error.message())?;
             let text = String::from_utf8_lossy(&bytes);
             Materials::read(&text).map_err(|error| {
-                Message::new("materials-refused").text("path", path.display()).message("reason", error.message())
+                message!("materials-refused").text("path", path.display()).message("reason", error.message())
             })
         };
         path.exists().then(read)
@@ -96,8 +96,8 @@ impl Store {
         };
         match kept() {
             Ok(None) => Ok(()),
-            Ok(Some(aside)) => Err(Message::new("state-set-aside-now").text("path", aside.display())),
-            Err(reason) => Err(Message::new("state-not-kept").message("reason", reason)),
+            Ok(Some(aside)) => Err(message!("state-set-aside-now").text("path", aside.display())),
+            Err(reason) => Err(message!("state-not-kept").message("reason", reason)),
         }
     }
 }

@@ -13,7 +13,7 @@ use super::view::{View, keep_focus, list_height, list_ui, problem, quiet};
 use crate::control::tool_table::{Tool, ToolTable};
 use crate::control::variables::Parameter;
 use crate::length::Length;
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Action, NamedTool, text_of_tool, tool_message};
 use crate::text::cut;
 
@@ -29,7 +29,7 @@ const MOST_AT_ONCE: usize = 8;
 pub(super) fn table_list_ui(ui: &mut Ui, view: &mut View<'_>, salt: impl Hash + Debug, width: f32) -> Response {
     let shown = match view.session.tools() {
         Some(tools) => {
-            let message = Message::new("tools-open-one").text("name", &tools.name);
+            let message = message!("tools-open-one").text("name", &tools.name);
             view.words.say(&message.count("count", tools.table.tools().len()))
         }
         None => view.text("tools-none"),
@@ -118,7 +118,7 @@ fn rows_ui(ui: &mut Ui, view: &View<'_>, table: &ToolTable, pick: &Pick) -> Opti
     }
     let left_out = table.tools().len() - tools.len();
     if 0 < left_out {
-        quiet(ui, view.words.say(&Message::new("tools-without-name").count("count", left_out)));
+        quiet(ui, view.words.say(&message!("tools-without-name").count("count", left_out)));
     }
     picked
 }
@@ -145,7 +145,7 @@ pub(super) fn named_ui(ui: &mut Ui, view: &View<'_>, named: Option<&NamedTool>) 
     if let Some(tool) = named.row(&tools.table).and_then(|row| tools.table.tools().get(row)) {
         quiet(ui, view.words.say(&tool_message(tool)));
     } else {
-        let message = Message::new("tools-not-in-table").text("tool", named.text());
+        let message = message!("tools-not-in-table").text("tool", named.text());
         problem(ui, view.words.say(&message));
     }
 }

@@ -6,7 +6,7 @@ use super::dialogs::title_id;
 use super::theme::{self, control, sizes, space};
 use super::view::{View, quiet};
 use super::who::{names_ui, who_ui};
-use crate::message::Message;
+use crate::message::message;
 use crate::report::RENDERINGS;
 use crate::session::{Action, Command, Density, FilesCommand, Page, Theme};
 use crate::tolerance::Base;
@@ -84,12 +84,12 @@ fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
     let rows = view.session.check().rows().filter(|_| view.session.lists_rows());
     let said = match (history.chosen_count(), history.exported_count()) {
         (0, listed) if listed < history.len() => {
-            Message::new("history-exported-listed").count("count", listed).count("all", history.len())
+            message!("history-exported-listed").count("count", listed).count("all", history.len())
         }
-        (0, count) => Message::new("history-exported").count("count", count),
-        (chosen, _) => Message::new("history-chosen").count("count", chosen),
+        (0, count) => message!("history-exported").count("count", count),
+        (chosen, _) => message!("history-chosen").count("count", chosen),
     };
-    let said = rows.map_or(said, |rows| Message::new("rows-not-exported").text("name", rows.name()));
+    let said = rows.map_or(said, |rows| message!("rows-not-exported").text("name", rows.name()));
     quiet(ui, view.words.say(&said));
     for action in [Action::ChooseBad, Action::ChooseAll, Action::ChooseNone, Action::CopyChecks] {
         view.menu_item(ui, action);
@@ -135,7 +135,7 @@ fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
             for (number, file) in recent.iter().enumerate() {
                 let name = file.path.file_name().unwrap_or(file.path.as_os_str()).to_string_lossy();
                 let folder = file.path.parent().map(|folder| folder.display().to_string()).unwrap_or_default();
-                let told = Message::new("recent-file")
+                let told = message!("recent-file")
                     .text("name", name)
                     .text("what", view.text(title_id(file.purpose)))
                     .text("folder", folder);

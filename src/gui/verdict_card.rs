@@ -11,7 +11,7 @@ use super::shapes;
 use super::theme::{self, Palette, control, palette, sizes, space};
 use super::view::{View, live};
 use crate::length::{Length, Unit};
-use crate::message::{Message, Say as _};
+use crate::message::{Say as _, message};
 use crate::verdict::Status;
 use crate::words::Words;
 
@@ -253,7 +253,7 @@ pub(super) const fn colours(palette: &Palette, status: Option<Status>, is_simula
 
 /// What to remove, and up to what.
 pub(super) fn remove(words: &Words, um: &str) -> (String, String) {
-    (words.say(&Message::new("remove-amount").text("um", um)), words.get("remove-to-limit"))
+    (words.say(&message!("remove-amount").text("um", um)), words.get("remove-to-limit"))
 }
 
 /// Half of a length in µm, exact.

@@ -11,7 +11,7 @@ use super::keys::{is_held, told};
 use super::theme::{self, control};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
-use crate::message::{Message, Say as _};
+use crate::message::{Say as _, message};
 use crate::session::{Action, Command, Session};
 use crate::verdict::Doubt;
 use crate::words::Words;
@@ -227,7 +227,7 @@ pub(super) fn quiet_height(ui: &Ui, text: &str, width: f32) -> f32 {
 
 /// A doubt about a measured value as a sentence of its own.
 pub(super) fn doubt_text(words: &Words, doubt: Doubt) -> String {
-    let said = words.say(&Message::new("doubt-sentence").message("doubt", doubt.message()));
+    let said = words.say(&message!("doubt-sentence").message("doubt", doubt.message()));
     let mut rest = said.chars();
     rest.next().map_or_else(String::new, |first| first.to_uppercase().chain(rest).collect())
 }

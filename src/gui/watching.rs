@@ -10,7 +10,7 @@ use jiff::civil::DateTime;
 
 use crate::control::mask::Mask;
 use crate::exchange::Remembered;
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::part::Plan;
 use crate::session::Command;
 use crate::session::parts::{WalkCommand, WatchNews, WatchedFile};
@@ -163,7 +163,7 @@ impl Watch {
             // A watch of this window that is replaced needs a moment to end.
             if !is_told && PATIENCE <= begun.elapsed() {
                 is_told = true;
-                self.say(WatchNews::Trouble(Some(Message::new("watch-by-another"))));
+                self.say(WatchNews::Trouble(Some(message!("watch-by-another"))));
             }
             if let Err(ended @ RecvTimeoutError::Disconnected) = taken.recv_timeout(EVERY) {
                 return Err(ended);
@@ -183,11 +183,8 @@ impl Watch {
         }
         // A copy of what was taken stays in the list: nothing of it will come.
         for (name, known) in same {
-            let why = if name == known {
-                Message::new("watch-same-again")
-            } else {
-                Message::new("watch-same").text("known", known)
-            };
+            let why =
+                if name == known { message!("watch-same-again") } else { message!("watch-same").text("known", known) };
             // It is told again when it was written again.
             told.same.retain(|(other, _)| *other != name);
             told.same.push((name, why));

@@ -16,7 +16,7 @@ use super::shapes::share;
 use super::theme::space;
 use super::view::{View, quiet};
 use crate::exchange::Body;
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::{Action, Working};
 
 /// Before this nothing is said: most files are done by then.
@@ -75,7 +75,7 @@ impl Job {
     /// What to say of a file that was stopped while it was read.
     pub fn stopped(&self) -> Message {
         let (far, _) = &*self.far.borrow();
-        Message::new("working-stopped").text("rows", far.rows).text("name", &far.name)
+        message!("working-stopped").text("rows", far.rows).text("name", &far.name)
     }
 
     fn at(&self, bytes: u64) {

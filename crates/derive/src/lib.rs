@@ -1,4 +1,4 @@
-//! `#[derive(Say)]`: the wording of an error, a warning or a remark is in the locale files and nowhere else.
+//! `#[derive(Say)]` and `message!`: the wording of an error, a warning or a remark is in the locale files and nowhere else.
 //!
 //! ```ignore
 //! /// What is wrong with a table file.
@@ -37,7 +37,17 @@ mod output;
 mod texts;
 
 use proc_macro::TokenStream;
-use syn::{DeriveInput, parse_macro_input};
+use quote::quote;
+use syn::{DeriveInput, LitStr, parse_macro_input};
+
+/// The message of a name: `message!("table-empty")`. A name that `assets/locales/en` lacks does not compile.
+#[proc_macro]
+pub fn message(tokens: TokenStream) -> TokenStream {
+    let id = parse_macro_input!(tokens as LitStr);
+    let missing = texts::wanted(texts::english(), &id.value()).err();
+    let fault = missing.map(|missing| syn::Error::new(id.span(), missing).into_compile_error());
+    quote!({ #fault ::fitcheck_core::message::Message::new(#id) }).into()
+}
 
 /// Gives a type its texts; see the crate's documentation.
 #[proc_macro_derive(Say, attributes(say, from))]

@@ -5,7 +5,7 @@ use quote::{format_ident, quote};
 use syn::{Ident, Member};
 
 use crate::input::{Case, Said, Text};
-use crate::texts::Texts;
+use crate::texts::{Texts, wanted};
 
 /// The impls are made even with errors: without them, every use of the type would be an error of its own.
 pub(crate) fn write(said: &Said, texts: &Texts) -> TokenStream {
@@ -40,11 +40,10 @@ pub(crate) fn write(said: &Said, texts: &Texts) -> TokenStream {
 /// Why a case has no sentence: its text is missing, or asks for more than it is given.
 fn wrong(case: &Case, texts: &Texts) -> Option<String> {
     let Text::Named(id) = &case.text else { return None };
-    let texts = match texts {
-        Ok(texts) => texts,
-        Err(error) => return Some(format!("the English texts cannot be read: {error}")),
+    let wanted = match wanted(texts, id) {
+        Ok(wanted) => wanted,
+        Err(missing) => return Some(missing),
     };
-    let Some(wanted) = texts.get(id) else { return Some(format!("assets/locales/en has no text {id}")) };
     let fields = case.fields.iter().filter_map(|field| field.argument.as_ref());
     let given: Vec<&String> = fields.chain(case.computed.iter().map(|(name, _)| name)).collect();
     let missing = wanted.iter().find(|name| !given.contains(name))?;
@@ -121,7 +120,7 @@ mod tests {
     }
 
     const IMPLS: [&str; 4] = [
-        "impl crate :: message :: Say for Shape",
+        "impl :: fitcheck_core :: message :: Say for Shape",
         "impl :: std :: fmt :: Display for Shape",
         "impl :: std :: error :: Error for Shape",
         "impl :: std :: convert :: From < u8 > for Shape",

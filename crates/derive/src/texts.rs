@@ -17,6 +17,12 @@ pub(crate) fn english() -> &'static Texts {
     })
 }
 
+/// The arguments that a text asks for, or why there is no such text.
+pub(crate) fn wanted<'a>(texts: &'a Texts, id: &str) -> Result<&'a BTreeSet<String>, String> {
+    let texts = texts.as_ref().map_err(|error| format!("the English texts cannot be read: {error}"))?;
+    texts.get(id).ok_or_else(|| format!("assets/locales/en has no text {id}"))
+}
+
 fn read(folder: &Path) -> Texts {
     let told = |error: std::io::Error| format!("{error}: {}", folder.display());
     let mut texts = BTreeMap::new();

@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::ops;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::cycle;
 
 use super::Session;
@@ -220,7 +220,7 @@ impl<F: KeptField> Texts<F> {
 /// What is shown beside the field where its text is not a whole number.
 pub(super) fn whole<T: std::str::FromStr>(text: &str) -> Result<T, Message> {
     let text = text.trim();
-    text.parse().map_err(|_not_whole| Message::new("field-not-whole").text("given", text))
+    text.parse().map_err(|_not_whole| message!("field-not-whole").text("given", text))
 }
 
 /// What a field's length may be, within the control's ±99999.9999 mm.

@@ -23,7 +23,7 @@ mod working;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::{Absent, DeviationTable};
 use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::Record;
@@ -199,11 +199,11 @@ impl Session {
     /// The effect that a dialog asks for, or why there is none.
     fn errand(&mut self, purpose: Purpose, path: PathBuf, now: DateTime) -> Result<Effect, Message> {
         if path.as_os_str().is_empty() {
-            return Err(Message::new("dialog-no-path"));
+            return Err(message!("dialog-no-path"));
         }
         let content: Content = match purpose {
             Purpose::OpenTable if !self.tables.settle_cell(&mut self.shared) => {
-                return Err(Message::new("tables-cell-unreadable"));
+                return Err(message!("tables-cell-unreadable"));
             }
             Purpose::SaveTable(format) => self.tables.bytes(format, &path, &mut self.shared)?.into(),
             Purpose::Export(format) => self.export(format, now)?,
@@ -214,11 +214,11 @@ impl Session {
             Purpose::SaveBudget => self.budget.bytes(&path).into(),
             Purpose::SavePlan(_) => self.parts.bytes(&path).into(),
             Purpose::SaveCycleLog => {
-                let log = self.cycles.log().ok_or_else(|| Message::new("cycles-no-log"))?;
+                let log = self.cycles.log().ok_or_else(|| message!("cycles-no-log"))?;
                 log.bytes.clone().into()
             }
             Purpose::ExportStatus => {
-                let text = self.check.status_text().ok_or_else(|| Message::new("dialog-no-status"))?;
+                let text = self.check.status_text().ok_or_else(|| message!("dialog-no-status"))?;
                 text.as_bytes().to_vec().into()
             }
             Purpose::SavePairs(format) => self.pairing.content(format)?,
@@ -233,7 +233,7 @@ impl Session {
 
     /// The chosen records, or all of them when none is chosen, as a report.
     fn export(&self, format: usize, now: DateTime) -> Result<Content, Message> {
-        let Some(rendering) = RENDERINGS.get(format) else { return Err(Message::new("dialog-no-path")) };
+        let Some(rendering) = RENDERINGS.get(format) else { return Err(message!("dialog-no-path")) };
         let records: Vec<Arc<Record>> = self.shared.history.for_report().map(Arc::clone).collect();
         let report = Box::new(Report::new(now, records));
         Ok(Content::Report { report, rendering, language: self.shared.language })
@@ -241,7 +241,7 @@ impl Session {
 
     /// The chosen records of the records page as a report.
     fn report_records(&self, format: usize, now: DateTime) -> Result<Content, Message> {
-        let Some(rendering) = RENDERINGS.get(format) else { return Err(Message::new("dialog-no-path")) };
+        let Some(rendering) = RENDERINGS.get(format) else { return Err(message!("dialog-no-path")) };
         let journal = self.shared.recording.journal().map(|journal| (journal.chain, journal.head));
         let report = Box::new(self.records.report(now, journal));
         Ok(Content::Report { report, rendering, language: self.shared.language })
@@ -250,7 +250,7 @@ impl Session {
     /// The part that is being measured as a report.
     fn report_part(&self, format: usize, now: DateTime) -> Result<Content, Message> {
         let report = RENDERINGS.get(format).zip(self.parts.report(now));
-        let (rendering, report) = report.ok_or_else(|| Message::new("dialog-no-path"))?;
+        let (rendering, report) = report.ok_or_else(|| message!("dialog-no-path"))?;
         Ok(Content::Report { report: Box::new(report), rendering, language: self.shared.language })
     }
 
@@ -270,7 +270,7 @@ impl Session {
         let awaited = OwnMask::Awaited(path.clone());
         if let Some((mask, details)) = self.shared.file_answered(result) {
             let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
-            self.shared.note_details(Message::new("mask-loaded-with-warnings").text("name", &name), details);
+            self.shared.note_details(message!("mask-loaded-with-warnings").text("name", &name), details);
             self.shared.set_mask(MaskChoice::Own { name, path, mask: Arc::new(*mask) });
         } else if self.shared.own_mask == awaited {
             self.shared.own_mask = OwnMask::Unread(path);
@@ -287,7 +287,7 @@ impl Session {
             return;
         }
         if let Some((tables, details)) = self.shared.file_answered(result) {
-            let message = Message::new("tables-loaded").count("count", tables.len()).text("folder", folder.display());
+            let message = message!("tables-loaded").count("count", tables.len()).text("folder", folder.display());
             self.shared.note(message, details);
             self.use_tables(tables, Some(folder));
         } else if self.shared.awaits_tables() && self.shared.tables_folder == Some(folder) {
@@ -340,8 +340,8 @@ impl Session {
         }
         let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
         let message = match path.parent().filter(|folder| !folder.as_os_str().is_empty()) {
-            Some(folder) => Message::new("file-written").text("name", name).text("folder", folder.display()),
-            None => Message::new("file-written-here").text("name", name),
+            Some(folder) => message!("file-written").text("name", name).text("folder", folder.display()),
+            None => message!("file-written-here").text("name", name),
         };
         let file = Some(path.to_owned());
         self.shared.notices.push(Notice { details, file, ..Notice::of(message, false) });

@@ -15,7 +15,7 @@ mod filter;
 use std::collections::{BTreeSet, VecDeque};
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::memory::{Memory, Removed};
 use fitcheck_exchange::journal::query::{Query, RecordId, Records};
@@ -59,8 +59,8 @@ impl Change {
     /// What it was, as undo names it.
     fn message(&self) -> Message {
         match self {
-            Self::Added { count, .. } => Message::new("undo-add").count("count", *count),
-            Self::Cleared { .. } => Message::new("undo-clear"),
+            Self::Added { count, .. } => message!("undo-add").count("count", *count),
+            Self::Cleared { .. } => message!("undo-clear"),
         }
     }
 }

@@ -4,7 +4,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::cycle::{Cycle, CycleResult, Inputs, Meaning, Value};
 use fitcheck_nc::control::tool_table::{Changed, Monitored, Tool, ToolChange, ToolNumber, ToolTable};
 use fitcheck_nc::control::variables::Parameter;
@@ -43,7 +43,7 @@ impl Shared {
             ToolsCommand::Read { name, result } => {
                 let Some(table) = self.file_answered(result) else { return };
                 let details = table.warnings().iter().map(fitcheck_core::message::Say::message).collect();
-                self.note_details(Message::new("tools-loaded").text("name", &name), details);
+                self.note_details(message!("tools-loaded").text("name", &name), details);
                 self.tools = Some(Arc::new(OpenTools { name, table: *table }));
             }
             ToolsCommand::Close => self.tools = None,
@@ -74,7 +74,7 @@ impl Session {
 
     /// The bytes of that table.
     pub(super) fn tools_bytes(&self) -> Result<Vec<u8>, Message> {
-        let table = self.changed_tools().ok_or_else(|| Message::new("tools-nothing-changed"))?;
+        let table = self.changed_tools().ok_or_else(|| message!("tools-nothing-changed"))?;
         table.write().map_err(|error| error.message())
     }
 }
@@ -120,11 +120,11 @@ impl Monitoring {
     /// What is worth knowing besides the change.
     pub fn remark(&self) -> Option<Message> {
         match &self.found {
-            Ok(None) => Some(Message::new("tools-none-named")),
+            Ok(None) => Some(message!("tools-none-named")),
             Ok(Some(Monitored { same_name: Some((tool, more)), .. })) => {
                 Some(Remark::SameName { tool: tool.clone(), more: *more }.message())
             }
-            Ok(Some(Monitored { change: None, .. })) => Some(Message::new("tools-no-deviation")),
+            Ok(Some(Monitored { change: None, .. })) => Some(message!("tools-no-deviation")),
             _ => None,
         }
     }

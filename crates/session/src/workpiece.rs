@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::probing::Contact;
 use fitcheck_core::probing::cycle::Plane;
 use fitcheck_core::probing::simulated::{Part, Shape, Simulation};
@@ -81,13 +81,13 @@ pub(super) struct SimulatedWorkpiece {
 impl SimulatedWorkpiece {
     /// The simulated machine, or what is wrong with its first field.
     pub fn machine(&self) -> Result<&Simulation, Message> {
-        let wrong = || self.form.problem().unwrap_or_else(|| Message::new("cycles-no-workpiece"));
+        let wrong = || self.form.problem().unwrap_or_else(|| message!("cycles-no-workpiece"));
         self.form.simulation().ok_or_else(wrong)
     }
 
     /// The simulated machine as a file's bytes.
     pub fn bytes(&self) -> Result<Vec<u8>, Message> {
-        let refused = |error: toml::ser::Error| Message::new("cycles-not-written").text("reason", error);
+        let refused = |error: toml::ser::Error| message!("cycles-not-written").text("reason", error);
         self.machine()?.write().map(String::into_bytes).map_err(refused)
     }
 }
@@ -111,7 +111,7 @@ impl Shared {
             WorkpieceCommand::ChoosePlane(plane) => self.change_workpiece(|form| form.set_plane(plane)),
             WorkpieceCommand::Suit => match suited(self) {
                 Some(Ok(bench)) => self.change_workpiece(|form| *form = WorkpieceForm::of(&bench)),
-                Some(Err(problem)) => self.tell(Message::new("cycles-cannot-suit").message("problem", problem)),
+                Some(Err(problem)) => self.tell(message!("cycles-cannot-suit").message("problem", problem)),
                 None => {}
             },
             WorkpieceCommand::Read(result) => {
@@ -123,7 +123,7 @@ impl Shared {
             WorkpieceCommand::PartRead { name, result } => {
                 // A cycle on its own has no place on a part: its page measures one surface.
                 let refuses = self.page == Page::Cycles;
-                let result = if refuses { result.and(Err(Message::new("cycles-part-refused"))) } else { result };
+                let result = if refuses { result.and(Err(message!("cycles-part-refused"))) } else { result };
                 if let Some(part) = self.file_answered(result) {
                     let sha256 = self.recording.of_file(&name);
                     self.workpiece.part = Some(Arc::new(OpenPart { name, part: *part, sha256 }));
@@ -132,7 +132,7 @@ impl Shared {
             }
             WorkpieceCommand::ContactsRead { name, result } => {
                 if let Some((Contacts { contacts, has_heights, .. }, details)) = self.file_answered(result) {
-                    self.note_details(Message::new("cycles-contacts-loaded").text("name", &name), details);
+                    self.note_details(message!("cycles-contacts-loaded").text("name", &name), details);
                     let sha256 = self.recording.of_file(&name);
                     let recorded = RecordedContacts { name, contacts, has_heights, sha256 };
                     self.workpiece.recorded = Some(Arc::new(recorded));

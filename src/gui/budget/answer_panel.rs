@@ -9,7 +9,7 @@ use crate::budget::{Answer, Assessment, Validity};
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, live, problem, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Action, UseOf, advice};
 use crate::verdict::Status;
 
@@ -27,7 +27,7 @@ pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>) {
                 quiet(ui, &word);
                 let Some(found) = found else { return };
                 let um = format!("{:.3}", found.expanded());
-                let large = view.words.say(&Message::new("budget-page-expanded").mm("um", um));
+                let large = view.words.say(&message!("budget-page-expanded").mm("um", um));
                 let wanted = (ui.available_width() * 0.14).min(ui.ctx().content_rect().height() * 0.08);
                 let galley = ui.painter().layout_no_wrap(large.clone(), theme::bold(wanted), Color32::PLACEHOLDER);
                 let size = wanted.min(wanted * ui.available_width() / galley.size().x.max(1.0)).floor();
@@ -46,8 +46,8 @@ fn covered(view: &View<'_>, found: &Assessment) -> String {
     let k = format!("{:.3}", found.k());
     let k = k.trim_end_matches('0').trim_end_matches('.').to_owned();
     view.words.say(&match found.answer {
-        Answer::Combined(_) => Message::new("budget-page-covered").mm("k", k),
-        Answer::Repeated(_) => Message::new("budget-page-covered-by").mm("k", k).text("method", found.method()),
+        Answer::Combined(_) => message!("budget-page-covered").mm("k", k),
+        Answer::Repeated(_) => message!("budget-page-covered-by").mm("k", k).text("method", found.method()),
     })
 }
 
@@ -57,16 +57,16 @@ fn validity_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) -> Vec<String> 
     let until = || found.budget.valid_until.to_string();
     let (shape, colour, word, rest) = match found.validity {
         Validity::Valid => {
-            let word = Message::new("budget-page-valid").text("until", until());
+            let word = message!("budget-page-valid").text("until", until());
             (Some(Status::Good), palette.text.0, view.words.say(&word), None)
         }
         Validity::Expired => {
             let day = view.session.budget().day_shown();
-            let rest = Message::new("budget-page-expired-on").text("until", until()).text("day", day);
+            let rest = message!("budget-page-expired-on").text("until", until()).text("day", day);
             (Some(Status::Scrap), palette.error.0, view.text("budget-page-expired"), Some(rest))
         }
         Validity::NotYet => {
-            let rest = Message::new("budget-page-not-yet-on").text("date", found.budget.date);
+            let rest = message!("budget-page-not-yet-on").text("date", found.budget.date);
             (None, palette.error.0, view.text("budget-page-not-yet"), Some(rest))
         }
     };
@@ -104,23 +104,23 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn figures_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
-    let u = Message::new("budget-page-standard").mm("um", format!("{:.3}", found.u()));
+    let u = message!("budget-page-standard").mm("um", format!("{:.3}", found.u()));
     ui.label(RichText::new(view.words.say(&u)).font(theme::bold(sizes().value)));
     if let Answer::Combined(evaluation) = &found.answer {
         let infinite = || view.text("budget-page-infinite");
         let shown =
             evaluation.degrees_of_freedom.map_or_else(infinite, |_| degrees(view, evaluation.degrees_of_freedom));
-        ui.label(view.words.say(&Message::new("budget-page-degrees").text("degrees", shown)));
+        ui.label(view.words.say(&message!("budget-page-degrees").text("degrees", shown)));
     }
     let budget = &found.budget;
     ui.label(RichText::new(&budget.name).font(theme::bold(sizes().body)));
-    let made = Message::new("budget-page-made").text("date", budget.date).text("by", &budget.by);
+    let made = message!("budget-page-made").text("date", budget.date).text("by", &budget.by);
     quiet(ui, view.words.say(&made));
     let method = match found.answer {
         Answer::Combined(_) => view.text("budget-page-method-gum"),
         Answer::Repeated(_) => found.method().to_owned(),
     };
-    quiet(ui, view.words.say(&Message::new("budget-page-method").text("method", method)));
+    quiet(ui, view.words.say(&message!("budget-page-method").text("method", method)));
     for warning in found.warnings() {
         problem(ui, view.words.told(&warning));
     }
@@ -131,8 +131,7 @@ fn help_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
     let Some(row) = evaluation.rows.get(evaluation.largest) else { return };
     ui.separator();
     heading(ui, view.text("budget-page-largest"));
-    let largest =
-        Message::new("budget-page-largest-is").text("name", &row.name).mm("percent", format!("{:.1}", row.share));
+    let largest = message!("budget-page-largest-is").text("name", &row.name).mm("percent", format!("{:.1}", row.share));
     ui.label(view.words.say(&largest));
     heading(ui, view.text("budget-page-help"));
     for help in advice(evaluation) {
@@ -146,16 +145,16 @@ fn use_ui(ui: &mut Ui, view: &mut View<'_>) {
     let used = view.session.used_budget();
     let said = match (view.session.budget().use_of(used), used) {
         (UseOf::Another, Some(used)) => {
-            Message::new("budget-page-uses-another").text("name", &used.budget.name).text("file", &used.file)
+            message!("budget-page-uses-another").text("name", &used.budget.name).text("file", &used.file)
         }
-        (_, Some(used)) => Message::new("budget-page-uses-this").text("name", &used.budget.name),
-        (_, None) => Message::new("budget-page-uses-none"),
+        (_, Some(used)) => message!("budget-page-uses-this").text("name", &used.budget.name),
+        (_, None) => message!("budget-page-uses-none"),
     };
     ui.label(view.words.say(&said));
     let placeholders = view.session.budget().placeholders();
     if !placeholders.is_empty() {
         let what = placeholders.iter().map(|what| view.words.say(what)).collect::<Vec<_>>().join(", ");
-        problem(ui, view.words.say(&Message::new("budget-page-placeholders").text("what", what)));
+        problem(ui, view.words.say(&message!("budget-page-placeholders").text("what", what)));
     }
     let width = view.width_of(ui, &[Action::UseBudget]);
     view.main_button(ui, Action::UseBudget, vec2(width, control(ui)));

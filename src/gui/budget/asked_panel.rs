@@ -5,7 +5,7 @@ use eframe::egui::Ui;
 use crate::gui::field::{Pairs, pairs_ui};
 use crate::gui::theme::space;
 use crate::gui::view::{View, heading, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Action, BudgetField, Readings};
 
 /// How many notes on readings are shown; a notice had all of them.
@@ -31,7 +31,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     pairs_ui(ui, view, &pairs, &fields);
     if view.session.text(BudgetField::Day).trim().is_empty() {
         let today = view.session.budget().day_shown();
-        quiet(ui, view.words.say(&Message::new("budget-page-day-hint").text("day", today)));
+        quiet(ui, view.words.say(&message!("budget-page-day-hint").text("day", today)));
     }
     if asks.contacts {
         contacts_ui(ui, view, &pairs);
@@ -63,11 +63,11 @@ fn readings_ui(ui: &mut Ui, view: &mut View<'_>) {
             quiet(ui, view.words.say(note));
         }
         if let Some(more) = notes.len().checked_sub(NOTES).filter(|more| 0 < *more) {
-            quiet(ui, view.words.say(&Message::new("budget-page-more-notes").count("count", more)));
+            quiet(ui, view.words.say(&message!("budget-page-more-notes").count("count", more)));
         }
     } else {
         let count = view.session.budget().own_readings();
-        ui.label(view.words.say(&Message::new("budget-page-readings-own").count("count", count)));
+        ui.label(view.words.say(&message!("budget-page-readings-own").count("count", count)));
     }
     buttons_ui(ui, view, &[Action::OpenReadings, Action::TakeReadings, Action::OwnReadings]);
 }

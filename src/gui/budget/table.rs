@@ -6,7 +6,7 @@ use eframe::egui::{Align, FontId, Grid, Label, Layout, Rect, RichText, Sense, Ui
 use crate::budget::{Answer, Assessment, Evaluation, Law, Row};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
-use crate::message::Message;
+use crate::message::message;
 
 /// The least width of a name where the table has all columns, and where it is narrow.
 const WIDE_NAME: f32 = 30.0;
@@ -36,10 +36,10 @@ pub(super) fn table_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
         Answer::Repeated(repeated) => {
             let mean = format!("{:.6}", repeated.mean_mm);
             let from = view.session.budget().readings().map(|readings| readings.from.clone());
-            let own = || Message::new("budget-page-readings-own").count("count", repeated.readings);
+            let own = || message!("budget-page-readings-own").count("count", repeated.readings);
             heading(ui, view.text("budget-page-readings"));
             ui.label(view.words.say(&from.unwrap_or_else(own)));
-            ui.label(view.words.say(&Message::new("budget-page-mean").mm("mm", mean)));
+            ui.label(view.words.say(&message!("budget-page-mean").mm("mm", mean)));
             ui.separator();
         }
     }
@@ -82,8 +82,8 @@ fn contributions_ui(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
         if let Some(geometry) = row.geometry {
             let factor = format!("{:.3}", geometry.factor);
             let message = match geometry.step_deg {
-                Some(step) => Message::new("budget-page-contacts-stepped").mm("step", step),
-                None => Message::new("budget-page-contacts-used"),
+                Some(step) => message!("budget-page-contacts-stepped").mm("step", step),
+                None => message!("budget-page-contacts-used"),
             };
             let said = view.words.say(&message.count("count", geometry.touches).mm("factor", factor));
             quiet(ui, format!("{}: {said}", row.name));
@@ -195,7 +195,7 @@ fn told(view: &View<'_>, row: &Row) -> Told {
         [figure(row.u, 3), figure(row.sensitivity, 4), figure(row.contribution, 3), figure(row.share, 1)];
     let freedom = degrees(view, row.degrees_of_freedom);
     let infinite = || view.text("budget-page-infinite");
-    let said = Message::new("budget-page-row")
+    let said = message!("budget-page-row")
         .text("name", &row.name)
         .text("type", row.evaluated.letter())
         .text("law", &law)

@@ -7,7 +7,7 @@ use eframe::egui::{Id, ScrollArea, Stroke, TextBuffer, TextEdit, Ui};
 use crate::gui::columns::is_low;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Action, BudgetCommand};
 
 /// The lines of the text that are in sight at least.
@@ -36,7 +36,7 @@ pub(super) fn text_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.spacing_mut().interact_size.y = 0.0;
         name = Some(heading(ui, view.text("budget-page-text")).id);
         if budget.is_unsaved() {
-            quiet(ui, view.words.say(&Message::new("budget-page-not-saved").text("name", budget.name())));
+            quiet(ui, view.words.say(&message!("budget-page-not-saved").text("name", budget.name())));
         } else if !budget.toml().is_empty() {
             quiet(ui, budget.name());
         }

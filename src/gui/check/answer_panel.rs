@@ -10,7 +10,7 @@ use crate::gui::verdict_card::{Card, card_ui, chip_ui, half_um, lines_below_ui, 
 use crate::gui::view::{Digits, View, doubt_text, heading, quiet};
 use crate::journal::Record;
 use crate::length::Length;
-use crate::message::{Message, Say};
+use crate::message::{Message, Say, message};
 use crate::session::{Action, Doubted, Lot, Question, Step};
 use crate::tolerance::Source;
 use crate::verdict::{PositionVerdict, Status};
@@ -96,13 +96,13 @@ fn doubted_ui(ui: &mut Ui, view: &mut View<'_>, doubted: &Doubted) {
 fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
     let words = view.words;
     let said = |id: &'static str, count: usize| words.say(&Message::new(id).count("count", count));
-    heading(ui, words.say(&Message::new("lot-title").text("name", lot.name()).count("rows", lot.rows())));
+    heading(ui, words.say(&message!("lot-title").text("name", lot.name()).count("rows", lot.rows())));
     ui.horizontal_wrapped(|ui| {
         for (status, count) in lot.counts() {
             // Nothing is re-measured without a guard band, so a zero would only raise questions.
             if status != Status::ReMeasure || 0 < count {
                 let word = words.told(&status);
-                let text = Message::new("lot-count").text("status", word).count("count", count);
+                let text = message!("lot-count").text("status", word).count("count", count);
                 chip_ui(ui, status, &words.say(&text));
             }
         }
@@ -141,13 +141,13 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
     // A centre out of position cannot be machined back, whatever the size says.
     let removal = size.removal.filter(|_| status == size.status);
     if let Some(removal) = removal {
-        lines.push(words.say(&Message::new("remove-to-middle").text("um", um(removal.to_middle))));
+        lines.push(words.say(&message!("remove-to-middle").text("um", um(removal.to_middle))));
         let half = match digits {
             Digits::Exact => words.number(&half_um(removal.to_limit)),
             Digits::Rounded => um(removal.to_limit.midpoint(Length::ZERO)),
         };
         if is_round {
-            lines.push(words.say(&Message::new("remove-per-side").text("um", half)));
+            lines.push(words.say(&message!("remove-per-side").text("um", half)));
         }
     } else {
         lines.push(distance(("above-minimum", "below-minimum"), size.above_minimum));
@@ -158,7 +158,7 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
     }
     if status != size.status {
         let id = status_id(Some(size.status));
-        lines.push(words.say(&Message::new("diameter-alone").text("status", words.get(id))));
+        lines.push(words.say(&message!("diameter-alone").text("status", words.get(id))));
     }
     lines.extend(worth_lines::lines(words, record));
     lines.extend(record.doubt.map(|doubt| doubt_text(words, doubt)));

@@ -9,7 +9,7 @@ use crate::gui::field::{self, Look, Pairs, error_ui, field_ui};
 use crate::gui::limits::{self, feature_id};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Action, CheckCommand, CheckField, Command, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
 
@@ -67,12 +67,12 @@ fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
         ui.spacing_mut().interact_size.y = 0.0;
         feature_picture(ui, limits.feature, space(6.0));
         ui.label(view.text(feature_id(limits.feature)));
-        quiet(ui, view.words.say(&Message::new("nominal-is").mm("nominal", limits.nominal)));
+        quiet(ui, view.words.say(&message!("nominal-is").mm("nominal", limits.nominal)));
     });
     limits::limits_ui(ui, view, limits);
     if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
         let by = limits.deviations.minus(standard);
-        let instead = Message::new("source-overrides")
+        let instead = message!("source-overrides")
             .text("upper", view.words.signed_um(standard.upper()))
             .text("lower", view.words.signed_um(standard.lower()))
             .text("by-upper", view.words.signed_um(by.0))

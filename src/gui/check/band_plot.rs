@@ -10,7 +10,7 @@ use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
 use crate::length::Length;
-use crate::message::Message;
+use crate::message::message;
 use crate::report::band::{Band, GuardBand, Guarded, Marker, Side};
 use crate::tolerance::{Feature, Limits};
 use crate::verdict::Status;
@@ -89,7 +89,7 @@ fn ticks(band: &Band) -> Vec<GridMark> {
 
 /// What the picture shows, in words, for users who cannot see it.
 fn describe(words: &Words, limits: &Limits, record: Option<&Record>, band: &Band) -> String {
-    let zone = Message::new("band-describe")
+    let zone = message!("band-describe")
         .text("lower", words.signed_um(limits.deviations.lower()))
         .text("upper", words.signed_um(limits.deviations.upper()))
         .text("left", words.get(side_id(limits.feature, true)))
@@ -99,14 +99,14 @@ fn describe(words: &Words, limits: &Limits, record: Option<&Record>, band: &Band
         let um = |um: f64| words.number(&format!("{um}"));
         let said = match guard.accepted {
             Some([least, most]) => {
-                words.say(&Message::new("band-describe-accepted").text("least", um(least)).text("most", um(most)))
+                words.say(&message!("band-describe-accepted").text("least", um(least)).text("most", um(most)))
             }
             None => words.get("band-describe-nothing"),
         };
         text = format!("{text} {said}");
     }
     if let Some(record) = record {
-        let measured = Message::new("band-describe-measured")
+        let measured = message!("band-describe-measured")
             .text("deviation", words.signed_um(record.verdict.size.deviation))
             .text("above", words.signed_um(record.verdict.size.above_minimum))
             .text("below", words.signed_um(record.verdict.size.below_maximum));

@@ -11,7 +11,7 @@ use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::{Digits, View, heading, quiet, still_plot};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
-use crate::message::{Message, Say as _};
+use crate::message::{Say as _, message};
 use crate::words::Words;
 
 /// How far the largest deviation reaches, as a share of the nominal radius.
@@ -36,8 +36,7 @@ pub(super) fn contacts_ui(ui: &mut Ui, view: &View<'_>) {
     ui.horizontal(|ui| {
         heading(ui, view.text("contacts"));
         if let Some(picture) = &picture {
-            let factor =
-                Message::new("contacts-factor").text("factor", view.words.number(&format!("{}", picture.factor)));
+            let factor = message!("contacts-factor").text("factor", view.words.number(&format!("{}", picture.factor)));
             quiet(ui, view.words.say(&factor));
         }
     });
@@ -73,7 +72,7 @@ fn circle_text(words: &Words, record: &Record) -> String {
     let mut text = format!("Ø {}", Digits::of(record).mm(words, record.measurement.diameter, 4));
     if let Some(position) = record.verdict.position {
         let [x, y] = position.axes.map(|axis| words.number(&signed_mm(axis.deviation)));
-        text = format!("{text}   {}", words.say(&Message::new("centre-is").text("x", x).text("y", y)));
+        text = format!("{text}   {}", words.say(&message!("centre-is").text("x", x).text("y", y)));
     }
     text
 }
@@ -218,7 +217,7 @@ impl Picture {
             );
             painter.galley(rect.min, galley, palette.text.0);
         }
-        let described = Message::new("contacts-describe")
+        let described = message!("contacts-describe")
             .count("count", record.measurement.contacts.len())
             .text("factor", words.number(&format!("{}", self.factor)))
             .text("circle", circle_text(words, record));

@@ -17,7 +17,7 @@ use crate::gui::verdict_card::colours;
 use crate::gui::view::{Digits, View, focus_soon, quiet, take_focus};
 use crate::journal::Record;
 use crate::journal::query::{Column, RecordId, TIME, callout};
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::session::{Action, CheckCommand, status_text};
 use crate::verdict::Status;
 use crate::words::Words;
@@ -228,7 +228,7 @@ fn choose_ui(ui: &Ui, view: &mut View<'_>, rect: Rect, row: &Row, cells: &Cells)
     }
     let response = ui.interact(rect, id().with(("choose", row.id.0)), Sense::CLICK);
     let check = format!("{} {} {} mm", cells.part, cells.callout, cells.measured);
-    let name = Message::new("choose-check").text("check", check.trim()).text("time", &cells.time);
+    let name = message!("choose-check").text("check", check.trim()).text("time", &cells.time);
     response.widget_info(|| WidgetInfo::selected(Role::CheckBox, true, row.is_chosen, view.words.say(&name)));
     if response.clicked() {
         view.send(CheckCommand::Choose(row.id, !row.is_chosen));
@@ -263,7 +263,7 @@ fn said(view: &View<'_>, cells: &Cells, row: &Row) -> String {
         .text("status", &cells.status)
         .text("from", &cells.from);
     let said = view.words.say(&message);
-    if row.is_chosen { view.words.say(&Message::new("history-row-chosen").text("row", said)) } else { said }
+    if row.is_chosen { view.words.say(&message!("history-row-chosen").text("row", said)) } else { said }
 }
 
 /// The row of the cursor comes into sight when it moves or the list changes; afterwards scrolling is free.

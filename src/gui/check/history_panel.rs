@@ -13,7 +13,7 @@ use crate::gui::verdict_card::colours;
 use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
 use crate::journal::query::callout;
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::{Action, CheckField, Field, status_text};
 
 /// How many checks the strip shows.
@@ -82,9 +82,9 @@ fn chosen_ui(ui: &mut Ui, view: &View<'_>) {
     if history.chosen_count() == 0 {
         return;
     }
-    let mut said = view.words.say(&Message::new("history-chosen").count("count", history.chosen_count()));
+    let mut said = view.words.say(&message!("history-chosen").count("count", history.chosen_count()));
     if 0 < history.hidden_count() {
-        let hidden = Message::new("history-hidden").count("hidden", history.hidden_count());
+        let hidden = message!("history-hidden").count("hidden", history.hidden_count());
         said = format!("{said}, {}", view.words.say(&hidden));
     }
     quiet(ui, said);
@@ -117,7 +117,7 @@ pub(super) fn strip_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
         }
         let count = view.session.history().len();
-        quiet(ui, view.words.say(&Message::new("history-count").count("count", count)));
+        quiet(ui, view.words.say(&message!("history-count").count("count", count)));
     });
 }
 

@@ -7,7 +7,7 @@ use crate::gui::shapes::{self, screen};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
-use crate::message::Message;
+use crate::message::message;
 use crate::report::band::micrometres;
 
 /// The most values that are drawn.
@@ -44,7 +44,7 @@ pub(super) fn last_values_ui(ui: &mut Ui, view: &View<'_>) {
     let size = vec2(ui.available_width(), (ui.available_height() - remark).clamp(space(24.0), space(70.0)));
     let (rect, response) = ui.allocate_exact_size(size, Sense::hover());
     draw(ui, view, rect, &records);
-    let message = Message::new("last-values-describe").count("count", records.len());
+    let message = message!("last-values-describe").count("count", records.len());
     let said = records.iter().map(|record| {
         let value = Digits::of(record).mm(view.words, record.measurement.diameter, 3);
         format!("{value} {}", view.words.told(&record.verdict.status()))

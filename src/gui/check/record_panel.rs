@@ -5,7 +5,7 @@ use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::{View, problem, quiet, quiet_cut};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Action, CheckField, Keeping, Recorded};
 
 /// Left: serial number and remark, and whether checks are recorded.
@@ -32,7 +32,7 @@ fn keeping_ui(ui: &mut Ui, view: &View<'_>) {
         Keeping::Opening => _ = quiet(ui, view.text("records-page-opening")),
         Keeping::Open => {}
         Keeping::Failed(why) => {
-            _ = problem(ui, view.words.say(&Message::new("records-page-not-opened").message("why", why.clone())));
+            _ = problem(ui, view.words.say(&message!("records-page-not-opened").message("why", why.clone())));
         }
     }
 }
@@ -47,10 +47,10 @@ pub(in crate::gui) fn recorded_ui(ui: &mut Ui, view: &mut View<'_>, recorded: Op
         None => _ = quiet_cut(ui, " "),
         Some(Recorded::Waiting) => _ = quiet_cut(ui, view.text("records-page-waiting")),
         Some(Recorded::Kept(number)) => {
-            _ = quiet_cut(ui, view.words.say(&Message::new("records-page-record").text("number", number)));
+            _ = quiet_cut(ui, view.words.say(&message!("records-page-record").text("number", number)));
         }
         Some(Recorded::Failed(why)) => {
-            let said = view.words.say(&Message::new("records-page-not-recorded").message("why", why.clone()));
+            let said = view.words.say(&message!("records-page-not-recorded").message("why", why.clone()));
             let text = RichText::new(said).font(theme::bold(sizes().body)).color(palette(ui.ctx()).error.0);
             ui.add(Label::new(text).wrap());
             if view.session.can(Action::RecordAgain) {

@@ -13,7 +13,7 @@ use crate::gui::shapes::{self, focus_ring, lines_of, times};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, focus_soon, quiet, take_focus};
 use crate::length::Length;
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Listed, Rows, RowsCommand};
 use crate::words::Words;
 
@@ -225,7 +225,7 @@ impl Cells {
             cells.measured = words.mm(judged.measured, 4);
             cells.deviation = format!("{} µm", words.signed_um(judged.verdict().deviation));
             if let Some(removal) = judged.verdict().removal {
-                let amount = |length: Length| Message::new("remove-amount").text("um", words.um(length));
+                let amount = |length: Length| message!("remove-amount").text("um", words.um(length));
                 cells.what = words.say(&amount(removal.to_limit));
             }
         }
@@ -244,7 +244,7 @@ impl Cells {
 
     /// What a screen reader says of a row.
     fn said(&self, words: &Words) -> String {
-        let line = words.say(&Message::new("rows-row-line").text("line", &self.line));
+        let line = words.say(&message!("rows-row-line").text("line", &self.line));
         let measured = if self.measured.is_empty() { String::new() } else { format!("{} mm", self.measured) };
         let parts = [&line, &self.part, &self.callout, &measured, &self.deviation, &self.status, &self.what];
         parts.into_iter().filter(|part| !part.is_empty()).map(String::as_str).collect::<Vec<_>>().join(", ")

@@ -12,7 +12,7 @@ use crate::exchange::batch::{FIRST, Fate, Kind, Tally};
 use crate::gui::shapes::{self, share};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::{Action, End, LARGE, Large, Rows, RowsCommand};
 use crate::tolerance::ToleranceClass;
 use crate::verdict::Status;
@@ -45,7 +45,7 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         summary_ui(ui, view, rows);
         if !rows.filter().is_all() {
             let listed = grouped(u64::try_from(rows.listed()).unwrap_or_default());
-            let listed = Message::new("rows-listed").text("listed", listed).text("count", grouped(rows.count()));
+            let listed = message!("rows-listed").text("listed", listed).text("count", grouped(rows.count()));
             quiet(ui, view.words.say(&listed));
         }
     });
@@ -119,8 +119,8 @@ fn why_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
 /// Why the file is judged row by row, and what that means.
 fn why_text(words: &Words, rows: &Rows) -> String {
     words.say(&match rows.large() {
-        Large::Bytes(bytes) => Message::new("rows-why-bytes").text("size", bytes >> 20).text("limit", LARGE >> 20),
-        Large::Packed => Message::new("rows-why-packed"),
+        Large::Bytes(bytes) => message!("rows-why-bytes").text("size", bytes >> 20).text("limit", LARGE >> 20),
+        Large::Packed => message!("rows-why-packed"),
     })
 }
 
@@ -133,7 +133,7 @@ pub(super) fn fate_text(words: &Words, fate: Fate) -> String {
 fn fate_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows, (fate, count): (Fate, u64)) {
     let is_chosen = rows.filter().fates.contains(&fate);
     let (fill, colour) = palette(ui.ctx()).of_status(fate.status());
-    let text = Message::new("rows-fate").text("fate", fate_text(view.words, fate)).text("count", grouped(count));
+    let text = message!("rows-fate").text("fate", fate_text(view.words, fate)).text("count", grouped(count));
     let text = view.words.say(&text);
     let galley = ui.painter().layout_no_wrap(text.clone(), theme::bold(sizes().body), colour);
     let (mark, gap) = (space(4.0), space(1.5));
@@ -174,7 +174,7 @@ fn classes_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
             .iter()
             .find(|(_, number, _)| chosen.contains(number))
             .map_or(String::new(), |(class, ..)| name(view, *class)),
-        count => view.words.say(&Message::new("rows-some-classes").count("count", count)),
+        count => view.words.say(&message!("rows-some-classes").count("count", count)),
     };
     let label = ui.label(view.text("rows-classes"));
     let list = ComboBox::from_id_salt("rows-classes").selected_text(WidgetText::from(shown)).width(space(32.0));
@@ -185,7 +185,7 @@ fn classes_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         }
         for (class, number, count) in classes {
             let count: u64 = count;
-            let text = Message::new("rows-class").text("class", name(view, class)).text("count", grouped(count));
+            let text = message!("rows-class").text("class", name(view, class)).text("count", grouped(count));
             let mut is_on = chosen.contains(&number);
             if ui.checkbox(&mut is_on, view.words.say(&text)).clicked() {
                 view.send(RowsCommand::Class(number));
@@ -229,7 +229,7 @@ fn remarks_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
     let first_line = rows.layout().map_or(1, |layout| layout.line);
     if let Some(layout) = rows.layout() {
         for (line, warning) in &layout.warnings {
-            quiet(ui, words.say(&Message::new("rows-note").count("line", *line).with("what", warning)));
+            quiet(ui, words.say(&message!("rows-note").count("line", *line).with("what", warning)));
         }
     }
     for kind in Kind::ALL {
@@ -237,11 +237,11 @@ fn remarks_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
         if usize::try_from(notes.count).is_ok_and(|count| FIRST < count) {
             quiet(
                 ui,
-                words.say(&Message::new("rows-first-notes").count("first", FIRST).text("count", grouped(notes.count))),
+                words.say(&message!("rows-first-notes").count("first", FIRST).text("count", grouped(notes.count))),
             );
         }
         for note in &notes.first {
-            let line = Message::new("rows-note").count("line", first_line + note.line);
+            let line = message!("rows-note").count("line", first_line + note.line);
             quiet(ui, words.say(&line.message("what", note.what.clone())));
         }
     }
@@ -266,7 +266,7 @@ fn counts(tally: &Tally) -> [(&'static str, u64); 9] {
 pub(super) fn shown_row_ui(ui: &mut Ui, view: &View<'_>) {
     let Some(rows) = view.session.check().rows() else { return };
     let Some(row) = rows.shown() else { return };
-    heading(ui, view.words.say(&Message::new("rows-line").count("line", row.line).text("name", rows.name())));
+    heading(ui, view.words.say(&message!("rows-line").count("line", row.line).text("name", rows.name())));
     if let Some(why) = &row.why {
         problem(ui, view.words.say(why));
     }

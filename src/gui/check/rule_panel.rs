@@ -8,7 +8,7 @@ use crate::gui::material::material_ui;
 use crate::gui::theme::space;
 use crate::gui::view::{View, list_ui, quiet};
 use crate::length::Length;
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::{Action, CheckCommand, CheckField, Page, UncertaintyFrom, Worth};
 use crate::verdict::rules::{Prover, RuleName, percent};
 
@@ -29,7 +29,7 @@ const OF_TEMPERATURE: [CheckField; 4] =
 /// The rule and the temperature, folded: their headers say what is in force.
 pub(super) fn worth_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = view.text(&name_id(worth(view).judging().rule));
-    let header = view.words.say(&Message::new("check-rule-header").text("rule", name));
+    let header = view.words.say(&message!("check-rule-header").text("rule", name));
     // An error is never folded away.
     let is_wrong = |view: &View<'_>, fields: &[CheckField]| {
         fields.iter().any(|field| view.session.check().error(*field).is_some())
@@ -40,7 +40,7 @@ pub(super) fn worth_ui(ui: &mut Ui, view: &mut View<'_>) {
     let header = if temperature.is_empty() {
         view.text("check-temperature-none")
     } else {
-        view.words.say(&Message::new("check-temperature-header").text("temperature", temperature))
+        view.words.say(&message!("check-temperature-header").text("temperature", temperature))
     };
     let open = is_wrong(view, &OF_TEMPERATURE).then_some(true);
     CollapsingHeader::new(header).id_salt("warm").open(open).show_unindented(ui, |ui| temperature_ui(ui, view));
@@ -110,11 +110,11 @@ fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
         match (of_check, view.session.used_budget()) {
             (Some(kept), _) => {
                 let date = kept.date.to_string();
-                let said = Message::new("check-budget-of-check").text("name", &kept.name).text("date", date);
+                let said = message!("check-budget-of-check").text("name", &kept.name).text("date", date);
                 ui.label(view.words.say(&said));
             }
             (None, Some(open)) => {
-                let said = Message::new("check-budget-used").text("name", &open.budget.name).text("file", &open.file);
+                let said = message!("check-budget-used").text("name", &open.budget.name).text("file", &open.file);
                 ui.label(view.words.say(&said));
             }
             (None, None) => _ = quiet(ui, view.text("check-budget-none")),
@@ -147,7 +147,7 @@ pub(super) fn accepted_text(view: &View<'_>, accepted: Option<[Length; 2]>) -> S
     match accepted {
         Some([least, most]) => {
             let mm = |length| view.words.mm(length, 3);
-            view.words.say(&Message::new("rule-accepted").text("least", mm(least)).text("most", mm(most)))
+            view.words.say(&message!("rule-accepted").text("least", mm(least)).text("most", mm(most)))
         }
         None => view.text("rule-accepts-nothing"),
     }

@@ -6,7 +6,7 @@ use crate::gui::popup::popup_ui;
 use crate::gui::view::{Digits, View, quiet};
 use crate::journal::Record;
 use crate::length::Length;
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Action, Command, MaskChoice, Purpose};
 use crate::words::{Dialogue, Words};
 
@@ -16,7 +16,7 @@ pub(super) fn status_ui(ui: &mut Ui, view: &mut View<'_>) {
     let is_simulated = shown.is_some_and(|shown| shown.record.measurement.origin.is_simulated());
     popup_ui(ui, view, shown.map(|shown| &shown.window), "popup-empty", is_simulated);
     if let Some(values) = shown.and_then(|shown| exact(view.words, &shown.record)) {
-        ui.label(view.words.say(&Message::new("popup-exact").text("values", values)));
+        ui.label(view.words.say(&message!("popup-exact").text("values", values)));
     }
     ui.horizontal(|ui| {
         view.button(ui, Action::CopyStatus);

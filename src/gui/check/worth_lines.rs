@@ -3,7 +3,7 @@
 use crate::gui::check::rule_panel::accepted_text;
 use crate::gui::view::{Digits, View};
 use crate::journal::{Decision, Record};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::tolerance::fit::thermal::Correction;
 use crate::verdict::Status;
 use crate::verdict::rules::percent;
@@ -36,7 +36,7 @@ pub(super) fn measure_again(words: &Words, record: &Record) -> Option<(String, S
 
 /// How the value was brought to 20 °C.
 fn corrected(words: &Words, correction: &Correction) -> String {
-    let message = Message::new("check-corrected")
+    let message = message!("check-corrected")
         .text("measured", words.mm(correction.measured, 3))
         .text("temperature", words.number(&correction.part.temperature.to_string()))
         .text("change", words.signed_um(correction.change()));
@@ -52,7 +52,7 @@ pub(in crate::gui) fn reasons(view: &View<'_>, record: &Record) -> Vec<String> {
         reasons.push(accepted_text(view, zones.accepted));
         if let Some(found) = conformity {
             let percent = |probability: f64| words.number(&percent(probability));
-            let said = Message::new("why-conformity")
+            let said = message!("why-conformity")
                 .text("within", percent(found.within))
                 .text("below", percent(found.below))
                 .text("above", percent(found.above));
@@ -66,7 +66,7 @@ pub(in crate::gui) fn reasons(view: &View<'_>, record: &Record) -> Vec<String> {
         }
     }
     if let Some(budget) = &record.budget {
-        let said = Message::new("why-budget")
+        let said = message!("why-budget")
             .text("name", &budget.name)
             .text("date", budget.date.to_string())
             .text("by", &budget.by)
@@ -74,12 +74,12 @@ pub(in crate::gui) fn reasons(view: &View<'_>, record: &Record) -> Vec<String> {
         reasons.push(words.say(&said));
     }
     if let Some(correction) = &record.correction {
-        let said = Message::new("why-corrected")
+        let said = message!("why-corrected")
             .text("expansion", words.number(&correction.part.expansion.to_string()))
             .text("at-reference", Digits::Exact.mm(words, correction.at_reference, 3));
         reasons.push(words.say(&said));
         reasons.extend(correction.scale.map(|scale| {
-            let said = Message::new("why-scales")
+            let said = message!("why-scales")
                 .text("temperature", words.number(&scale.temperature.to_string()))
                 .text("expansion", words.number(&scale.expansion.to_string()));
             words.say(&said)

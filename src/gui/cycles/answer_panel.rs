@@ -10,7 +10,7 @@ use crate::gui::theme::{self, sizes, space};
 use crate::gui::verdict_card::{Card, card_height, card_ui, half_um, lines_below_ui, remove, status_id};
 use crate::gui::view::{Digits, View, by_limits_ui, heading, quiet, quiet_height, quiet_within};
 use crate::length::{Length, Unit};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Value};
 use crate::session::{Action, CycleRun, RunLog};
 use crate::verdict::Status;
@@ -96,7 +96,7 @@ fn first_and_others(result: &CycleResult) -> Option<(&Check, Vec<&Check>)> {
 
 /// What a value is, and how many more are told below.
 fn with_more(words: &Words, what: String, count: usize) -> String {
-    if count == 0 { what } else { words.say(&Message::new("cycles-more-out").text("what", what).text("count", count)) }
+    if count == 0 { what } else { words.say(&message!("cycles-more-out").text("what", what).text("count", count)) }
 }
 
 /// The other values that are out, below the status window: the card keeps its height however many there are.
@@ -153,13 +153,13 @@ fn check_card(words: &Words, check: &Check) -> Card {
     match removal {
         Some(removal) => {
             lines.push(if check.below_maximum() < Length::ZERO { below } else { above });
-            lines.push(words.say(&Message::new("remove-to-middle").text("um", um(removal.to_middle))));
+            lines.push(words.say(&message!("remove-to-middle").text("um", um(removal.to_middle))));
             if check.what == FoundName::DIAMETER {
                 let half = match digits {
                     Digits::Exact => words.number(&half_um(removal.to_limit)),
                     Digits::Rounded => um(removal.to_limit.midpoint(Length::ZERO)),
                 };
-                lines.push(words.say(&Message::new("remove-per-side").text("um", half)));
+                lines.push(words.say(&message!("remove-per-side").text("um", half)));
             }
         }
         None if check.above_minimum() < Length::ZERO => lines.push(above),
@@ -267,7 +267,7 @@ fn notes_ui(ui: &mut Ui, view: &mut View<'_>, run: &CycleRun, result: &CycleResu
     let words = view.words;
     let log = match result.log {
         LogTarget::None => None,
-        LogTarget::File(name) => Some(words.say(&Message::new("cycles-log-file").text("name", name))),
+        LogTarget::File(name) => Some(words.say(&message!("cycles-log-file").text("name", name))),
         LogTarget::Screen => Some(view.text("cycles-log-screen")),
         LogTarget::Shown => Some(view.text("cycles-log-shown")),
     };

@@ -6,7 +6,7 @@ use super::opener_ui;
 use super::parameter_row::{figure_ui, parameter_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, keep_focus, list_ui, problem, quiet, quiet_cut};
-use crate::message::Message;
+use crate::message::message;
 use crate::probing::cycle::{Cycle, Key};
 use crate::probing::cycles::CYCLES;
 use crate::session::{Action, Axis, ContactsFrom, CycleField, CyclesCommand};
@@ -96,7 +96,7 @@ fn recorded_ui(ui: &mut Ui, view: &mut View<'_>) {
     view.button(ui, Action::OpenContacts);
     match view.session.recorded() {
         Some(recorded) => {
-            let said = Message::new("cycles-contacts-of").count("count", recorded.contacts.len());
+            let said = message!("cycles-contacts-of").count("count", recorded.contacts.len());
             quiet_cut(ui, view.words.say(&said.text("file", &recorded.name)));
         }
         None => _ = quiet(ui, view.text("cycles-no-file")),
@@ -130,7 +130,7 @@ fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
         if is_picked {
             keep_focus(ui, &list);
         }
-        let said = Message::new("cycles-probe-is").mm("set-up", probe.set_up).mm("dist", probe.longest_path);
+        let said = message!("cycles-probe-is").mm("set-up", probe.set_up).mm("dist", probe.longest_path);
         quiet_cut(ui, view.words.say(&said));
     });
 }

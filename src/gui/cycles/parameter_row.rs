@@ -7,7 +7,7 @@ use crate::gui::field::{Look, error_ui, field_ui, select_all};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::tools::{Pick, named_ui, pick_ui, table_list_ui};
 use crate::gui::view::{View, keep_focus, list_ui, quiet, quiet_height, quiet_within};
-use crate::message::Message;
+use crate::message::message;
 use crate::probing::cycle::{Meaning, Parameter, Range, Value};
 use crate::session::{CycleField, CyclesCommand, Field, NamedTool, Standing};
 
@@ -56,7 +56,7 @@ fn tool_ui(ui: &mut Ui, view: &mut View<'_>, parameter: &'static Parameter) {
     let page = view.session.cycles();
     let named = NamedTool::of_inputs(page.cycle(), page.inputs());
     let chosen = named.as_ref().and_then(|named| named.row(&tools.table));
-    let message = Message::new("tools-pick-of").text("parameter", key);
+    let message = message!("tools-pick-of").text("parameter", key);
     wide_row_ui(ui, view.words.say(&message), width, |ui, name| {
         let pick = Pick { parameter: None, chosen, width: width - space(1.0) };
         let (picked, list) = pick_ui(ui, view, Id::unique(("cycle-tool", key)), &pick);
@@ -139,7 +139,7 @@ pub(super) fn standing_text(view: &View<'_>, standing: &Standing) -> String {
         Standing::Given | Standing::Optional => view.text("cycles-may-be-left-out"),
         Standing::Default(value) => {
             let value = view.words.say(&value.with_unit());
-            view.words.say(&Message::new("cycles-default").text("value", value))
+            view.words.say(&message!("cycles-default").text("value", value))
         }
     }
 }

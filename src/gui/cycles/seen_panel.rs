@@ -8,7 +8,7 @@ use super::picture::{self, Surroundings};
 use crate::gui::columns::{column_ui, of_height};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::probing::cycle::{Move, Parameter, Phase, Range};
 use crate::session::{Action, CycleRun, CyclesCommand, Step};
 use crate::words::Words;
@@ -125,7 +125,7 @@ fn allowed(view: &View<'_>, parameter: &Parameter) -> String {
     }
     let range = view.words.say(&parameter.range.short());
     let unit = parameter.range.unit().unwrap_or_default();
-    view.words.say(&Message::new("cycles-allowed").text("range", range).text("unit", unit)).trim_end().to_owned()
+    view.words.say(&message!("cycles-allowed").text("range", range).text("unit", unit)).trim_end().to_owned()
 }
 
 /// Whether the words of every move have room beside the heading, so that they stay there on the way.

@@ -12,7 +12,7 @@ use crate::gui::verdict_card::chip_ui;
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, doubt_text, heading, live, problem, quiet};
 use crate::length::Length;
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::session::{Action, Equivalent, FitCommand, Parts, WarmFit, extremes};
 use crate::tolerance::Feature;
 use crate::tolerance::fit::preferred::{function, preference};
@@ -122,7 +122,7 @@ fn said_of_ui(ui: &mut Ui, view: &View<'_>) {
     let (Some(hole), Some(shaft)) = (page.class(Feature::Hole), page.class(Feature::Shaft)) else { return };
     let preferred = preference(hole, shaft).map(|preference| preference.message());
     let first = preferred.or_else(|| basis(hole, shaft).map(|basis| basis.message()));
-    let name = function(hole, shaft).map(|function| Message::new("fit-ansi").message("name", function.message()));
+    let name = function(hole, shaft).map(|function| message!("fit-ansi").message("name", function.message()));
     let lines: Vec<String> = first.iter().chain(&name).map(|message| view.words.say(message)).collect();
     if !lines.is_empty() {
         quiet(ui, format!("{hole}/{shaft}: {}", lines.join("; ")));
@@ -170,7 +170,7 @@ fn equivalent_ui(ui: &mut Ui, view: &mut View<'_>, equivalent: &Equivalent) {
     match &equivalent.difference {
         Ok(difference) if difference.is_none() => _ = ui.label(view.text("fit-equivalent-same")),
         Ok(difference) => {
-            let message = Message::new("fit-equivalent-differs")
+            let message = message!("fit-equivalent-differs")
                 .text("minimum", view.words.signed_um(difference.minimum))
                 .text("maximum", view.words.signed_um(difference.maximum));
             ui.label(view.words.say(&message));
@@ -229,13 +229,13 @@ fn part_ui(ui: &mut Ui, view: &View<'_>, feature: Feature, measured: Length, sta
 
 fn warm_ui(ui: &mut Ui, view: &View<'_>, warm: &WarmFit) {
     let degrees = view.words.number(&warm.temperature.to_string());
-    heading(ui, view.words.say(&Message::new("fit-at-temperature").text("degrees", degrees)));
+    heading(ui, view.words.say(&message!("fit-at-temperature").text("degrees", degrees)));
     ui.label(RichText::new(range(view, warm.minimum, warm.maximum)).font(theme::bold(sizes().value)));
     let kind = view.text(kind_id(Kind::of(warm.minimum, warm.maximum)));
-    let change = Message::new("fit-temperature-change").text("um", view.words.signed_um(warm.change));
+    let change = message!("fit-temperature-change").text("um", view.words.signed_um(warm.change));
     ui.label(format!("{kind}; {}", view.words.say(&change)));
     if let Some(actual) = warm.actual {
-        let line = Message::new("fit-these-parts").text("clearance", clearance(view, actual));
+        let line = message!("fit-these-parts").text("clearance", clearance(view, actual));
         ui.label(view.words.say(&line));
     }
 }

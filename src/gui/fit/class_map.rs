@@ -12,7 +12,7 @@ use super::staircase::staircase_ui;
 use crate::gui::class_chooser::feature_classes_id;
 use crate::gui::theme::{self, Palette, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Action, ClassMap, FitCommand, MapCell};
 use crate::tolerance::iso286::{self, Grade, Letter};
 use crate::tolerance::{Feature, ToleranceClass};
@@ -49,7 +49,7 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     let side = session.fit().side();
     ui.horizontal(|ui| {
         match session.fit().nominal() {
-            Some(nominal) => heading(ui, view.words.say(&Message::new("fit-classes").mm("nominal", nominal))),
+            Some(nominal) => heading(ui, view.words.say(&message!("fit-classes").mm("nominal", nominal))),
             None => heading(ui, view.text("fit-classes-none")),
         };
         for feature in [Feature::Hole, Feature::Shaft] {

@@ -9,7 +9,7 @@ use crate::gui::shapes::{self, Hatch, screen};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::length::Length;
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{FitField, Mark, Parts, Picture, PictureZone, extremes};
 use crate::tolerance::fit::Fit;
 use crate::tolerance::{Feature, Limits};
@@ -40,13 +40,13 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
 /// What the picture shows, in words, for users who cannot see it.
 fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
     let words = view.words;
-    let mut said = vec![words.say(&Message::new("fit-describe-zero").mm("nominal", fit.nominal()))];
+    let mut said = vec![words.say(&message!("fit-describe-zero").mm("nominal", fit.nominal()))];
     for (limits, zone) in [(fit.hole(), &picture.hole), (fit.shaft(), &picture.shaft)] {
         said.push(describe_zone(view, limits));
         if zone.fundamental_um.is_some() {
             let (upper, lower) = (limits.deviations.upper(), limits.deviations.lower());
             let deviation = words.signed_um(if zone.fundamental_is_upper { upper } else { lower });
-            said.push(words.say(&Message::new("fit-describe-fundamental").text("deviation", deviation)));
+            said.push(words.say(&message!("fit-describe-fundamental").text("deviation", deviation)));
         }
     }
     for (id, amount) in extremes(fit.minimum_clearance(), fit.maximum_clearance()) {
@@ -55,7 +55,7 @@ fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
     for limits in [fit.hole(), fit.shaft()] {
         if let Some(measured) = view.session.fit().length(FitField::measured(limits.feature)) {
             let deviation = words.signed_um(measured.saturating_sub(limits.nominal));
-            let message = Message::new("fit-describe-measured")
+            let message = message!("fit-describe-measured")
                 .text("part", words.get(feature_id(limits.feature)))
                 .text("deviation", deviation);
             said.push(words.say(&message));
@@ -66,7 +66,7 @@ fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
 
 fn describe_zone(view: &View<'_>, limits: &Limits) -> String {
     let class = view.session.fit().class(limits.feature).map(|class| class.to_string()).unwrap_or_default();
-    let message = Message::new("fit-describe-zone")
+    let message = message!("fit-describe-zone")
         .text("part", view.text(feature_id(limits.feature)))
         .text("class", class)
         .text("lower", view.words.signed_um(limits.deviations.lower()))

@@ -7,7 +7,7 @@ use super::parts_panel::pair_ui;
 use crate::gui::theme::{self, Hex, control, palette, sizes, space};
 use crate::gui::view::{View, heading, list_ui, problem, quiet};
 use crate::length::Length;
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{FitCommand, FitField};
 use crate::tolerance::Feature;
 use crate::tolerance::fit::search::{Candidate, Found, Scope};
@@ -59,14 +59,14 @@ fn found_ui(ui: &mut Ui, view: &mut View<'_>, found: &Found) {
         quiet(ui, view.text("fit-found-none"));
         row_ui(ui, view, &miss.candidate);
         let um = |length: Length| view.words.um(length);
-        let missed = Message::new("fit-missed-by").text("below", um(miss.below)).text("above", um(miss.above));
+        let missed = message!("fit-missed-by").text("below", um(miss.below)).text("above", um(miss.above));
         quiet(ui, view.words.say(&missed));
         return;
     }
     let shown = found.candidates.len();
-    let mut text = view.words.say(&Message::new("fit-found").count("count", found.total));
+    let mut text = view.words.say(&message!("fit-found").count("count", found.total));
     if shown < found.total {
-        text = format!("{text}, {}", view.words.say(&Message::new("fit-found-first").count("count", shown)));
+        text = format!("{text}, {}", view.words.say(&message!("fit-found-first").count("count", shown)));
     }
     quiet(ui, text);
     ui.spacing_mut().item_spacing.y = space(0.5);

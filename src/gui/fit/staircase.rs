@@ -7,7 +7,7 @@ use super::class_map::Columns;
 use crate::gui::shapes::screen;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{ClassMap, FitCommand};
 use crate::tolerance::Feature;
 use crate::tolerance::iso286::Grade;
@@ -61,7 +61,7 @@ pub(super) fn staircase_ui(
             view.send(FitCommand::ChooseClass(cell.class));
         }
     }
-    let name = view.words.say(&Message::new("fit-staircase").text("grade", grade));
+    let name = view.words.say(&message!("fit-staircase").text("grade", grade));
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &name));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_description(describe(view, map, grade)));
 }

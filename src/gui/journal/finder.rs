@@ -13,7 +13,7 @@ use eframe::egui::Context;
 use super::{Interrupt, Journals, ReadError, Reads, lock, say};
 use crate::journal::ask::Question;
 use crate::journal::chain::Head;
-use crate::message::Message;
+use crate::message::message;
 use crate::session::parts::WalkCommand;
 use crate::session::records::{Found, Numbers, PAGE};
 use crate::session::{Command, RecordRow, RecordsCommand};
@@ -200,7 +200,7 @@ impl Finder {
                 }
                 let result = result.map_err(|error| match error {
                     ReadError::Failed(why) => why,
-                    ReadError::Interrupted => Message::new("records-page-interrupted"),
+                    ReadError::Interrupted => message!("records-page-interrupted"),
                 });
                 say(answers, &ctx, WalkCommand::Came { run, result });
             }
@@ -213,7 +213,7 @@ impl Finder {
         let reader = if let Some(reader) = self.reader.take() {
             reader
         } else {
-            let file = self.file.as_ref().ok_or_else(|| ReadError::Failed(Message::new("records-page-none")))?;
+            let file = self.file.as_ref().ok_or_else(|| ReadError::Failed(message!("records-page-none")))?;
             let reader = self.journals.reader(file).map_err(ReadError::Failed)?;
             *lock(&self.interrupt) = Some(reader.interrupt());
             reader
@@ -244,7 +244,7 @@ fn whole(numbers: &[u64], rows: Vec<RecordRow>) -> Vec<Arc<RecordRow>> {
         Arc::new(rows.get(number).map_or_else(
             || RecordRow {
                 head: Head { number: *number, ..Head::default() },
-                entry: Err(Message::new("records-page-missing").text("number", number)),
+                entry: Err(message!("records-page-missing").text("number", number)),
                 corrected_by: None,
                 went_back: false,
             },

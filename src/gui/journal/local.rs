@@ -8,7 +8,7 @@ use super::{Journals, Keeps, ReadError, Reads};
 use crate::journal::ask::Question;
 use crate::journal::chain::Head;
 use crate::journal::entry::{Entry, Moment};
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::session::records::Verified;
 use crate::session::{OpenJournal, RecordRow};
 use crate::store::local::{self, Anchors, Journal, Opening, Reader, Row};
@@ -82,7 +82,7 @@ impl Journals for Local {
         let known = match anchors {
             Some(Ok(anchors)) => anchors.of_chain(chain),
             Some(Err(why)) => {
-                problems.push(Message::new("records-page-no-anchors").text("why", why));
+                problems.push(message!("records-page-no-anchors").text("why", why));
                 Vec::new()
             }
             None => Vec::new(),

@@ -40,7 +40,7 @@ use super::watching::KnownOf;
 use crate::journal::ask::Question;
 use crate::journal::chain::Head;
 use crate::journal::entry::{Entry, Moment};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::records::Verified;
 use crate::session::{Command, Effect, OpenJournal, RecordRow, RecordsCommand};
 use crate::watch::Known;
@@ -311,7 +311,7 @@ impl Desk {
         // Without its thread nothing is written, and that is said.
         let sent = lock(&self.writer).as_ref().map(|writer| writer.send(job));
         if let Some(Err(lost)) = sent {
-            let why = Message::new("records-page-no-thread");
+            let why = message!("records-page-no-thread");
             say(&self.answers, &ctx, lost.0.refused(why));
         }
     }

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Command, RecordsCommand};
 
 /// No server.
@@ -11,7 +11,7 @@ pub(super) struct Shop;
 
 impl Shop {
     pub fn send_to(&mut self, _address: &str, _from: (&Path, &str), tell: impl Fn(Command)) {
-        tell(RecordsCommand::Server(Err(Message::new("records-page-no-shop"))).into());
+        tell(RecordsCommand::Server(Err(message!("records-page-no-shop"))).into());
     }
 
     pub const fn wake(&self) {}

@@ -2,7 +2,7 @@
 
 use std::path::Path;
 
-use crate::message::{Message, Say};
+use crate::message::{Message, Say, message};
 use crate::session::{Command, RecordsCommand};
 use crate::store::local::{Anchors, Reader};
 use crate::store::shop::{
@@ -93,7 +93,7 @@ fn begin(
 /// What is wrong, with what is said of places that had no password to give.
 fn trouble(status: &Status) -> Option<Message> {
     let problem = status.problem.as_ref()?.message();
-    let and = |one, other| Message::new("records-page-and").message("one", one).message("other", other);
+    let and = |one, other| message!("records-page-and").message("one", one).message("other", other);
     Some(status.remarks.iter().map(Say::message).fold(problem, and))
 }
 

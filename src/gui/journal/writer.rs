@@ -9,7 +9,7 @@ use super::{Journals, Keeps, ReadError};
 use crate::journal::ask::Question;
 use crate::journal::chain::Head;
 use crate::journal::entry::{Entry, Moment};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::{Command, OpenJournal, RecordRow, RecordsCommand};
 
 /// Something to do for the writer.
@@ -86,12 +86,12 @@ impl Writer {
         }
         match &mut self.journal {
             Some(journal) => journal.append(entries),
-            None => Err(Message::new("records-page-no-thread")),
+            None => Err(message!("records-page-no-thread")),
         }
     }
 
     fn open(&mut self, now: &Moment) -> Result<Box<OpenJournal>, Message> {
-        let (file, station) = self.place.as_ref().ok_or_else(|| Message::new("records-page-no-thread"))?;
+        let (file, station) = self.place.as_ref().ok_or_else(|| message!("records-page-no-thread"))?;
         self.journal = None;
         let (journal, opened) = self.journals.open(file, station, now)?;
         self.journal = Some(journal);
@@ -103,7 +103,7 @@ impl Writer {
         let Some((file, _)) = &self.place else { return Ok(Vec::new()) };
         let most = usize::try_from(most).unwrap_or(usize::MAX);
         let failed = |error| match error {
-            ReadError::Interrupted => Message::new("records-page-interrupted"),
+            ReadError::Interrupted => message!("records-page-interrupted"),
             ReadError::Failed(why) => why,
         };
         let reader = self.journals.reader(file)?;

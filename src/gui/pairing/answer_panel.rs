@@ -8,7 +8,7 @@ use crate::gui::columns::is_tiny;
 use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, live, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::pairing::Grinding;
 use crate::report::pairing::FORMATS;
 use crate::session::{Action, Paired};
@@ -19,7 +19,7 @@ pub(super) fn count_ui(ui: &mut Ui, view: &View<'_>) {
     let paired = view.session.pairing().paired();
     let lines = paired.map_or_else(Vec::new, |paired| lines(view, paired));
     let word = match paired {
-        Some(paired) => view.words.say(&Message::new("pairing-page-count").count("count", paired.count())),
+        Some(paired) => view.words.say(&message!("pairing-page-count").count("count", paired.count())),
         None if view.session.pairing().is_pairing() => view.text("pairing-page-at-work"),
         None => view.text("pairing-page-none"),
     };
@@ -58,10 +58,10 @@ fn lines(view: &View<'_>, paired: &Paired) -> Vec<String> {
     let pairing = &paired.answer.pairing;
     let clearances = paired.answer.clearances().map(|clearances| range(view, clearances));
     let left = match (pairing.holes.len(), pairing.shafts.len()) {
-        (0, 0) => Message::new("pairing-page-nothing-left"),
-        (holes, shafts) => Message::new("pairing-page-left").count("holes", holes).count("shafts", shafts),
+        (0, 0) => message!("pairing-page-nothing-left"),
+        (holes, shafts) => message!("pairing-page-left").count("holes", holes).count("shafts", shafts),
     };
-    let simulated = Message::new("pairing-page-simulated").count("count", paired.simulated);
+    let simulated = message!("pairing-page-simulated").count("count", paired.simulated);
     let simulated = (0 < paired.simulated).then(|| view.words.say(&simulated));
     clearances.into_iter().chain([view.words.say(&left)]).chain(simulated).collect()
 }
@@ -120,14 +120,14 @@ fn grinding_ui(ui: &mut Ui, view: &View<'_>, grinding: &Grinding) {
     let um = |length| view.words.um(length);
     match &grinding.best {
         Some(best) => {
-            let message = Message::new("pairing-page-grind").text("amount", um(best.amount));
+            let message = message!("pairing-page-grind").text("amount", um(best.amount));
             ui.label(view.words.say(&message.count("count", best.pairs.len())));
             quiet(ui, view.text("pairing-page-grind-means"));
         }
         None => _ = ui.label(view.text("pairing-page-grind-nothing")),
     }
     if grinding.is_bounded() {
-        let message = Message::new("pairing-page-grind-bounded");
+        let message = message!("pairing-page-grind-bounded");
         quiet(ui, view.words.say(&message.text("tried", um(grinding.tried)).text("reach", um(grinding.reach))));
     }
 }

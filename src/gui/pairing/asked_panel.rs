@@ -7,7 +7,7 @@ use crate::gui::class_chooser::feature_picture;
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
-use crate::message::{Located, Message, Say as _};
+use crate::message::{Located, Message, Say as _, message};
 use crate::report::pairing::{Note, Parts, PartsFrom};
 use crate::session::{Action, PairingField};
 use crate::tolerance::Feature;
@@ -85,8 +85,8 @@ fn parts_ui(ui: &mut Ui, view: &mut View<'_>, feature: Feature) {
 /// How many parts there are, and what has to be said about them.
 fn read_ui(ui: &mut Ui, view: &View<'_>, parts: &Parts, feature: Feature) {
     let from = match &parts.from {
-        PartsFrom::File(name) => Message::new("pairing-page-from-file").text("name", name),
-        PartsFrom::Checks => Message::new("pairing-page-from-history"),
+        PartsFrom::File(name) => message!("pairing-page-from-file").text("name", name),
+        PartsFrom::Checks => message!("pairing-page-from-history"),
     };
     let line = view.words.say(&from.count("count", parts.sizes.len()));
     ui.label(RichText::new(line).font(theme::bold(sizes().body)));
@@ -104,7 +104,7 @@ fn read_ui(ui: &mut Ui, view: &View<'_>, parts: &Parts, feature: Feature) {
     if parts.errors.is_empty() {
         return;
     }
-    problem(ui, view.words.say(&Message::new("pairing-page-refused").count("count", parts.errors.len())));
+    problem(ui, view.words.say(&message!("pairing-page-refused").count("count", parts.errors.len())));
     for error in parts.errors.iter().take(MOST_AT_ONCE) {
         quiet(ui, error_text(view, error));
     }

@@ -7,7 +7,7 @@ use eframe::egui::{ScrollArea, Sense, Ui, WidgetInfo, vec2};
 use super::answer_panel::range;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, problem};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::pairing::{Group, Groups, Range, Wanted};
 
 /// How many groups are listed at once.
@@ -22,7 +22,7 @@ pub(super) fn groups_ui(ui: &mut Ui, view: &View<'_>, groups: &Groups, wanted: W
     heading(ui, view.text("pairing-page-groups-title"));
     let (holes, shafts) = groups.outside();
     if (holes, shafts) != (0, 0) {
-        let outside = Message::new("pairing-page-outside-groups").count("holes", holes).count("shafts", shafts);
+        let outside = message!("pairing-page-outside-groups").count("holes", holes).count("shafts", shafts);
         problem(ui, view.words.say(&outside));
     }
     ui.spacing_mut().item_spacing.y = space(1.0);
@@ -58,13 +58,13 @@ fn lines(view: &View<'_>, number: usize, group: &Group, wanted: Wanted) -> Vec<S
         Some(false) => "pairing-page-not-all-within",
         None => "pairing-page-no-group-pairs",
     };
-    let head = Message::new("pairing-page-group").text("number", number).count("count", group.pairs());
+    let head = message!("pairing-page-group").text("number", number).count("count", group.pairs());
     let side = |id, count: usize, range: Range| {
         words.say(&Message::new(id).count("count", count).mm("from", range.from).mm("to", range.to))
     };
-    let clearances = group.clearances.map(|clearances| {
-        words.say(&Message::new("pairing-page-group-clearance").text("range", range(view, clearances)))
-    });
+    let clearances = group
+        .clearances
+        .map(|clearances| words.say(&message!("pairing-page-group-clearance").text("range", range(view, clearances))));
     [
         format!("{}, {}", words.say(&head), view.text(within)),
         side("pairing-page-group-holes", group.holes, group.hole_range),

@@ -10,7 +10,7 @@ use eframe::egui::{FontId, Id, Painter, Rangef, Rect, ScrollArea, Sense, Ui, UiB
 use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, focus_soon, quiet, take_focus};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{PairRow, Paired, PairingCommand};
 
 /// The id of the list: it takes the focus as a whole.
@@ -185,7 +185,7 @@ fn text_ui(painter: &Painter, cell: Rect, (text, font, colour): (&str, &FontId, 
 /// What a screen reader says of a row.
 fn said(view: &View<'_>, cells: &[String; COLUMNS]) -> String {
     let [hole, hole_mm, shaft, shaft_mm, clearance, from_middle, remark] = cells;
-    let message = Message::new("pairing-page-row")
+    let message = message!("pairing-page-row")
         .text("hole", hole)
         .text("hole-mm", hole_mm)
         .text("shaft", shaft)

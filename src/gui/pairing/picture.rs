@@ -9,7 +9,7 @@ use crate::exchange::Size;
 use crate::gui::shapes::{ratio, screen};
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{PairRow, Paired, Sight};
 use crate::tolerance::Feature;
 
@@ -25,12 +25,12 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, paired: &Paired) {
     ui.horizontal_wrapped(|ui| {
         heading(ui, view.text("pairing-page-picture"));
         let middle = view.words.number(&paired.middle_um());
-        quiet(ui, view.words.say(&Message::new("pairing-page-legend").text("middle", middle)));
+        quiet(ui, view.words.say(&message!("pairing-page-legend").text("middle", middle)));
         if !sight.is_all {
             quiet(ui, view.text("pairing-page-part-of"));
         }
         if 1 < sight.step() {
-            quiet(ui, view.words.say(&Message::new("pairing-page-thinned").count("step", sight.step())));
+            quiet(ui, view.words.say(&message!("pairing-page-thinned").count("step", sight.step())));
         }
     });
     let (rect, response) = ui.allocate_exact_size(ui.available_size(), Sense::hover());
@@ -54,24 +54,24 @@ fn describe(view: &View<'_>, paired: &Paired, sight: &Sight) -> String {
     let (holes, shafts) = (&answer.asked.holes.sizes, &answer.asked.shafts.sizes);
     let mut said = vec![
         words.say(
-            &Message::new("pairing-page-describe")
+            &message!("pairing-page-describe")
                 .count("holes", holes.len())
                 .count("shafts", shafts.len())
                 .count("pairs", paired.count())
                 .text("middle", words.number(&paired.middle_um())),
         ),
         words.say(
-            &Message::new("pairing-page-left")
+            &message!("pairing-page-left")
                 .count("holes", answer.pairing.holes.len())
                 .count("shafts", answer.pairing.shafts.len()),
         ) + ".",
     ];
     if !sight.is_all {
-        said.push(words.say(&Message::new("pairing-page-describe-part").count("pairs", sight.pairs.range.len())));
+        said.push(words.say(&message!("pairing-page-describe-part").count("pairs", sight.pairs.range.len())));
     }
     let selected = view.session.pairing().selected().and_then(|at| paired.row(at));
     if let Some(PairRow { hole, shaft, clearance, .. }) = selected {
-        let message = Message::new("pairing-page-describe-selected")
+        let message = message!("pairing-page-describe-selected")
             .text("hole", paired.hole_name(hole, words))
             .text("shaft", paired.shaft_name(shaft, words))
             .text("clearance", words.signed_um(clearance));

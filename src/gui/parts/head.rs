@@ -4,7 +4,7 @@ use eframe::egui::{Button, Ui, vec2};
 
 use crate::gui::theme::control;
 use crate::gui::view::{View, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::Action;
 use crate::session::parts::PartsView;
 
@@ -25,7 +25,7 @@ pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         let document = view.session.parts().document();
         if document.is_unsaved() {
-            quiet(ui, view.words.say(&Message::new("parts-page-not-saved").text("name", document.name())));
+            quiet(ui, view.words.say(&message!("parts-page-not-saved").text("name", document.name())));
         } else if !document.is_empty() {
             quiet(ui, document.name());
         }

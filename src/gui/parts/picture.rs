@@ -14,7 +14,7 @@ use crate::gui::shapes::{self, screen};
 use crate::gui::theme::{self, control, palette, palette_of, sizes, space};
 use crate::gui::verdict_card::{colours, status_id};
 use crate::gui::view::{View, problem, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::parts::{Balloon, PartPicture, PlanCommand, Sight, WalkCommand};
 use crate::session::{PartsCommand, Step};
 
@@ -72,7 +72,7 @@ fn picture_ui(
     draw(ui, &picture, rect);
     let figure = ui.interact(frame, Id::unique(("part-picture", can_move)), Sense::HOVER);
     let on = balloons.len() - beside.len();
-    let said = Message::new("parts-page-picture-said").count("on", on).count("count", balloons.len());
+    let said = message!("parts-page-picture-said").count("on", on).count("count", balloons.len());
     figure.widget_info(|| WidgetInfo::labeled(Role::Figure, true, view.text("parts-page-picture")));
     ui.ctx().accesskit_node_builder(figure.id, |node| node.set_description(view.words.say(&said)));
     ui.advance_cursor_after_rect(frame);
@@ -100,7 +100,7 @@ fn beside_ui(ui: &mut Ui, view: &mut View<'_>, beside: &[&Balloon], rect: Rect) 
                 balloon_ui(ui, view, (balloon, place.center()), (rect, true));
             }
             if MOST_BESIDE < beside.len() {
-                let more = Message::new("parts-page-beside-more").count("count", beside.len() - MOST_BESIDE);
+                let more = message!("parts-page-beside-more").count("count", beside.len() - MOST_BESIDE);
                 quiet(ui, view.words.say(&more));
             }
         });
@@ -209,17 +209,17 @@ fn said(view: &View<'_>, balloon: &Balloon) -> String {
         (None, true) => view.text("parts-page-balloon-skipped"),
         (None, false) => view.text("parts-page-balloon-open"),
         (status, _) if balloon.is_simulated => {
-            view.words.say(&Message::new("parts-page-balloon-simulated").text("status", view.text(status_id(status))))
+            view.words.say(&message!("parts-page-balloon-simulated").text("status", view.text(status_id(status))))
         }
         (status, _) => view.text(status_id(status)),
     };
-    let mut message = Message::new("parts-page-balloon");
+    let mut message = message!("parts-page-balloon");
     message = message.text("label", &balloon.label).text("name", &balloon.name).text("status", status);
     if balloon.is_next {
-        message = Message::new("parts-page-balloon-next").message("balloon", message);
+        message = message!("parts-page-balloon-next").message("balloon", message);
     }
     if balloon.at.is_none() {
-        message = Message::new("parts-page-balloon-beside").message("balloon", message);
+        message = message!("parts-page-balloon-beside").message("balloon", message);
     }
     view.words.say(&message)
 }

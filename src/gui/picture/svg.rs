@@ -6,7 +6,7 @@ use resvg::tiny_skia::{Pixmap, Transform};
 use resvg::usvg::{Group, ImageHrefResolver, Node, Options, Tree};
 
 use super::{Dots, LONGEST};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::report::image::{broken, check_dots};
 
 /// The most shapes, each counted as often as it is drawn.
@@ -41,7 +41,7 @@ pub(super) fn shapes(name: &str, bytes: &[u8]) -> Result<Dots, Message> {
     options.font_family = family;
     let tree = Tree::from_data(bytes, &options).map_err(|error| broken(name, &error))?;
     if !is_light(&tree) {
-        return Err(Message::new("parts-page-picture-heavy").text("name", name));
+        return Err(message!("parts-page-picture-heavy").text("name", name));
     }
     let size = tree.size().to_int_size();
     let longest = size.width().max(size.height());

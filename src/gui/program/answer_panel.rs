@@ -10,7 +10,7 @@ use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::{colours, status_id};
 use crate::gui::view::{View, by_limits_ui, heading, live, quiet};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::nc::machine::{CycleRun, Window};
 use crate::probing::cycle::Value;
 use crate::session::ProgramCommand;
@@ -115,7 +115,7 @@ fn cycles_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
     ui.add_space(space(1.0));
     heading(ui, view.text("program-page-cycles"));
     if MOST < cycles.len() {
-        let message = Message::new("program-page-last-of").count("shown", MOST).count("all", cycles.len());
+        let message = message!("program-page-last-of").count("shown", MOST).count("all", cycles.len());
         quiet(ui, view.words.say(&message));
     }
     for cycle in cycles.iter().rev().take(MOST).rev() {

@@ -11,7 +11,7 @@ use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, list_ui, live, problem, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::program::{Agreement, Input, Run, WorkpieceFrom};
 use crate::session::{Action, Field, ProgramCommand, ProgramField};
 use crate::verdict::Status;
@@ -119,7 +119,7 @@ fn agreement_ui(ui: &mut Ui, view: &View<'_>) {
         Agreement::OtherInputs => (None, view.text("program-page-other-inputs")),
         Agreement::Differs(differences) => {
             let differences: Vec<_> = differences.iter().map(|message| view.words.say(message)).collect();
-            let message = Message::new("program-page-differs").text("what", differences.join("; "));
+            let message = message!("program-page-differs").text("what", differences.join("; "));
             (Some(Status::Scrap), view.words.say(&message))
         }
     };
@@ -177,7 +177,7 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
         WorkpieceFrom::Part => part_ui(ui, view),
         WorkpieceFrom::Recorded => {
             if let Some(recorded) = view.session.recorded() {
-                let message = Message::new("program-page-recorded").text("name", &recorded.name);
+                let message = message!("program-page-recorded").text("name", &recorded.name);
                 quiet(ui, view.words.say(&message.count("count", recorded.contacts.len())));
             }
             let button = Button::new(view.text("program-page-open-contacts")).min_size(vec2(0.0, control(ui)));

@@ -10,7 +10,7 @@ use super::paint;
 use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::nc::program::Body;
 use crate::session::ProgramCommand;
 use crate::session::program::{Document, Run, State};
@@ -42,7 +42,7 @@ pub(super) fn listing_ui(ui: &mut Ui, view: &mut View<'_>) {
     };
     let rect = ui.available_rect_before_wrap();
     let listing = ui.interact(rect, id(), Sense::focusable_noninteractive());
-    let name = Message::new("program-page-listing").text("name", document.title());
+    let name = message!("program-page-listing").text("name", document.title());
     let name = view.words.say(&name.count("count", document.program().blocks().len()));
     listing.widget_info(|| WidgetInfo::labeled(Role::List, true, &name));
     let area = ScrollArea::both().id_salt(("listing", document.path())).auto_shrink(false);

@@ -5,7 +5,7 @@ use eframe::egui::{Button, Color32, FontId, RichText, ScrollArea, Sense, Ui, vec
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::ProgramCommand;
 use crate::session::program::{Note, NoteKind, Run};
 use crate::verdict::Status;
@@ -42,10 +42,10 @@ pub(super) fn notes_ui(ui: &mut Ui, view: &mut View<'_>) {
     let count = program.note_count();
     ui.spacing_mut().item_spacing.y = 0.0;
     ui.horizontal_wrapped(|ui| {
-        heading(ui, view.words.say(&Message::new("program-page-problems").count("count", count)));
+        heading(ui, view.words.say(&message!("program-page-problems").count("count", count)));
         let unlisted = program.run().map_or(0, Run::unlisted_remarks);
         if 0 < unlisted {
-            quiet(ui, view.words.say(&Message::new("program-page-unlisted").count("count", unlisted)));
+            quiet(ui, view.words.say(&message!("program-page-unlisted").count("count", unlisted)));
         }
     });
     let area = ScrollArea::vertical().id_salt("problems").auto_shrink(false).min_scrolled_height(0.0);

@@ -6,7 +6,7 @@ use eframe::egui::{EventFilter, Id, Key, Label, Rect, RichText, ScrollArea, Sens
 use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Action, feature_message};
 
 /// How many features are visible without scrolling.
@@ -17,7 +17,7 @@ pub(super) fn part_ui(ui: &mut Ui, view: &mut View<'_>) {
     view.field_button(ui, Action::OpenPart);
     let Some(open) = view.session.part() else { return };
     let features = &open.part.features;
-    let message = Message::new("part-of-features").text("name", &open.name).count("count", features.len());
+    let message = message!("part-of-features").text("name", &open.name).count("count", features.len());
     quiet(ui, view.words.say(&message.mm("ball", open.part.probe.ball_radius)));
     let name = view.text("part-features");
     let row = sizes().small + space(1.5);

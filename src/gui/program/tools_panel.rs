@@ -7,7 +7,7 @@ use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::tools::{Pick, named_ui, pick_ui, table_list_ui};
 use crate::gui::view::{View, heading, quiet};
-use crate::message::{Message, Say as _};
+use crate::message::{Say as _, message};
 use crate::session::program::{Document, Run, ToolOf};
 use crate::session::{Action, ProgramCommand, ProgramField};
 
@@ -37,14 +37,14 @@ pub(super) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
         match tool {
             ToolOf::Parameter(parameter) => input_ui(ui, view, *parameter),
             ToolOf::Fixed(tool) => {
-                quiet(ui, view.words.say(&Message::new("tools-fixed").text("tool", tool.text())));
+                quiet(ui, view.words.say(&message!("tools-fixed").text("tool", tool.text())));
                 named_ui(ui, view, Some(tool));
             }
         }
     }
     let more = program.tools().len().saturating_sub(MOST);
     if 0 < more {
-        quiet(ui, view.words.say(&Message::new("tools-more").count("count", more)));
+        quiet(ui, view.words.say(&message!("tools-more").count("count", more)));
     }
 }
 
@@ -53,7 +53,7 @@ fn input_ui(ui: &mut Ui, view: &mut View<'_>, parameter: Parameter) {
     let (program, field) = (view.session.program(), ProgramField::Tool(parameter));
     let named = program.tool_of(parameter);
     let own = program.own_tool(parameter).map(|own| RichText::new(view.words.number(own)).italics());
-    let input = Message::new("tools-input").text("parameter", parameter);
+    let input = message!("tools-input").text("parameter", parameter);
     let name = quiet(ui, view.words.say(&input));
     ui.horizontal(|ui| {
         let look = Look { hint: own.unwrap_or_default(), ..Look::number(space(FIELD)) };
@@ -63,7 +63,7 @@ fn input_ui(ui: &mut Ui, view: &mut View<'_>, parameter: Parameter) {
         let pick = Pick { parameter: Some(parameter), chosen, width: ui.available_width() - space(2.0) };
         let salt = Id::unique(("program-tool", parameter));
         let (picked, list) = ui.add_enabled_ui(table.is_some(), |ui| pick_ui(ui, view, salt, &pick)).inner;
-        let picker = Message::new("tools-pick-of").text("parameter", parameter);
+        let picker = message!("tools-pick-of").text("parameter", parameter);
         list.accessible_name(view.words.say(&picker));
         if let Some(text) = picked {
             view.send(ProgramCommand::Type(field, text));
@@ -82,7 +82,7 @@ pub(super) fn changes_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
     ui.add_space(space(1.0));
     heading(ui, view.text("tools-changed"));
     if MOST < changes.len() {
-        let message = Message::new("program-page-last-of").count("shown", MOST).count("all", changes.len());
+        let message = message!("program-page-last-of").count("shown", MOST).count("all", changes.len());
         quiet(ui, view.words.say(&message));
     }
     for changed in changes.iter().skip(changes.len().saturating_sub(MOST)) {

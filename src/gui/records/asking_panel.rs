@@ -8,7 +8,7 @@ use crate::gui::columns::is_tiny;
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, problem, quiet};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::report::RENDERINGS;
 use crate::session::records::{LeftOut, Shorthand};
 use crate::session::{Action, Field, RecordsField};
@@ -80,7 +80,7 @@ fn count_ui(ui: &mut Ui, view: &View<'_>) {
     let said = Message::new(id).count("many", count).text("count", number);
     quiet(ui, view.words.say(&said));
     if let Some(why) = listing.unread() {
-        problem(ui, view.words.say(&Message::new("records-page-unread").message("why", why.clone())));
+        problem(ui, view.words.say(&message!("records-page-unread").message("why", why.clone())));
     }
 }
 
@@ -93,7 +93,7 @@ fn chosen_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let LeftOut { simulated: without, replaced, cycles, unread } = page.left_out();
     ui.horizontal_wrapped(|ui| {
-        quiet(ui, view.words.say(&Message::new("records-page-chosen").count("count", count)));
+        quiet(ui, view.words.say(&message!("records-page-chosen").count("count", count)));
         let can_report = view.session.can(Action::ReportRecords(0));
         ui.add_enabled_ui(can_report, |ui| {
             ui.menu_button(view.text("records-page-report"), |ui| {

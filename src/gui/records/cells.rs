@@ -2,7 +2,7 @@
 
 use crate::gui::view::Digits;
 use crate::journal::entry::Checked;
-use crate::message::Message;
+use crate::message::message;
 use crate::session::RecordRow;
 use crate::session::records::RowTexts;
 use crate::verdict::Status;
@@ -59,12 +59,11 @@ impl Cells {
             deviation = digits.signed_um(words, record.verdict.size.deviation);
         }
         let about = &entry.about;
-        let time =
-            if row.went_back { words.say(&Message::new("records-page-went-back").text("time", time)) } else { time };
+        let time = if row.went_back { words.say(&message!("records-page-went-back").text("time", time)) } else { time };
         let status = match (row.corrected_by, entry.corrects()) {
-            (Some(by), _) => words.say(&Message::new("records-page-see").text("number", by)),
+            (Some(by), _) => words.say(&message!("records-page-see").text("number", by)),
             (None, Some(correction)) if check.is_none() => {
-                words.say(&Message::new("records-page-takes-back").text("number", correction.target.number))
+                words.say(&message!("records-page-takes-back").text("number", correction.target.number))
             }
             _ => status,
         };
@@ -104,7 +103,7 @@ impl Cells {
 
     /// What a screen reader says of a row.
     pub fn said(&self, words: &Words, is_chosen: bool) -> String {
-        let number = words.say(&Message::new("records-page-record").text("number", &self.number));
+        let number = words.say(&message!("records-page-record").text("number", &self.number));
         let measured = match self.measured.as_str() {
             "" => String::new(),
             "…" => self.measured.clone(),
@@ -124,6 +123,6 @@ impl Cells {
         ];
         let parts: Vec<&str> = parts.into_iter().map(String::as_str).filter(|part| !part.is_empty()).collect();
         let said = parts.join(", ");
-        if is_chosen { words.say(&Message::new("history-row-chosen").text("row", said)) } else { said }
+        if is_chosen { words.say(&message!("history-row-chosen").text("row", said)) } else { said }
     }
 }

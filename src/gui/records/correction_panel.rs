@@ -5,7 +5,7 @@ use eframe::egui::{Ui, vec2};
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::records::Correcting;
 use crate::session::{Action, RecordsField};
 
@@ -14,7 +14,7 @@ pub(super) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting)
     quiet(ui, view.text("records-page-correction-hint"));
     view.checkbox(ui, Action::WithdrawRecord);
     if let Some(number) = view.session.records().corrects().filter(|_| form.withdraws) {
-        quiet(ui, view.words.say(&Message::new("records-page-withdraw-neither").text("number", number.to_string())));
+        quiet(ui, view.words.say(&message!("records-page-withdraw-neither").text("number", number.to_string())));
     }
     field(ui, view, RecordsField::Reason, "records-page-reason");
     if !form.withdraws {

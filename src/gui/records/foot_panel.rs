@@ -9,7 +9,7 @@ use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::shapes::share;
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, problem, quiet, quiet_cut};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::records::{Verified, Walk};
 use crate::session::{Action, Keeping, RecordsField};
 
@@ -40,13 +40,13 @@ fn place_ui(ui: &mut Ui, view: &View<'_>) {
     let recording = view.session.recording();
     let file = recording.file().map(|file| file.display().to_string()).unwrap_or_default();
     let entries = recording.newest();
-    let said = Message::new("records-page-place").text("file", &file).text("entries", grouped(entries));
+    let said = message!("records-page-place").text("file", &file).text("entries", grouped(entries));
     let mut said = view.words.say(&said);
     if let Some(server) = recording.server() {
         let sent = match recording.unsent() {
-            None => Message::new("records-page-server-unknown"),
-            Some(0) => Message::new("records-page-all-sent"),
-            Some(unsent) => Message::new("records-page-unsent").text("count", grouped(unsent)),
+            None => message!("records-page-server-unknown"),
+            Some(0) => message!("records-page-all-sent"),
+            Some(unsent) => message!("records-page-unsent").text("count", grouped(unsent)),
         };
         said = format!("{said} · {}", view.words.say(&sent.text("server", server)));
     }
@@ -70,17 +70,17 @@ fn server_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn wrong_ui(ui: &mut Ui, view: &mut View<'_>) {
     let recording = view.session.recording();
     if let Keeping::Failed(why) = recording.keeping() {
-        problem(ui, view.words.say(&Message::new("records-page-not-opened").message("why", why.clone())));
+        problem(ui, view.words.say(&message!("records-page-not-opened").message("why", why.clone())));
     }
     let failed = recording.failed();
     if 0 < failed {
-        problem(ui, view.words.say(&Message::new("records-page-failed").count("count", failed)));
+        problem(ui, view.words.say(&message!("records-page-failed").count("count", failed)));
     }
     if view.session.can(Action::RecordAgain) {
         view.button(ui, Action::RecordAgain);
     }
     if let Some(why) = view.session.recording().trouble() {
-        problem(ui, view.words.say(&Message::new("records-page-not-sent").message("why", why.clone())));
+        problem(ui, view.words.say(&message!("records-page-not-sent").message("why", why.clone())));
         view.button(ui, Action::SendAgain);
     }
 }
@@ -95,7 +95,7 @@ fn walk_ui(ui: &mut Ui, view: &View<'_>) {
             let shown = ui.add(bar);
             let name = view.text("records-page-verify-progress");
             shown.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, &name));
-            let said = Message::new("records-page-verifying").text("done", grouped(*done)).text("of", grouped(*of));
+            let said = message!("records-page-verifying").text("done", grouped(*done)).text("of", grouped(*of));
             quiet(ui, words.say(&said));
         }
         Walk::Cancelled => _ = quiet(ui, view.text("records-page-verify-cancelled")),
@@ -119,7 +119,7 @@ fn walk_ui(ui: &mut Ui, view: &View<'_>) {
         }
         Walk::Done { result: Err(why), at } => {
             let time = at.strftime(crate::journal::query::TIME).to_string();
-            let said = Message::new("records-page-not-verified").text("time", time).message("why", why.clone());
+            let said = message!("records-page-not-verified").text("time", time).message("why", why.clone());
             problem(ui, words.say(&said));
         }
     }

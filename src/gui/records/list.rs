@@ -13,7 +13,7 @@ use crate::gui::shapes::{self, focus_ring, lines_of, times};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::colours;
 use crate::gui::view::{View, focus_soon, quiet, take_focus};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::RecordsCommand;
 use crate::verdict::Status;
 
@@ -217,7 +217,7 @@ fn choose_ui(ui: &Ui, view: &mut View<'_>, rect: Rect, row: &Drawn, is_chosen: b
         shapes::status(ui.painter(), mark.shrink(3.0), Some(Status::Good), palette.text.0);
     }
     let response = ui.interact(rect, id().with(("choose", row.number)), Sense::CLICK);
-    let name = Message::new("records-page-choose-record").text("number", row.number);
+    let name = message!("records-page-choose-record").text("number", row.number);
     response.widget_info(|| WidgetInfo::selected(Role::CheckBox, row.is_read, is_chosen, view.words.say(&name)));
     if response.clicked() && row.is_read {
         view.send(RecordsCommand::Choose(row.number, !is_chosen));

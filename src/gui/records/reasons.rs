@@ -4,7 +4,7 @@ use crate::gui::check::{worth_lines, worth_reasons};
 use crate::gui::view::{Digits, View, doubt_text};
 use crate::journal::Record;
 use crate::journal::entry::{Checked, CycleCheck, CycleOrigin, Entry, UsedFile};
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::session::RecordRow;
 use crate::session::records::local_time;
 
@@ -42,7 +42,7 @@ pub(super) fn lines(view: &View<'_>, row: &RecordRow) -> Vec<Line> {
 fn about(view: &View<'_>, entry: &Entry, went_back: bool) -> Vec<Line> {
     let about = &entry.about;
     let zone = &about.time.zone;
-    let offset = Message::new("records-page-time").text("time", local_time(&about.time)).text("zone", zone);
+    let offset = message!("records-page-time").text("time", local_time(&about.time)).text("zone", zone);
     let offset = offset.text("offset", offset_text(about.time.offset_min));
     let mut lines = Vec::new();
     if let Some(correction) = entry.corrects() {
@@ -93,7 +93,7 @@ fn size(view: &View<'_>, record: &Record, lines: &mut Vec<Line>) {
     let said = worth_lines(words, record).into_iter().chain(worth_reasons(view, record));
     lines.extend(said.map(Line::Sentence));
     lines.extend(record.doubt.map(|doubt| Line::Sentence(doubt_text(words, doubt))));
-    let caveat = |what: Message| words.say(&Message::new("why-caveat").message("what", what));
+    let caveat = |what: Message| words.say(&message!("why-caveat").message("what", what));
     lines.extend(record.caveats().into_iter().map(|what| Line::Sentence(caveat(what.message()))));
 }
 
@@ -103,13 +103,13 @@ fn of_cycle(view: &View<'_>, cycle: &CycleCheck, lines: &mut Vec<Line>) {
     let named = |id: &str, text: String| Line::Named(view.text(id), text);
     lines.push(named("records-page-cycle-number", cycle.cycle.to_string()));
     let origin = match &cycle.origin {
-        CycleOrigin::Perfect => Message::new("cycles-from-perfect"),
-        CycleOrigin::Workpiece { seed, .. } => Message::new("cycles-from-simulated").text("seed", seed),
-        CycleOrigin::Contacts { file } => Message::new("cycles-from-recorded").text("file", file),
+        CycleOrigin::Perfect => message!("cycles-from-perfect"),
+        CycleOrigin::Workpiece { seed, .. } => message!("cycles-from-simulated").text("seed", seed),
+        CycleOrigin::Contacts { file } => message!("cycles-from-recorded").text("file", file),
     };
     lines.push(named("head-from", words.say(&origin)));
     if let Some((program, line)) = &cycle.block {
-        let said = Message::new("records-page-block").text("program", program).text("line", line);
+        let said = message!("records-page-block").text("program", program).text("line", line);
         lines.push(named("records-page-program", words.say(&said)));
     }
     for compared in &cycle.compared {

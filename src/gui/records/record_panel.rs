@@ -10,7 +10,7 @@ use crate::gui::shapes;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::chip_ui;
 use crate::gui::view::{View, heading, problem, quiet};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::{Action, RecordRow, RecordsCommand};
 use crate::words::Words;
 
@@ -19,7 +19,7 @@ pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
     let session = view.session;
     let Some(open) = session.records().opened() else { return };
     ui.horizontal_wrapped(|ui| {
-        heading(ui, view.words.say(&Message::new("records-page-record").text("number", open.number)));
+        heading(ui, view.words.say(&message!("records-page-record").text("number", open.number)));
         view.button(ui, Action::CloseRecord);
     });
     let row = match &open.row {

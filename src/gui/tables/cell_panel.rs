@@ -8,7 +8,7 @@ use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, live, quiet};
 use crate::length::Length;
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::session::tables::{Document, Origin};
 use crate::session::{Action, TablesCommand, TablesField};
 use crate::tolerance::compare::Difference;
@@ -114,7 +114,7 @@ fn said_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>, top: Pos2) {
     let defined = selected.document.defined(selected.class);
     if !defined.is_empty() {
         let ranges: Vec<_> = defined.iter().map(|range| range_text(view, *range)).collect();
-        quiet(ui, view.words.say(&Message::new("tables-defined").text("ranges", ranges.join(", "))));
+        quiet(ui, view.words.say(&message!("tables-defined").text("ranges", ranges.join(", "))));
     }
     if selected.document.origin() == Origin::Shipped {
         quiet(ui, view.text("tables-shipped-hint"));
@@ -128,7 +128,7 @@ fn said_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>, top: Pos2) {
 
 /// `over 18 up to 30 mm`.
 fn range_text(view: &View<'_>, (over, to): (Length, Length)) -> String {
-    view.words.say(&Message::new("limits-range").mm("over", over).mm("to", to))
+    view.words.say(&message!("limits-range").mm("over", over).mm("to", to))
 }
 
 /// `As in ISO 286`, or what differs by how much; for which sizes, where that is not the whole range.
@@ -148,7 +148,7 @@ fn verdict(view: &View<'_>, selected: &Selected<'_>) -> Vec<String> {
         if Some(range) == whole { said } else { format!("{}: {said}", range_text(view, range)) }
     });
     let more = selected.differences.len().saturating_sub(MOST_TOLD);
-    let more = (0 < more).then(|| view.words.say(&Message::new("tables-more-differences").count("count", more)));
+    let more = (0 < more).then(|| view.words.say(&message!("tables-more-differences").count("count", more)));
     told.chain(more).collect()
 }
 

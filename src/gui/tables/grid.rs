@@ -10,7 +10,7 @@ use crate::gui::dialogs::just_opened;
 use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::session::tables::Document;
 use crate::session::{Action, TablesCommand};
 use crate::tolerance::ToleranceClass;
@@ -38,7 +38,7 @@ pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     let measures = Measures::new();
     let rect = ui.available_rect_before_wrap();
     let grid = ui.interact(rect, id(), Sense::focusable_noninteractive());
-    let name = view.words.say(&Message::new("tables-grid").text("name", document.title()));
+    let name = view.words.say(&message!("tables-grid").text("name", document.title()));
     grid.widget_info(|| WidgetInfo::labeled(Role::Grid, true, &name));
     if just_opened(ui, id()) {
         grid.request_focus();
@@ -131,10 +131,10 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, place: &Place) {
 fn cell_name(view: &View<'_>, document: &Document, place: &Place) -> String {
     let (over, to) = document.range(place.range).unwrap_or_default();
     let figures = match document.cell(place.class, place.range) {
-        Some(cell) => Message::new("tables-pair")
+        Some(cell) => message!("tables-pair")
             .text("upper", view.words.signed_um(cell.upper()))
             .text("lower", view.words.signed_um(cell.lower())),
-        None => Message::new("tables-no-value"),
+        None => message!("tables-no-value"),
     };
     let id =
         if document.differences(place.column, place.range).is_empty() { "tables-cell" } else { "tables-cell-differs" };

@@ -9,7 +9,7 @@ use crate::gui::field::{Look, field_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, list_ui, live, quiet, quiet_cut};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::tables::{Origin, TableChoice};
 use crate::session::{Action, TablesCommand, TablesField};
 use crate::verdict::Status;
@@ -95,11 +95,11 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     let Some(document) = view.session.tables().shown() else { return };
     let (filter, all) = (view.session.tables().filter(), document.table().columns().len());
     if filter.unmatched().is_empty() {
-        let count = Message::new("tables-shown").text("shown", filter.columns().len()).count("count", all);
+        let count = message!("tables-shown").text("shown", filter.columns().len()).count("count", all);
         quiet(ui, view.words.say(&count));
     } else {
         let words = filter.unmatched().join(" ");
-        let text = view.words.say(&Message::new("tables-unmatched").text("words", words));
+        let text = view.words.say(&message!("tables-unmatched").text("words", words));
         let text = RichText::new(text).color(palette(ui.ctx()).error.0).size(sizes().small);
         ui.scope(|ui| {
             ui.set_max_width(space(44.0));
@@ -116,9 +116,9 @@ fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
     let palette = palette(ui.ctx());
     let (mark, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
     let message = match (found, compared) {
-        (0, 0) => Message::new("tables-compared-nothing"),
-        (0, _) => Message::new("tables-agrees").count("count", compared),
-        _ => Message::new("tables-differs").count("count", found).text("compared", compared),
+        (0, 0) => message!("tables-compared-nothing"),
+        (0, _) => message!("tables-agrees").count("count", compared),
+        _ => message!("tables-differs").count("count", found).text("compared", compared),
     };
     if 0 < found {
         paint::unequal(ui.painter(), mark, palette.error.0);
@@ -127,7 +127,7 @@ fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let mut said = view.words.say(&message);
     if !comparison.unknown.is_empty() {
-        let own = Message::new("tables-own-classes").count("count", comparison.unknown.len());
+        let own = message!("tables-own-classes").count("count", comparison.unknown.len());
         said = format!("{said}; {}", view.words.say(&own));
     }
     let label = ui.label(RichText::new(&said).font(theme::bold(sizes().body)));

@@ -44,7 +44,7 @@ pub use place::{Part, Place};
 pub use shortcut::{Held, Key, Shortcut};
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 use fitcheck_exchange::exchange::tables::TABLE_FORMATS;
@@ -93,7 +93,7 @@ impl Action {
             Self::RemoveColumn => {
                 let selected = session.tables().shown().and_then(tables::Document::selected);
                 let class = selected.map_or_else(|| words.get("class-none"), |(class, _)| class.to_string());
-                words.say(&Message::new("tables-remove-column").text("class", class))
+                words.say(&message!("tables-remove-column").text("class", class))
             }
             Self::JudgeAnyway | Self::TakeMeant => {
                 let mm = |length: Option<Length>| length.map(|length| words.mm(length, 3)).unwrap_or_default();
@@ -122,12 +122,9 @@ impl Action {
             }
             Self::Undo => {
                 let what = session.history().undoes();
-                what.map_or_else(
-                    || words.get("undo"),
-                    |what| words.say(&Message::new("undo-what").message("what", what)),
-                )
+                what.map_or_else(|| words.get("undo"), |what| words.say(&message!("undo-what").message("what", what)))
             }
-            Self::ChooseBad => words.say(&Message::new("choose-bad").count("count", session.bad_count())),
+            Self::ChooseBad => words.say(&message!("choose-bad").count("count", session.bad_count())),
             Self::UseTable if session.tables().is_used(session.sources()) => words.get("tables-in-use"),
             _ => words.get(self.row().text),
         }

@@ -3,7 +3,7 @@
 
 use fitcheck_core::budget::{Assessment, Basis, Budget, Conditions, Geometry, GeometryError, Kind};
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use jiff::civil::Date;
 
 use super::{Asks, BudgetField, BudgetPage, Readings};
@@ -78,7 +78,7 @@ impl BudgetPage {
     /// The contacts of the fields; none where both are empty.
     fn steps(&self) -> Result<Option<Geometry>, Refusal> {
         let (touches, step) = (BudgetField::Touches, BudgetField::Step);
-        let missing = |field| Err((field, Message::new("budget-page-other-missing")));
+        let missing = |field| Err((field, message!("budget-page-other-missing")));
         match (self.given(touches, self.asks.contacts), self.given(step, self.asks.contacts)) {
             ("", "") => Ok(None),
             ("", _) => missing(touches),
@@ -103,7 +103,7 @@ impl BudgetPage {
         }
         // Longer texts have a time, which would be passed over.
         let day = (given.len() == "2026-01-15".len()).then(|| given.parse().ok()).flatten();
-        day.ok_or_else(|| (BudgetField::Day, Message::new("budget-page-no-day").text("given", given)))
+        day.ok_or_else(|| (BudgetField::Day, message!("budget-page-no-day").text("given", given)))
     }
 }
 

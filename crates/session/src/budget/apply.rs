@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use fitcheck_core::budget::{BudgetError, GeometryError};
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::simulated::LARGEST;
 use jiff::civil::DateTime;
 
@@ -108,7 +108,7 @@ impl BudgetPage {
                 self.texts.set(BudgetField::Step, "");
                 self.answer_anew();
             }
-            Err(problem) => shared.tell(Message::new("budget-page-no-circle").message("problem", problem.message())),
+            Err(problem) => shared.tell(message!("budget-page-no-circle").message("problem", problem.message())),
         }
     }
 

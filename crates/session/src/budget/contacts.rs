@@ -1,7 +1,7 @@
 //! Contacts that were really taken, for which a budget is evaluated.
 
 use fitcheck_core::budget::{Geometry, GeometryError};
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_exchange::journal::Record;
 
 use crate::workpiece::RecordedContacts;
@@ -33,7 +33,7 @@ impl TakenContacts {
     /// Recorded ones.
     pub(super) fn recorded(recorded: &RecordedContacts) -> Result<Self, GeometryError> {
         let geometry = Geometry::of_contacts(&recorded.contacts)?;
-        let of = Message::new("budget-page-of-recorded").count("count", geometry.touches).text("name", &recorded.name);
+        let of = message!("budget-page-of-recorded").count("count", geometry.touches).text("name", &recorded.name);
         Ok(Self { of, geometry })
     }
 }

@@ -1,7 +1,7 @@
 //! The shares of a budget as bars, and what would help most.
 
 use fitcheck_core::budget::{Answer, Assessment, Evaluation, Help, Kind, Repeated};
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 
 /// A bar of the picture.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,25 +26,25 @@ fn shares(evaluation: &Evaluation) -> Vec<Bar> {
     let mut rows: Vec<_> = evaluation.rows.iter().collect();
     rows.sort_by(|one, other| other.share.total_cmp(&one.share));
     let bar = |(name, share): (&str, f64)| Bar {
-        name: Message::new("budget-page-named").text("name", name),
+        name: message!("budget-page-named").text("name", name),
         length: (share / 100.0).clamp(0.0, 1.0),
-        amount: Message::new("budget-page-percent").mm("percent", format!("{share:.1}")),
+        amount: message!("budget-page-percent").mm("percent", format!("{share:.1}")),
     };
     rows.into_iter().map(|row| bar((&row.name, row.share))).collect()
 }
 
 fn terms(repeated: &Repeated) -> Vec<Bar> {
-    let terms = repeated.terms().map(|(name, um)| (Message::new("budget-page-named").text("name", name), um));
+    let terms = repeated.terms().map(|(name, um)| (message!("budget-page-named").text("name", name), um));
     let editions = [
-        (Message::new("budget-page-edition-2011"), repeated.expanded_2011),
-        (Message::new("budget-page-edition-2004"), repeated.expanded_2004),
+        (message!("budget-page-edition-2011"), repeated.expanded_2011),
+        (message!("budget-page-edition-2004"), repeated.expanded_2004),
     ];
     let all: Vec<(Message, f64)> = terms.into_iter().chain(editions).collect();
     let largest = all.iter().map(|(_, um)| um.abs()).fold(f64::MIN_POSITIVE, f64::max);
     let bar = |(name, um): (Message, f64)| Bar {
         name,
         length: (um.abs() / largest).clamp(0.0, 1.0),
-        amount: Message::new("budget-page-um").mm("um", format!("{um:.3}")),
+        amount: message!("budget-page-um").mm("um", format!("{um:.3}")),
     };
     all.into_iter().map(bar).collect()
 }
@@ -63,10 +63,10 @@ pub fn advice(evaluation: &Evaluation) -> Vec<Message> {
             })
             .mm("u", um(u)),
             Help::FullCircle { touches, u } => {
-                Message::new("budget-page-help-full-circle").count("count", touches).mm("u", um(u))
+                message!("budget-page-help-full-circle").count("count", touches).mm("u", um(u))
             }
             Help::MoreTouches { touches, u } => {
-                Message::new("budget-page-help-more-touches").count("count", touches).mm("u", um(u))
+                message!("budget-page-help-more-touches").count("count", touches).mm("u", um(u))
             }
         }
     };

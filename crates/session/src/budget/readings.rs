@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::Feature;
 use fitcheck_exchange::exchange::{Sizes, sizes};
 use fitcheck_exchange::journal::Record;
@@ -53,7 +53,7 @@ impl Readings {
             Feature::Hole => &sizes.hole,
             Feature::Shaft => &sizes.shaft,
         };
-        let from = Message::new("budget-page-readings-of-file").count("count", read.measured.len()).text("name", name);
+        let from = message!("budget-page-readings-of-file").count("count", read.measured.len()).text("name", name);
         let refused = read.errors.iter().map(fitcheck_core::message::Say::message);
         let warnings = read.warnings.iter().map(fitcheck_core::message::Say::message);
         let doubts = read.doubts();

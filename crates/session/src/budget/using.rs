@@ -5,7 +5,7 @@ use std::sync::Arc;
 
 use fitcheck_core::budget::template::Placeholder;
 use fitcheck_core::budget::{Basis, Budget, Validity};
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_exchange::journal::chain::Hash;
 
 use super::document::Document;
@@ -87,7 +87,7 @@ impl BudgetPage {
         }
         details.extend(warning(&budget, budget.validity(self.today)));
         // The page says which budget is in use; a notice only tells what is not seen there.
-        shared.note_details(Message::new("budget-page-used").text("name", &budget.name), details);
+        shared.note_details(message!("budget-page-used").text("name", &budget.name), details);
         let sha256 = self.document.sha256.filter(|_| self.used_file.is_some() && !self.is_unsaved());
         shared.budget = Some(Arc::new(OpenBudget { file: self.document.name(), budget, sha256 }));
         shared.spread(News::Budget);
@@ -132,7 +132,7 @@ impl BudgetPage {
             Ok((document, budget)) => {
                 let warning = warning(&budget, budget.validity(self.today));
                 shared.note_details(
-                    Message::new("budget-page-used").text("name", &budget.name),
+                    message!("budget-page-used").text("name", &budget.name),
                     warning.into_iter().collect(),
                 );
                 let sha256 = shared.recording.of_file(&document.name());
@@ -145,7 +145,7 @@ impl BudgetPage {
             }
             // A file that cannot be read now may be there the next time.
             Err(problem) => {
-                shared.tell(Message::new("budget-page-used-unread").text("path", shown).message("problem", problem));
+                shared.tell(message!("budget-page-used-unread").text("path", shown).message("problem", problem));
             }
         }
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Say as _, message};
 use fitcheck_core::probing::Origin;
 use fitcheck_core::tolerance::{Callout, Feature, Sources};
 use fitcheck_core::words::Words;
@@ -88,11 +88,11 @@ impl PageState for CheckPage {
                 return copied.map(Effect::Copy).into_iter().collect();
             }
             CheckCommand::ClearHistory => {
-                let stay = shared.recording.has_any(&shared.history.ids()).then(|| Message::new("records-page-stay"));
+                let stay = shared.recording.has_any(&shared.history.ids()).then(|| message!("records-page-stay"));
                 let count = shared.history.clear();
                 if 0 < count {
                     self.clear(&shared.sources);
-                    let message = Message::new("history-cleared").count("count", count);
+                    let message = message!("history-cleared").count("count", count);
                     shared.note(message, stay.into_iter().collect());
                     shared.note_change();
                 }
@@ -149,12 +149,12 @@ impl CheckPage {
     /// notice says what was undone.
     fn undo(&mut self, shared: &mut Shared) {
         let change = shared.history.last_change();
-        let stay = shared.recording.has_any(&shared.history.taken_by_undo()).then(|| Message::new("records-page-stay"));
+        let stay = shared.recording.has_any(&shared.history.taken_by_undo()).then(|| message!("records-page-stay"));
         let Some(undone) = shared.history.take_back() else { return };
         self.clear(&shared.sources);
         shared.notices.retain(|notice| notice.change.is_none() || notice.change != change);
         if shared.page != Page::Check || stay.is_some() {
-            shared.note(Message::new("undone").message("what", undone), stay.into_iter().collect());
+            shared.note(message!("undone").message("what", undone), stay.into_iter().collect());
         }
     }
 
@@ -286,7 +286,7 @@ impl CheckPage {
             from.into_iter().cloned().chain(budget).collect()
         });
         if let Some((count, why)) = refused {
-            shared.tell(Message::new("records-page-refused").count("count", count).message("why", why));
+            shared.tell(message!("records-page-refused").count("count", count).message("why", why));
         }
     }
 

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::measurement::measure_contacts;
 use fitcheck_core::probing::{Contact, Origin};
 use fitcheck_core::verdict::{AxisPosition, PositionVerdict};
@@ -59,7 +59,7 @@ impl CheckPage {
                     self.show(id, shared);
                 }
                 Err(why) => {
-                    notice.message = Message::new("import-contacts-not-judged").text("name", name);
+                    notice.message = message!("import-contacts-not-judged").text("name", name);
                     notice.details.insert(0, why);
                     notice.is_problem = true;
                 }
@@ -70,7 +70,7 @@ impl CheckPage {
         match judge_imported(&mut imported, &self.own_worth(), shared.budget.as_deref()) {
             Ok(said) => notice.details.extend(said),
             Err(why) => {
-                notice.message = Message::new("import-not-judged").text("name", name);
+                notice.message = message!("import-not-judged").text("name", name);
                 notice.details.insert(0, why);
                 notice.is_problem = true;
                 shared.notices.push(notice);
@@ -110,8 +110,7 @@ impl CheckPage {
 /// The notice about an imported file: how many checks, and every row that could not be used.
 fn import_notice(name: &str, imported: &Imported) -> Notice {
     let good = imported.records.len() + usize::from(imported.contacts.is_some());
-    let message =
-        Message::new("import-notice").text("name", name).count("good", good).count("bad", imported.errors.len());
+    let message = message!("import-notice").text("name", name).count("good", good).count("bad", imported.errors.len());
     let problems = imported.errors.iter().map(fitcheck_core::message::Say::message);
     let unjudged =
         imported.unjudged.iter().filter(|_| imported.contacts.is_none()).map(|unjudged| unjudged.why.message());
@@ -129,7 +128,7 @@ fn judge_contacts(
     now: DateTime,
 ) -> Result<Record, Message> {
     let asked = &page.asked;
-    let limits = asked.limits().ok_or_else(|| Message::new("measured-needs-limits"))?;
+    let limits = asked.limits().ok_or_else(|| message!("measured-needs-limits"))?;
     let origin = Origin::Contacts { file: name.into() };
     let measurement = measure_contacts(contacts, origin).map_err(|error| error.message())?;
     // A position that cannot be read is refused: leaving it out would call a shifted feature good.
@@ -158,10 +157,10 @@ fn judge_imported(
     if let Some(first) = imported.records.first() {
         let rule = first.verdict.rule;
         if !rule.is_plain() {
-            said.push(Message::new("import-judged-by").message("rule", rule.message()));
+            said.push(message!("import-judged-by").message("rule", rule.message()));
         }
         if worth.is_warm() {
-            said.push(Message::new("import-not-corrected"));
+            said.push(message!("import-not-corrected"));
         }
     }
     Ok(said)

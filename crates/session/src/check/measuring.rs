@@ -1,7 +1,7 @@
 //! From the fields to a measurement and a record.
 
 use fitcheck_core::length::{Length, LengthError};
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::measure::{ProbePosition, cycle_number, measure as run_cycle};
 use fitcheck_core::probing::simulated::{Figure, Lobes, Machine, Probe, Workpiece, WorkpieceError};
 use fitcheck_core::probing::{Measurement, Origin};
@@ -24,7 +24,7 @@ pub(super) fn measure(page: &CheckPage, budget: Option<&OpenBudget>, now: DateTi
     let Some(limits) = asked.limits() else {
         // An error beside the callout says more than "no limits".
         let problem = asked.error(CheckField::Callout).cloned();
-        return Err((CheckField::Callout, problem.unwrap_or_else(|| Message::new("measured-needs-limits"))));
+        return Err((CheckField::Callout, problem.unwrap_or_else(|| message!("measured-needs-limits"))));
     };
     let (measurement, position) = match page.by {
         MeasureBy::Typing => (typed(asked)?, None),

@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::message;
 use fitcheck_exchange::journal::entry::FileRole;
 use jiff::civil::DateTime;
 
@@ -58,7 +58,7 @@ impl CheckPage {
                     let file = rows.sha256().and_then(|sha256| used(FileRole::Measurements, rows.name(), Some(sha256)));
                     let id = shared.history.add(vec![Arc::clone(&record)]);
                     self.keep(id, (&[record], &[labels]), file.as_ref(), shared);
-                    shared.note(Message::new("rows-kept"), Vec::new());
+                    shared.note(message!("rows-kept"), Vec::new());
                     shared.note_change();
                 }
             }

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use fitcheck_core::budget::{Assessment, Budget, Conditions};
 use fitcheck_core::length::{Length, Unit};
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::part::PlanFeature;
 use fitcheck_core::tolerance::Limits;
 use fitcheck_core::tolerance::fit::thermal::{Correction, Temperature, ThermalError, Warm};
@@ -135,7 +135,7 @@ impl Worth {
         };
         let factor = if rule.takes_factor() {
             let given = text(CheckField::GuardFactor);
-            let refusal = || (CheckField::GuardFactor, Message::new("guard-factor-wrong").text("given", given));
+            let refusal = || (CheckField::GuardFactor, message!("guard-factor-wrong").text("given", given));
             Some(multiple(given).filter(|factor| 0 < *factor).ok_or_else(refusal)?)
         } else {
             None
@@ -212,7 +212,7 @@ impl Worth {
         let is_sure = feature.has_own_rule || feature.rule.is_some_and(|rule| rule.uncertainty().is_some());
         let budget = match (from, budget) {
             (UncertaintyFrom::Budget, Some(open)) => Some(&open.budget),
-            (UncertaintyFrom::Budget, None) if !is_sure => return Err(Message::new("budget-not-in-use")),
+            (UncertaintyFrom::Budget, None) if !is_sure => return Err(message!("budget-not-in-use")),
             _ => None,
         };
         let rule = Some(rule).filter(|rule| *rule != RuleName::default());
@@ -230,7 +230,7 @@ impl Worth {
             return Ok(record.by(made(rule, self.given)?));
         }
         let refused = |problem: Message| (CheckField::Uncertainty, problem);
-        let open = budget.ok_or_else(|| refused(Message::new("budget-not-in-use")))?;
+        let open = budget.ok_or_else(|| refused(message!("budget-not-in-use")))?;
         let assessed = record.assess(open.budget.clone());
         let (assessment, uncertainty) = assessed.map_err(|error| refused(error.message()))?;
         let given = Given { uncertainty: Some(uncertainty), ..self.given };
@@ -317,7 +317,7 @@ fn warm(texts: &Texts<CheckField>) -> Result<Option<(Warm, Option<Warm>)>, Refus
     let part = read(CheckField::PartTemperature, CheckField::PartExpansion)?;
     let scale = read(CheckField::ScaleTemperature, CheckField::ScaleExpansion)?;
     match (part, scale) {
-        (None, Some(_)) => Err((CheckField::PartTemperature, Message::new("part-temperature-missing"))),
+        (None, Some(_)) => Err((CheckField::PartTemperature, message!("part-temperature-missing"))),
         (part, scale) => Ok(part.map(|part| (part, scale))),
     }
 }
@@ -336,7 +336,7 @@ fn process(texts: &Texts<CheckField>) -> Result<Option<(Option<Length>, f64)>, R
     let refused = |problem| (CheckField::ProcessSpread, problem);
     let read = Length::parse_in(spread, Unit::Micrometre).map_err(|error| refused(error.message()))?;
     if read <= Length::ZERO {
-        return Err(refused(Message::new("process-spread-wrong").text("given", spread)));
+        return Err(refused(message!("process-spread-wrong").text("given", spread)));
     }
     Ok(Some((mean, read.to_mm_f64())))
 }

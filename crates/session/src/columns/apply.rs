@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::message;
 use fitcheck_core::part::Plan;
 use jiff::civil::DateTime;
 
@@ -36,7 +36,7 @@ impl Session {
                 let Some(notice) = self.shared.notices.first_mut() else { return Vec::new() };
                 let shape = notice.columns.as_mut().and_then(|columns| columns.shape.take());
                 if shape.is_some_and(|shape| Arc::make_mut(&mut self.shared.columns.remembered).forget(&shape)) {
-                    notice.details.insert(0, Message::new("columns-page-forgotten"));
+                    notice.details.insert(0, message!("columns-page-forgotten"));
                     self.shared.spread(News::Columns);
                 }
             }
@@ -64,7 +64,7 @@ impl Session {
         let Some(asked) = self.shared.file_answered(Ok(asked)) else { return };
         let plan = self.plan_for(asked.into);
         if matches!(asked.into, ImportInto::Part(_)) && plan.is_none() {
-            return self.shared.tell(Message::new("walk-page-import-late").text("name", &asked.name));
+            return self.shared.tell(message!("walk-page-import-late").text("name", &asked.name));
         }
         // Asked about a second time, a file begins anew.
         self.shared.columns.open.retain(|open| open.asked().path != asked.path);

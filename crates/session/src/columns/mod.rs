@@ -16,7 +16,7 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::message;
 use fitcheck_core::words::Words;
 use fitcheck_exchange::exchange::{Detected, Remembered, Role};
 
@@ -104,18 +104,18 @@ impl Shared {
         let detected = &used.detected;
         let of_column = |(at, role): (usize, &Option<Role>)| {
             let name = detected.names.get(at).filter(|name| !name.is_empty()).cloned();
-            let message = Message::new("columns-page-taken-one")
+            let message = message!("columns-page-taken-one")
                 .text("column", name.unwrap_or_else(|| (at + 1).to_string()))
                 .text("role", words.get(&role_id(Some((*role)?))));
             Some(words.say(&message))
         };
         let columns: Vec<String> = (0..).zip(&detected.roles).filter_map(of_column).collect();
-        let message = Message::new("columns-page-taken")
+        let message = message!("columns-page-taken")
             .text("columns", columns.join(", "))
             .text("unit", words.get(unit_id(detected.mapping.unit_word())));
         let remembered = used.remembered.as_ref();
-        let said = remembered.map(|(_, day)| Message::new("columns-page-remembered").text("day", day));
-        let from = detected.unit_from.as_ref().map(|from| Message::new("columns-page-unit-from").text("from", from));
+        let said = remembered.map(|(_, day)| message!("columns-page-remembered").text("day", day));
+        let from = detected.unit_from.as_ref().map(|from| message!("columns-page-unit-from").text("from", from));
         notice.details.extend(said.into_iter().chain([message]).chain(from));
         let shape = remembered.map(|(shape, _)| shape.clone());
         notice.columns = Some(NoticeColumns { path: used.path, into: used.into, shape });

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use fitcheck_core::message::{Located, Message, Say as _};
+use fitcheck_core::message::{Located, Message, Say as _, message};
 use fitcheck_core::part::Plan;
 use fitcheck_core::tolerance::Sources;
 use fitcheck_exchange::exchange::{ByPlan, Choice, FirstRows, Given, Item, Kept, Mapping, Role};
@@ -200,13 +200,13 @@ impl OpenColumns {
 /// What is needed to use a file, where a column for it is missing: measured values, and what they are of.
 pub fn refusal(into: ImportInto, has: impl Fn(Role) -> bool) -> Option<Message> {
     if !has(Role::Measured) {
-        return Some(Message::new("columns-page-no-measured"));
+        return Some(message!("columns-page-no-measured"));
     }
     match into {
-        ImportInto::History => (!has(Role::Tolerance)).then(|| Message::new("columns-page-no-callout")),
+        ImportInto::History => (!has(Role::Tolerance)).then(|| message!("columns-page-no-callout")),
         ImportInto::Part(_) => {
             let is_found = has(Role::Id) || has(Role::Number) || has(Role::X) && has(Role::Y);
-            (!is_found).then(|| Message::new("columns-page-no-name"))
+            (!is_found).then(|| message!("columns-page-no-name"))
         }
     }
 }

@@ -1,6 +1,6 @@
 //! How commands and news change the cycles page.
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::message;
 use jiff::civil::DateTime;
 
 use super::{ContactsFrom, CycleField, CyclesCommand, CyclesPage};
@@ -26,7 +26,7 @@ impl PageState for CyclesPage {
             CyclesCommand::ProbesRead { name, result } => {
                 if let Some(table) = shared.file_answered(result) {
                     let details = table.warnings.iter().map(fitcheck_core::message::Say::message).collect();
-                    shared.note_details(Message::new("cycles-probes-loaded").text("name", &name), details);
+                    shared.note_details(message!("cycles-probes-loaded").text("name", &name), details);
                     (self.probes, self.probe) = (Some((name, table)), None);
                     self.changed();
                 }

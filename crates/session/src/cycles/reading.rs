@@ -1,7 +1,7 @@
 //! What the fields of the cycles page mean.
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Say as _, message};
 use fitcheck_core::probing::cycle::{Inputs, Parameter, Value};
 
 use super::{Axis, CycleField, CyclesPage};
@@ -40,11 +40,11 @@ impl CyclesPage {
         let field = CycleField::Global(parameter.key);
         match parameter.accept(self.text(field)) {
             Err(_) if self.text(field).trim().is_empty() => {
-                self.errors.insert(field, Message::new("cycles-predef-missing"));
+                self.errors.insert(field, message!("cycles-predef-missing"));
                 inputs
             }
             Ok(Value::Predef) => {
-                self.errors.insert(field, Message::new("cycles-predef-missing"));
+                self.errors.insert(field, message!("cycles-predef-missing"));
                 inputs
             }
             Ok(value) => inputs.with_global(parameter.key, value),

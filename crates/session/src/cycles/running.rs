@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use fitcheck_core::length::Unit;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::circle::Evaluation;
 use fitcheck_core::probing::cycle::{Cycle, CycleError, CycleResult, LogTarget, Move};
 use fitcheck_core::probing::simulated::Surface;
@@ -89,7 +89,7 @@ impl CycleRun {
             self.found().into_iter().flat_map(|result| &result.remarks).map(fitcheck_core::message::Say::message);
         let warnings =
             self.evaluation.iter().flat_map(|found| &found.warnings).map(fitcheck_core::message::Say::message);
-        let unused = (0 < self.unused).then(|| Message::new("cycles-unused").count("count", self.unused));
+        let unused = (0 < self.unused).then(|| message!("cycles-unused").count("count", self.unused));
         let log = self.log.iter().filter_map(|log| match log {
             Ok(log) => log.other.map(|other| other.message()),
             Err(problem) => Some(problem.clone()),
@@ -102,7 +102,7 @@ impl CycleRun {
     fn refused(cycle: &'static Cycle, problem: Message, time: DateTime) -> Self {
         Self {
             cycle,
-            from: Message::new("cycles-from-perfect"),
+            from: message!("cycles-from-perfect"),
             is_simulated: false,
             path: Vec::new(),
             nominal: None,
@@ -145,7 +145,7 @@ impl CyclesPage {
         }
         let run = match self.errors.len() {
             0 => self.run_source(shared, now),
-            count => Err(Message::new("cycles-fields-wrong").count("count", count)),
+            count => Err(message!("cycles-fields-wrong").count("count", count)),
         };
         let mut run = run.unwrap_or_else(|problem| CycleRun::refused(self.cycle, problem, now));
         run.record = self.keep(&run, shared);
@@ -208,17 +208,17 @@ impl CyclesPage {
     /// The source of the contacts, and the message that names it.
     fn source<'a>(&self, shared: &'a Shared) -> Result<(Source<'a>, Message), Message> {
         match self.from {
-            ContactsFrom::Perfect => Ok((Source::Perfect, Message::new("cycles-from-perfect"))),
+            ContactsFrom::Perfect => Ok((Source::Perfect, message!("cycles-from-perfect"))),
             ContactsFrom::Simulated => {
-                let wrong = |problem| Message::new("cycles-workpiece-wrong").message("problem", problem);
+                let wrong = |problem| message!("cycles-workpiece-wrong").message("problem", problem);
                 let bench = shared.workpiece.machine().map_err(wrong)?;
-                let said = Message::new("cycles-from-simulated").text("seed", bench.seed);
+                let said = message!("cycles-from-simulated").text("seed", bench.seed);
                 Ok((Source::Simulated(bench), said))
             }
             ContactsFrom::Recorded => {
                 let recorded = shared.workpiece.recorded.as_ref();
-                let recorded = recorded.ok_or_else(|| Message::new("cycles-no-contacts"))?;
-                let said = Message::new("cycles-from-recorded").text("file", &recorded.name);
+                let recorded = recorded.ok_or_else(|| message!("cycles-no-contacts"))?;
+                let said = message!("cycles-from-recorded").text("file", &recorded.name);
                 let source = Source::Recorded { contacts: &recorded.contacts, has_heights: recorded.has_heights };
                 Ok((source, said))
             }

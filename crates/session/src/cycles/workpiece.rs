@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use fitcheck_core::length::{Length, LengthError};
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::cycle::{Plane, number};
 use fitcheck_core::probing::simulated::{
     Face, FreePoint, Lobes, Probe, Shape, Simulation, Surface, Walls, Wave, Workpiece,
@@ -141,7 +141,7 @@ impl WorkpieceForm {
     pub fn problem(&self) -> Option<Message> {
         let (field, error) = self.errors.first_key_value()?;
         let name = Message::new(field.name_id());
-        Some(Message::new("cycles-workpiece-field").message("name", name).message("problem", error.clone()))
+        Some(message!("cycles-workpiece-field").message("name", name).message("problem", error.clone()))
     }
 
     /// The simulation, where every field can be used.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::fit::Fit;
 use fitcheck_core::tolerance::fit::equivalent::{self, Difference};
 use fitcheck_core::tolerance::fit::materials::Materials;
@@ -95,7 +95,7 @@ impl FitPage {
             }
             match text.parse::<Length>() {
                 Ok(value) if above_zero && value <= Length::ZERO => {
-                    let problem = Message::new("field-above-zero").mm("given", value).mm("limit", Length::MAX);
+                    let problem = message!("field-above-zero").mm("given", value).mm("limit", Length::MAX);
                     self.errors.insert(field, problem);
                 }
                 Ok(value) => _ = self.lengths.insert(field, value),

@@ -1,7 +1,7 @@
 //! Rows as a spreadsheet takes them: tab-separated, with the columns' names, exact figures, and the user's decimal sign.
 
 use fitcheck_core::length::{Length, Unit};
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Say as _, message};
 use fitcheck_core::words::Words;
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::query::{Records as _, TIME, callout};
@@ -60,7 +60,7 @@ fn text(text: &str) -> String {
 pub fn status_text(record: &Record, words: &Words) -> String {
     let word = words.told(&record.verdict.status());
     if record.measurement.origin.is_simulated() {
-        words.say(&Message::new("status-simulated").text("status", word))
+        words.say(&message!("status-simulated").text("status", word))
     } else {
         word
     }

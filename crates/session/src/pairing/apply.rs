@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::Feature;
 use fitcheck_core::words::Words;
 use fitcheck_exchange::report::pairing::{Asked, Parts};
@@ -27,7 +27,7 @@ impl PageState for PairingPage {
             PairingCommand::Read { feature, path, result } => self.take_file(feature, &path, result, shared),
             PairingCommand::TakeHistory(feature) => self.take_history(feature, shared),
             PairingCommand::NoSideFree { name } => {
-                shared.tell(Message::new("pairing-page-no-side").text("name", name));
+                shared.tell(message!("pairing-page-no-side").text("name", name));
             }
             PairingCommand::Paired { run, paired } => self.take_answer(run, paired),
             PairingCommand::Move(step) => {
@@ -168,9 +168,9 @@ impl PairingPage {
 
     /// The pairs as a file.
     pub(crate) fn content(&self, format: usize) -> Result<Content, Message> {
-        let paired = self.paired.as_ref().ok_or_else(|| Message::new("pairing-page-nothing-to-save"))?;
+        let paired = self.paired.as_ref().ok_or_else(|| message!("pairing-page-nothing-to-save"))?;
         let format =
-            fitcheck_exchange::report::pairing::FORMATS.get(format).ok_or_else(|| Message::new("dialog-no-path"))?;
+            fitcheck_exchange::report::pairing::FORMATS.get(format).ok_or_else(|| message!("dialog-no-path"))?;
         Ok(Content::Pairs { paired: Arc::clone(paired), format })
     }
 }
@@ -182,7 +182,7 @@ impl PairingPage {
 pub fn usable(name: &str, parts: Parts) -> Result<Arc<Parts>, Message> {
     let first = parts.errors.first().filter(|_| parts.sizes.is_empty());
     match first {
-        Some(first) => Err(Message::new("pairing-page-nothing-read")
+        Some(first) => Err(message!("pairing-page-nothing-read")
             .text("name", name)
             .message("reason", first.message())
             .count("count", parts.errors.len())),

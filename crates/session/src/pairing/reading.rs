@@ -1,6 +1,6 @@
 //! What the fields of the pairing page mean.
 
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::pairing::{MOST_GROUPS, PairingError, Wanted};
 use fitcheck_core::tolerance::fit::Fit;
 use fitcheck_core::tolerance::{Callout, Sources};
@@ -63,7 +63,7 @@ fn wanted(text: &str, sources: &Sources) -> Option<Result<WantedOf, Message>> {
         let wanted = text.parse::<Wanted>().map_err(|error| error.message());
         return Some(wanted.map(|wanted| WantedOf { wanted, fit: None }));
     }
-    Some(of_fit(text, sources).map_err(|reason| Message::new("pairing-page-wanted-refused").message("reason", reason)))
+    Some(of_fit(text, sources).map_err(|reason| message!("pairing-page-wanted-refused").message("reason", reason)))
 }
 
 fn of_fit(text: &str, sources: &Sources) -> Result<WantedOf, Message> {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::part::{Document, Draft, Row};
 use jiff::civil::DateTime;
 
@@ -120,7 +120,7 @@ impl PartsPage {
 
     fn open(&mut self, mut document: PlanDocument, shared: &mut Shared) {
         let remarks = document.take_remarks();
-        let opened = Message::new("parts-page-opened").text("name", document.name()).count("count", remarks.len());
+        let opened = message!("parts-page-opened").text("name", document.name()).count("count", remarks.len());
         shared.note_details(opened, remarks);
         self.document = document;
         // What is still being written is another plan.
@@ -162,10 +162,10 @@ impl PartsPage {
             let name = self.document.name();
             let lost = self.document.saved(path, draft);
             self.watched.saved_as(self.document.plan(), path);
-            let said = Message::new("parts-page-comments-lost").text("name", name).count("count", lost);
+            let said = message!("parts-page-comments-lost").text("name", name).count("count", lost);
             return (0 < lost).then_some(said);
         }
-        Some(Message::new("parts-page-csv-copy").text("keys", left.join(", ")))
+        Some(message!("parts-page-csv-copy").text("keys", left.join(", ")))
     }
 
     /// A file was not written: whatever is written under its name later is not this plan.

@@ -3,7 +3,7 @@
 use std::collections::{BTreeMap, BTreeSet};
 use std::sync::Arc;
 
-use fitcheck_core::message::{Located, Message, Say as _};
+use fitcheck_core::message::{Located, Message, Say as _, message};
 use fitcheck_core::part::{Plan, Size};
 use fitcheck_exchange::exchange::{ByPlan, Item, Labels};
 use fitcheck_exchange::journal::Record;
@@ -37,7 +37,7 @@ impl PartsPage {
         let sha256 = shared.recording.of_file(name);
         // It was read for a part that has been ended meanwhile.
         let Some(plan) = self.walking.plan().filter(|_| run == self.walking.run()).map(Arc::clone) else {
-            return shared.tell(Message::new("walk-page-import-late").text("name", name));
+            return shared.tell(message!("walk-page-import-late").text("name", name));
         };
         let by_plan = ByPlan::new(&plan);
         let mut judged = Vec::new();
@@ -45,7 +45,7 @@ impl PartsPage {
             by_plan.item(item, &mut |item| judged.push(item));
         }
         let arrived = self.arrive(&plan, judged, used(FileRole::Measurements, name, sha256).as_ref(), shared);
-        let message = Message::new("walk-page-imported")
+        let message = message!("walk-page-imported")
             .text("name", name)
             .count("good", arrived.values.len())
             .count("bad", arrived.problems.len());
@@ -89,7 +89,7 @@ impl PartsPage {
                             arrived.values.push(value);
                         }
                         Err(why) => {
-                            let not = Message::new("walk-page-not-judged").text("line", line).message("why", why);
+                            let not = message!("walk-page-not-judged").text("line", line).message("why", why);
                             arrived.problems.push(not);
                         }
                     }
@@ -113,10 +113,10 @@ impl PartsPage {
         of_walk: Option<&Plan>,
         shared: &Shared,
     ) -> Result<Arriving, Message> {
-        let size = size.ok_or_else(|| Message::new("walk-page-nothing-asked"))?;
+        let size = size.ok_or_else(|| message!("walk-page-nothing-asked"))?;
         let is_own = of_walk.is_some() && (labels.serial.is_empty() || labels.serial == self.walking.serial());
         if labels.serial.is_empty() && of_walk.is_some_and(|plan| !self.is_of_label(plan, &labels.part)) {
-            return Err(Message::new("walk-page-other-label").text("part", labels.part.trim()));
+            return Err(message!("walk-page-other-label").text("part", labels.part.trim()));
         }
         let (record, remarks) = judged_by(size, record, labels.is_corrected, shared)?;
         let at = self.walking.place_of(&record.id).filter(|_| is_own);
@@ -159,12 +159,12 @@ fn is_own_label(plan: &Plan, serial: &str, given: &str) -> bool {
 pub(super) fn said_of_others(arrived: &Arrived) -> Vec<Message> {
     /// The most serial numbers that are named.
     const MOST: usize = 10;
-    let label = arrived.label.as_ref().map(|label| Message::new("walk-page-label").text("part", label));
+    let label = arrived.label.as_ref().map(|label| message!("walk-page-label").text("part", label));
     if arrived.others.is_empty() {
         return label.into_iter().collect();
     }
     let named = arrived.others.iter().take(MOST).cloned().collect::<Vec<_>>().join(", ");
     let more = if MOST < arrived.others.len() { " …" } else { "" };
-    let others = Message::new("walk-page-other-parts").text("serials", format!("{named}{more}"));
+    let others = message!("walk-page-other-parts").text("serials", format!("{named}{more}"));
     label.into_iter().chain([others]).collect()
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::{Message, Say};
+use fitcheck_core::message::{Say, message};
 use fitcheck_core::part::{Column, Draft, HeadField, MOST_FEATURES, Row, Spot};
 use fitcheck_core::tolerance::Sources;
 
@@ -143,7 +143,7 @@ impl PartsPage {
     fn leave_out(&mut self, shared: &mut Shared, sources: &Sources) {
         let left = self.document.leave_out(sources);
         if !left.is_empty() {
-            let message = Message::new("parts-page-left-out").text("name", self.document.name());
+            let message = message!("parts-page-left-out").text("name", self.document.name());
             shared.note(message.count("count", left.len()), left.iter().map(Say::message).collect());
         }
     }

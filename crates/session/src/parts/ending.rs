@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use jiff::civil::DateTime;
 
 use super::{PartsField, PartsPage, serials};
@@ -20,7 +20,7 @@ impl PartsPage {
                 self.asking.ask(now);
             }
             if is_new || !self.asking.is_answered(now) {
-                let question = Message::new("walk-page-serial-again").text("serial", &serial);
+                let question = message!("walk-page-serial-again").text("serial", &serial);
                 self.errors.insert(PartsField::Serial, question);
                 self.again = Some(serial);
                 return Vec::new();
@@ -30,7 +30,7 @@ impl PartsPage {
         // A plan that was changed and not saved cannot be read again.
         let path = self.document.path().filter(|_| !self.document.is_unsaved()).map(std::path::Path::to_owned);
         if let Some(waiting) = self.give_up_resuming() {
-            shared.tell(Message::new("walk-page-given-up").text("serial", waiting.serial));
+            shared.tell(message!("walk-page-given-up").text("serial", waiting.serial));
         }
         self.walking.begin(&plan, path, serial, shared.recording.newest());
         self.clear_value();
@@ -78,9 +78,9 @@ impl PartsPage {
 
     /// The sizes without a value and the reasons: no record has them.
     fn say_left_out(&self, shared: &mut Shared) {
-        let of_size = |(name, reason)| Message::new("walk-page-ended-size").text("name", name).text("reason", reason);
+        let of_size = |(name, reason)| message!("walk-page-ended-size").text("name", name).text("reason", reason);
         let left_out: Vec<Message> = self.walking.left_out().map(of_size).collect();
-        let ended = Message::new("walk-page-ended").text("serial", self.walking.serial());
+        let ended = message!("walk-page-ended").text("serial", self.walking.serial());
         shared.note_details(ended, left_out);
     }
 }

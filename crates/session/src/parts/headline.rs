@@ -1,6 +1,6 @@
 //! What one look at the walk is told: the size while sizes are open, and the whole part afterwards.
 
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::part::Step;
 use fitcheck_core::verdict::Status;
 
@@ -53,18 +53,18 @@ impl Walking {
         let mut reasons = Vec::new();
         if let Some(status) = status.filter(|status| *status != Status::Good) {
             let of_it = self.named(|step| step.counts().is_some_and(|taken| taken.status == status));
-            reasons.push(Message::new("walk-page-because").text("names", of_it));
+            reasons.push(message!("walk-page-because").text("names", of_it));
         }
         reasons.push(standing.message());
         if 0 < standing.skipped {
             let skipped = self.named(|step| step.counts().is_none() && step.skipped.is_some());
-            reasons.push(Message::new("walk-page-left-out").text("names", skipped));
+            reasons.push(message!("walk-page-left-out").text("names", skipped));
         }
         if 0 < standing.contradicted {
             reasons.push(self.contradicted_said());
         }
         if 0 < standing.simulated {
-            reasons.push(Message::new("walk-page-simulated").count("count", standing.simulated));
+            reasons.push(message!("walk-page-simulated").count("count", standing.simulated));
         }
         Whole { status, is_simulated: self.is_decided_by_simulation(), reasons }
     }
@@ -72,7 +72,7 @@ impl Walking {
     /// That values of sizes contradict each other.
     pub(super) fn contradicted_said(&self) -> Message {
         let names = self.named(|step| !step.contradicting().is_empty());
-        Message::new("walk-page-contradicted").text("names", names)
+        message!("walk-page-contradicted").text("names", names)
     }
 
     /// The names of the sizes of which something is true.

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::part::Step;
 use fitcheck_core::probing::{Measurement, Origin};
 use fitcheck_core::words::Words;
@@ -57,7 +57,7 @@ impl PartsPage {
             }
             WalkCommand::CountNewest => {
                 if let Some(name) = self.walking.count_newest() {
-                    shared.tell(Message::new("walk-page-newest-counts").text("name", name));
+                    shared.tell(message!("walk-page-newest-counts").text("name", name));
                 }
             }
             WalkCommand::AskSkip(is_open) => {
@@ -85,7 +85,7 @@ impl PartsPage {
         // A value is of the size that it was typed for, and of no other one.
         if let Some(typed_at) = self.walking.typed_elsewhere() {
             let [name, asked] = [typed_at, at].map(|at| self.walking.name(at));
-            let refusal = Message::new("walk-page-typed-elsewhere").text("name", name).text("asked", asked);
+            let refusal = message!("walk-page-typed-elsewhere").text("name", name).text("asked", asked);
             self.errors.insert(PartsField::Value, refusal);
             return;
         }
@@ -142,7 +142,7 @@ impl PartsPage {
             serials::is_like(&text, self.walking.serial()) || self.is_measured_already(&part, &text, shared);
         if is_serial {
             self.clear_value();
-            self.errors.insert(PartsField::Value, Message::new("walk-page-is-serial").text("given", text));
+            self.errors.insert(PartsField::Value, message!("walk-page-is-serial").text("given", text));
         }
         is_serial
     }
@@ -167,7 +167,7 @@ impl PartsPage {
         shared: &Shared,
         now: DateTime,
     ) -> Result<(Record, Vec<Message>), Message> {
-        let size = self.walking.asked().ok_or_else(|| Message::new("walk-page-nothing-asked"))?;
+        let size = self.walking.asked().ok_or_else(|| message!("walk-page-nothing-asked"))?;
         judged(&size, measurement, shared, now)
     }
 
@@ -190,9 +190,9 @@ impl PartsPage {
     fn simulated(&self, at: usize, shared: &Shared, now: DateTime) -> Result<Vec<Judged>, Message> {
         // It would not count, and nobody would know that he has to measure again.
         if self.walking.is_measured(at) {
-            return Err(Message::new("walk-page-simulate-measured").text("name", self.walking.name(at)));
+            return Err(message!("walk-page-simulate-measured").text("name", self.walking.name(at)));
         }
-        let size = self.walking.asked().ok_or_else(|| Message::new("walk-page-nothing-asked"))?;
+        let size = self.walking.asked().ok_or_else(|| message!("walk-page-nothing-asked"))?;
         let measured = size.feature.simulated(self.walking.seed + 1)?;
         let first = at.saturating_sub(size.side);
         let steps = self.walking.walk().steps();
@@ -235,7 +235,7 @@ impl PartsPage {
         let checks = checks.collect();
         let sent = shared.recording.keep_named(first, checks);
         if let Some((count, why)) = &sent.refused {
-            shared.tell(Message::new("walk-page-refused").count("count", *count).message("why", why.clone()));
+            shared.tell(message!("walk-page-refused").count("count", *count).message("why", why.clone()));
         }
         let before = self.walking.standing().contradicted;
         for (id, value) in (first.0..).map(fitcheck_exchange::journal::query::RecordId).zip(values) {
@@ -261,7 +261,7 @@ impl PartsPage {
         let part = if part.is_empty() { label.clone() } else { part };
         // What the file calls the part stays findable where that is another name.
         let is_other = !label.is_empty() && !label.trim().eq_ignore_ascii_case(&part);
-        let remark = is_other.then(|| words.say(&Message::new("walk-page-remark-label").text("part", label.trim())));
+        let remark = is_other.then(|| words.say(&message!("walk-page-remark-label").text("part", label.trim())));
         Named {
             part,
             serial: given(of_file.map(|labels| &labels.serial))
@@ -276,7 +276,7 @@ impl PartsPage {
         let Some(at) = self.walking.at() else { return Vec::new() };
         if !self.walking.skip(at, reason) {
             self.walking.is_skipping = true;
-            self.errors.insert(PartsField::Reason, Message::new("walk-page-no-reason"));
+            self.errors.insert(PartsField::Reason, message!("walk-page-no-reason"));
             return Vec::new();
         }
         self.errors.remove(&PartsField::Reason);

@@ -1,6 +1,6 @@
 //! Cells on their way between the table of a plan and a spreadsheet.
 
-use fitcheck_core::message::{Message, shortened};
+use fitcheck_core::message::{Message, message, shortened};
 use fitcheck_core::part::{Column, MOST_FEATURES, Row};
 use fitcheck_core::tolerance::Sources;
 
@@ -77,17 +77,16 @@ impl PartsPage {
             self.sheet.select((row, column), block.0, block.1);
         }
         if 0 < lost_rows {
-            let message = Message::new("parts-page-pasted-rows").count("count", lost_rows);
+            let message = message!("parts-page-pasted-rows").count("count", lost_rows);
             shared.tell(message.count("most", MOST_FEATURES));
         }
         if !twice.is_empty() {
             let keys: Vec<&str> = twice.into_iter().map(Column::key).collect();
-            shared.tell(Message::new("parts-page-pasted-twice").text("keys", keys.join(", ")));
+            shared.tell(message!("parts-page-pasted-twice").text("keys", keys.join(", ")));
         }
         if !unknown.is_empty() {
-            shared.tell(
-                Message::new("parts-page-pasted-unknown").text("names", shortened(&unknown.join(", "), MOST_NAMES)),
-            );
+            shared
+                .tell(message!("parts-page-pasted-unknown").text("names", shortened(&unknown.join(", "), MOST_NAMES)));
         }
         if 0 < lost_columns {
             let id = if is_named { "parts-page-pasted-nameless" } else { "parts-page-pasted-columns" };

@@ -5,7 +5,7 @@ use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::part::{Column, FeatureStanding, HeadField, Plan, PlanFeature, Step as SizeStep, standings};
 use fitcheck_core::verdict::Status;
 use fitcheck_exchange::report::image::{Image, is_plain_name};
@@ -127,11 +127,11 @@ impl PartsPage {
     pub(super) fn ask_for_picture(&mut self) -> Option<PathBuf> {
         let wanted = match self.document.draft().text(HeadField::Picture) {
             None => Ok(None),
-            Some(name) if !is_plain_name(name) => Err(Message::new("parts-page-picture-folder").text("given", name)),
+            Some(name) if !is_plain_name(name) => Err(message!("parts-page-picture-folder").text("given", name)),
             Some(name) => {
                 let folder = self.document.path().map(|path| path.parent().unwrap_or(Path::new("")).to_owned());
                 let folder = folder.or_else(|| self.shown.folder.clone());
-                folder.map(|folder| Some(folder.join(name))).ok_or_else(|| Message::new("parts-page-picture-unsaved"))
+                folder.map(|folder| Some(folder.join(name))).ok_or_else(|| message!("parts-page-picture-unsaved"))
             }
         };
         let (wanted, refused) = match wanted {
@@ -160,7 +160,7 @@ impl PartsPage {
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         match self.document.path() {
             Some(plan) if plan.parent().unwrap_or(Path::new("")) != folder => {
-                Err(Message::new("parts-page-picture-elsewhere").text("given", path.display()))
+                Err(message!("parts-page-picture-elsewhere").text("given", path.display()))
             }
             Some(_) => Ok(name),
             None => {

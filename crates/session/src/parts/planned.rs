@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::part::{Plan, Size};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::chain::Hash;
@@ -80,5 +80,5 @@ fn changed(name: &str, record: &Record) -> Message {
     let measured: Length = record.measurement.diameter;
     let limits = || format!("{} – {}", record.limits.minimum(), record.limits.maximum());
     let asked = record.callout.map_or_else(limits, |callout| callout.to_string());
-    Message::new("walk-page-changed-size").text("name", name).text("asked", asked).text("measured", measured)
+    message!("walk-page-changed-size").text("name", name).text("asked", asked).text("measured", measured)
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::report::Report;
 use fitcheck_exchange::report::image::Image;
@@ -29,8 +29,8 @@ impl PartsPage {
         match self.walk_sight() {
             Some(Sight::Seen(picture)) => Ok(picture.file.clone()),
             Some(Sight::Refused(why)) => Err(why),
-            Some(Sight::Awaited) => Err(Message::new("parts-page-picture-awaited")),
-            None => Err(Message::new("parts-page-picture-none")),
+            Some(Sight::Awaited) => Err(message!("parts-page-picture-awaited")),
+            None => Err(message!("parts-page-picture-none")),
         }
     }
 }

@@ -4,7 +4,7 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::part::Plan;
 use fitcheck_exchange::journal::ask::Question;
 use fitcheck_exchange::journal::entry::{Checked, Entry};
@@ -81,10 +81,10 @@ impl PartsPage {
             return;
         }
         if let Some(saved) = part {
-            shared.tell(Message::new("walk-page-part-waits").text("serial", &saved.serial));
+            shared.tell(message!("walk-page-part-waits").text("serial", &saved.serial));
         }
         if let Some(watched) = folder {
-            shared.tell(Message::new("walk-page-watch-waits").text("path", watched.folder.display()));
+            shared.tell(message!("walk-page-watch-waits").text("path", watched.folder.display()));
         }
     }
 
@@ -121,7 +121,7 @@ impl PartsPage {
         tell_gone(gone, shared);
         self.stay_open();
         if !is_open {
-            return shared.tell(Message::new("walk-page-no-journal").text("serial", &saved.serial));
+            return shared.tell(message!("walk-page-no-journal").text("serial", &saved.serial));
         }
         self.resume.run += 1;
         self.resume.until = shared.recording.newest();
@@ -146,7 +146,7 @@ impl PartsPage {
         }
         let rows = match result {
             Ok(rows) => rows,
-            Err(why) => return shared.tell(Message::new("walk-page-not-read").message("why", why)),
+            Err(why) => return shared.tell(message!("walk-page-not-read").message("why", why)),
         };
         let Some(plan) = self.walking.plan().map(Arc::clone) else { return };
         let (mut count, mut gone, mut changed) = (0, BTreeSet::new(), Vec::new());
@@ -175,13 +175,13 @@ impl PartsPage {
         }
         tell_gone(gone, shared);
         if !changed.is_empty() {
-            let said = Message::new("walk-page-changed");
+            let said = message!("walk-page-changed");
             shared.notices.push(Notice { details: changed, ..Notice::of(said, true) });
         }
         came.sort_by_key(|(place, _)| *place);
         self.walking.put_before(came.into_iter().map(|(_, value)| value).collect());
         self.stay_open();
-        let said = Message::new("walk-page-came-back").text("serial", self.walking.serial()).count("count", count);
+        let said = message!("walk-page-came-back").text("serial", self.walking.serial()).count("count", count);
         shared.note(said, Vec::new());
     }
 }
@@ -236,8 +236,8 @@ fn value(sizes: &Sizes<'_>, number: u64, entry: &Entry, is_before: bool) -> Opti
 /// Sizes that the plan has no more are named once, all together.
 fn tell_gone(gone: BTreeSet<String>, shared: &mut Shared) {
     if !gone.is_empty() {
-        let details = gone.into_iter().map(|name| Message::new("walk-page-gone-name").text("name", name));
-        shared.note(Message::new("walk-page-gone"), details.collect());
+        let details = gone.into_iter().map(|name| message!("walk-page-gone-name").text("name", name));
+        shared.note(message!("walk-page-gone"), details.collect());
     }
 }
 

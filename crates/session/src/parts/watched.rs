@@ -7,7 +7,7 @@ use std::collections::VecDeque;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::part::Plan;
 use fitcheck_core::verdict::Status;
 use fitcheck_exchange::exchange::Item;
@@ -171,11 +171,8 @@ impl PartsPage {
 
     /// Watches a folder from now on.
     pub(super) fn watch(&mut self, folder: PathBuf, is_folder: bool, shared: &mut Shared) {
-        let result = if is_folder {
-            Ok(folder)
-        } else {
-            Err(Message::new("walk-page-no-folder").text("path", folder.display()))
-        };
+        let result =
+            if is_folder { Ok(folder) } else { Err(message!("walk-page-no-folder").text("path", folder.display())) };
         let Some(folder) = shared.file_answered(result) else { return };
         let plan = self.walking.plan().or(self.document.plan()).map(Arc::clone);
         let plan_path = if self.walking.plan().is_some() {
@@ -184,9 +181,9 @@ impl PartsPage {
             // A plan that was changed and not saved cannot be read again.
             self.document.path().filter(|_| !self.document.is_unsaved()).map(Path::to_owned)
         };
-        let Some(plan) = plan else { return shared.tell(Message::new("walk-page-watch-no-plan")) };
+        let Some(plan) = plan else { return shared.tell(message!("walk-page-watch-no-plan")) };
         if shared.recording.has_failed_to_open() {
-            return shared.tell(Message::new("walk-page-watch-no-journal"));
+            return shared.tell(message!("walk-page-watch-no-journal"));
         }
         self.watched.run += 1;
         let run = self.watched.run;
@@ -206,7 +203,7 @@ impl PartsPage {
         }
         if shared.recording.has_failed_to_open() {
             (watched.folder, watched.is_late, watched.is_unwritten) = (None, false, false);
-            return shared.tell(Message::new("walk-page-watch-no-journal"));
+            return shared.tell(message!("walk-page-watch-no-journal"));
         }
         watched.is_unwritten = shared.recording.is_on() && 0 < shared.recording.unwritten();
         if watched.is_unwritten {
@@ -216,7 +213,7 @@ impl PartsPage {
             OwnMask::Awaited(_) => return,
             // What it has printed would be refused, and that for good.
             OwnMask::Unread(path) => {
-                watched.trouble = Some(Message::new("walk-page-watch-no-mask").text("path", path.display()));
+                watched.trouble = Some(message!("walk-page-watch-no-mask").text("path", path.display()));
                 return;
             }
             OwnMask::Settled => watched.trouble = None,
@@ -304,5 +301,5 @@ fn said_of_nobody(values: &[Arriving]) -> Option<Message> {
         value.at.is_none() && !has_serial
     };
     let count = values.iter().filter(is_nobodys).count();
-    (0 < count).then(|| Message::new("walk-page-watch-nobody").count("count", count))
+    (0 < count).then(|| message!("walk-page-watch-nobody").count("count", count))
 }

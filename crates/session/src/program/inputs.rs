@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::cycle::{self, Axis, Meaning};
 use fitcheck_core::probing::cycles::measuring;
 use fitcheck_core::tolerance::{Callout, Feature, Limits, Sources};
@@ -89,7 +89,7 @@ impl Input {
             Some(Ok(cycle::Value::Length(length))) => Ok(Value::Length(length)),
             Some(Ok(cycle::Value::Angle(angle))) => Ok(Value::Number(angle.to_degrees_f64())),
             Some(Err(error)) => Err(error.message()),
-            Some(Ok(_)) | None => Err(Message::new("field-not-whole").text("given", text.trim())),
+            Some(Ok(_)) | None => Err(message!("field-not-whole").text("given", text.trim())),
         }
     }
 }
@@ -255,12 +255,12 @@ impl ProgramPage {
             // Both refuse, each in its own words: that is not a difference.
             return match (run.fault(), run.status()) {
                 (Some(_), _) => Some(Agreement::BothRefuse),
-                (None, Some(_)) => Some(Agreement::Differs(vec![Message::new("program-page-differs-native-refuses")])),
+                (None, Some(_)) => Some(Agreement::Differs(vec![message!("program-page-differs-native-refuses")])),
                 (None, None) => None,
             };
         };
         let Some(status) = run.status() else {
-            return run.fault().map(|_| Agreement::Differs(vec![Message::new("program-page-differs-fault")]));
+            return run.fault().map(|_| Agreement::Differs(vec![message!("program-page-differs-fault")]));
         };
         let mut differences = Vec::new();
         for (id, parameter, own) in [
@@ -275,7 +275,7 @@ impl ProgramPage {
             }
         }
         if let Some((_, verdict)) = self.verdict(sources).filter(|(_, verdict)| verdict.status != status) {
-            let difference = Message::new("program-page-differs-status");
+            let difference = message!("program-page-differs-status");
             differences.push(difference.with("program", &status).with("own", &verdict.status));
         }
         Some(if differences.is_empty() { Agreement::Agrees } else { Agreement::Differs(differences) })

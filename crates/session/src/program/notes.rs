@@ -1,6 +1,6 @@
 //! Notes about the program, block by block: warnings of the reader, remarks of the run, and the error that ended it.
 
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_nc::machine::BlockPlace;
 
 use super::ProgramPage;
@@ -70,9 +70,9 @@ impl ProgramPage {
     fn remark_at(&self, place: &BlockPlace, what: Message) -> Note {
         let line = self.documents.get(&place.program).map(|document| document.first_line(place.block) + 1);
         let message = match (self.block_number(place), line) {
-            (Some(number), _) => Message::new("program-page-at-block").text("number", number),
-            (None, Some(line)) => Message::new("program-page-at-line").text("line", line),
-            (None, None) => Message::new("program-page-at-block").text("number", place.block),
+            (Some(number), _) => message!("program-page-at-block").text("number", number),
+            (None, Some(line)) => message!("program-page-at-line").text("line", line),
+            (None, None) => message!("program-page-at-block").text("number", place.block),
         };
         Note { kind: NoteKind::Remark, place: place.clone(), message: message.message("what", what) }
     }

@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_exchange::journal::chain::Hash;
 use fitcheck_nc::machine::Shipped;
 use fitcheck_nc::program::ProgramWarning;
@@ -27,7 +27,7 @@ impl ProgramPage {
 
     pub(super) fn open_shipped(&mut self, name: &'static str, shared: &mut Shared) {
         let Some(bytes) = Shipped::file(name) else {
-            return shared.tell(Message::new("program-page-not-shipped").text("name", name));
+            return shared.tell(message!("program-page-not-shipped").text("name", name));
         };
         match Document::read(name, bytes) {
             Ok((document, warnings)) => {

@@ -4,7 +4,7 @@ use std::collections::BTreeSet;
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::cycle::{Move, Phase};
 use fitcheck_core::verdict::Status;
 use fitcheck_nc::control::tool_table::ToolTable;
@@ -102,7 +102,7 @@ pub struct Run {
 impl Run {
     pub(super) fn new(machine: Machine) -> Self {
         let before = machine.variables().clone();
-        let reason = Message::new("program-page-state-step");
+        let reason = message!("program-page-state-step");
         Self {
             machine,
             state: State::Paused,
@@ -337,10 +337,10 @@ fn as_move(travel: &Travel) -> Move {
 
 fn reason(pause: &Pause) -> Message {
     match pause {
-        Pause::Stop => Message::new("program-page-state-stop"),
-        Pause::OptionalStop => Message::new("program-page-state-optional-stop"),
-        Pause::Breakpoint => Message::new("program-page-state-breakpoint"),
-        Pause::Tolerance(stop) => Message::new("program-page-state-tolerance").message("stop", stop.message()),
-        Pause::Log => Message::new("program-page-state-log"),
+        Pause::Stop => message!("program-page-state-stop"),
+        Pause::OptionalStop => message!("program-page-state-optional-stop"),
+        Pause::Breakpoint => message!("program-page-state-breakpoint"),
+        Pause::Tolerance(stop) => message!("program-page-state-tolerance").message("stop", stop.message()),
+        Pause::Log => message!("program-page-state-log"),
     }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_nc::machine::{BlockPlace, Machine, Settings, Shipped};
 use jiff::civil::DateTime;
 
@@ -28,12 +28,12 @@ impl ProgramPage {
             return refused.clone();
         }
         match &self.run {
-            None => Message::new("program-page-state-ready"),
+            None => message!("program-page-state-ready"),
             Some(run) => match run.state {
-                State::Running => Message::new("program-page-state-running"),
+                State::Running => message!("program-page-state-running"),
                 State::Paused => run.reason.clone(),
-                State::Ended => Message::new("program-page-state-ended").text("blocks", run.blocks_run()),
-                State::Faulted => Message::new("program-page-state-fault"),
+                State::Ended => message!("program-page-state-ended").text("blocks", run.blocks_run()),
+                State::Faulted => message!("program-page-state-fault"),
             },
         }
     }
@@ -63,9 +63,9 @@ impl ProgramPage {
     /// A machine before the first block, or why there is none.
     fn new_run(&mut self, shared: &Shared, now: DateTime) -> Result<Run, Message> {
         if self.errors.keys().any(|field| matches!(field, ProgramField::Input(_) | ProgramField::Tool(_))) {
-            return Err(Message::new("program-page-refused-inputs"));
+            return Err(message!("program-page-refused-inputs"));
         }
-        let document = self.main().ok_or_else(|| Message::new("program-page-refused-none"))?;
+        let document = self.main().ok_or_else(|| message!("program-page-refused-none"))?;
         let (path, program) = (document.path().to_string(), Arc::clone(document.program()));
         let contacts = self.contacts(shared)?;
         let folders = match &self.origin {

@@ -3,7 +3,7 @@
 use std::collections::BTreeMap;
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_nc::control::variables::{Parameter, Value};
 
 use super::{Input, ProgramField, ProgramPage};
@@ -117,7 +117,7 @@ fn value_of(parameter: Parameter, text: &str) -> Result<Value, Message> {
         return Ok(Value::Text(text.to_owned()));
     }
     let number = text.replace(',', ".").parse::<f64>().ok().filter(|number| number.is_finite());
-    let number = number.ok_or_else(|| Message::new("program-page-no-number").text("given", text))?;
+    let number = number.ok_or_else(|| message!("program-page-no-number").text("given", text))?;
     // Up to six decimals are exact as a length.
     Ok(text.parse::<Length>().map_or(Value::Number(number), Value::Length))
 }
@@ -140,7 +140,7 @@ impl ProgramPage {
         }
         let name = self.text(ProgramField::Name).trim().to_owned();
         let Some(parameter) = parameter(&name) else {
-            let problem = Message::new("program-page-no-parameter").text("given", name);
+            let problem = message!("program-page-no-parameter").text("given", name);
             self.errors.insert(ProgramField::Name, problem);
             return;
         };

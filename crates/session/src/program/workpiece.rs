@@ -2,7 +2,7 @@
 //! contacts.
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::probing::cycle::Plane;
 use fitcheck_core::probing::simulated::{Simulation, Surface, Workpiece};
 use fitcheck_core::tolerance::{Feature, Limits};
@@ -99,7 +99,7 @@ impl ProgramPage {
                     if let Err(problem) = &result {
                         self.errors.insert(field, problem.clone());
                     }
-                    result.map_err(|_told| Message::new("program-page-refused-workpiece"))
+                    result.map_err(|_told| message!("program-page-refused-workpiece"))
                 };
                 let diameter = read(ProgramField::Diameter)?;
                 let centre = [read(ProgramField::WorkpieceX)?, read(ProgramField::WorkpieceY)?];
@@ -108,15 +108,15 @@ impl ProgramPage {
             }
             WorkpieceFrom::Simulated => match shared.workpiece.form.simulation() {
                 Some(bench) => Ok(Contacts::Workpiece((*bench).into())),
-                None => Err(Message::new("program-page-refused-workpiece")),
+                None => Err(message!("program-page-refused-workpiece")),
             },
             WorkpieceFrom::Part => match &shared.workpiece.part {
                 Some(open) => Ok(Contacts::Workpiece(open.part.clone())),
-                None => Err(Message::new("program-page-refused-no-part")),
+                None => Err(message!("program-page-refused-no-part")),
             },
             WorkpieceFrom::Recorded => match &shared.workpiece.recorded {
                 Some(recorded) => Ok(Contacts::of_file(recorded.contacts.clone(), recorded.has_heights)),
-                None => Err(Message::new("program-page-refused-no-contacts")),
+                None => Err(message!("program-page-refused-no-contacts")),
             },
         }
     }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_exchange::exchange::{Labels, part_and_feature};
 use fitcheck_exchange::journal::chain::Hash;
 use fitcheck_exchange::journal::entry::{
@@ -146,7 +146,7 @@ impl Recording {
         };
         let entry = Entry { about, content };
         body::write(&entry).map_err(|error| error.message())?;
-        self.send(vec![entry]).ok_or_else(|| Message::new("records-page-not-recording"))
+        self.send(vec![entry]).ok_or_else(|| message!("records-page-not-recording"))
     }
 
     /// Whoever measures now corrects.

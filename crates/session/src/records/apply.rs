@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::chain::Head;
 use fitcheck_exchange::journal::entry::{Check, Checked};
@@ -114,7 +114,7 @@ impl RecordsPage {
                 }
             }
             Err(problem) => {
-                shared.tell_of_records(Message::new("records-page-not-opened").message("why", problem.clone()));
+                shared.tell_of_records(message!("records-page-not-opened").message("why", problem.clone()));
                 shared.recording.opened(Err(problem));
             }
         }
@@ -127,8 +127,8 @@ impl RecordsPage {
         shared.spread(News::Kept(run, problem.is_none()));
         if shared.recording.kept(run, result) {
             let count = shared.recording.failed();
-            let why = problem.unwrap_or_else(|| Message::new("records-page-not-kept-why"));
-            let told = Message::new("records-page-not-kept").count("count", count).message("why", why);
+            let why = problem.unwrap_or_else(|| message!("records-page-not-kept-why"));
+            let told = message!("records-page-not-kept").count("count", count).message("why", why);
             shared.tell_of_records(told);
         }
         self.correction_kept(run, shared);

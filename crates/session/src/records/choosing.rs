@@ -3,7 +3,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::words::{Language, Words};
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::chain::{ChainId, Head};
@@ -121,7 +121,7 @@ impl RecordsPage {
         if let Some((chain, head)) = journal {
             let numbers: Vec<String> = self.chosen.keys().take(20).map(u64::to_string).collect();
             let more = if numbers.len() < self.chosen.len() { ", …" } else { "" };
-            let said = Message::new("records-page-report-from").text("numbers", numbers.join(", ") + more);
+            let said = message!("records-page-report-from").text("numbers", numbers.join(", ") + more);
             let said = said.text("chain", chain).text("number", head.number).text("hash", head.hash.short());
             report.notes.push(said);
         }
@@ -213,10 +213,10 @@ impl RowTexts {
             },
             Checked::Cycle(cycle) => {
                 let word = cycle.status.map_or_else(|| words.get("word-none"), |status| words.told(&status));
-                let simulated = Message::new("status-simulated").text("status", &word);
+                let simulated = message!("status-simulated").text("status", &word);
                 Self {
                     time,
-                    callout: words.say(&Message::new("records-page-cycle").text("cycle", cycle.cycle)),
+                    callout: words.say(&message!("records-page-cycle").text("cycle", cycle.cycle)),
                     measured: cycle.measured.map(|length| words.mm(length, 3)).unwrap_or_default(),
                     deviation: String::new(),
                     status: if check.is_simulated() { words.say(&simulated) } else { word },

@@ -1,7 +1,7 @@
 //! From the fields to cells and columns. A built-in table is never changed: an edit makes a copy and shows that.
 
 use fitcheck_core::length::{Length, Unit};
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::table::TableShapeError;
 use fitcheck_core::tolerance::table_edit::{MakeError, TableEdit, standard_column, standard_table};
 use fitcheck_core::tolerance::{DeviationTable, Deviations, Feature, ToleranceClass, iso286};
@@ -29,7 +29,7 @@ impl TablesPage {
         }
         let (upper, lower) = (read(TablesField::CellUpper)?, read(TablesField::CellLower)?);
         let plain = |length| plain(length, language);
-        let order = |_| Message::new("tables-order").text("upper", plain(upper)).text("lower", plain(lower));
+        let order = |_| message!("tables-order").text("upper", plain(upper)).text("lower", plain(lower));
         Deviations::new(upper, lower).map(Some).map_err(|error| (TablesField::CellUpper, order(error)))
     }
 
@@ -116,7 +116,7 @@ impl TablesPage {
             // No blank: in a control's table a blank ends the name.
             let copy = document.copy(self.free_title(&format!("{stem}_copy.tab")));
             let Some(number) = self.add(copy) else {
-                shared.tell(Message::new("tables-too-many").count("count", super::MOST_DOCUMENTS));
+                shared.tell(message!("tables-too-many").count("count", super::MOST_DOCUMENTS));
                 return None;
             };
             self.shown = number;
@@ -135,13 +135,13 @@ impl TablesPage {
                 word.parse().map_err(|error: fitcheck_core::tolerance::ClassError| error.message())?;
             if iso286::parts(class).is_none() {
                 let undefined = iso286::deviations(class, Length::MAX, options).err();
-                return Err(undefined.map_or_else(|| Message::new("class-missing"), |undefined| undefined.message()));
+                return Err(undefined.map_or_else(|| message!("class-missing"), |undefined| undefined.message()));
             }
             if !classes.contains(&class) {
                 classes.push(class);
             }
         }
-        if classes.is_empty() { Err(Message::new("class-missing")) } else { Ok(classes) }
+        if classes.is_empty() { Err(message!("class-missing")) } else { Ok(classes) }
     }
 
     fn refuse_table(&mut self, field: TablesField, problem: Message) {

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::DeviationTable;
 use fitcheck_exchange::exchange::tables::TABLE_FORMATS;
 
@@ -36,10 +36,10 @@ impl TablesPage {
     /// The shown table's bytes in a format of the list, for a file.
     pub(crate) fn bytes(&mut self, format: usize, path: &Path, shared: &mut Shared) -> Result<Vec<u8>, Message> {
         if !self.settle_cell(shared) {
-            return Err(Message::new("tables-cell-unreadable"));
+            return Err(message!("tables-cell-unreadable"));
         }
         let (Some(document), Some(format)) = (self.shown(), TABLE_FORMATS.get(format)) else {
-            return Err(Message::new("tables-nothing-to-save"));
+            return Err(message!("tables-nothing-to-save"));
         };
         // The table has the name of its file; a blank would end the name.
         let name = path.file_name().unwrap_or_default().to_string_lossy().replace(char::is_whitespace, "_");
@@ -81,6 +81,6 @@ impl TablesPage {
         let own = std::iter::once(table).chain(others).collect::<Vec<_>>();
         let sources = shared.sources.as_ref().clone().with_own(own);
         shared.use_sources(sources);
-        shared.note(Message::new("tables-used").text("name", title), Vec::new());
+        shared.note(message!("tables-used").text("name", title), Vec::new());
     }
 }

@@ -2,7 +2,7 @@
 
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::tolerance::DeviationTable;
 use fitcheck_nc::control::shipped_tables;
 
@@ -47,7 +47,7 @@ impl TablesPage {
     pub(super) fn add_and_show(&mut self, document: Document, shared: &mut Shared) {
         match self.add(document) {
             Some(number) => self.show_document(number, shared),
-            None => shared.tell(Message::new("tables-too-many").count("count", MOST_DOCUMENTS)),
+            None => shared.tell(message!("tables-too-many").count("count", MOST_DOCUMENTS)),
         }
     }
 
@@ -58,7 +58,7 @@ impl TablesPage {
         shared: &mut Shared,
     ) {
         if let Some((table, details)) = shared.file_answered(result) {
-            shared.note_details(Message::new("tables-read-with-warnings").text("name", name), details);
+            shared.note_details(message!("tables-read-with-warnings").text("name", name), details);
             self.open_table(*table, Origin::File, shared);
         }
     }

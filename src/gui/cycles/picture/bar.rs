@@ -8,7 +8,7 @@ use crate::gui::shapes::screen;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::length::{Length, Unit};
-use crate::message::Message;
+use crate::message::message;
 use crate::probing::cycle::{CycleResult, FoundName, Value};
 use crate::words::Words;
 
@@ -30,7 +30,7 @@ pub(super) fn ui(ui: &mut Ui, view: &View<'_>, result: &CycleResult) {
     let deviation = result.results.iter().find(|found| found.name == FoundName::DEVIATION_ALONG);
     match deviation.map(|found| &found.value) {
         Some(Value::Length(deviation)) => {
-            let said = Message::new("cycle-picture-deviation").mm("deviation", *deviation);
+            let said = message!("cycle-picture-deviation").mm("deviation", *deviation);
             draw(ui, view.words, *deviation, None, &view.words.say(&said));
         }
         _ => _ = quiet(ui, view.text("cycle-picture-no-limits")),

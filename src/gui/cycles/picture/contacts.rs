@@ -11,7 +11,7 @@ use super::criteria::plain;
 use crate::gui::shapes::screen;
 use crate::gui::theme::{self, Palette, palette, sizes, space};
 use crate::gui::view::View;
-use crate::message::Message;
+use crate::message::message;
 use crate::probing::Contact;
 use crate::probing::circle::{Circle, Evaluation};
 use crate::probing::cycle::{CircleFound, CycleResult, FoundName, Value};
@@ -83,13 +83,13 @@ fn nominal(result: &CycleResult) -> Option<f64> {
 }
 
 fn factor_text(words: &Words, factor: f64) -> String {
-    words.say(&Message::new("contacts-factor").text("factor", words.number(&format!("{factor}"))))
+    words.say(&message!("contacts-factor").text("factor", words.number(&format!("{factor}"))))
 }
 
 fn describe(words: &Words, picture: &Picture, factor: &str) -> String {
     let residuals: Vec<_> =
         picture.residuals.iter().zip(1..=MOST_NUMBERS).map(|(um, number)| numbered(words, number, *um)).collect();
-    let message = Message::new("cycle-picture-contacts")
+    let message = message!("cycle-picture-contacts")
         .count("count", picture.contacts.len())
         .text("diameter", words.number(&plain(picture.diameter, 4)))
         .text("factor", factor)
@@ -97,7 +97,7 @@ fn describe(words: &Words, picture: &Picture, factor: &str) -> String {
     let said = words.say(&message);
     match picture.nominal {
         Some(nominal) => {
-            let nominal = Message::new("cycle-picture-nominal").text("diameter", words.number(&plain(nominal, 4)));
+            let nominal = message!("cycle-picture-nominal").text("diameter", words.number(&plain(nominal, 4)));
             format!("{said} {}", words.say(&nominal))
         }
         None => said,

@@ -5,7 +5,7 @@ use eframe::egui::{Align2, FontId, Grid, Response, RichText, Ui, WidgetInfo};
 
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::probing::circle::{Circle, CircleWarning, Evaluation, TwoPoint};
 use crate::words::Words;
 
@@ -180,7 +180,7 @@ fn two_point(words: &Words, sizes: &[TwoPoint]) -> Vec<Row> {
 fn uncertainty(words: &Words, evaluation: &Evaluation) -> String {
     let factors = &evaluation.uncertainty;
     let factor = |value: f64| words.number(&format!("{value:.2}"));
-    let message = Message::new("cycle-picture-uncertainty")
+    let message = message!("cycle-picture-uncertainty")
         .text("diameter", factor(factors.diameter))
         .text("along", factor(factors.centre_along))
         .text("across", factor(factors.centre_across))

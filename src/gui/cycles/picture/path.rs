@@ -10,7 +10,7 @@ use super::criteria::plain;
 use super::scale::{Scale, legend};
 use crate::gui::theme::{palette, space};
 use crate::gui::view::View;
-use crate::message::Message;
+use crate::message::message;
 use crate::probing::cycle::{Move, Phase, Plane};
 use crate::probing::simulated::{PartFeature, Surface};
 use crate::words::Words;
@@ -84,7 +84,7 @@ fn describe_part(words: &Words, features: &[PartFeature]) -> String {
     if MOST < features.len() {
         names.push("…");
     }
-    let message = Message::new("cycle-picture-part").count("count", features.len()).text("names", names.join(", "));
+    let message = message!("cycle-picture-part").count("count", features.len()).text("names", names.join(", "));
     format!(" {}", words.say(&message))
 }
 
@@ -92,13 +92,13 @@ fn describe(words: &Words, moves: &[Move], step: usize) -> String {
     let Some(at) = place(moves, step) else { return words.get("cycle-picture-no-path") };
     let [x, y, z] = at.map(|value| words.number(&plain(value, 3)));
     let contacts = moves.iter().filter(|one| one.phase == Phase::Contact).count();
-    let message = Message::new("cycle-picture-path").text("step", step).text("moves", moves.len());
+    let message = message!("cycle-picture-path").text("step", step).text("moves", moves.len());
     let said = words.say(&message.count("contacts", contacts).text("x", x).text("y", y).text("z", z));
     let Some(now) = step.checked_sub(1).and_then(|last| moves.get(last)) else { return said };
     let phase = words.get(phase_id(now.phase));
     match now.touch {
         Some(touch) => {
-            let now = Message::new("cycle-picture-path-touch").text("phase", phase).text("touch", touch);
+            let now = message!("cycle-picture-path-touch").text("phase", phase).text("touch", touch);
             format!("{said} {}", words.say(&now))
         }
         None => format!("{said} {phase}"),

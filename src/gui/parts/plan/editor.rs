@@ -9,7 +9,7 @@ use crate::gui::dialogs::just_opened;
 use crate::gui::theme::{self, control, sizes};
 use crate::gui::view::View;
 use crate::gui::{field, keypad};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::parts::{PlanCommand, PlanField};
 use crate::session::{PartsCommand, Step};
 
@@ -28,7 +28,7 @@ pub(super) fn editor_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
     let edit = edit.desired_width(rect.width()).min_size(rect.size()).align(eframe::egui::Align2::LEFT_CENTER);
     let response = ui.put(rect, edit);
     let (row, column) = view.session.parts().sheet().at();
-    let name = Message::new("parts-page-editing").text("column", view.text(&column_id(column))).count("row", row + 1);
+    let name = message!("parts-page-editing").text("column", view.text(&column_id(column))).count("row", row + 1);
     let name = view.words.say(&name);
     response.widget_info(|| WidgetInfo::labeled(Role::TextInput, true, &name));
     if response.changed() {

@@ -6,7 +6,7 @@ use eframe::egui::{Button, RichText, ScrollArea, Ui, vec2};
 use super::{column_id, grid, head_id};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, live, problem, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::part::{Finding, Spot};
 use crate::session::parts::PlanCommand;
 use crate::session::{Action, PartsCommand};
@@ -42,7 +42,7 @@ pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
         let text = match count {
             0 if view.session.parts().document().is_blank() => view.text("parts-page-blank"),
             0 => view.text("parts-page-no-fault"),
-            count => view.words.say(&Message::new("parts-page-faults").count("count", count)),
+            count => view.words.say(&message!("parts-page-faults").count("count", count)),
         };
         let colour = if count == 0 { palette(ui.ctx()).text.0 } else { palette(ui.ctx()).error.0 };
         let said = ui.label(RichText::new(&text).font(theme::bold(sizes().body)).color(colour));
@@ -55,7 +55,7 @@ pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
             view.field_button(ui, Action::LeaveOutOfPlan);
         }
         if 0 < document.comments() {
-            let comments = Message::new("parts-page-comments").count("count", document.comments());
+            let comments = message!("parts-page-comments").count("count", document.comments());
             quiet(ui, view.words.say(&comments));
         }
     });
@@ -114,10 +114,10 @@ fn spot(view: &View<'_>, spot: Spot) -> String {
         Spot::Plan => view.text("parts-page-fault-plan"),
         Spot::Head(field) => view.text(&head_id(field)),
         Spot::Feature(row, column) => {
-            let row = Message::new("parts-page-fault-row").count("row", row + 1);
+            let row = message!("parts-page-fault-row").count("row", row + 1);
             match column {
                 Some(column) => {
-                    let of = Message::new("parts-page-fault-of").message("row", row);
+                    let of = message!("parts-page-fault-of").message("row", row);
                     view.words.say(&of.text("column", view.text(&column_id(column))))
                 }
                 None => view.words.say(&row),

@@ -10,7 +10,7 @@ use super::{column_id, editor, paint};
 use crate::gui::shapes::{focus_ring, lines_of, times};
 use crate::gui::theme::{control, palette, space};
 use crate::gui::view::View;
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::part::{Column, PlanFeature};
 use crate::session::PartsCommand;
 use crate::session::parts::{PlanCommand, Sheet};
@@ -242,7 +242,7 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, rect: Rect, (row, column): (usize, Colu
         let cell = cell.text("text", text);
         let named = match finding {
             Some(finding) => {
-                let wrong = Message::new("parts-page-cell-wrong").message("cell", cell);
+                let wrong = message!("parts-page-cell-wrong").message("cell", cell);
                 wrong.message("what", finding.what.message())
             }
             None => cell,

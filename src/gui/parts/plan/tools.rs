@@ -4,7 +4,7 @@ use eframe::egui::Ui;
 
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::{Action, Step};
 
 /// What is done with cells.
@@ -54,6 +54,6 @@ pub(in crate::gui::parts) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         view.checkbox(ui, Action::ShowAllColumns);
         let count = view.session.parts().document().draft().rows.len();
-        quiet(ui, view.words.say(&Message::new("parts-page-features").count("count", count)));
+        quiet(ui, view.words.say(&message!("parts-page-features").count("count", count)));
     });
 }

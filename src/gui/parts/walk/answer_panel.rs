@@ -9,7 +9,7 @@ use crate::gui::columns::is_tiny;
 use crate::gui::theme::{control, sizes, space};
 use crate::gui::verdict_card::{Card, card_height, card_ui, lines_below_ui, remove, status_id, strip_height, strip_ui};
 use crate::gui::view::{Digits, View, doubt_text, heading, problem, quiet, steady};
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::report::RENDERINGS;
 use crate::session::parts::{Headline, Value, Walking};
 use crate::session::{Action, Keeping, Question, Recorded};
@@ -143,7 +143,7 @@ fn size_card(view: &View<'_>, walking: &Walking, at: usize, value: &Value) -> Ca
 fn standing_strip_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
     let words = view.words;
     let simulated = |word: String, is_simulated: bool| {
-        if is_simulated { words.say(&Message::new("parts-page-balloon-simulated").text("status", word)) } else { word }
+        if is_simulated { words.say(&message!("parts-page-balloon-simulated").text("status", word)) } else { word }
     };
     match (walking.headline(), walking.faced_value()) {
         (Headline::Size(_), _) => {
@@ -152,7 +152,7 @@ fn standing_strip_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
                 || words.get("walk-page-strip-open"),
                 |status| {
                     let word = simulated(words.told(&status), is_simulated);
-                    words.say(&Message::new("walk-page-strip-part").text("status", word))
+                    words.say(&message!("walk-page-strip-part").text("status", word))
                 },
             );
             strip_ui(ui, status, is_simulated, &text);
@@ -161,7 +161,7 @@ fn standing_strip_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
             let record = &value.record;
             let (status, is_simulated) = (record.verdict.status(), record.measurement.origin.is_simulated());
             let mm = Digits::of(record).mm(words, record.measurement.diameter, 3);
-            let text = Message::new("walk-page-strip-size").text("name", walking.name(at)).text("value", mm);
+            let text = message!("walk-page-strip-size").text("name", walking.name(at)).text("value", mm);
             strip_ui(
                 ui,
                 Some(status),
@@ -198,7 +198,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         let count = walking.values(at).len();
         if 1 < count && contradicted.is_none() {
-            quiet(ui, view.words.say(&Message::new("walk-page-last-counts").count("count", count)));
+            quiet(ui, view.words.say(&message!("walk-page-last-counts").count("count", count)));
         }
     }
     if walking.is_begun() {
@@ -220,7 +220,7 @@ fn contradicted_ui(ui: &mut Ui, view: &mut View<'_>, name: &str, values: &[&Valu
         format!("{mm} {}", words.told(&record.verdict.status()))
     };
     let values = values.iter().map(said).collect::<Vec<_>>().join(", ");
-    problem(ui, words.say(&Message::new("walk-page-contradicting").text("name", name).text("values", values)));
+    problem(ui, words.say(&message!("walk-page-contradicting").text("name", name).text("values", values)));
     view.field_button(ui, Action::CountNewest);
 }
 
@@ -263,12 +263,12 @@ fn standing_ui(ui: &mut Ui, view: &View<'_>, walking: &Walking) {
     heading(ui, view.text("walk-page-part-status"));
     ui.label(view.words.say(&standing.message()));
     if 0 < standing.simulated {
-        problem(ui, view.words.say(&Message::new("walk-page-simulated").count("count", standing.simulated)));
+        problem(ui, view.words.say(&message!("walk-page-simulated").count("count", standing.simulated)));
     }
     if 0 < standing.missing {
         let named: Vec<&str> = walking.open().take(NAMED).collect();
         let more = if named.len() < standing.missing { " …" } else { "" };
-        let message = Message::new("walk-page-missing").text("names", format!("{}{more}", named.join(", ")));
+        let message = message!("walk-page-missing").text("names", format!("{}{more}", named.join(", ")));
         quiet(ui, view.words.say(&message));
     }
 }

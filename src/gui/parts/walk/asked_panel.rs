@@ -10,7 +10,7 @@ use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::limits::limits_ui;
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet, steady};
-use crate::message::Message;
+use crate::message::message;
 use crate::part::Size;
 use crate::session::parts::PartsField;
 use crate::session::{Action, FilesCommand, Purpose};
@@ -49,7 +49,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
     });
     if walking.is_warned() {
         let missing = walking.standing().missing;
-        problem(ui, view.words.say(&Message::new("walk-page-next-warned").count("count", missing)));
+        problem(ui, view.words.say(&message!("walk-page-next-warned").count("count", missing)));
     }
 }
 
@@ -76,7 +76,7 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
             quiet(ui, view.text("walk-page-no-plan"));
         } else {
             let count = document.faults();
-            problem(ui, view.words.say(&Message::new("walk-page-plan-wrong").count("count", count)));
+            problem(ui, view.words.say(&message!("walk-page-plan-wrong").count("count", count)));
         }
         return recent_ui(ui, view);
     }
@@ -122,16 +122,16 @@ fn part_ui(ui: &mut Ui, view: &View<'_>) {
     let walking = view.session.parts().walking();
     let part = walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
     let message = match (part.is_empty(), walking.serial().is_empty()) {
-        (_, true) => Message::new("walk-page-part-no-serial").text("part", &part),
-        (true, false) => Message::new("walk-page-part-serial").text("serial", walking.serial()),
-        (false, false) => Message::new("walk-page-part").text("part", &part).text("serial", walking.serial()),
+        (_, true) => message!("walk-page-part-no-serial").text("part", &part),
+        (true, false) => message!("walk-page-part-serial").text("serial", walking.serial()),
+        (false, false) => message!("walk-page-part").text("part", &part).text("serial", walking.serial()),
     };
     heading(ui, view.words.say(&message).trim_start());
     if view.session.parts().has_other_plan() {
         quiet(ui, view.text("walk-page-other-plan"));
     }
     if let Some(name) = view.session.parts().other_plan() {
-        quiet(ui, view.words.say(&Message::new("walk-page-by-plan").text("name", name)));
+        quiet(ui, view.words.say(&message!("walk-page-by-plan").text("name", name)));
     }
 }
 
@@ -144,7 +144,7 @@ fn size_ui(ui: &mut Ui, view: &mut View<'_>, asked: &Size<'_>, size: &Size<'_>) 
     match feature.place {
         Some(place) => {
             let [x, y, z] = place.map(|mm| view.words.mm(mm, 0));
-            let message = Message::new("walk-page-place").text("x", x).text("y", y).text("z", z);
+            let message = message!("walk-page-place").text("x", x).text("y", y).text("z", z);
             ui.label(RichText::new(view.words.say(&message)).font(theme::bold(sizes().limits)));
         }
         None => _ = quiet(ui, view.text("walk-page-no-place")),
@@ -179,17 +179,17 @@ fn note_ui(ui: &mut Ui, view: &View<'_>) {
         error_ui(ui, view, PartsField::Value);
         // The verdict stays with its size; the next value is of this one.
         if let Some(next) = walking.asked().filter(|_| walking.faced() != walking.at()) {
-            let said = Message::new("walk-page-next-size").text("name", next.name());
+            let said = message!("walk-page-next-size").text("name", next.name());
             ui.label(view.words.say(&said.text("asked", asked_text(view.words, &next))));
         }
         let Some(at) = walking.at().filter(|_| view.session.error(PartsField::Value).is_none()) else { return };
         let count = walking.values(at).len();
         if 0 < count {
-            quiet(ui, view.words.say(&Message::new("walk-page-measured-before").count("count", count)));
+            quiet(ui, view.words.say(&message!("walk-page-measured-before").count("count", count)));
         }
         let reason = walking.with_row(at, |row| row.step.skipped.clone()).flatten();
         if let Some(reason) = reason {
-            quiet(ui, view.words.say(&Message::new("walk-page-skipped").text("reason", reason)));
+            quiet(ui, view.words.say(&message!("walk-page-skipped").text("reason", reason)));
         }
     });
 }

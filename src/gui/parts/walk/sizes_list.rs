@@ -10,7 +10,7 @@ use crate::gui::shapes::{self, focus_ring, times};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::colours;
 use crate::gui::view::{Digits, View, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::parts::{WalkCommand, WalkRow, Walking};
 use crate::verdict::Status;
 
@@ -108,10 +108,10 @@ fn cells(view: &View<'_>, walking: &Walking, place: usize) -> Option<Cells> {
             remarks.push(words.get("walk-page-row-simulated"));
         }
         if 1 < step.taken.len() {
-            remarks.push(words.say(&Message::new("walk-page-times").count("count", step.taken.len())));
+            remarks.push(words.say(&message!("walk-page-times").count("count", step.taken.len())));
         }
         if let Some(reason) = step.skipped.as_ref().filter(|_| value.is_none()) {
-            remarks.push(words.say(&Message::new("walk-page-skipped").text("reason", reason)));
+            remarks.push(words.say(&message!("walk-page-skipped").text("reason", reason)));
         }
         Cells {
             status: record.map(|record| record.verdict.status()),

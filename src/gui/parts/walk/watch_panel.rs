@@ -5,7 +5,7 @@ use eframe::egui::Ui;
 use crate::gui::theme::space;
 use crate::gui::verdict_card::chip_ui;
 use crate::gui::view::{View, heading, problem, quiet};
-use crate::message::Message;
+use crate::message::message;
 use crate::session::MaskChoice;
 use crate::session::parts::TakenFile;
 
@@ -19,10 +19,10 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &View<'_>) {
     if let Some(folder) = watched.folder() {
         ui.label(folder.display().to_string());
         if let Some(name) = session.parts().watched_plan() {
-            quiet(ui, view.words.say(&Message::new("walk-page-judged-by-plan").text("name", name)));
+            quiet(ui, view.words.say(&message!("walk-page-judged-by-plan").text("name", name)));
         }
         match watched.known() {
-            Some(known) => quiet(ui, view.words.say(&Message::new("walk-page-known").count("count", known))),
+            Some(known) => quiet(ui, view.words.say(&message!("walk-page-known").count("count", known))),
             None => quiet(ui, view.text("walk-page-watch-begins")),
         };
         if session.parts().watches_other_plan() {
@@ -33,7 +33,7 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &View<'_>) {
         }
     }
     if let MaskChoice::Own { name, .. } = session.mask() {
-        quiet(ui, view.words.say(&Message::new("walk-page-mask").text("name", name)));
+        quiet(ui, view.words.say(&message!("walk-page-mask").text("name", name)));
     }
     if let Some(trouble) = watched.trouble() {
         problem(ui, view.words.say(trouble));
@@ -42,11 +42,11 @@ pub(super) fn watch_ui(ui: &mut Ui, view: &View<'_>) {
         quiet(ui, view.text("walk-page-watch-recording"));
     }
     for (name, why) in watched.waiting() {
-        let message = Message::new("walk-page-waiting").text("name", name).message("why", why.clone());
+        let message = message!("walk-page-waiting").text("name", name).message("why", why.clone());
         quiet(ui, view.words.say(&message));
     }
     if 0 < watched.count() {
-        ui.label(view.words.say(&Message::new("walk-page-watch-count").count("count", watched.count())));
+        ui.label(view.words.say(&message!("walk-page-watch-count").count("count", watched.count())));
     }
     for file in watched.files().take(MOST) {
         file_ui(ui, view, file);
