@@ -91,9 +91,9 @@ budget-page-largest = Grootste bijdrage
 budget-page-largest-is = { $name }, { $percent } % van de variantie
 budget-page-help = Wat het meest zou helpen
 budget-page-help-halved = De helft ervan: u = { $u } µm
-budget-page-help-part-temperature = De temperatuur van het onderdeel dubbel zo goed bekend: u = { $u } µm
-budget-page-help-scale-temperature = De temperatuur van de linialen dubbel zo goed bekend: u = { $u } µm
-budget-page-help-expansion = Half zo ver van 20 °C, of de uitzetting dubbel zo goed bekend: u = { $u } µm
+budget-page-help-part-temperature = De onzekerheid van de onderdeeltemperatuur gehalveerd: u = { $u } µm
+budget-page-help-scale-temperature = De onzekerheid van de temperatuur van de linialen gehalveerd: u = { $u } µm
+budget-page-help-expansion = Half zo ver van 20 °C, of de onzekerheid van de uitzetting gehalveerd: u = { $u } µm
 budget-page-help-full-circle = { $count } meetpunten gelijkmatig over de hele cirkel: u = { $u } µm
 budget-page-help-more-touches = { $count } meetpunten gelijkmatig over de hele cirkel: u = { $u } µm
 
@@ -102,11 +102,11 @@ budget-page-use = Voor controles gebruiken
 budget-page-leave = Niet meer gebruiken
 budget-page-uses-none = Controles gebruiken geen budget
 budget-page-uses-this = In gebruik: { $name }
-budget-page-uses-another = In gebruik: { $name } van { $file }, niet zoals het hier staat
+budget-page-uses-another = In gebruik: { $name } uit { $file }, dat afwijkt van wat hier staat
 budget-page-used = Controles gebruiken het budget { $name }
 budget-page-not-kept = Sla het budget op om het ook na een herstart te gebruiken
-budget-page-readings-not-kept = De aflezingen staan niet in het bestand van het budget: na een herstart wordt het niet meer gebruikt
-budget-page-used-unread = { $path }: het budget dat controles gebruikten kan niet worden gelezen, dus gebruiken ze er geen: { $problem }
+budget-page-readings-not-kept = De aflezingen staan niet in het budgetbestand: na een herstart wordt het budget niet meer gebruikt
+budget-page-used-unread = { $path }: het budget dat voor controles in gebruik was, kan niet worden gelezen, dus gebruiken controles geen budget: { $problem }
 
 budget-page-table = Bijdragen
 budget-page-column-name = Naam
@@ -127,8 +127,8 @@ budget-page-percent = { $percent } %
 budget-page-um = { $um } µm
 budget-page-edition-2011 = U, 2011, gecorrigeerd
 budget-page-edition-2004 = U, 2004, niet gecorrigeerd
-budget-page-nothing-seen = De tabel en de aandelen verschijnen met een budget dat berekend kan worden
-budget-page-placeholders = Controles kunnen dit budget nog niet gebruiken. Uit het sjabloon staan er nog: { $what }. Vul uw eigen gegevens in
+budget-page-nothing-seen = De tabel en de aandelen verschijnen zodra het budget berekend kan worden
+budget-page-placeholders = Controles kunnen dit budget nog niet gebruiken. Er staan nog gegevens van het sjabloon in: { $what }. Vervang ze door eigen gegevens
 budget-page-placeholder-name = de naam
 budget-page-placeholder-by = de maker
 budget-page-placeholder-figures = alle getallen

@@ -31,23 +31,23 @@ cli-what-option = --{ $name }
 cli-what-set = --set { $name }={ $value }
 
 # Fouten
-cli-batch-simulated = { $name } is gesimuleerd, zoals de eerste regels zeggen, en alleen CSV kan dat zeggen: schrijf CSV
-cli-dash = - is de standaarduitvoer, waar dit niet heen kan: geef een naam, of ./- voor iets dat - heet
+cli-batch-simulated = de eerste regels van { $name } zeggen dat het bestand gesimuleerd is, en alleen CSV kan die overnemen: schrijf CSV
+cli-dash = - is de standaarduitvoer, en dat kan hier niet: geef een naam, of ./- voor een bestand of map met de naam -
 cli-not-above-zero = { $diameter } mm is niet groter dan 0
-cli-ratio-of-one-limit = regel asme-simple vergelijkt de onzekerheid met de tolerantie: verwacht worden --lower en --upper
-cli-already-corrected = --temperature: de waarden gelden al bij 20 °C, zoals hun bestand zegt
+cli-ratio-of-one-limit = regel asme-simple vergelijkt de onzekerheid met de tolerantie: --lower en --upper verwacht
+cli-already-corrected = --temperature: volgens het bestand gelden de waarden al bij 20 °C
 cli-not-a-multiple = { $given }: een getal boven 0 met hoogstens drie decimalen verwacht
 cli-no-limits = geef --lower, --upper of beide, met de ondergrens onder de bovengrens
 cli-risk-without-uncertainty = voor de risico's van een proces is --u of --expanded nodig
 cli-risk-without-process = voor --consumer-risk zijn --process-mean en --process-sd nodig, of --gamma
 cli-not-a-risk = risico { $given }: een kans tussen 0 en 1 verwacht, zoals 0.001
 cli-not-a-gamma = gammaverdeling { $given }: vorm en schaal in µm verwacht, zoals 4,0.25
-cli-no-zone-for-risk = geen aanvaarde waarden hebben dit risico voor de afnemer
+cli-no-zone-for-risk = bij geen enkel gebied van aanvaarde waarden hoort dit risico voor de afnemer
 cli-line-too-long = de regel is langer dan { $limit } bytes
 cli-not-a-table = { $name } is geen tabel met afwijkingen
 cli-add-feature = { $error }: geef --feature hole of --feature shaft op
-cli-add-wide-zone = { $asked }: { $error }; geef --wide-zone op waar dit tolerantieveld zo bedoeld is
-cli-add-far-temperature = { $what }: { $error }; geef --far-temperature op waar die zo bedoeld is
+cli-add-wide-zone = { $asked }: { $error }; geef --wide-zone op als dit tolerantieveld zo bedoeld is
+cli-add-far-temperature = { $what }: { $error }; geef --far-temperature op als deze temperatuur zo bedoeld is
 cli-rework-or-scrap = { $asked }: { $measured } mm ligt buiten { $minimum } tot { $maximum } mm; of dat nabewerking of afkeur is, hangt af van boring of as: geef --feature hole of --feature shaft op
 cli-parts-of-several = gemeten onderdelen horen bij één passing: geef één passing op
 cli-search-with-parts = bij het zoeken kunnen geen gemeten onderdelen, materialen of temperaturen worden opgegeven
@@ -76,15 +76,15 @@ cli-watched-already = een ander programma bewaakt { $path } al voor dit logboek
 cli-no-program = { $error }; de ingebouwde programma's zijn { $names }
 cli-option-beside-plan = --{ $option } is voor één losse passing: een plan heeft daar een kolom voor
 cli-option-missing = --{ $option } ontbreekt: voor een losse passing zijn --x, --y en --z nodig
-cli-batch-ending = { $path }: de antwoorden worden geschreven als .{ $endings }, ingepakt waar .gz of .zst volgt
+cli-batch-ending = { $path }: de uitvoer moet eindigen op .{ $endings }, met .gz of .zst erachter om te comprimeren
 cli-batch-onto-itself = { $path } is een van de invoerbestanden: schrijf de antwoorden naar een ander bestand
 cli-batch-columns = { $name } heeft andere kolommen dan het eerste bestand, dat { $columns } heeft
-cli-batch-separator = { $name } scheidt zijn cellen met een ander teken dan het eerste bestand: schrijf .jsonl, of beoordeel het apart
-cli-batch-types = kolom { $column } van { $name } heeft een ander type dan in het eerste bestand: schrijf .csv, of beoordeel het apart
-cli-batch-packed = { $path }: Parquet is van binnen al ingepakt: laat .gz of .zst weg
-cli-batch-twice = { $name } heeft twee kolommen { $column }: schrijf .csv, dat beide kan hebben
+cli-batch-separator = { $name } heeft een ander scheidingsteken dan het eerste bestand: schrijf .jsonl, of beoordeel dit bestand apart
+cli-batch-types = kolom { $column } van { $name } heeft een ander type dan in het eerste bestand: schrijf .csv, of beoordeel dit bestand apart
+cli-batch-packed = { $path }: Parquet is al gecomprimeerd: laat .gz of .zst weg
+cli-batch-twice = { $name } heeft twee kolommen met de naam { $column }: schrijf .csv, waarin dat mag
 cli-batch-input = { $name }: { $error }
-cli-batch-name = { $name } heeft al een kolom { $column }: --prefix zet een woord voor de namen van de toegevoegde kolommen
+cli-batch-name = { $name } heeft al een kolom { $column }: zet met --prefix een woord voor de namen van de toegevoegde kolommen
 cli-use-force = { $error }; --force overschrijft
 
 # Een --check van een rapport
@@ -96,44 +96,44 @@ cli-check-not-positive = gemeten waarde { $measured } mm is niet groter dan 0
 cli-remark-wrote = { $path } geschreven
 cli-remark-wrote-files = { $path } geschreven ({ $count } bestanden)
 cli-remark-simulated = gesimuleerd: er is niets gemeten
-cli-remark-perfect-workpiece = gesimuleerd: elke cyclus heeft een volmaakt werkstuk op nominale maat gemeten; --workpiece FILE.toml geeft een ander
+cli-remark-perfect-workpiece = gesimuleerd: elke cyclus heeft een perfect werkstuk op nominale maat gemeten; geef met --workpiece FILE.toml een ander op
 cli-remark-corrected = gemeten { $measured } mm bij { $temperature } °C: { $change } µm, dus { $at-reference } mm bij 20 °C ({ $material ->
     [none] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
 })
-cli-remark-corrected-all = elke gemeten waarde wordt van { $temperature } °C naar 20 °C gebracht ({ $material ->
+cli-remark-corrected-all = elke gemeten waarde wordt van { $temperature } °C naar 20 °C gecorrigeerd ({ $material ->
     [none] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
 })
 cli-remark-scales = meetlinialen bij { $temperature } °C, { $expansion } · 10⁻⁶/K
-cli-remark-linear-correction = de lineaire correctie ligt { $off } µm van de exacte
+cli-remark-linear-correction = de lineaire correctie verschilt { $off } µm van de exacte
 cli-remark-rule = regel: { $rule }
 cli-remark-rule-by-budget = regel: { $rule }
 cli-remark-budget = onzekerheid volgens het budget { $name }, gemaakt op { $date }, geldig tot en met { $until }
-cli-remark-budget-contacts = spreiding van { $touches } tastpunten{ $step }, geometriefactor { $factor }
+cli-remark-budget-contacts = spreiding van { $touches } meetpunten{ $step }, geometriefactor { $factor }
 cli-remark-accepted = aanvaard: { $least } tot { $most } mm
 cli-remark-nothing-accepted = geen waarde wordt aanvaard: de regel laat niets van deze tolerantie over
 cli-remark-proven = bewezen volgens deze regel
 cli-remark-not-proven = niet bewezen volgens deze regel
-cli-remark-conformity = voldoet met { $percent } % kans
+cli-remark-conformity = voldoet met een kans van { $percent } %
 cli-remark-remove = { $limit } mm verspanen tot de dichtstbijzijnde grensmaat, { $middle } mm tot het midden van het tolerantieveld
 cli-remark-refused = { $refused } van { $asked } passingen geweigerd
 cli-remark-no-pair = geen enkele passing voldoet; de dichtstbijzijnde is { $nearest }
 cli-remark-trace-ends = de lijst van uitgevoerde NC-regels eindigt hier, na { $blocks } regels
 cli-remark-batch-utf16 = { $name } is UTF-16 en wordt als UTF-8 geschreven
-cli-remark-batch-floats = { $name } heeft binaire breuken in { $columns }: elk wordt beoordeeld als het kortste decimale getal dat ervoor staat
+cli-remark-batch-floats = { $name } heeft zwevendekommagetallen in { $columns }: elk wordt beoordeeld als het kortste decimale getal dat het weergeeft
 cli-remark-tools-not-written = de gereedschapstabel is niet geschreven: --tools-out BESTAND.t schrijft hem met deze wijzigingen
 cli-remark-clearance-height = de veilige hoogte is { $height } mm: wijzig die met --clearance-height
-cli-remark-more-entries = hier staan er maar { $limit }: --limit N toont er meer
+cli-remark-more-entries = er staan maar { $limit } vermeldingen in de lijst: met --limit N staan er meer in
 cli-remark-backed-up = gekopieerd tot en met vermelding { $number } naar { $path } (hash { $hash })
-cli-remark-no-head-known = van dit logboek is elders geen vermelding bekend: dat de nieuwste vermeldingen zijn afgesneden, zou niet worden gevonden
+cli-remark-no-head-known = van dit logboek is elders geen vermelding bekend: het ontbreken van de nieuwste vermeldingen zou niet worden gevonden
 
 # Waarschuwingen
-cli-warning-stopped-unrecorded = van deze aanroep is niets vastgelegd: de rijen worden samen vastgelegd, zodra ze alle gelezen zijn
+cli-warning-stopped-unrecorded = er is niets vastgelegd: de rijen worden samen vastgelegd, zodra ze alle gelezen zijn
 cli-warning-column-not-used = kolom { $column } is overgeslagen
 cli-warning-expansion-unconfirmed = de uitzetting van { $expansion } · 10⁻⁶/K is een gangbare waarde die hier door geen document is bevestigd
 cli-warning-file-twice = dit bestand is tweemaal genoemd: de rijen tellen dubbel
-cli-warning-position-unused = --position heeft geen effect: cyclus { $code } begint niet waar de kogel is
+cli-warning-position-unused = --position heeft geen effect: cyclus { $code } begint niet op de plaats van de kogel
 cli-warning-predef-unused = --predef heeft geen effect op { $name }: die staat niet op PREDEF
 cli-warning-log-option = --{ $option } heeft geen effect: er wordt geen meetprotocol geschreven of getoond
 cli-warning-more-figures = nog { $count } zulke waarden zijn niet vermeld
@@ -148,7 +148,7 @@ cli-warning-notes-not-in-csv = { $count ->
 }
 cli-warning-no-tool-monitored = de gereedschapstabel wordt niet gebruikt: Q330 noemt geen gereedschap
 cli-warning-log-unknown = er wordt geen meetprotocol geschreven: dat van cyclus { $code } is niet bekend
-cli-warning-limits-alone = hier beslissen alleen de grensmaten: de beslisregel en de temperatuur gelden voor diameters
+cli-warning-limits-alone = hier beslissen alleen de grensmaten: de beslisregel en de temperatuur gelden alleen voor diameters
 cli-warning-log-off = er wordt geen meetprotocol geschreven: Q281 = 0
 cli-warning-log-none = er wordt geen meetprotocol geschreven: de cyclus heeft er geen
 cli-warning-log-on-screen = er wordt geen meetprotocol geschreven: Q281 = 2 toont het op het scherm
@@ -201,44 +201,47 @@ cli-recorded-without = { $rows ->
    *[other] { $rows } rijen zijn niet vastgelegd
 }: { $places }
 cli-not-recorded = er is niets vastgelegd: { $error }
-cli-journal-is-server = hiervoor is het logboek van een station nodig, een bestand: een server krijgt wat stations hebben vastgelegd
-cli-no-shop = dit programma is gebouwd zonder de server van een werkplaats: noem een bestand als logboek
-cli-recorded-not-sent = nog niet naar de server gestuurd: { $error }; wat hier is vastgelegd blijft, en fitcheck journal send stuurt het
+cli-journal-is-server = hiervoor is het logboekbestand van een station nodig: een server ontvangt alleen wat stations hebben vastgelegd
+cli-no-shop = dit programma is gebouwd zonder ondersteuning voor een server van een werkplaats: noem een bestand als logboek
+cli-recorded-not-sent = nog niet naar de server verzonden: { $error }; wat is vastgelegd blijft hier bewaard, en fitcheck journal send verzendt het
 cli-no-journal-folder = dit systeem heeft geen map voor eigen gegevens: noem een logboek met --journal FILE
 cli-no-entry = in { $path } is geen vermelding { $number }: de laatste is { $last }
 cli-no-check = vermelding { $number } is geen controle
 cli-already-corrected-by = vermelding { $number } is al gecorrigeerd of ingetrokken door vermelding { $by }: corrigeer die, tenzij het een intrekking is
 cli-not-typed = de waarde van vermelding { $number } is niet getypt: meet opnieuw, of trek de controle in
-cli-nothing-corrected = een correctie verandert iets: geef --measured, --who, --part, --serial, --feature-name, --remark of --withdraw
+cli-nothing-corrected = een correctie moet iets veranderen: geef --measured, --who, --part, --serial, --feature-name, --remark of --withdraw
 cli-remark-sent = { $entries ->
     [0] er was niets te sturen
     [one] 1 vermelding is gestuurd
    *[other] { $entries } vermeldingen zijn gestuurd
 } naar { $server }, die dit logboek heeft tot en met vermelding { $number }
-cli-remark-nothing-found = er is geen controle gevonden met { $question }
+cli-remark-nothing-found = geen controle voldoet aan { $question }
 cli-remark-unread = { $entries ->
     [one] 1 vermelding is
    *[other] { $entries } vermeldingen zijn
-} overgeslagen: deze versie kan dat niet lezen
-cli-head-without-chain = een server heeft verschillende ketens: --head CHAIN:NUMBER:HASH
-cli-head-of-other = dit logboek is de keten { $chain }, en --head noemt { $other }
+} overgeslagen: deze versie kan { $entries ->
+    [one] die
+   *[other] ze
+} niet lezen
+cli-head-without-chain = een server heeft meerdere ketens: geef --head CHAIN:NUMBER:HASH
+cli-head-of-other = dit logboek is de keten { $chain }, maar --head noemt { $other }
 cli-remark-plan-has = { $count ->
-    [one] { $count } kenmerk
-   *[other] { $count } kenmerken
+    [one] { $count } element
+   *[other] { $count } elementen
 }
-cli-remark-plan-example = geen maat opgegeven: het plan heeft één kenmerk als voorbeeld
-cli-remark-plan-head-left = CSV heeft alleen de kenmerken: { $keys } van het onderdeel blijft weg
+cli-remark-plan-example = geen passing opgegeven: het plan heeft één element als voorbeeld
+cli-remark-plan-head-left = CSV heeft alleen de elementen: { $keys } van het onderdeel blijft weg
 cli-warning-neither-stands = vermelding { $number } corrigeerde vermelding { $target }: nu telt geen van beide. Klopt een van de waarden, leg die dan opnieuw vast
 cli-warning-plan-missing = niet gemeten: { $names }
 cli-warning-plan-missing-of = { $who }: niet gemeten: { $names }
 cli-warning-contradiction = { $name } heeft waarden die elkaar tegenspreken: { $values }
 cli-warning-contradiction-of = { $who }: { $name } heeft waarden die elkaar tegenspreken: { $values }
-cli-warning-worst-counts = van waarden die elkaar tegenspreken telt de slechtste tot u kiest: --repeats last of --repeats worst. Serienummers houden onderdelen uit elkaar, en een tijd bij elke waarde zegt welke de laatste is
-cli-warning-plan-more-parts = meer dan { $most } onderdelen: van de andere wordt niet gezegd wat ontbreekt
+cli-warning-worst-counts = van waarden die elkaar tegenspreken telt de slechtste tot er gekozen is: --repeats last of --repeats worst. Serienummers houden onderdelen uit elkaar, en een tijd bij elke waarde laat zien welke de laatste is
+cli-warning-plan-more-parts = meer dan { $most } onderdelen: ontbrekende elementen van de andere worden niet gemeld
 cli-warning-plan-no-value = ontbreekt: er is geen waarde voor gevonden
 cli-warning-plan-no-value-of = dit ontbreekt bij { $who }: er is geen waarde voor gevonden
-cli-remark-watching = { $folder } wordt in het oog gehouden; eerder genomen bestanden: { $known }
-cli-warning-see-note = niet alles was bruikbaar: het bestand ernaast dat op { $note } eindigt zegt waarom
+cli-remark-watching = { $folder } wordt bewaakt; eerder geïmporteerde bestanden: { $known }
+cli-warning-see-note = niet alles was bruikbaar: het bestand ernaast dat eindigt op { $note } geeft de redenen
 cli-not-seconds = { $given } is geen tijd in seconden
 cli-warning-same-content = dezelfde inhoud is eerder overgenomen als { $known }: er wordt niets opnieuw vastgelegd
 cli-warning-not-alone = het is niet bekend of een ander programma deze map voor hetzelfde logboek bewaakt: { $reason }

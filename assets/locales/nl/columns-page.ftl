@@ -1,11 +1,11 @@
 # De kolommen van een bestand met metingen: bekeken, verbeterd en onthouden.
 
 columns-page-import = Kolommen…
-columns-page-hint = Toont waarvoor elke kolom van een bestand wordt gehouden voordat de waarden worden ingelezen
+columns-page-hint = Toont hoe elke kolom van een bestand wordt gelezen, voordat de waarden worden geïmporteerd
 columns-page-take = Overnemen
 columns-page-correct = Kolommen…
 columns-page-forget = Deze kolommen vergeten
-columns-page-dialog = Inlezen met kolommen
+columns-page-dialog = Importeren en kolommen kiezen
 columns-page-title = Kolommen van { $name }
 columns-page-wanted = Kies wat elke kolom bevat. Bestanden met dezelfde opbouw worden op dezelfde manier gelezen.
 columns-page-uncertain = Het is niet zeker wat elke kolom bevat: controleer het en neem het over. Bestanden met dezelfde opbouw worden op dezelfde manier gelezen.
@@ -56,10 +56,10 @@ columns-page-read = { $rows ->
 columns-page-first-problem = Eerste probleem: { $why }
 columns-page-no-measured = Geen kolom bevat de gemeten waarde: kies die
 columns-page-no-callout = Geen kolom bevat de passing, dus geen waarde kan worden beoordeeld: kies die
-columns-page-no-name = Geen kolom zegt van welk kenmerk een waarde is: kies naam, nummer, of X en Y
+columns-page-no-name = Geen kolom zegt van welk element een waarde is: kies naam, nummer, of X en Y
 columns-page-taken = Kolommen: { $columns }; eenheid van maten: { $unit }
 columns-page-taken-one = { $column } → { $role }
-columns-page-remembered = Kolommen zoals verbeterd op { $day } en onthouden
+columns-page-remembered = Kolommen gelezen zoals gecorrigeerd op { $day }
 columns-page-forgotten = De kolommen zijn vergeten: het volgende bestand met deze opbouw wordt gelezen alsof het het eerste was. De waarden van dit bestand blijven.
 columns-page-none = { $name } is geen tabel met kolommen
-columns-page-large = { $name } is te groot om met verbeterde kolommen in het venster te lezen: gebruik fitcheck import --columns
+columns-page-large = { $name } is te groot om met gecorrigeerde kolommen in het venster te lezen: gebruik fitcheck import --columns

@@ -59,7 +59,7 @@ table-unclosed-quote = een aanhalingsteken is niet gesloten
 table-unclosed-block = het blok { $block } van regel { $line } is niet gesloten
 table-second-block = de kolommen worden een tweede keer beschreven
 table-unexpected = { $expected } verwacht, { $found } gevonden
-table-not-a-size = { $key } is een geheel getal tot en met { $limit }, niet { $text }
+table-not-a-size = { $key } moet een geheel getal tot en met { $limit } zijn, niet { $text }
 table-no-columns = de regel met de namen van de kolommen ontbreekt
 table-tab = tabteken: scheid kolommen alleen met spaties
 table-column-twice = kolom { $name } komt twee keer voor
@@ -98,9 +98,9 @@ deviations-half = kolom { $class } heeft maar één van de twee afwijkingen voor
 deviations-touches = kolom { $column } en de kolom ernaast lopen in elkaar over: zet er een spatie tussen
 deviations-no-deviations = overgeslagen, geen tabel met afwijkingen (geen kolom BEREICH): { $file }
 deviations-range-alias = BEREIK is gelezen als BEREICH
-deviations-other-column = kolom { $name } kan met deze naam geen tolerantieklasse zijn en is overgeslagen: een tabel die uit deze wordt geschreven heeft haar niet
-deviations-no-numbers = kolom { $name } bevat teksten en geen afwijkingen en is overgeslagen: een tabel die uit deze wordt geschreven heeft haar niet
-deviations-mixed-case = kolom { $name } heeft hoofdletters en kleine letters door elkaar, is dus geen tolerantieklasse en is overgeslagen: een tabel die uit deze wordt geschreven heeft haar niet
+deviations-other-column = kolom { $name } is overgeslagen, omdat een tolerantieklasse niet zo kan heten: in een tabel die uit deze wordt geschreven ontbreekt zij
+deviations-no-numbers = kolom { $name } is overgeslagen, omdat zij teksten en geen afwijkingen bevat: in een tabel die uit deze wordt geschreven ontbreekt zij
+deviations-mixed-case = kolom { $name } is overgeslagen, omdat een tolerantieklasse hoofdletters en kleine letters niet mengt: in een tabel die uit deze wordt geschreven ontbreekt zij
 
 ## Parameters
 no-parameter = { $given } is geen parameter: toegestaan zijn Q, QL, QR en QS met een nummer
@@ -160,7 +160,7 @@ cycle-log-other-verdict = de waarden in het meetprotocol, afgerond op 0,0001 { $
 
 ## The block of a probing cycle
 block-none = geen tastcyclus: een NC-regel begint met TCH PROBE en een nummer, of met G785
-block-inches = de NC-regel is van een programma in inch en zou in mm worden gelezen: voer het programma uit
+block-inches = de NC-regel hoort bij een programma in inch, maar zou in mm worden gelezen: voer het programma uit
 block-second = tweede tastcyclus: geef er één tegelijk op; de eerste begint op regel { $first }
 block-unknown-cycle = TCH PROBE { $given }: de cycli zijn { $known }
 block-not-a-parameter = { $given } is geen parameter: schrijf een parameter zoals { $example }

@@ -1,4 +1,4 @@
-# De cycluspagina: het formulier van een meetcyclus, het werkstuk, de weg en de resultaten.
+# De cycluspagina: het formulier van een meetcyclus, het werkstuk, de baan en de resultaten.
 
 page-cycles = Cycli
 
@@ -33,13 +33,13 @@ cycles-block = NC-regel
 cycles-block-hint = Plak een NC-regel zoals TCH PROBE 427 … Q263=+35 ;TEKST ~ of G785 R0 BR0 K2: die vervangt het formulier
 cycles-fill = Formulier invullen
 
-cycles-nothing-seen = Weg en meetpunten verschijnen na een meting: druk op Enter of F5
+cycles-nothing-seen = Baan en meetpunten verschijnen na een meting: druk op Enter of F5
 cycles-allowed = Toegestaan: { $range } { $unit }
 cycles-must-be-given = Verplicht
 cycles-may-be-left-out = Optioneel
 cycles-default = { $value } als het veld leeg blijft
 cycles-may-be-predef = PREDEF is toegestaan
-cycles-path = Weg van de kogel
+cycles-path = Baan van de kogel
 cycles-first = Eerste
 cycles-back = Terug
 cycles-next = Volgende
@@ -192,8 +192,8 @@ tools-more = { $count ->
 tools-row = { $tool }: L { $length }, R { $radius }, DL { $delta-length }, DR { $delta-radius }, LBREAK { $length-breakage }, RBREAK { $radius-breakage } mm
 tools-row-locked = { $tool }: L { $length }, R { $radius }, DL { $delta-length }, DR { $delta-radius }, LBREAK { $length-breakage }, RBREAK { $radius-breakage } mm, geblokkeerd
 tools-without-name = { $count ->
-    [one] één gereedschap staat niet in de lijst: zijn naam vindt het niet
-   *[other] { $count } gereedschappen staan niet in de lijst: hun namen vinden ze niet
+    [one] één gereedschap staat niet in de lijst: de naam wijst het niet eenduidig aan
+   *[other] { $count } gereedschappen staan niet in de lijst: hun namen wijzen ze niet eenduidig aan
   }
 tools-not-in-table = Q330 = { $tool }: de gereedschapstabel heeft dit gereedschap niet
 tools-not-monitored = Zonder gereedschapstabel wordt geen gereedschap bewaakt (Q330)

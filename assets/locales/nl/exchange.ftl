@@ -3,25 +3,25 @@
 # Metingen uit bestanden
 exchange-format-logs = HEIDENHAIN-meetprotocollen zoals TCHPR421.TXT
 exchange-format-log-444 = meetprotocollen van het tasten in 3D, geschreven door Fitcheck
-exchange-format-fn16 = wat een besturing met FN 16 heeft geschreven, gelezen door zijn masker (--mask)
+exchange-format-fn16 = FN 16-uitvoer van een besturing, gelezen via het masker (--mask)
 exchange-format-contacts = meetpunten van één cirkel: x, y en eventueel z
 exchange-format-measurements = metingen als CSV: naam, passing, gemeten
 exchange-empty = het bestand is leeg
 exchange-not-recognised = geen bestand van een bekend formaat
 exchange-no-sheet = de werkmap heeft geen blad { $given }; wel { $sheets }
 exchange-other-format = dit zijn { $format }, geen metingen als CSV
-exchange-parquet-unknown = dit programma is gebouwd zonder Parquet: cargo build --release zonder verdere opties heeft het
-exchange-parquet-stream = Parquet heeft zijn kolommen aan het eind en kan niet uit een pipe worden gelezen: geef het bestand bij zijn naam
+exchange-parquet-unknown = dit programma is gebouwd zonder Parquet: cargo build --release zonder verdere opties bouwt het in
+exchange-parquet-stream = Parquet beschrijft zijn kolommen aan het einde van het bestand en kan niet uit een pipe worden gelezen: geef de naam van het bestand
 exchange-parquet = dit Parquet-bestand kan niet worden gelezen: { $reason }
 exchange-parquet-nested = kolom { $column } bevat kolommen of lijsten: alleen kolommen met enkele waarden kunnen worden beoordeeld
 exchange-mask-backwards = { $mask }: { $reason }
 exchange-mask-none = geen van de gegeven maskers drukt zo'n bestand af: { $masks }
 exchange-mask-several = meerdere maskers drukken zo'n bestand af, geef alleen het masker dat het heeft geschreven: { $masks }
-exchange-mask-no-measured = { $mask } drukt geen meetwaarde af: Q153 tot Q156 en Q160 zijn bekend, elk ander getal als zijn passing ernaast wordt afgedrukt
+exchange-mask-no-measured = { $mask } drukt geen meetwaarde af: Fitcheck herkent Q153 tot Q156, Q160 en elk ander getal waarvan de passing ernaast wordt afgedrukt
 exchange-mask-measured = { $mask }: elk van deze getallen kan de meetwaarde zijn: { $fields }; druk het resultaat van de cyclus af, zoals Q153; anders heeft het bestand passingen met verschillende grenzen nodig
 exchange-print-ambiguous = dit kan door het masker op meerdere manieren worden gelezen
-exchange-print-broken = het record eindigt te vroeg: verwacht wordt wat regel { $line } van het masker afdrukt
-exchange-print-unit = regel { $line } noemt { $unit }, maar afdrukken van een besturing worden in mm gelezen: druk de waarden in mm af
+exchange-print-broken = het record eindigt te vroeg: de uitvoer van regel { $line } van het masker verwacht
+exchange-print-unit = regel { $line } noemt { $unit }, maar uitvoer van een besturing wordt in mm gelezen: druk de waarden in mm af
 exchange-no-rows = geen enkele rij bevat een meting
 exchange-no-measured-column = geen kolom met gemeten waarden: benoem die in de eerste regel, bijvoorbeeld id;passing;gemeten
 exchange-several-columns = kolommen { $columns } kunnen elk { $role } zijn: kies er een met import --columns, bijvoorbeeld { $word }=3, of benoem de kolommen in de eerste regel zo dat er maar één past, bijvoorbeeld id;passing;gemeten
@@ -39,12 +39,12 @@ exchange-role-x = X
 exchange-role-y = Y
 exchange-role-z = Z
 exchange-role-quantity = wat gemeten is
-exchange-no-column = { $role } zou in kolom { $given } staan, en het bestand heeft { $columns }
+exchange-no-column = { $role } zou in kolom { $given } moeten staan, maar het bestand heeft { $columns }
 exchange-column-twice = kolom { $column } kan niet tegelijk { $first } en { $second } zijn
 exchange-unit = onbekende eenheid { $unit }: gebruik mm, µm of inch
-exchange-unit-stated = regel { $line } noemt de eenheid { $unit }, die niet wordt gelezen (“{ $text }”): gebruik mm, µm of inch, of kies de eenheid van de maten (--columns unit=mm)
-exchange-unit-mentioned = regel { $line } noemt { $unit } (“{ $text }”), maar niets zegt of de waarden daarin staan: kies de eenheid van de maten (--columns unit=mm, um of inch)
-exchange-units-differ = “{ $at }” zegt { $unit }, “{ $other-at }” zegt { $other }: verbeter een van beide
+exchange-unit-stated = regel { $line } noemt de eenheid { $unit }, die niet wordt ondersteund (“{ $text }”): gebruik mm, µm of inch, of kies de eenheid van de maten (--columns unit=mm)
+exchange-unit-mentioned = regel { $line } noemt { $unit } (“{ $text }”), maar niets zegt of de waarden in die eenheid staan: kies de eenheid van de maten (--columns unit=mm, um of inch)
+exchange-units-differ = “{ $at }” zegt { $unit }, “{ $other-at }” zegt { $other }: corrigeer een van beide
 exchange-unit-late = regel { $line } noemt { $unit } (“{ $text }”), maar de rijen erboven zijn gelezen in { $read }: zet de eenheid boven de eerste rij of verbeter die regel
 exchange-unit-stray = deze regel noemt { $unit } (“{ $text }”), maar alle andere rijen zijn gelezen in { $read }: zet de eenheid boven de eerste rij of verbeter deze regel
 exchange-unit-given = de gekozen eenheid is { $given }, maar het bestand zegt { $unit } (“{ $text }”): kies { $unit } of verbeter het bestand
@@ -56,15 +56,15 @@ exchange-row-long = { $expected } cellen verwacht, { $found } gevonden: is het s
 exchange-row-too-long = de rij is langer dan { $most } KiB
 exchange-open-quote = een aanhalingsteken is op deze regel niet gesloten
 exchange-header-hides-rows = regel { $line }: de kop loopt over meer regels en een daarvan lijkt op een rij: sluit de aanhalingstekens op de regel waar ze opengaan
-exchange-within-quotes = een rij of een opmerking? Aanhalingstekens gaan op een regel hierboven open en hier of hieronder dicht: sluit ze waar ze opengaan
+exchange-within-quotes = deze regel kan een rij of een opmerking zijn: aanhalingstekens gaan hierboven open en hier of hieronder dicht; sluit ze op de regel waar ze opengaan
 exchange-callout = passing: { $reason }
 exchange-nominal = nominale maat: { $reason }
 exchange-nominal-differs = passing { $callout } klopt niet met de nominale maat { $nominal } in de eigen kolom
 exchange-measured = gemeten: { $reason }
 exchange-simulated = gesimuleerd: { $given } is geen true en geen false
-exchange-other-header = deze regel noemt andere kolommen dan de eerste: beoordeel de rijen eronder als een eigen bestand
-exchange-below-other-header = niet beoordeeld: regel { $line } noemt andere kolommen. Beoordeel de rijen eronder als een eigen bestand
-exchange-simulated-below = de rijen onder deze regel zijn gesimuleerd: beoordeel ze als een eigen bestand, of met fitcheck import
+exchange-other-header = deze regel noemt andere kolommen dan de eerste: beoordeel de rijen eronder als een apart bestand
+exchange-below-other-header = niet beoordeeld: regel { $line } noemt andere kolommen. Beoordeel de rijen eronder als een apart bestand
+exchange-simulated-below = de rijen onder deze regel zijn gesimuleerd: beoordeel ze als een apart bestand, of met fitcheck import
 exchange-origin = herkomst: { $given } zegt niet of er gemeten of gesimuleerd is; schrijf gemeten, getypt of gesimuleerd, of stel simulated=- in als deze kolom iets anders zegt
 exchange-decimal-sign = gemeten: { $given } heeft een ander decimaalteken dan de andere waarden: "{ $sign }"
 exchange-not-positive = gemeten: een diameter van { $given } is niet groter dan 0
@@ -73,17 +73,17 @@ exchange-other-feature = { $given } is { $feature ->
         [hole] een as, en dit zijn de boringen: zijn de bestanden verwisseld?
        *[shaft] een boring, en dit zijn de assen: zijn de bestanden verwisseld?
     }
-exchange-rejected = het bestand keurt deze waarde zelf af ({ $given }): laat de rij weg of verbeter haar daar
-exchange-no-part = { $given } is de naam van een getal over meer delen of van waarmee een meter is ingesteld, en geen deel: laat de rij weg of geef het deel een andere naam
+exchange-rejected = het bestand keurt deze waarde zelf af ({ $given }): verwijder de rij of corrigeer haar in het bestand
+exchange-no-part = { $given } is de naam van een kengetal over meerdere onderdelen of van de instelmaat van een meetmiddel, en niet van een onderdeel: verwijder de rij of geef het onderdeel een andere naam
 exchange-other-log = { $feature ->
         [hole] dit is het meetprotocol van een as, en dit zijn de boringen: zijn de bestanden verwisseld?
        *[shaft] dit is het meetprotocol van een boring, en dit zijn de assen: zijn de bestanden verwisseld?
     }
 exchange-not-a-size = { $what }: dit is geen maat die kan worden gepaard
-exchange-no-place-axis = het ligt langs { $axis }, en cyclus 421 en 422 tasten langs Z
+exchange-no-place-axis = het ligt langs { $axis }, maar de cycli 421 en 422 tasten langs Z
 exchange-no-place-no-axis = het bestand zegt niet langs welke as het ligt
-exchange-no-place-kind = { $kind }: cyclus 421 en 422 tasten cirkels en cilinders
-exchange-no-place-system = het wordt gecontroleerd in coördinatensysteem { $system }, en de coördinaten tellen in dat van het bestand
+exchange-no-place-kind = { $kind }: de cycli 421 en 422 tasten alleen cirkels en cilinders
+exchange-no-place-system = het wordt gecontroleerd in coördinatensysteem { $system }, maar de coördinaten gelden in dat van het bestand
 exchange-contacts-not-sizes = rijen van twee of drie getallen zijn meetpunten: benoem de kolommen in de eerste regel, bijvoorbeeld id;gemeten
 exchange-too-many-rows = alleen de eerste { $most } rijen zijn gelezen: splits het bestand
 exchange-unjudged-no-callout = niet beoordeeld: geen passing opgegeven
@@ -96,16 +96,16 @@ exchange-unjudged-point = een oppervlaktepunt van cyclus { $cycle }: de afwijkin
 exchange-unjudged-point-without-tolerance = niet beoordeeld: het punt is zonder tolerantie getast
 exchange-unjudged-contacts = niet beoordeeld: { $count } meetpunten zonder passing
 exchange-warning-ignored-columns = overgeslagen kolommen: { $columns }
-exchange-warning-quantity-unknown = kolom { $column } zegt niets bekends over wat gemeten is ({ $words }): al zijn waarden worden als maten gelezen; klopt dat, geef dan import --columns quantity=-
+exchange-warning-quantity-unknown = kolom { $column } heeft geen bekend woord voor wat gemeten is ({ $words }): al haar waarden worden als maten gelezen; klopt dat, geef dan import --columns quantity=- op
 exchange-warning-not-used = overgeslagen, geen meting: { $text }
 exchange-warning-comment = een regel die met # begint is commentaar, maar hier staat een meting in
 exchange-warning-several-lines = de rij loopt binnen aanhalingstekens over { $lines } regels
 exchange-warning-time = { $given } is geen datum en tijd: het tijdstip van importeren is gebruikt
-exchange-warning-place = { $given } is geen lengte: de plaats wordt weggelaten
-exchange-warning-no-time = hier staat geen datum en tijd: de tijd van de import geldt
+exchange-warning-place = { $given } is geen lengte: de plaats is overgeslagen
+exchange-warning-no-time = hier staat geen datum en tijd: het tijdstip van importeren is gebruikt
 exchange-warning-offset = { $given } wordt bewaard als lokale tijd zonder het verschil met UTC
 exchange-warning-cut-off = het bestand eindigt hier zonder regeleinde, en { $given } heeft minder decimalen dan de andere waarden: het is misschien afgekapt
-exchange-warning-open-end = het bestand eindigt hier zonder regeleinde: zijn laatste waarde, { $given }, is misschien afgekapt
+exchange-warning-open-end = het bestand eindigt hier zonder regeleinde: de laatste waarde, { $given }, is misschien afgekapt
 
 # Meetpunten
 contacts-file-empty = het bestand bevat geen meetpunten
@@ -114,20 +114,20 @@ contacts-twice = kolommen { $first } en { $second } zijn allebei { $name }
 contacts-cells = { $wanted } cellen verwacht, { $cells } gevonden: { $given }
 contacts-not-a-number = { $name } is { $given }, geen getal in millimeters
 contacts-row-too-long = de rij is langer dan { $most } KiB
-contacts-comment = een regel die met # begint is commentaar, maar hier staan coördinaten in: haal de # weg, of de hele regel
-contacts-other-unit = contactpunten staan in mm, maar deze regel noemt { $given }: reken ze om naar mm
+contacts-comment = een regel die met # begint is commentaar, maar hier staan coördinaten in: verwijder de #, of de hele regel
+contacts-other-unit = meetpunten staan in mm, maar deze regel noemt { $given }: reken ze om naar mm
 contacts-too-many = het bestand heeft meer dan { $most } meetpunten
-contacts-simulated = deze meetpunten zijn gesimuleerd: daarmee wordt niets gemeten; neem in plaats daarvan een werkstukbestand
-contacts-origin = { $given } zegt niet of er gemeten of gesimuleerd is: schrijf gemeten of gesimuleerd, of haal de kolom weg
+contacts-simulated = deze meetpunten zijn gesimuleerd en meten niets: gebruik in plaats daarvan een werkstukbestand
+contacts-origin = { $given } zegt niet of er gemeten of gesimuleerd is: schrijf gemeten of gesimuleerd, of verwijder de kolom
 contacts-open-quote = een aanhalingsteken is niet gesloten
 contacts-mixed-signs = { $given } heeft een ander decimaalteken dan de rijen ervoor
 
 ## Tables of deviations
-table-format-name = { $name } begint niet met een letter: tabelnamen op een TNC7 wel
-table-format-operator = { $name } bevat { $sign }: tabelnamen op een TNC7 hebben geen rekentekens
+table-format-name = { $name } begint niet met een letter: op een TNC7 is dat verplicht voor tabelnamen
+table-format-operator = { $name } bevat { $sign }: in tabelnamen op een TNC7 mogen geen rekentekens staan
 table-format-warning-lower-sign = de handleiding van PC-DMIS toont geen andere onderafwijking dan 0: controleer { $class } in PC-DMIS vóór gebruik, vooral de tekens
 table-format-csv = de CSV kan niet worden geschreven: { $reason }
-table-format-parquet-unknown = dit programma is gebouwd zonder Parquet: cargo build --release zonder verdere opties heeft het
+table-format-parquet-unknown = dit programma is gebouwd zonder Parquet: cargo build --release zonder verdere opties bouwt het in
 table-format-parquet = het Parquet-bestand kan niet worden geschreven: { $reason }
 table-format-itnc530 = besturingstabel voor iTNC 530
 table-format-tnc640 = besturingstabel voor TNC 620 en TNC 640
@@ -140,7 +140,7 @@ table-format-pcdmis = CSV met ISO-toleranties voor PC-DMIS
 sql-border = tabel { $table }: een maatbereik eindigt bij { $end } mm; voor SQL moeten bereiken bij hele millimeters eindigen
 sql-too-far = tabel { $table }: een maatbereik eindigt bij { $end } mm; voor SQL moeten bereiken uiterlijk bij { $most } mm eindigen
 sql-twice = klasse { $class } is twee keer genoemd
-exchange-correction = de waarde bij 20 °C volgt niet uit de gemeten waarde en haar temperaturen: verwacht worden de kolommen zoals Fitcheck ze schrijft
+exchange-correction = de waarde bij 20 °C volgt niet uit de gemeten waarde en haar temperaturen: de kolommen zoals Fitcheck ze schrijft verwacht
 exchange-warning-corrected = waarden met een cel in de kolom as_measured_mm gelden al bij 20 °C
 sizes-warning-named-twice = { $rows ->
         [one] een rij heeft de naam van een eerdere rij
@@ -150,43 +150,43 @@ sizes-warning-simulated-rows = { $count ->
         [one] 1 rij is gesimuleerd
        *[other] { $count } rijen zijn gesimuleerd
     }: er is niets gemeten
-exchange-position-out = het middelpunt lag buiten positie, en een bestand heeft alleen de maat
+exchange-position-out = het midden lag buiten positie, maar het bestand heeft alleen de maat
 exchange-undecided = hier was niets beslist: { $given }
-exchange-warning-other-rule = de uitslagen van dit bestand kunnen volgens een andere beslisregel zijn (kolom rule_name): de waarden worden opnieuw beoordeeld
-exchange-read = het bestand kan niet verder worden gelezen: { $reason }
-exchange-too-large = groter dan { $most } MiB: een bestand van dit formaat wordt in zijn geheel gelezen
-exchange-unjudged-no-feature = niet beoordeeld: de grensmaten zijn { $minimum } tot { $maximum }, maar niet of het een boring of een as is, dus daarbuiten kan het nabewerken of afkeur zijn
+exchange-warning-other-rule = de oordelen in dit bestand kunnen van een andere beslisregel komen (kolom rule_name): de waarden worden opnieuw beoordeeld
+exchange-read = de rest van het bestand kan niet worden gelezen: { $reason }
+exchange-too-large = groter dan { $most } MiB, de grens voor bestanden van dit formaat
+exchange-unjudged-no-feature = niet beoordeeld: de grensmaten zijn { $minimum } tot { $maximum }, maar er staat niet bij of het een boring of een as is, dus een waarde daarbuiten kan nabewerking of afkeur zijn
 exchange-unjudged-one-limit = niet beoordeeld: een van de twee grensmaten ontbreekt
 exchange-unjudged-no-tolerance = niet beoordeeld: geen grensmaten opgegeven
 exchange-unjudged-rounded = niet beoordeeld: de afgedrukte cijfers staan voor elke waarde van { $from } tot { $to }, en daartussen ligt een grensmaat: druk meer decimalen af
-exchange-unjudged-swapped-limits = niet beoordeeld: de kleinste toegestane waarde { $minimum } ligt boven de grootste, { $maximum }
+exchange-unjudged-swapped-limits = niet beoordeeld: de ondergrens { $minimum } ligt boven de bovengrens { $maximum }
 exchange-unjudged-not-a-size = { $what }: geen maat van een boring of as
 exchange-warning-limits-differ = { $callout } heeft de grensmaten { $minimum } tot { $maximum } en het bestand heeft andere: die van het bestand tellen
 exchange-warning-class-unknown = klasse { $given } heeft hier geen grensmaten: die van het bestand tellen
-exchange-warning-status-differs = het bestand zegt { $given }, de grenzen zeggen { $status }
-exchange-warning-status-unknown = het bestand zegt { $given }, en die status is hier niet bekend: de grenzen zeggen { $status }
+exchange-warning-status-differs = het bestand zegt { $given }, maar de grenzen zeggen { $status }
+exchange-warning-status-unknown = het bestand zegt { $given }, en dat is geen bekende status: de grenzen zeggen { $status }
 exchange-warning-limit-differs = het bestand zegt { $given }, maar de grenzen zijn { $minimum } tot { $maximum }
-exchange-warning-deviation-differs = het bestand zegt { $given }, maar zo ver ligt { $measured } niet van { $nominal }
+exchange-warning-deviation-differs = het bestand zegt { $given }, maar dat is niet de afwijking van { $measured } ten opzichte van { $nominal }
 exchange-warning-feature-differs = het bestand zegt { $given }, maar de grenzen zijn die van { $feature ->
         [hole] een boring
        *[shaft] een as
     }
-exchange-warning-temperature-differs = het bestand zegt { $given }, maar de waarde telt als gemeten bij { $counted } °C: geef --temperature en --material
-exchange-warning-speaks-of-temperature = het bestand spreekt van een andere temperatuur dan { $counted } °C, waarbij zijn waarden als gemeten tellen: { $text }
+exchange-warning-temperature-differs = het bestand zegt { $given }, maar de waarde telt als gemeten bij { $counted } °C: geef --temperature en --material op
+exchange-warning-speaks-of-temperature = het bestand noemt een andere temperatuur dan { $counted } °C, waarbij de waarden als gemeten tellen: { $text }
 exchange-warning-speaks-of-unit = een opmerking noemt een andere eenheid dan die van de waarden: { $text }
-exchange-warning-speaks-of-simulation = deze regel spreekt van een simulatie: heeft iemand gemeten? { $text }
-exchange-warning-all-nominal = alle { $count } waarden zijn precies de nominale maat: misschien is dit een lijst van maten die niemand heeft gemeten
-exchange-warning-name-of-no-size = { $given } is geen naam van een maat van één deel, en de waarde is als zo'n maat beoordeeld
+exchange-warning-speaks-of-simulation = deze regel noemt een simulatie: controleer of de waarde is gemeten: { $text }
+exchange-warning-all-nominal = alle { $count } waarden zijn precies hun nominale maat: misschien is dit een lijst van maten die niemand heeft gemeten
+exchange-warning-name-of-no-size = { $given } is niet de naam van een maat van één onderdeel, maar de waarde is wel zo beoordeeld
 exchange-warning-other-values = kolommen met andere maten dicht bij de gemeten maten worden niet beoordeeld: { $columns }
-exchange-warning-part-rejected = het bestand zegt { $given } over het hele deel
-exchange-warning-uncertainty-not-used = het bestand noemt een uitgebreide onzekerheid van { $expanded } mm: geen regel gebruikt die, geef daarvoor --u
+exchange-warning-part-rejected = het bestand zegt { $given } over het hele onderdeel
+exchange-warning-uncertainty-not-used = het bestand noemt een uitgebreide onzekerheid van { $expanded } mm: geen regel gebruikt die, geef in plaats daarvan --u op
 exchange-warning-plan-differs = het bestand heeft de grensmaten { $minimum } tot { $maximum }: die van het plan tellen
-exchange-warning-plan-differs-below = het bestand heeft de kleinste toegelaten waarde { $minimum }: die van het plan telt
-exchange-warning-plan-differs-above = het bestand heeft de grootste toegelaten waarde { $maximum }: die van het plan telt
+exchange-warning-plan-differs-below = het bestand heeft de ondergrens { $minimum }: die van het plan telt
+exchange-warning-plan-differs-above = het bestand heeft de bovengrens { $maximum }: die van het plan telt
 exchange-warning-plan-differs-nominal = het bestand heeft de nominale maat { $nominal }: die van het plan telt
-exchange-warning-part-differs = het bestand zegt onderdeel { $given }: het wordt beoordeeld als { $part }, het onderdeel van het plan
-exchange-warning-found-by-number-of = geen kenmerk van het plan heet { $given }; op nummer gevonden: { $name } van het plan
-exchange-warning-found-by-place-of = geen kenmerk van het plan heet { $given }; op plaats gevonden: { $name } van het plan
+exchange-warning-part-differs = het bestand noemt onderdeel { $given }: het wordt beoordeeld als { $part }, het onderdeel van het plan
+exchange-warning-found-by-number-of = geen element van het plan heet { $given }; op nummer gevonden: { $name } van het plan
+exchange-warning-found-by-place-of = geen element van het plan heet { $given }; op plaats gevonden: { $name } van het plan
 exchange-warning-found-by-number = op nummer gevonden: { $name } van het plan
 exchange-warning-found-by-place = op plaats gevonden: { $name } van het plan
 exchange-format-aqdef = AQDEF van Q-DAS, in één bestand of als .dfd en .dfx
@@ -205,80 +205,80 @@ exchange-unjudged-quantity = { $quantity ->
        *[other] een andere grootheid dan een diameter (K2009 is { $quantity })
     }: geen maat van een boring of as
 exchange-unjudged-kind = niet gemeten: { $kind ->
-        [1] afgekeurde delen zijn geteld (K2004 is 1)
+        [1] een telling van afgekeurde onderdelen (K2004 is 1)
         [5] een foutenlijst (K2004 is 5)
         [6] een foutenlijst (K2004 is 6)
        *[other] een onbekende soort kenmerk (K2004 is { $kind })
     }
-exchange-unjudged-attribute = niet beoordeeld: gemerkt met { $given } (K0002), en alleen van 0 is bekend dat het een geldige waarde is
+exchange-unjudged-attribute = niet beoordeeld: gemerkt met { $given } (K0002); alleen van 0 is bekend dat de waarde geldig is
 exchange-unjudged-not-valid = niet beoordeeld: het bestand zegt { $said }, dus er is misschien geen geldige waarde
 exchange-unjudged-declaration = niet beoordeeld: regel { $declaration } van de beschrijving is niet te gebruiken
 exchange-format-qif = QIF 3.0: resultaten van meetsoftware, en meetplannen
 exchange-xml = geen welgevormde XML: { $reason }
-exchange-xml-doctype = een DOCTYPE wordt niet gelezen: haal die weg, of exporteer het bestand zonder
+exchange-xml-doctype = een DOCTYPE wordt niet ondersteund: verwijder die, of exporteer het bestand zonder
 exchange-xml-entity = entiteit { $name } is onbekend: alleen &lt; &gt; &amp; &quot; en &apos; worden gelezen
-exchange-xml-depth = meer dan { $most } elementen in elkaar
+exchange-xml-depth = de grens van { $most } geneste elementen is bereikt
 exchange-xml-long = een tag of tekst is langer dan { $most } KiB
 exchange-xml-mixed = { $name } heeft een element midden in zijn tekst
-exchange-xml-cut-off = het bestand eindigt binnen een element: het kan afgebroken zijn
+exchange-xml-cut-off = het bestand eindigt binnen een element: misschien is het afgekapt
 exchange-xml-encoding = onbekende codering { $given }: gebruik UTF-8, UTF-16 of ISO 8859-1
-exchange-xml-bytes = bytes hier zijn geen tekst in de codering van het bestand
+exchange-xml-bytes = deze bytes zijn geen tekst in de codering van het bestand
 exchange-qif-unit = lengte-eenheid { $unit }: de naam is onbekend of past niet bij de factor; gebruik mm, inch of een andere eenheid met haar factor naar meter
 exchange-qif-no-unit = het bestand noemt geen lengte-eenheid: nodig is FileUnits met PrimaryUnits en LinearUnit
 exchange-qif-reference = { $what } { $id } staat niet in het bestand
 exchange-qif-too-many = het bestand heeft meer dan { $most } elementen { $what }
 exchange-qif-no-value = hier geen gemeten waarde; status { $status }
 exchange-qif-limit = grensmaten of nominale maat: { $reason }
-exchange-qif-other-kind = de meting is van de soort { $measured }, en haar kenmerk van de soort { $defined }
+exchange-qif-other-kind = de meting is van soort { $measured }, maar haar kenmerk van soort { $defined }
 exchange-qif-several-values = de meting heeft meerdere waarden
-exchange-qif-defined-as-limit = DefinedAsLimit ontbreekt of is niet true of false, dus de getallen kunnen grensmaten of afwijkingen zijn
-exchange-qif-no-nominal = de grenzen zijn afwijkingen, en er is geen nominale maat
+exchange-qif-defined-as-limit = DefinedAsLimit ontbreekt of is geen true of false, dus de getallen kunnen grensmaten of afwijkingen zijn
+exchange-qif-no-nominal = de grenzen zijn afwijkingen, maar er is geen nominale maat
 exchange-qif-zone = klasse { $class } en { $zone } spreken elkaar tegen: hoofdletters zijn boringen, kleine letters zijn assen
 exchange-qif-no-results = een QIF-bestand zonder gemeten waarden: een meetplan kan als onderdeelplan worden gelezen
 exchange-qif-no-characteristics = het QIF-bestand noemt geen kenmerken
-exchange-warning-standard-uncertainty-not-used = het bestand noemt een gecombineerde standaardonzekerheid van { $standard } en een gemiddelde afwijking van { $mean-error }: geen regel gebruikt die, geef daarvoor --u
-exchange-warning-sheet-hidden = blad { $sheet } wordt gelezen, en is verborgen in de werkmap
+exchange-warning-standard-uncertainty-not-used = het bestand noemt een gecombineerde standaardonzekerheid van { $standard } en een gemiddelde afwijking van { $mean-error }: geen regel gebruikt die, geef in plaats daarvan --u op
+exchange-warning-sheet-hidden = blad { $sheet } wordt gelezen, hoewel het in de werkmap verborgen is
 exchange-warning-rows-hidden = { $count ->
-    [one] rij { $rows } is in de werkmap verborgen of weggefilterd, en wordt gelezen als de andere
-   *[other] { $count } rijen zijn in de werkmap verborgen of weggefilterd, en worden gelezen als de andere: { $rows }
+    [one] rij { $rows } is in de werkmap verborgen of weggefilterd, maar wordt gelezen als de andere
+   *[other] { $count } rijen zijn in de werkmap verborgen of weggefilterd, maar worden gelezen als de andere: { $rows }
 }
 exchange-warning-columns-hidden = verborgen kolommen worden gelezen als de andere: { $columns }
-exchange-warning-qif-version = QIF-versie { $version }: de lezer is gemaakt voor 3.0
-exchange-warning-qif-count = { $list } zegt n={ $said } en heeft er { $found }: er kan iets ontbreken of bijgekomen zijn
+exchange-warning-qif-version = QIF-versie { $version }: dit programma is gemaakt voor versie 3.0
+exchange-warning-qif-count = { $list } zegt n={ $said }, maar heeft er { $found }: er kan iets ontbreken of bijgekomen zijn
 exchange-warning-qif-twice = id { $id } staat er twee keer: het eerste element telt
-exchange-format-xlsx = metingen in een werkmap van een rekenblad: kolommen zoals in CSV
+exchange-format-xlsx = metingen in een werkmap van een spreadsheetprogramma: kolommen zoals in CSV
 exchange-workbook = deze werkmap kan niet worden gelezen: { $reason }
 exchange-not-a-workbook = een ZIP-bestand, maar geen werkmap: pak het uit en geef de bestanden erin
-exchange-old-workbook = een werkmap van het formaat { $format }, dat niet wordt gelezen: sla die op als XLSX
-exchange-workbook-password = de werkmap heeft een wachtwoord: sla die zonder wachtwoord op
-exchange-zip-cut-off = het einde van de werkmap ontbreekt: die kan afgebroken zijn
-exchange-zip-members = de werkmap heeft een lijst van meer dan { $most } onderdelen, of een beschadigde
-exchange-zip-bomb = { $member } wordt uitgepakt meer dan { $most } MiB, of is te dicht gepakt voor een werkmap: er wordt niets van gelezen
-exchange-zip-twice = twee onderdelen van de werkmap hebben dezelfde naam, dus zij is gewijzigd: open haar in een rekenprogramma en sla haar op
+exchange-old-workbook = een werkmap in het formaat { $format }, dat niet wordt ondersteund: sla haar op als XLSX
+exchange-workbook-password = de werkmap heeft een wachtwoord: sla haar zonder wachtwoord op
+exchange-zip-cut-off = het einde van de werkmap ontbreekt: misschien is zij afgekapt
+exchange-zip-members = de lijst van onderdelen van de werkmap is beschadigd of heeft meer dan { $most } vermeldingen
+exchange-zip-bomb = { $member } wordt uitgepakt groter dan { $most } MiB, of is te dicht gecomprimeerd voor een werkmap: het wordt niet gelezen
+exchange-zip-twice = twee onderdelen van de werkmap hebben dezelfde naam, dus is zij gewijzigd: open de werkmap in een spreadsheetprogramma en sla haar op
 exchange-zip-texts = de werkmap heeft meer dan { $most } verschillende teksten
 exchange-sheet-wide = cel { $cell } ligt voorbij de eerste { $most } kolommen
 exchange-too-many-cells = het blad heeft meer dan { $most } cellen
 exchange-cell = { $cell }: { $reason }
-exchange-formula-without-value = de waarde van de formule ={ $formula } is niet opgeslagen: open de werkmap in een rekenprogramma en sla die op
-exchange-cell-split = de waarde van de cel is niet als één gewone tekst opgeslagen, dus alleen een deel ervan is leesbaar: open de werkmap in een rekenprogramma en sla die op
+exchange-formula-without-value = de waarde van de formule ={ $formula } is niet opgeslagen: open de werkmap in een spreadsheetprogramma en sla haar op
+exchange-cell-split = de waarde van de cel is niet als één gewone tekst opgeslagen, dus alleen een deel ervan is leesbaar: open de werkmap in een spreadsheetprogramma en sla haar op
 exchange-cell-error = de cel toont { $error }
 exchange-warning-sheets-left = blad { $sheet } wordt gelezen; andere bladen niet: { $left }
-gauge-frame = de tekens om de regel zijn weggelaten
+gauge-frame = de tekens om de regel zijn overgeslagen
 gauge-channel = van kanaal { $channel }
 gauge-inches = { $given } inch
-gauge-error-text = { $given } kan het nummer van een fout van het meetmiddel zijn: is het een maat, schrijf die dan met de eenheid, { $given } mm
-gauge-opinion = de meetklok zegt { $sign }; de grenzen van het plan beslissen
+gauge-error-text = { $given } kan een foutnummer van het meetmiddel zijn: is het een maat, schrijf die dan met de eenheid, { $given } mm
+gauge-opinion = het meetmiddel zegt { $sign }; de grenzen van het plan beslissen
 
-mapping-no-value = { $given } zegt niets over een kolom: schrijf een woord, = en een kolom, zoals measured=3
-mapping-word = { $given } is niet iets wat een kolom bevat: toegestaan zijn { $allowed }
+mapping-no-value = { $given } wijst geen kolom toe: schrijf een woord, = en een kolom, zoals measured=3
+mapping-word = { $given } is geen bekende inhoud van een kolom: toegestaan zijn { $allowed }
 mapping-value = { $word }: { $given } is onbekend: toegestaan zijn { $allowed }
 mapping-twice = { $word } staat er twee keer: noem het één keer
 mapping-toml = geen toewijzing van kolommen: { $reason }
 
 # Hoe een waarde met een plan beoordeeld is, en wat ernaast opgegeven was.
-planned-rule = beoordeeld met de regel van het plan en niet met { $given }: { $rule }
-planned-uncertainty = beoordeeld met de onzekerheid van het plan en niet met de opgegeven: { $u }
-planned-material = naar 20 °C herleid met het materiaal van het plan en niet met het opgegeven: { $name }
-planned-corrected = van { $temperature } °C naar 20 °C herleid (uitzetting { $expansion } · 10⁻⁶/K)
-planned-not-corrected = niet naar 20 °C herleid: een plaats op het onderdeel is geen maat
-planned-error-already-corrected = de waarde geldt al bij 20 °C, zoals haar bestand zegt: beoordeel haar zonder temperatuur
+planned-rule = beoordeeld met de regel van het plan in plaats van { $given }: { $rule }
+planned-uncertainty = beoordeeld met de onzekerheid van het plan in plaats van de opgegeven: { $u }
+planned-material = naar 20 °C gecorrigeerd met het materiaal van het plan in plaats van het opgegeven: { $name }
+planned-corrected = van { $temperature } °C naar 20 °C gecorrigeerd (uitzetting { $expansion } · 10⁻⁶/K)
+planned-not-corrected = niet naar 20 °C gecorrigeerd: een plaats op het onderdeel is geen maat
+planned-error-already-corrected = volgens het bestand geldt de waarde al bij 20 °C: beoordeel haar zonder temperatuur

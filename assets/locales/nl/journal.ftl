@@ -7,8 +7,8 @@ journal-break-removed = { $count ->
     }
 journal-break-inserted = vermelding { $number } is ingevoegd
 journal-break-reordered = de vermeldingen { $number } en { $other } zijn verwisseld
-journal-break-rewritten = vermelding { $number } is een andere dan elders bekend is: het logboek is vanaf daar of eerder opnieuw geschreven
-journal-break-cut-off = het logboek eindigt met vermelding { $last }, en vermelding { $known } is elders bekend: de nieuwste vermeldingen zijn afgesneden, of een oudere kopie is teruggezet
+journal-break-rewritten = vermelding { $number } verschilt van die welke elders bekend is: het logboek is vanaf daar of vanaf een eerdere vermelding opnieuw geschreven
+journal-break-cut-off = het logboek eindigt met vermelding { $last }, maar vermelding { $known } is elders bekend: de nieuwste vermeldingen zijn afgesneden, of een oudere kopie is teruggezet
 
 ## Entries
 journal-body-json = geen vermelding van een logboek: { $reason }
@@ -19,7 +19,7 @@ journal-body-control = { $field } heeft het stuurteken { $code } als teken { $pl
 journal-body-empty = { $field } is leeg
 journal-body-too-many = { $field } heeft { $count } onderdelen, hoogstens { $most } zijn toegestaan
 journal-body-value = { $field } kan niet "{ $given }" zijn
-journal-body-contradiction = { $field } zegt iets anders dan de velden waaruit het volgt
+journal-body-contradiction = { $field } spreekt de velden tegen waaruit het volgt
 journal-origin-perfect = gesimuleerd, een werkstuk zonder fouten
 journal-origin-workpiece = gesimuleerd, { $file }, startgetal { $seed }
 journal-origin-contacts = meetpunten uit { $file }
@@ -27,56 +27,56 @@ journal-check-judged-otherwise = geoordeeld als { $kept }, en dat blijft zo; dez
 
 ## Questions
 journal-ask-at = { $reason } (teken { $at })
-journal-ask-unknown-key = naar { $key }: kan niet worden gevraagd; verwacht { $known }, of aanhalingstekens rond een woord met een dubbele punt
+journal-ask-unknown-key = { $key }: is geen bekend zoekwoord; { $known } verwacht, of aanhalingstekens rond een woord met een dubbele punt
 journal-ask-no-value = { $key }: heeft geen waarde
 journal-ask-empty-word = een woord tussen aanhalingstekens is leeg
 journal-ask-twice = { $key } staat er twee keer
 journal-ask-not-closed = een aanhalingsteken is niet gesloten
 journal-ask-after-quote = spatie verwacht na het laatste aanhalingsteken, { $found } gevonden
-journal-ask-date = "{ $given }" is geen dag of tijdstip: verwacht 2026-11-23 of 2026-11-23T14:30
-journal-ask-verdict = "{ $given }" is geen oordeel: verwacht { $known }
+journal-ask-date = "{ $given }" is geen dag of tijdstip: 2026-11-23 of 2026-11-23T14:30 verwacht
+journal-ask-verdict = "{ $given }" is geen oordeel: { $known } verwacht
 journal-ask-callout = { $error }; een passing staat tussen aanhalingstekens: callout:"25 H7"
 journal-ask-class = { $error }
-journal-ask-order = de vraag eindigt voordat zij begint: from ligt niet voor to
+journal-ask-order = de periode eindigt voordat zij begint: from moet vóór to liggen
 journal-ask-both-origins = simulated en measured sluiten elkaar uit
 journal-ask-too-long = de vraag heeft { $bytes } bytes, hoogstens { $most } zijn toegestaan
 
 ## The journal of a station
 store-missing = er is geen logboek op { $path }
 store-not-a-file = { $path } is geen bestand
-store-not-a-journal = { $path } is geen logboek van Fitcheck; het is gelaten zoals het is
-store-newer = { $path } is gemaakt door een nieuwere Fitcheck (versie { $version }, deze kent { $known }); het is gelaten zoals het is
-store-older = { $path } is gemaakt door een oudere Fitcheck: het wordt naar deze versie gebracht zodra er iets in wordt vastgelegd
-store-damaged = { $path } is beschadigd: de pagina's kloppen niet met elkaar
+store-not-a-journal = { $path } is geen logboek van Fitcheck; het is niet gewijzigd
+store-newer = { $path } is gemaakt door een nieuwere Fitcheck (versie { $version }, deze ondersteunt { $known }); het is niet gewijzigd
+store-older = { $path } is gemaakt door een oudere Fitcheck: het wordt naar deze versie omgezet zodra er iets in wordt vastgelegd
+store-damaged = { $path } is beschadigd: de pagina's spreken elkaar tegen
 store-full = er is geen ruimte meer voor { $path }: er is niets vastgelegd
 store-read-only = in { $path } mag niet worden geschreven: er is niets vastgelegd
-store-locked = een ander programma houdt { $path } vast, langer dan dit programma wacht: er is niets vastgelegd
-store-disk = de schijf van { $path } weigert: { $reason }
+store-locked = een ander programma heeft { $path } te lang vergrendeld: er is niets vastgelegd
+store-disk = de schijf van { $path } meldt een fout: { $reason }
 store-cannot-open = { $path } kan niet worden geopend
-store-network-folder = { $path } ligt in een map van een andere machine, waar twee stations over elkaar heen zouden schrijven: kies een map van deze machine, en een server voor de werkplaats
+store-network-folder = { $path } staat in een map van een andere machine, waar twee stations elkaars vermeldingen kunnen overschrijven: kies een map op deze machine, en een server voor de werkplaats
 store-altered = "{ $name }", dat vermeldingen tegen verandering beschermt, ontbreekt in { $path } of is veranderd
 store-no-beginning = { $path } zegt niet welke keten het is
 store-moved = { $path } is intussen verplaatst of opzij gezet: er is niets vastgelegd
-store-other-target = vermelding { $number } is een andere dan die gecorrigeerd moest worden: er is niets vastgelegd
+store-other-target = vermelding { $number } is niet de vermelding die gecorrigeerd moest worden: er is niets vastgelegd
 store-corrected = vermelding { $number } is al gecorrigeerd of ingetrokken door vermelding { $by }: corrigeer die, tenzij het een intrekking is
-store-finding-no-beginning = het logboek heeft geen eerste vermelding die zegt welke keten het is
-store-finding-pages = de pagina's van het logboek kloppen niet met elkaar, en vragen kunnen vermeldingen missen die erin staan: { $reason }
+store-finding-no-beginning = het logboek heeft geen eerste vermelding die zijn keten noemt
+store-finding-pages = de pagina's van het logboek spreken elkaar tegen, en vragen kunnen vermeldingen missen die erin staan: { $reason }
 store-finding-index = een index voor vragen klopt niet met zijn tabel: { $reason }
-store-hidden = vermelding { $number } van { $path } wordt niet gevonden waar zij moet staan: het logboek is veranderd of zijn bestand is beschadigd; voer fitcheck journal verify uit
+store-hidden = vermelding { $number } van { $path } staat niet op haar plaats: het logboek is veranderd of het bestand is beschadigd; voer fitcheck journal verify uit
 store-no-entry = { $path } heeft geen vermelding { $number }: de laatste is { $last }
-store-backup = de kopie van { $path } is niet heel geworden, en is weggehaald
+store-backup = de kopie van { $path } was onvolledig en is verwijderd
 store-interrupted = gestopt
 store-database = { $path }: { $reason }
-store-remark-begun = er is een nieuw logboek begonnen: { $path }
-store-remark-set-aside = het logboek { $path } was beschadigd: het ligt nu onveranderd in { $folder }, en in zijn plaats is een nieuw begonnen
-store-remark-migrated = { $path } is naar deze versie gebracht; zoals het was is het { $copy }
-store-remark-behind = { $path } eindigt met vermelding { $last } en had eens vermelding { $known }: de nieuwste vermeldingen zijn afgesneden, of een oudere kopie is teruggezet
-store-remark-other = vermelding { $number } van { $path } is een andere dan zij was: het logboek is vanaf daar of eerder opnieuw geschreven
-store-remark-replaced = { $path } is een ander logboek dan dat er was; dat had { $known } vermeldingen
+store-remark-begun = er is een nieuw logboek gemaakt: { $path }
+store-remark-set-aside = het logboek { $path } was beschadigd: het staat nu ongewijzigd in { $folder }, en in zijn plaats is een nieuw logboek gemaakt
+store-remark-migrated = { $path } is naar deze versie omgezet; het bestand zoals het was, is { $copy }
+store-remark-behind = { $path } eindigt met vermelding { $last }, maar had ooit vermelding { $known }: de nieuwste vermeldingen zijn afgesneden, of een oudere kopie is teruggezet
+store-remark-other = vermelding { $number } van { $path } is anders dan zij was: het logboek is vanaf daar of vanaf een eerdere vermelding opnieuw geschreven
+store-remark-replaced = { $path } is niet het logboek dat er eerder was; dat had { $known } vermeldingen
 store-remark-waits = een ander programma schrijft in { $path }: er wordt gewacht tot het klaar is
-store-remark-no-anchor = de laatste vermelding van dit logboek kon niet worden bewaard in { $path }: { $reason }
+store-remark-no-anchor = de laatste vermelding van dit logboek kon niet worden genoteerd in { $path }: { $reason }
 store-finding-altered = "{ $name }", dat vermeldingen tegen verandering beschermt, ontbreekt of is veranderd
 store-finding-not-found = { $entries ->
-        [one] 1 vermelding wordt niet gevonden, of door iets anders dan er staat
-       *[other] { $entries } vermeldingen worden niet gevonden, of door iets anders dan er staat
+        [one] 1 vermelding is geïndexeerd met iets anders dan erin staat, of helemaal niet
+       *[other] { $entries } vermeldingen zijn geïndexeerd met iets anders dan erin staat, of helemaal niet
     }

@@ -2,7 +2,7 @@
 
 ## Paden en bestanden
 machine-path-empty = het pad is leeg
-machine-path-too-long = het pad heeft meer dan { $most } tekens: zo lang mag het op een besturing niet zijn
+machine-path-too-long = het pad heeft meer dan { $most } tekens, en dat staat een besturing niet toe
 machine-path-other-root = { $path } is geen pad op TNC: en geen pad vanuit de map van het programma
 machine-path-leads-out = { $path } leidt buiten de map
 machine-path-no-name = { $name } in { $path } is geen naam voor een bestand of map
@@ -10,7 +10,7 @@ machine-store-missing = bestand niet gevonden: { $path }
 machine-store-outside = { $path } leidt buiten de opgegeven mappen
 machine-store-no-file = { $path } is geen bestand
 machine-store-too-large = { $path } is groter dan { $most } MiB
-machine-store-ambiguous = { $path } is er in verschillende schrijfwijzen, { $names }, en een besturing heeft één bestand met een naam: verwijder of hernoem de andere
+machine-store-ambiguous = { $path } bestaat in verschillende schrijfwijzen, { $names }, maar een besturing heeft van elke naam maar één bestand: verwijder of hernoem de andere
 machine-store-read-only = er is geen map voor uitvoer gekozen
 machine-store-system = { $path }: { $reason }
 
@@ -41,7 +41,7 @@ machine-undefined = { $parameter } is niet gedefinieerd
 machine-lost = { $parameter } is niet gedefinieerd: regel { $line }, { $text }, kan hem zetten en is niet uitgevoerd
 machine-file-unknown = { $path } wordt niet gelezen: regel { $line }, { $text }, kan dit bestand schrijven of verwijderen en is niet uitgevoerd
 machine-tools-unknown = het gereedschap wordt niet gecorrigeerd: regel { $line }, { $text }, kan de gereedschapstabel wijzigen en is niet uitgevoerd
-machine-contacts-unknown = het is niet bekend welke opgenomen meetpunten bij deze cyclus horen: sommige kunnen van regel { $line }, { $text }, zijn, die niet is uitgevoerd
+machine-contacts-unknown = het is niet bekend welke opgenomen meetpunten bij deze cyclus horen: sommige kunnen bij regel { $line }, { $text }, horen, die niet is uitgevoerd
 machine-not-skipped = deze NC-regel bepaalt wat er daarna wordt uitgevoerd of wat een ander programma krijgt: hij kan niet worden overgeslagen
 machine-whole-only = { $parameter } bevat alleen gehele getallen, niet { $value }
 machine-no-answer = INPUT "{ $question }" vraagt om { $parameter }: geef de waarde vóór het uitvoeren op
@@ -76,12 +76,12 @@ machine-cycle-parameter-for = cyclus { $cycle }: { $parameter } is twee keer opg
 machine-global-not-number = GLOBAL DEF { $number }: { $parameter } heeft geen getal
 machine-global-twice = GLOBAL DEF { $number }: { $parameter } is twee keer opgegeven
 machine-open-subprogram = het programma eindigt in het onderprogramma dat in regel { $line } is aangeroepen: LBL 0 ontbreekt
-machine-repeat-ahead = REP herhaalt het deel tussen een label en deze regel, en het label staat erachter, in regel { $line }
+machine-repeat-ahead = REP herhaalt het deel tussen een label en deze regel, maar het label staat erachter, in regel { $line }
 machine-cycle = cyclus { $cycle }: { $error }
 machine-workpiece = werkstuk: { $error }
 machine-no-tool-call = voor deze meetcyclus staat geen TOOL CALL met een gereedschapsas
 machine-mode = de besturing staat in { $mode }: meetcycli worden alleen in het freesbedrijf uitgevoerd (FUNCTION MODE MILL)
-machine-changed = { $change } is actief sinds regel { $line }, { $text }: daaronder wordt hier niet gemeten
+machine-changed = { $change } is actief sinds regel { $line }, { $text }: zolang dat zo is, meet Fitcheck niet
 machine-nothing-selected = voor CALL SELECTED PGM staat geen SEL PGM
 machine-change-not-known = een onbekend nulpunt
 machine-change-turning = het gedraaide coördinatensysteem van cyclus 800
@@ -99,17 +99,17 @@ machine-file-built-in = { $path } is ingebouwd
 machine-remark-skipped = onbekende NC-regel overgeslagen
 machine-remark-measurement-skipped = deze meting is overgeslagen: de resultaten zijn vanaf hier niet gedefinieerd
 machine-remark-datum-skipped = deze meting is overgeslagen: de resultaten zijn vanaf hier niet gedefinieerd, en hierna wordt niet meer gemeten, omdat zij een nulpunt kan zetten
-machine-remark-not-followed = deze NC-regel wordt niet uitgevoerd en kan het nulpunt wijzigen: hierna wordt niet gemeten
+machine-remark-not-followed = deze NC-regel wordt niet uitgevoerd en kan het nulpunt wijzigen: hierna wordt niet meer gemeten
 machine-remark-no-system-data = { $parameter } is vanaf hier ongedefinieerd: de systeemgegevens van FN 18 kent alleen een besturing
-machine-remark-axis-assumed = er staat geen TOOL CALL voor: gemeten langs Z met het eerste tastsysteem
+machine-remark-axis-assumed = voor deze cyclus staat geen TOOL CALL: gemeten langs Z met de eerste taster
 machine-remark-measured-again = opnieuw gemeten na nabewerking: deze meting telt
 machine-remark-spindle-turns = de spil draait sinds M{ $function }: een besturing zou niet tasten
-machine-remark-rotary-moved = { $axes } zijn voordien verplaatst: het werkstuk is gemeten alsof het niet gedraaid is
-machine-remark-other-preset = referentiepunt { $number }: het werkstuk wordt geacht ook daar te liggen
+machine-remark-rotary-moved = { $axes } zijn eerder verplaatst: het werkstuk is gemeten alsof het niet gedraaid is
+machine-remark-other-preset = referentiepunt { $number }: aangenomen is dat het werkstuk ook daar ligt
 machine-remark-built-in = { $path } is niet bij de opgegeven bestanden: het ingebouwde is gelezen
-machine-remark-other-names = { $read } is gelezen, en { $others } is er ook: een besturing heeft één bestand met een naam
+machine-remark-other-names = { $read } is gelezen, maar { $others } bestaat ook: een besturing heeft van elke naam maar één bestand
 machine-remark-read = { $path }: { $what }
-machine-remark-other-spelling = tabel { $table } heeft geen kolom { $column }: { $other } is genomen, de andere schrijfwijze in NC-Solution 8255
+machine-remark-other-spelling = tabel { $table } heeft geen kolom { $column }: { $other } is gebruikt, de andere schrijfwijze in NC-Solution 8255
 machine-remark-row-number = tabel { $table }: NR is { $found } in rij { $row }: FN 27 en FN 28 tellen de rijen vanaf 0
 machine-remark-length-converted = tabel { $table }: kolom { $column } is een LENGTH en is tussen mm en inch omgerekend
 machine-remark-ended-within = M{ $function } in een aangeroepen programma heeft de uitvoering beëindigd: een besturing staat dat daar niet toe
@@ -117,11 +117,11 @@ machine-remark-given-wins = { $parameter } = { $value } is vooraf opgegeven en v
 machine-remark-given-without-effect = { $parameter } is vooraf opgegeven en had geen effect: geen NC-regel heeft hem gelezen
 machine-remark-doubted = { $what }
 machine-remark-measured = { $what }
-machine-remark-filled = de NC-regel laat { $parameters } weg: deze waarden zijn genomen, een besturing weigert de regel misschien
+machine-remark-filled = de NC-regel laat { $parameters } weg: deze waarden zijn gebruikt, maar een besturing kan de regel weigeren
 machine-remark-measurement-behind-end = { $count ->
         [one] er staat een meetcyclus
        *[other] er staan { $count } meetcycli
-    } na deze NC-regel, waar geen besturing verder leest: daarvan is niets gemeten
+    } na deze NC-regel, waar een besturing stopt met lezen: wat daarna komt, is niet gemeten
 machine-remark-cycle-skipped = deze meetcyclus is op verzoek overgeslagen, vanwege de / ervoor
 machine-remark-rounded = tabel { $table }, kolom { $column }: { $value } is afgerond op { $written }
 machine-remark-not-judged = hier geen oordeel: er is niets met grenzen vergeleken
@@ -132,22 +132,22 @@ machine-remark-table-written = { $path } is geschreven
 machine-remark-contacts-left = de cycli hebben { $used } van de { $count } opgenomen meetpunten gebruikt
 machine-remark-more = nog { $count } opmerkingen zijn niet vermeld
 machine-remark-empty-spindle = gereedschap 0 is opgeroepen: een TNC7 heeft dan geen taster in de spil
-machine-remark-no-tool-named = geen TOOL CALL hiervoor noemt een gereedschap: gemeten met het eerste tastsysteem
-machine-remark-tool-call-words = TOOL CALL kent { $words } niet: genegeerd
-machine-remark-no-nominal = de cyclus noemt geen nominale maat: het volmaakte werkstuk wordt halverwege K geraakt
+machine-remark-no-tool-named = geen TOOL CALL voor deze cyclus noemt een gereedschap: gemeten met de eerste taster
+machine-remark-tool-call-words = TOOL CALL kent { $words } niet: overgeslagen
+machine-remark-no-nominal = de cyclus heeft geen nominale maat: de taster raakt het perfecte werkstuk halverwege K
 machine-remark-other-probe = gereedschap { $tool } staat niet in de tastertabel: taster { $probe } is gebruikt
 machine-remark-collision = de { $mover } zou { $feature } raken, met het midden van de kogel op X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = bewegingen zijn niet volledig gecontroleerd op { $features }
 machine-remark-stylus-unchecked = de taststift is niet op botsingen gecontroleerd: de gereedschapsas is niet Z
-machine-remark-tool-offsets = { $offsets } van de TOOL CALL verandert het gesimuleerde tastsysteem niet
+machine-remark-tool-offsets = { $offsets } van de TOOL CALL verandert de gesimuleerde taster niet
 machine-remark-tool-locked = gereedschap { $tool } is geblokkeerd in de gereedschapstabel
 machine-remark-no-probe-tool = gereedschap { $tool } is geen taster: TYP = { $kind }, { $probe } verwacht
 machine-remark-no-such-tool = gereedschap { $tool } staat niet in de gereedschapstabel
 machine-remark-same-name = { $more ->
     [one] nog een gereedschap heeft de naam { $tool }
    *[other] nog { $more } gereedschappen hebben de naam { $tool }
-}: het eerste van de gereedschapstabel is genomen
-machine-remark-content-uncertain = { $parameter } wordt hier gelezen: dat de diameter erin staat, is niet gedocumenteerd
+}: het eerste in de gereedschapstabel is gebruikt
+machine-remark-content-uncertain = { $parameter } wordt hier gelezen, maar het is niet gedocumenteerd dat de diameter erin staat
 machine-remark-not-waited = { $parameter } wordt gelezen zonder G909 na de cyclus: een besturing leest regels vooruit en heeft misschien nog niet gemeten
 machine-remark-position-unknown = de positie vóór de cyclus is niet bekend: zonder D begint hij in het nominale midden, zonder WB op hoogte 0
 
@@ -163,8 +163,8 @@ machine-pause-breakpoint = de volgende NC-regel heeft een breekpunt
 machine-pause-log = het meetprotocol staat op het scherm (Q281 = 2)
 
 ## A block of a measuring cycle without its program
-alone-moved = { $text } verplaatst de tastcyclus erna of verandert zijn assen, en de cyclus wordt uitgevoerd alsof dat niet zo is: voer het hele programma uit
-alone-called = { $text } voert regels uit die de tastcyclus erna kunnen verplaatsen, en die zijn niet gelezen: voer het hele programma uit
+alone-moved = { $text } verplaatst de tastcyclus erna of verandert zijn assen, maar de cyclus wordt uitgevoerd alsof dat niet zo is: voer het hele programma uit
+alone-called = { $text } voert regels uit die de tastcyclus erna kunnen verplaatsen, maar die zijn niet gelezen: voer het hele programma uit
 alone-not-understood = { $text } wordt niet begrepen en kan de tastcyclus erna verplaatsen: controleer het programma, of voer het in zijn geheel uit
 alone-not-run = het programma komt niet verder dan { $text } en bereikt de tastcyclus erna niet, dus een besturing meet hier niet: controleer het programma
 alone-passed = { $text } kan de tastcyclus overslaan, dus een besturing meet hier misschien niet: voer het hele programma uit

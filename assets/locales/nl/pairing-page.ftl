@@ -28,13 +28,13 @@ pairing-page-open-holes = Boringen openen…
 pairing-page-open-shafts = Assen openen…
 pairing-page-history-holes = Boringen uit de geschiedenis
 pairing-page-history-shafts = Assen uit de geschiedenis
-pairing-page-history-hint = Neemt de gekozen controles over, of alle als er geen gekozen is
+pairing-page-history-hint = Gebruikt de gekozen controles, of alle controles als er geen gekozen is
 pairing-page-groups = Groepen
 pairing-page-groups-hint = In hoeveel groepen van gelijke breedte de onderdelen ook worden gesorteerd. Leeg voor geen.
-pairing-page-do-wanted = De gewenste speling of een passing invullen.
-pairing-page-do-holes = De gemeten boringen openen, of uit de geschiedenis overnemen.
-pairing-page-do-shafts = De gemeten assen openen, of uit de geschiedenis overnemen.
-pairing-page-about = Er komen zo veel mogelijk paren binnen de gewenste speling en daarvan die het dichtst bij het midden. Namen en gemeten maten zijn genoeg. Bestanden kunnen ook hierheen worden gesleept, de boringen eerst.
+pairing-page-do-wanted = Vul de gewenste speling of een passing in.
+pairing-page-do-holes = Open de gemeten boringen, of neem ze over uit de geschiedenis.
+pairing-page-do-shafts = Open de gemeten assen, of neem ze over uit de geschiedenis.
+pairing-page-about = Fitcheck maakt zo veel mogelijk paren binnen de gewenste speling en kiest daarvan de paren die het dichtst bij het midden liggen. Namen en gemeten maten zijn genoeg. Bestanden kunnen ook hierheen worden gesleept, de boringen eerst.
 pairing-page-no-side = { $name } is niet geopend: er zijn al boringen en assen. Open het bestand als boringen of als assen.
 pairing-page-none-in-history = De geschiedenis heeft geen controles van { $feature ->
         [hole] boringen
@@ -71,7 +71,7 @@ pairing-page-copy = Paren kopiëren
 # The picture
 pairing-page-picture = Onderdelen naar maat
 pairing-page-legend = Ring: boring. Schijf: as, verschoven over het midden, { $middle } µm: een paar op het midden is vlak. Kruis: overblijver.
-pairing-page-part-of = Links alle onderdelen; het kader is wat is getekend.
+pairing-page-part-of = Links: alle onderdelen; het kader geeft aan welke getekend zijn.
 pairing-page-thinned = Te dicht op elkaar om alles te tekenen: 1 van de { $step } is getekend.
 pairing-page-left-over = overblijver
 pairing-page-describe = { $holes ->
@@ -81,8 +81,8 @@ pairing-page-describe = { $holes ->
         [one] 1 as
        *[other] { $shafts } assen
     } rechts, op één schaal van maten; assen zijn { $middle } µm verschoven, zodat een paar op het midden van de gewenste speling vlak is. { $pairs ->
-        [one] 1 paar is een lijn.
-       *[other] { $pairs } paren zijn lijnen.
+        [one] 1 paar is als lijn getekend.
+       *[other] { $pairs } paren zijn als lijnen getekend.
     }
 pairing-page-describe-part = { $pairs ->
         [one] 1 paar is in beeld.
@@ -109,7 +109,7 @@ pairing-page-simulated = { $count ->
         [one] 1 paar met een gesimuleerd onderdeel
        *[other] { $count } paren met een gesimuleerd onderdeel
     }
-pairing-page-no-pair = Geen boring en as hebben een gewenste speling.
+pairing-page-no-pair = Geen boring en as hebben een speling binnen het gewenste bereik.
 pairing-page-smallest = Kleinste speling
 pairing-page-largest = Grootste speling
 pairing-page-middle = Gewenst midden

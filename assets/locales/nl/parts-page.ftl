@@ -11,31 +11,31 @@ parts-page-dialog-open = Een onderdeelplan openen
 parts-page-dialog-save = Het onderdeelplan opslaan
 parts-page-not-saved = { $name }, niet opgeslagen
 parts-page-no-plan = Nog geen plan: open er een of begin er een.
-parts-page-unsaved = { $name } heeft wijzigingen die in geen bestand staan. Weggooien?
-parts-page-discard-no = Wijzigingen houden
+parts-page-unsaved = { $name } heeft niet-opgeslagen wijzigingen. Weggooien?
+parts-page-discard-no = Verder bewerken
 parts-page-discard-yes = Wijzigingen weggooien
 parts-page-discard = Niet-opgeslagen wijzigingen
-parts-page-move = Een andere cel
-parts-page-extend = Selecteren tot een andere cel
-parts-page-edit = De cel bewerken
+parts-page-move = Naar een andere cel
+parts-page-extend = Selectie uitbreiden
+parts-page-edit = Cel bewerken
 parts-page-take = Klaar
-parts-page-empty = De cellen leegmaken
-parts-page-copy = De cellen kopiëren
+parts-page-empty = Cellen leegmaken
+parts-page-copy = Cellen kopiëren
 parts-page-paste = Plakken
 parts-page-insert = Rij invoegen
 parts-page-delete = Rijen verwijderen
 parts-page-up = Omhoog
 parts-page-down = Omlaag
 parts-page-sort = Sorteren
-parts-page-sort-hint = Op de kolom van de cel, zoals mensen tellen; nog eens: andersom
+parts-page-sort-hint = Sorteert op de kolom van de huidige cel, A2 voor A10; nogmaals sorteren keert de volgorde om
 parts-page-renumber = Nummeren
-parts-page-renumber-hint = Nummert de kenmerken vanaf 1 in hun volgorde
+parts-page-renumber-hint = Nummert de elementen vanaf 1 in de volgorde van de rijen
 parts-page-all-columns = Alle kolommen
 parts-page-previous = Vorige fout
 parts-page-next = Volgende fout
 parts-page-choose-picture = Afbeelding kiezen…
-parts-page-dialog-picture = De afbeelding van het onderdeel kiezen
-parts-page-table = Kenmerken van het plan
+parts-page-dialog-picture = Afbeelding van het onderdeel kiezen
+parts-page-table = Elementen van het plan
 parts-page-cell = Rij { $row }, { $column }, { $text }
 parts-page-cell-empty = Rij { $row }, { $column }, leeg
 parts-page-cell-wrong = { $cell }, fout: { $what }
@@ -43,30 +43,30 @@ parts-page-new-row = nieuw
 parts-page-limits = Grensmaten
 parts-page-editing = { $column } van rij { $row }
 parts-page-head = Onderdeel
-parts-page-no-fault = Er is niets mis met het plan
-parts-page-blank = Typ het eerste kenmerk, of plak rijen van een rekenblad
+parts-page-no-fault = Geen fouten in het plan
+parts-page-blank = Typ het eerste element, of plak rijen uit een spreadsheet
 parts-page-faults = { $count ->
     [one] Eén fout
    *[other] { $count } fouten
 }
 parts-page-features = { $count ->
-    [one] Eén kenmerk
-   *[other] { $count } kenmerken
+    [one] Eén element
+   *[other] { $count } elementen
 }
 parts-page-fault-of = { $row }, { $column }
 parts-page-fault-row = Rij { $row }
 parts-page-fault-plan = Plan
-parts-page-lost = Niet begrepen in het bestand: met dit plan wordt niets gemeten of opgeslagen tot het daar verbeterd of hier weggelaten is
+parts-page-lost = Niet begrepen in het bestand: het plan meet en bewaart niets tot dit in het bestand gecorrigeerd of hier weggelaten is
 parts-page-take-meant = { $meant } gebruiken
 parts-page-leave-out = Deze weglaten
-parts-page-leave-out-hint = Het plan is dan wat gelezen kon worden; wat niet begrepen is, kan een kenmerk zijn
+parts-page-leave-out-hint = Het plan heeft dan alleen wat gelezen kon worden; wat niet begrepen is, kan een element zijn
 parts-page-left-out = { $count ->
-    [one] { $name }: één ding dat niet begrepen is, is uit het plan weggelaten; het bestand heeft het tot het plan wordt opgeslagen
-   *[other] { $name }: { $count } dingen die niet begrepen zijn, zijn uit het plan weggelaten; het bestand heeft ze tot het plan wordt opgeslagen
+    [one] { $name }: één vermelding die niet begrepen is, is uit het plan weggelaten; het bestand houdt die tot het plan wordt opgeslagen
+   *[other] { $name }: { $count } vermeldingen die niet begrepen zijn, zijn uit het plan weggelaten; het bestand houdt ze tot het plan wordt opgeslagen
 }
 parts-page-pasted-rows = { $count ->
-    [one] Eén geplakte rij is weggelaten: een plan heeft hoogstens { $most } kenmerken
-   *[other] { $count } geplakte rijen zijn weggelaten: een plan heeft hoogstens { $most } kenmerken
+    [one] Eén geplakte rij is overgeslagen: een plan heeft hoogstens { $most } elementen
+   *[other] { $count } geplakte rijen zijn overgeslagen: een plan heeft hoogstens { $most } elementen
 }
 parts-page-pasted-columns = { $count ->
     [one] Eén geplakte kolom is weggelaten: rechts ervan zijn er geen meer. “Alle kolommen” toont er meer
@@ -106,42 +106,42 @@ parts-page-head-remark = Opmerking
 parts-page-head-file = bestand naast het plan
 parts-page-head-two = van tot
 parts-page-picture = Afbeelding van het onderdeel
-parts-page-picture-said = Afbeelding van het onderdeel, { $on } van { $count } ballonnen erop
+parts-page-picture-said = Afbeelding van het onderdeel, { $on } van { $count } ballonnen geplaatst
 parts-page-picture-none = Geen afbeelding
 parts-page-picture-awaited = De afbeelding wordt gelezen
-parts-page-picture-folder = { $given } is niet de naam van een bestand naast het plan: een afbeelding staat in de map van haar plan, en haar naam heeft geen map
-parts-page-picture-unsaved = Sla het plan eerst op: de afbeelding is een bestand in zijn map
-parts-page-picture-elsewhere = { $given } staat niet in de map van het plan: kopieer het daar eerst heen, dan blijven beide bijeen
+parts-page-picture-folder = { $given } is niet de naam van een bestand naast het plan: de afbeelding moet in de map van het plan staan, geef haar naam dus zonder map
+parts-page-picture-unsaved = Sla het plan eerst op: de afbeelding moet in dezelfde map staan
+parts-page-picture-elsewhere = { $given } staat niet in de map van het plan: kopieer de afbeelding eerst daarheen, dan blijven beide bij elkaar
 parts-page-picture-large = { $name } heeft { $given } KiB; een afbeelding heeft hoogstens { $most } KiB
-parts-page-picture-dots = { $name } heeft { $width } × { $height } punten; een afbeelding heeft hoogstens { $most } miljoen punten
+parts-page-picture-dots = { $name } heeft { $width } × { $height } pixels; een afbeelding heeft hoogstens { $most } miljoen pixels
 parts-page-picture-kind = { $name } is geen PNG-, JPEG- of SVG-afbeelding
-parts-page-picture-broken = { $name } is niet als afbeelding te lezen: { $reason }
+parts-page-picture-broken = { $name } kan niet als afbeelding worden gelezen: { $reason }
 parts-page-balloon = Ballon { $label }, { $name }, { $status }
 parts-page-balloon-next = { $balloon }, volgende
-parts-page-balloon-beside = { $balloon }, naast de afbeelding
+parts-page-balloon-beside = { $balloon }, niet op de afbeelding
 parts-page-balloon-open = niet gemeten
 parts-page-balloon-skipped = overgeslagen
 parts-page-beside = Nog niet op de afbeelding: sleep ze erheen
 parts-page-beside-more = en nog { $count }
 parts-page-balloon-simulated = { $status }, gesimuleerd
 parts-page-more = Rijen en cellen
-parts-page-picture-heavy = { $name } tekenen duurt te lang: er zijn filters, grote patronen of te veel lagen; teken het zonder, of bewaar het als PNG
-parts-page-csv-copy = Het bestand is een kopie: CSV heeft alleen de kenmerken, en { $keys } van het onderdeel blijft weg
+parts-page-picture-heavy = { $name } tekenen duurt te lang: er zijn filters, grote patronen of te veel lagen; verwijder ze, of sla de afbeelding op als PNG
+parts-page-csv-copy = Het bestand is een kopie: CSV heeft alleen de elementen, en { $keys } van het onderdeel blijft weg
 parts-page-opened = { $count ->
-    [one] { $name } is geopend, en één ding ervan is niet overgenomen
-   *[other] { $name } is geopend, en { $count } dingen ervan zijn niet overgenomen
+    [one] { $name } is open, maar één ding uit het bestand ontbreekt in het plan
+   *[other] { $name } is open, maar { $count } dingen uit het bestand ontbreken in het plan
 }
-parts-page-pasted-twice = Een geplakte kolom is weggelaten: de eerste rij noemt { $keys } meer dan eens, en de eerste telt
+parts-page-pasted-twice = Een geplakte kolom is weggelaten: de eerste rij noemt { $keys } meer dan eens, en de eerste kolom met die naam telt
 parts-page-pasted-unknown = Geplakte kolommen die een plan niet heeft, zijn weggelaten: { $names }
 parts-page-pasted-nameless = { $count ->
     [one] Eén geplakte kolom is weggelaten: de eerste rij heeft er geen naam boven
    *[other] { $count } geplakte kolommen zijn weggelaten: de eerste rij heeft er geen namen boven
 }
 parts-page-comments = { $count ->
-    [one] Opslaan verliest een opmerking van het bestand
-   *[other] Opslaan verliest { $count } opmerkingen van het bestand
+    [one] Bij het opslaan verdwijnt een opmerking uit het bestand
+   *[other] Bij het opslaan verdwijnen { $count } opmerkingen uit het bestand
 }
 parts-page-comments-lost = { $count ->
-    [one] Een opmerking van { $name } staat niet in het bestand: een plan wordt zonder opmerkingen geschreven
-   *[other] { $count } opmerkingen van { $name } staan niet in het bestand: een plan wordt zonder opmerkingen geschreven
+    [one] Een opmerking is uit { $name } verdwenen: een plan wordt zonder opmerkingen geschreven
+   *[other] { $count } opmerkingen zijn uit { $name } verdwenen: een plan wordt zonder opmerkingen geschreven
 }

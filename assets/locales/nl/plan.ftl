@@ -1,6 +1,6 @@
-# Plannen van kenmerken: wat er mis is met een plan.
+# Plannen van elementen: wat er mis is met een plan.
 
-plan-no-features = het plan heeft geen element
+plan-no-features = het plan heeft geen elementen
 plan-too-many = het plan heeft meer dan { $most } elementen
 plan-too-large = een plan heeft hoogstens { $most } KiB
 plan-no-column = kolom { $column } ontbreekt
@@ -24,49 +24,49 @@ plan-side-class = { $callout }: beide zijden van { $kind } hebben een klasse zoa
 plan-face-class = { $callout }: een vlak wordt als buitenmaat beoordeeld en heeft een asklasse nodig, zoals h9
 plan-face-place = { $callout }: het vlak ligt op { $coordinate } mm langs de meetas, en dat moet de nominale maat zijn
 plan-not-a-plan = dit is geen plan: een plan heeft een regel met de namen van zijn kolommen, zoals name;callout;x;y;z, of begint met fitcheck_plan = 1
-plan-other-version = dit plan heeft versie { $given }: versies 1 tot { $newest } worden gelezen
+plan-other-version = dit plan heeft versie { $given }: versies 1 tot { $newest } worden ondersteund
 plan-toml = { $said }
 plan-file = { $reason }
-plan-unknown-key = onbekende sleutel { $key }: verwacht { $known }
-plan-other-value = { $key }: verwacht { $expected }, gevonden { $found }
+plan-unknown-key = onbekende sleutel { $key }: { $known } verwacht
+plan-other-value = { $key }: { $expected } verwacht, { $found } gevonden
 plan-parameter = cyclus { $cycle } neemt { $given } niet uit een plan: schrijf NAAM=WAARDE met een van { $known }
 plan-no-parameter = geen meetcyclus neemt { $given } uit een plan: schrijf NAAM=WAARDE, zoals Q423=3
 plan-travel = { $axis }{ $given } ligt buiten het bereik van de machine, { $minimum } tot { $maximum } mm
 plan-clearance-travel = de taster beweegt op Z{ $height }, buiten het bereik van de machine, { $minimum } tot { $maximum } mm: geef een andere clearance_height
 plan-no-travel = { $given } is geen bereik: schrijf twee getallen, het kleinste eerst, zoals -250 250
-plan-text = { $column }: één regel met hoogstens { $most } tekens
+plan-text = { $column }: één regel met hoogstens { $most } tekens verwacht
 plan-same-number = { $line ->
-    [0] nummer { $number } komt tweemaal voor: een ander kenmerk heeft { $other }
-   *[other] nummer { $number } komt tweemaal voor: het kenmerk op regel { $line } heeft { $other }
+    [0] nummer { $number } komt twee keer voor: een ander element heeft { $other }
+   *[other] nummer { $number } komt twee keer voor: het element op regel { $line } heeft { $other }
 }
 plan-same-size = { $line ->
-    [0] een waarde { $called } zou van dit kenmerk of van { $other } kunnen zijn: geef er een een andere naam
-   *[other] een waarde { $called } zou van dit kenmerk of van { $other } op regel { $line } kunnen zijn: geef er een een andere naam
+    [0] een waarde { $called } kan bij dit element of bij { $other } horen: geef een van beide een andere naam
+   *[other] een waarde { $called } kan bij dit element of bij { $other } op regel { $line } horen: geef een van beide een andere naam
 }
 plan-number-is-name = { $line ->
-    [0] nummer { $number } is de naam van een ander kenmerk, { $other }
-   *[other] nummer { $number } is de naam van een ander kenmerk, { $other } op regel { $line }
+    [0] nummer { $number } is de naam van een ander element, { $other }
+   *[other] nummer { $number } is de naam van een ander element, { $other } op regel { $line }
 }
 plan-name-is-number = { $line ->
-    [0] een waarde { $called } zou van dit kenmerk of van { $other } kunnen zijn, waarvan het het nummer is
-   *[other] een waarde { $called } zou van dit kenmerk of van { $other } op regel { $line } kunnen zijn, waarvan het het nummer is
+    [0] een waarde { $called } kan bij dit element horen, of bij { $other }, dat dit nummer heeft
+   *[other] een waarde { $called } kan bij dit element horen, of bij { $other } op regel { $line }, dat dit nummer heeft
 }
-plan-balloon = { $given } is geen plaats op de afbeelding: van 0 tot 1
-plan-not-found-unknown = niet beoordeeld: geen kenmerk van het plan heeft deze naam of dit nummer, of ligt daar
-plan-not-found-no-clue = niet beoordeeld: de waarde heeft geen naam, nummer of plaats, dus er is geen kenmerk van het plan bij te vinden
-plan-not-found-half-place = niet beoordeeld: geen kenmerk van het plan heeft deze naam of dit nummer, en voor een plaats zijn X en Y nodig
-plan-not-found-contradiction = niet beoordeeld: naar zijn naam is het { $name } van het plan, naar zijn nummer { $number }
-plan-not-found-other-name = geen kenmerk van het plan heet { $given }, en een nummer alleen kan een volgnummer zijn: { $name } heeft het; noem het kenmerk zoals het plan, of geef zijn nominale maat
-plan-not-found-other-nominal = niet beoordeeld: het zou { $name } van het plan zijn, maar de nominale maat is { $given } en die van het plan { $planned }
-plan-not-found-other-limits = niet beoordeeld: het zou { $name } van het plan zijn, maar de grenzen { $given } hebben niets gemeen met die van het plan, { $planned }
-plan-not-found-several = niet beoordeeld: er liggen meer kenmerken van het plan: { $names }
+plan-balloon = { $given } is geen plaats op de afbeelding: 0 tot 1 verwacht
+plan-not-found-unknown = niet beoordeeld: geen element van het plan heeft deze naam, dit nummer of deze plaats
+plan-not-found-no-clue = niet beoordeeld: de waarde heeft geen naam, nummer of plaats, dus hoort zij bij geen element van het plan
+plan-not-found-half-place = niet beoordeeld: geen element van het plan heeft deze naam of dit nummer, en voor een plaats zijn X en Y nodig
+plan-not-found-contradiction = niet beoordeeld: de naam hoort bij { $name } van het plan, maar het nummer bij { $number }
+plan-not-found-other-name = geen element van het plan heet { $given }; { $name } heeft hetzelfde nummer, maar dat kan een volgnummer zijn: noem het element zoals in het plan, of geef zijn nominale maat
+plan-not-found-other-nominal = niet beoordeeld: de waarde hoort bij { $name } van het plan, maar de nominale maat is { $given } en die van het plan { $planned }
+plan-not-found-other-limits = niet beoordeeld: de waarde hoort bij { $name } van het plan, maar de grenzen { $given } hebben niets gemeen met die van het plan, { $planned }
+plan-not-found-several = niet beoordeeld: meerdere elementen van het plan hebben deze plaats: { $names }
 plan-not-found-which-side = niet beoordeeld: de waarde zegt niet welke van { $names } het is
 part-standing = { $measured } gemeten, { $missing } ontbreken, { $skipped } overgeslagen
-plan-not-found-other-kind = niet beoordeeld: het zou { $name } van het plan zijn, maar dat is een { $kind }, en er is iets anders gemeten
-plan-remark-left = { $name } blijft weg: { $why }
-plan-remark-class-left = { $name }: { $class } heeft andere grensmaten dan het bestand, en die van het bestand tellen
+plan-not-found-other-kind = niet beoordeeld: de waarde hoort bij { $name } van het plan, maar dat is een { $kind }, en er is iets anders gemeten
+plan-remark-left = { $name } is overgeslagen: { $why }
+plan-remark-class-left = { $name }: { $class } heeft andere grensmaten dan het bestand; die van het bestand tellen
 plan-remark-place-left = { $name }: er is geen positie overgenomen: { $why }
-plan-remark-axes-assumed = posities: het bestand zegt niet langs welke assen de boringen en assen liggen; ze tellen als langs Z
-plan-remark-uncertainty-left = { $name }: de uitgebreide onzekerheid van { $expanded } mm blijft weg, omdat de helft ervan geen heel aantal nanometer is
+plan-remark-axes-assumed = posities: het bestand zegt niet langs welke assen de boringen en assen liggen; Z is aangenomen
+plan-remark-uncertainty-left = { $name }: de uitgebreide onzekerheid van { $expanded } mm is overgeslagen, omdat de helft ervan geen heel aantal nanometer is
 plan-simulated-no-place = { $name } heeft geen plaats in het plan: het kan niet worden gesimuleerd
 plan-simulated-no-cycle = geen cyclus meet { $name }: het kan niet worden gesimuleerd

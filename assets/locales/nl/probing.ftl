@@ -11,11 +11,11 @@ caveat-three-contacts = 3 meetpunten: de vorm is niet te meten
 caveat-four-contacts = 4 meetpunten: behalve ovaliteit is geen vorm te zien
 caveat-few-contacts = { $contacts } meetpunten: de vorm ertussen is niet te zien
 caveat-short-arc = de meetpunten beslaan maar { $arc }°: spreiding werkt versterkt door in diameter en midden
-caveat-two-point = de diameter over de aanraakpunten { $one } en { $other } is { $size } mm, voorbij de grens van { $limit } mm die de gemiddelde cirkel wel haalt: een maat geldt standaard tussen elke twee punten tegenover elkaar
-caveat-form = de stralen van de aanraakpunten verschillen { $form } mm, dus de diameters daarover kunnen meer verschillen dan de zone van { $zone } mm: twee punten tegenover elkaar kunnen buiten de grenzen liggen
+caveat-two-point = de diameter over de meetpunten { $one } en { $other } is { $size } mm, voorbij de grens van { $limit } mm, die de gemiddelde cirkel niet overschrijdt: een maat geldt standaard tussen elke twee punten tegenover elkaar
+caveat-form = de radii van de meetpunten verschillen { $form } mm, dus de diameters daarover kunnen meer verschillen dan het tolerantieveld van { $zone } mm: twee punten tegenover elkaar kunnen buiten de grenzen liggen
 caveat-heights = de hoogten van de meetpunten verschillen { $spread } mm: op een kegel of scheve as verandert dat de diameter
 contact-missed = meetpunt { $number }: de taster heeft op de tastweg niets geraakt
-contact-no-height = meetpunt { $number } heeft geen hoogte: geef het bestand een kolom z
+contact-no-height = meetpunt { $number } heeft geen hoogte: voeg aan het bestand een kolom z toe
 contact-used-up = meetpunt { $number }: het bestand heeft maar { $available ->
     [one] { $available } meetpunt
    *[other] { $available } meetpunten
@@ -42,8 +42,8 @@ workpiece-cannot-be = { $what } = { $given }: minstens { $least }, hoogstens { $
 # Touches.
 contact-in-material = meetpunt { $number }: de tastweg begint in het materiaal
 contact-in-feature = meetpunt { $number }: de tastweg begint in het materiaal van { $feature }
-contact-behind = meetpunt { $number }: de kogel komt van achteren tegen de wand van { $feature }: nergens staat hoe dik het materiaal daar is
-contact-ambiguous = meetpunt { $number }: de kogel raakt { $feature } en { $other } op dezelfde plaats: welke er wordt gemeten, is niet te zeggen
+contact-behind = meetpunt { $number }: de kogel raakt de wand van { $feature } van achteren, en de dikte van het materiaal daar is onbekend
+contact-ambiguous = meetpunt { $number }: de kogel raakt { $feature } en { $other } op dezelfde plaats, dus het is niet bekend welke er wordt gemeten
 
 # Circle evaluation.
 circle-too-few = een cirkel heeft minstens 3 meetpunten nodig, gevonden: { $contacts }
@@ -126,8 +126,8 @@ remark-nominal-outside-limits = nominale diameter { $nominal } mm ligt niet tuss
 remark-nominal-width-outside-limits = nominale breedte { $nominal } mm ligt niet tussen de grensmaten: een TNC7 weigert dat
 remark-nominal-coordinate-outside-limits = nominale coördinaat { $nominal } mm ligt niet tussen de grensmaten: volgens zijn handboek kan een TNC7 dat weigeren
 remark-contact-astray = { $count ->
-    [one] meetpunt { $contact } ligt { $distance } mm van waar de cyclus tast: misschien hoort het bij een ander kenmerk
-   *[other] { $count } meetpunten liggen niet waar de cyclus tast, meetpunt { $contact } het verst met { $distance } mm: misschien horen ze bij een ander kenmerk
+    [one] meetpunt { $contact } ligt { $distance } mm van waar de cyclus tast: misschien hoort het bij een ander element
+   *[other] { $count } meetpunten liggen niet waar de cyclus tast, meetpunt { $contact } het verst met { $distance } mm: misschien horen ze bij een ander element
 }
 remark-deviation-without-parameter = de afwijking heeft hier geen parameter: het handboek zegt dat een besturing haar opslaat, maar niet in welke
 remark-variable-holds-diameter = #i99 is als diameter gelezen: het handboek zegt niet welke waarde erin staat

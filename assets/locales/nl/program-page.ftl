@@ -86,8 +86,8 @@ program-page-recorded = { $count ->
     [one] { $count } meetpunt
    *[other] { $count } meetpunten
   } uit { $name }
-program-page-path = Weg van de taster
-program-page-no-path = Nog geen weg
+program-page-path = Baan van de taster
+program-page-no-path = Nog geen baan
 
 program-page-no-windows = Het programma heeft geen venster geopend
 program-page-window = { $from }, { $mask }

@@ -12,29 +12,29 @@ records-page-waiting = Wordt vastgelegd
 records-page-not-recorded = Niet vastgelegd: { $why }
 records-page-nowhere = Controles worden niet vastgelegd: er is geen gegevensmap voor
 records-page-off = Controles worden niet vastgelegd: het vastleggen is uitgezet in het statusbestand
-records-page-opening = Het journaal wordt geopend
-records-page-how-on = Het statusbestand, state.toml, zegt in zijn deel [records] welk bestand het journaal is, en of controles worden vastgelegd.
-records-page-not-opened = Het journaal kan niet worden geopend, en controles worden niet vastgelegd: { $why }
+records-page-opening = Het logboek wordt geopend
+records-page-how-on = Het deel [records] van het statusbestand, state.toml, noemt het logboekbestand en zegt of controles worden vastgelegd.
+records-page-not-opened = Het logboek kan niet worden geopend, en controles worden niet vastgelegd: { $why }
 records-page-not-kept = { $count ->
     [one] 1 controle is niet vastgelegd: { $why }
    *[other] { $count } controles zijn niet vastgelegd: { $why }
 }
 records-page-refused = { $count ->
     [one] 1 controle kan niet worden vastgelegd: { $why }
-   *[other] { $count } controles kunnen niet worden vastgelegd, de eerste omdat: { $why }
+   *[other] { $count } controles kunnen niet worden vastgelegd; de reden bij de eerste: { $why }
 }
-records-page-not-kept-why = het journaal gaf geen antwoord
-records-page-no-thread = het systeem geeft geen thread voor het journaal
+records-page-not-kept-why = het logboek gaf geen antwoord
+records-page-no-thread = het systeem kan geen thread voor het logboek starten
 records-page-interrupted = het is onderbroken
 records-page-failed = { $count ->
     [one] 1 controle is niet vastgelegd
    *[other] { $count } controles zijn niet vastgelegd
 }
 records-page-try-again = Opnieuw proberen
-records-page-stay = Vastleggingen blijven in het journaal
+records-page-stay = Vastleggingen blijven in het logboek
 records-page-leave = { $count ->
-    [one] 1 controle is nog niet vastgelegd. Zij gaat verloren als het venster sluit.
-   *[other] { $count } controles zijn nog niet vastgelegd. Zij gaan verloren als het venster sluit.
+    [one] 1 controle is nog niet vastgelegd. Die gaat verloren als het venster sluit.
+   *[other] { $count } controles zijn nog niet vastgelegd. Die gaan verloren als het venster sluit.
 }
 
 ## Wie er meet
@@ -60,8 +60,8 @@ records-page-count = { $many ->
    *[other] { $count } vastleggingen
 }
 records-page-more = { $count }+ vastleggingen
-records-page-unread = Het journaal kan niet worden gelezen: { $why }
-records-page-none = er is geen journaal geopend
+records-page-unread = Het logboek kan niet worden gelezen: { $why }
+records-page-none = er is geen logboek geopend
 records-page-missing = Vastlegging { $number } ontbreekt
 records-page-empty = Controles verschijnen hier zodra zij zijn vastgelegd
 records-page-none-found = Geen vastlegging voldoet
@@ -80,12 +80,12 @@ records-page-chosen = { $count ->
 records-page-copy = Kopiëren
 records-page-report = Rapport…
 records-page-with-simulated = Met gesimuleerde controles
-records-page-with-simulated-hint = Gesimuleerde controles zijn geen bewijs; het rapport zegt dat het er heeft
+records-page-with-simulated-hint = Gesimuleerde controles zijn geen bewijs; het rapport zegt dat het er bevat
 records-page-report-simulated = { $count ->
-    [one] 1 van deze controles is gesimuleerd: zij is geen bewijs
-   *[other] { $count } van deze controles zijn gesimuleerd: zij zijn geen bewijs
+    [one] 1 van deze controles is gesimuleerd: dat is geen bewijs
+   *[other] { $count } van deze controles zijn gesimuleerd: dat is geen bewijs
 }
-records-page-report-from = Uit het journaal { $chain }, vastleggingen { $numbers }; de nieuwste is { $number } ({ $hash })
+records-page-report-from = Uit het logboek { $chain }, vastleggingen { $numbers }; de nieuwste is { $number } ({ $hash })
 records-page-out-simulated = { $count ->
     [one] 1 gesimuleerde controle is weggelaten
    *[other] { $count } gesimuleerde controles zijn weggelaten
@@ -112,7 +112,7 @@ records-page-went-back = { $time } (klok)
 records-page-close = Terug naar de lijst
 records-page-reading = De vastlegging wordt gelezen
 records-page-measure-again = Opnieuw meten
-records-page-measure-again-hint = Neemt tolerantie, onderdeel, serienummer en regel mee naar de controlepagina
+records-page-measure-again-hint = Neemt passing, onderdeel, serienummer en regel mee naar de controlepagina
 records-page-correct = Corrigeren…
 records-page-correct-hint = Voegt een vastlegging toe in plaats van deze; beide blijven
 records-page-simulated = Gesimuleerd: niemand heeft dit gemeten
@@ -136,17 +136,17 @@ records-page-file-program = Programma
 records-page-file-workpiece = Werkstuk
 records-page-file-budget = Onzekerheidsbudget
 records-page-chain = Keten
-records-page-chain-name = Journaal
+records-page-chain-name = Logboek
 records-page-hash = Hash
 
 ## Een correctie
 records-page-correction = Correctie
-records-page-correction-hint = Een nieuwe vastlegging komt in plaats van deze. Beide blijven in het journaal.
+records-page-correction-hint = Een nieuwe vastlegging komt in plaats van deze. Beide blijven in het logboek.
 records-page-corrector = Gecorrigeerd door
 records-page-reason = Reden
 records-page-withdraw = De vastlegging intrekken
 records-page-withdraw-hint = Er komt niets in haar plaats
-records-page-withdraw-neither = Vastlegging { $number }, die deze corrigeert, telt daardoor niet opnieuw
+records-page-withdraw-neither = Vastlegging { $number }, die deze corrigeert, telt daardoor niet weer
 records-page-typed = Getypte waarde, mm
 records-page-send-correction = De correctie vastleggen
 records-page-leave-correction = Annuleren
@@ -155,7 +155,7 @@ records-page-nothing-changed = Er is niets anders: wijzig een veld, of trek de v
 records-page-not-open = De vastlegging is niet geopend
 records-page-not-recording = Controles worden niet vastgelegd
 
-## Het journaal
+## Het logboek
 records-page-place = { $file } · { $entries } vermeldingen
 records-page-unsent = { $count } nog niet verzonden naar { $server }
 records-page-all-sent = alles verzonden naar { $server }
@@ -169,9 +169,9 @@ records-page-leave-server = Niet meer verzenden
 records-page-send-again = Opnieuw verzenden
 records-page-not-sent = Niet verzonden: { $why }
 records-page-and = { $one }; { $other }
-records-page-no-shop = deze Fitcheck is gebouwd zonder de server van een werkplaats (feature shop)
+records-page-no-shop = deze Fitcheck is gebouwd zonder ondersteuning voor een server van een werkplaats (feature shop)
 records-page-in-keyring = Het wachtwoord van { $server } staat nu in de sleutelbos van het systeem
-records-page-not-in-keyring = Het wachtwoord van { $server } kon niet in de sleutelbos van het systeem ({ $reason }): het geldt tot het venster sluit, en moet daarna uit PGPASSWORD of het wachtwoordbestand komen
+records-page-not-in-keyring = Het wachtwoord van { $server } kon niet in de sleutelbos van het systeem worden gezet ({ $reason }): het geldt tot het venster sluit, en moet daarna uit PGPASSWORD of het wachtwoordbestand komen
 records-page-verify = Verifiëren
 records-page-verify-hint = Vergelijkt elke vermelding met die ervoor
 records-page-verify-cancel = Verificatie afbreken
@@ -179,6 +179,6 @@ records-page-verify-cancelled = Verificatie afgebroken
 records-page-verify-progress = Voortgang van de verificatie
 records-page-verifying = { $done } van { $of } vermeldingen
 records-page-whole = { $time }: { $entries } vermeldingen geverifieerd, tot en met { $number } ({ $hash })
-records-page-broken = { $time }: { $entries } vermeldingen bekeken, en het journaal is niet zoals het is geschreven
+records-page-broken = { $time }: { $entries } vermeldingen gecontroleerd; het logboek is niet zoals het is geschreven
 records-page-not-verified = { $time }: niet geverifieerd: { $why }
-records-page-no-anchors = wat elders van het journaal bekend is kan niet worden gelezen: { $why }
+records-page-no-anchors = wat elders van het logboek bekend is kan niet worden gelezen: { $why }

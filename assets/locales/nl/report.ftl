@@ -43,7 +43,7 @@ report-accepted-zone = { $least } tot { $most } mm
 report-accepted-none = geen: de regel laat niets van deze tolerantie over
 report-proven = bewezen volgens deze regel
 report-not-proven = niet bewezen volgens deze regel
-report-conformity = voldoet met { $percent } % kans
+report-conformity = voldoet met een kans van { $percent } %
 report-budget-made = { $name }, gemaakt op { $date } door { $by }, geldig tot en met { $until }
 report-budget-expired = VERLOPEN op de dag van de controle
 report-budget-not-yet = NOG NIET GELDIG op de dag van de controle
@@ -106,16 +106,16 @@ report-footer = Elk oordeel berust op onafgeronde waarden en op de grensmaten en
 report-note = { $place }: { $what }
 report-note-line = { $place }, regel { $line }: { $what }
 report-note-more = { $count ->
-    [one] nog één staat hier niet
-   *[other] nog { $count } staan hier niet
+    [one] nog 1 opmerking staat hier niet
+   *[other] nog { $count } opmerkingen staan hier niet
 }
 
 ## A whole part
 report-balloon = Ballon
 report-picture-room = { $name } staat hier niet: met afbeeldingen van alle onderdelen zou de pagina te groot worden
 report-picture-beside = { $count ->
-    [one] één kenmerk heeft er geen ballon op
-   *[other] { $count } kenmerken hebben er geen ballon op
+    [one] één element heeft er geen ballon op
+   *[other] { $count } elementen hebben er geen ballon op
 }
 report-part-older = { $count ->
     [one] Eén andere waarde staat niet in de lijst: van elke maat staat er de waarde die telt

@@ -8,7 +8,7 @@ shop-address-mode = sslmode "{ $given }" is onbekend: schrijf disable, require, 
 shop-address-plain = sslmode=disable is alleen voor een server op deze computer, en { $host } is een andere
 
 ## Its password
-shop-password-open = het wachtwoordbestand is overgeslagen, want andere gebruikers mogen het lezen (chmod 600 helpt): { $path }
+shop-password-open = het wachtwoordbestand is overgeslagen, want andere gebruikers kunnen het lezen (chmod 600 voorkomt dat): { $path }
 shop-password-unread = het wachtwoordbestand is overgeslagen: { $what }
 shop-password-no-keyring = de sleutelbos van het systeem gaf geen wachtwoord: { $reason }
 
@@ -30,13 +30,13 @@ shop-authorities = de certificaten van de autoriteiten zijn niet bruikbaar: { $r
 shop-no-authorities = deze computer vertrouwt geen enkele autoriteit: noem het bestand van de eigen autoriteit met sslrootcert=BESTAND in het adres
 shop-not-made = de database "{ $database }" heeft nog geen logboek: voer eerst fitcheck journal init-shop uit met haar adres
 shop-no-right = de server staat deze gebruiker dat niet toe: { $reason }
-shop-foreign = de database heeft een schema "fitcheck" dat niet door Fitcheck is gemaakt; het is gelaten zoals het is
-shop-newer = het logboek op de server is door een nieuwere Fitcheck gemaakt (versie { $version }, deze kent { $known }); het is gelaten zoals het is
+shop-foreign = de database heeft een schema "fitcheck" dat niet door Fitcheck is gemaakt; het is niet gewijzigd
+shop-newer = het logboek op de server is door een nieuwere Fitcheck gemaakt (versie { $version }, deze ondersteunt { $known }); het is niet gewijzigd
 shop-old-server = PostgreSQL { $version } is te oud: versie { $oldest } of later is nodig
 shop-encoding = de teksten van deze database zijn { $encoding }: maak er een met ENCODING 'UTF8'
 shop-other-login = dit logboek is op de server van "{ $login }", en "{ $ours }" mag er niets aan toevoegen
-shop-fork = vermelding { $number } op de server ({ $theirs }) is een andere dan hier ({ $ours }): er zijn twee kopieën van dit logboek, of het is gewijzigd
-shop-ahead = de server heeft { $theirs } vermeldingen van dit logboek, en hier zijn er maar { $ours }: er is een oudere kopie teruggezet, of er zijn twee kopieën van
+shop-fork = vermelding { $number } op de server ({ $theirs }) verschilt van die hier ({ $ours }): er zijn twee kopieën van dit logboek, of het is gewijzigd
+shop-ahead = de server heeft { $theirs } vermeldingen van dit logboek, maar hier zijn er maar { $ours }: er is een oudere kopie teruggezet, of er zijn twee kopieën van
 shop-not-text = vermelding { $number } kan niet worden verstuurd: de bytes zijn geen tekst
 shop-too-long = vermelding { $number } kan niet worden verstuurd: die heeft { $bytes } bytes
 shop-server = de server meldt: { $reason } ({ $code })
@@ -46,16 +46,16 @@ shop-stopped = gestopt
 
 ## Its schema
 shop-made-new = het logboek is in de database gemaakt (versie { $version })
-shop-made-upgraded = het logboek in de database is van versie { $from } naar versie { $version } gebracht
+shop-made-upgraded = het logboek in de database is van versie { $from } naar versie { $version } omgezet
 shop-made-already = het logboek was er al (versie { $version })
 
 ## What is wrong on it
 shop-finding-altered = "{ $name }", dat vermeldingen tegen wijzigen beschermt, ontbreekt op de server of is uitgeschakeld
 shop-finding-row-security = de tabel "{ $name }" houdt stations niet meer bij hun eigen logboek: de rijbeveiliging is uitgeschakeld
-shop-finding-chain-name = een logboek op de server heeft een naam die er geen is: { $name }
-shop-finding-changed = { $kind } "{ $name }" is op de server niet zoals init-shop het maakt: kijk wie dit heeft veranderd, en voer init-shop uit
-shop-finding-gone = { $kind } "{ $name }" ontbreekt op de server: kijk wie dit heeft weggehaald, en voer init-shop uit
-shop-finding-strange = { $kind } "{ $name }" staat op de server en is niet door init-shop gemaakt: kijk wie dit heeft gemaakt
+shop-finding-chain-name = een logboek op de server heeft een ongeldige naam: { $name }
+shop-finding-changed = { $kind } "{ $name }" is op de server niet zoals init-shop het maakt: zoek uit wie dit heeft veranderd, en voer init-shop uit
+shop-finding-gone = { $kind } "{ $name }" ontbreekt op de server: zoek uit wie dit heeft verwijderd, en voer init-shop uit
+shop-finding-strange = { $kind } "{ $name }" staat op de server en is niet door init-shop gemaakt: zoek uit wie dit heeft gemaakt
 shop-thing-function = de functie
 shop-thing-grant = het recht op
 shop-thing-index = de index

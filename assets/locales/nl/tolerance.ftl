@@ -57,8 +57,8 @@ zone-micrometres = een tolerantieveld van { $width } mm staat in geen verhouding
 zone-wide = een tolerantieveld van { $width } mm staat in geen verhouding tot { $nominal } mm, waarvan IT 18 { $widest } mm is: controleer nominale maat en grensmaten
 zone-micrometres-to-zero = minimale grensmaat { $minimum } mm is niet groter dan 0: zijn de afwijkingen micrometers? Schrijf dan { $offer }
 zone-to-zero = minimale grensmaat { $minimum } mm is niet groter dan 0: controleer nominale maat en grensmaten
-zone-coordinate-micrometres = een tolerantieveld van { $width } mm is breder dan { $widest } mm, het meeste voor een coördinaat: zijn de afwijkingen micrometers? Schrijf dan { $offer }
-zone-coordinate = een tolerantieveld van { $width } mm is breder dan { $widest } mm, het meeste voor een coördinaat: controleer de grensmaten
+zone-coordinate-micrometres = een tolerantieveld van { $width } mm is breder dan { $widest } mm, het maximum voor een coördinaat: zijn de afwijkingen micrometers? Schrijf dan { $offer }
+zone-coordinate = een tolerantieveld van { $width } mm is breder dan { $widest } mm, het maximum voor een coördinaat: controleer de grensmaten
 
 shape-no-ranges = de tabel heeft geen maatbereik
 shape-not-ascending = maatbereik tot en met { $end } mm eindigt niet boven het vorige, { $before } mm
@@ -94,12 +94,12 @@ rule-no-uncertainty = regel { $rule } heeft de onzekerheid van de gemeten waarde
 rule-no-factor = regel { $rule } heeft geen factor
 rule-no-width = regel { $rule } berekent zijn veiligheidsmarge uit de onzekerheid
 rule-width-missing = regel { $rule } heeft een veiligheidsmarge boven 0 µm nodig
-rule-no-prover = regel { $rule } hangt niet af van wie moet bewijzen
+rule-no-prover = regel { $rule } hangt niet af van de bewijslast
 uncertainty = u = { $u } µm, U = { $expanded } µm (k = { $k })
-uncertainty-not-positive = een onzekerheid is groter dan 0 µm
+uncertainty-not-positive = een onzekerheid moet groter dan 0 µm zijn
 uncertainty-factor = dekkingsfactor { $given }: een getal van 1 tot 10 verwacht, met hoogstens drie decimalen
 uncertainty-by-budget = u van elke waarde volgens het budget
-undecided-contacts = met deze { $contacts } tastpunten is de diameter { $times } keer zo onzeker als met { $contacts } tastpunten rond de hele cirkel, en de opgegeven onzekerheid geldt tot en met 3 keer: neem tastpunten verder rondom, of geef een budget op
+undecided-contacts = met deze { $contacts } meetpunten is de diameter { $times } keer zo onzeker als met { $contacts } meetpunten rond de hele cirkel, maar de opgegeven onzekerheid geldt maar tot en met 3 keer: verdeel de meetpunten over een langere boog, of geef een budget op
 doubt-times-inch = de gemeten waarde is 25,4 keer de nominale maat: is er twee keer uit inch omgerekend?
 doubt-inches = de gemeten waarde is de nominale maat gedeeld door 25,4: staat die in inch?
 doubt-double = de gemeten waarde is twee keer de nominale maat: is een diameter voor een radius aangezien?
@@ -111,7 +111,7 @@ doubt-far = de gemeten waarde ligt { $distance } mm buiten de grensmaten: is het
 file-is-folder = dit is een map, geen bestand: { $path }
 file-missing = bestand of map bestaat niet: { $path }
 file-exists = er bestaat al een bestand of map met deze naam: { $path }
-file-half-set = het schrijven van een reeks bestanden is halverwege gestopt, dus sommige bestanden in de map zijn oud en andere nieuw; de reeks opnieuw schrijven maakt het af, en wat nog verplaatst moet worden staat in { $path }
+file-half-set = het schrijven van een reeks bestanden is halverwege gestopt, dus sommige bestanden in de map zijn oud en andere nieuw: schrijf de reeks opnieuw om haar af te maken; wat nog verplaatst moet worden staat in { $path }
 file-not-a-file = dit is een pipe of een apparaat, geen bestand: { $path }
 file-changed = het bestand is veranderd terwijl het werd gelezen; lees het opnieuw: { $path }
 file-stopped = gestopt: er is niets geschreven: { $path }
@@ -158,13 +158,13 @@ fit-search-no-classes = de tabellen hebben bij { $nominal } mm geen klassen voor
 fit-thermal-too-fine = { $text } heeft meer dan drie decimalen
 fit-thermal-temperature = een temperatuur van { $text } °C valt buiten het bereik: van -273,15 tot 1000 °C
 fit-thermal-expansion = een uitzetting van { $text } valt buiten het bereik: van -20 tot 500, in miljoensten per kelvin, zoals 11,5 voor staal
-fit-thermal-expansion-unit = een uitzetting van { $text } staat in een andere eenheid: die is in miljoensten per kelvin; schrijf { $meant }
+fit-thermal-expansion-unit = een uitzetting van { $text } staat in een andere eenheid: uitzettingen zijn in miljoensten per kelvin; schrijf { $meant }
 
 ## Temperaturen die niet kunnen kloppen
 thermal-doubt-fahrenheit = { $given } °C ligt ver van elke temperatuur waarbij wordt gemeten: zijn dit graden Fahrenheit? Schrijf dan { $meant }
 thermal-doubt-kelvin = { $given } °C ligt ver van elke temperatuur waarbij wordt gemeten: is dit in kelvin? Schrijf dan { $meant }
 thermal-doubt-far = { $given } °C ligt ver van elke temperatuur waarbij wordt gemeten, { $least } tot { $most } °C: controleer die
-thermal-doubt-beyond = { $given } °C ligt buiten { $least } tot { $most } °C, waar een uitzetting van { $expansion } miljoensten per kelvin geldt: geef er een voor deze temperatuur
+thermal-doubt-beyond = { $given } °C ligt buiten { $least } tot { $most } °C, waarbinnen een uitzetting van { $expansion } miljoensten per kelvin geldt: geef de uitzetting voor deze temperatuur
 
 ## Materialen
 material-published = gepubliceerde waarde
@@ -199,7 +199,7 @@ callout-deviation-order = de onderafwijking staat voor de bovenafwijking: schrij
 callout-limits-order = de kleinste grensmaat staat voor de grootste: schrijf { $offer }
 callout-limits-apart = { $larger } mm is meer dan twee keer { $smaller } mm, dus dit zijn waarschijnlijk geen grensmaten: schrijf afwijkingen, zoals 12 +0,2 0
 callout-limits-or-deviation = dit is dubbelzinnig: schrijf { $limits } voor grensmaten of { $deviation } voor een onderafwijking
-callout-limits-meant = zo'n afwijking zou niets overlaten: schrijf { $limits } voor grensmaten
+callout-limits-meant = zo'n afwijking zou geen maat overlaten: schrijf { $limits } voor grensmaten
 callout-minimum-not-positive = minimale grensmaat { $minimum } mm is niet groter dan 0
 callout-micrometres-meant = minimale grensmaat { $minimum } mm is niet groter dan 0: zijn de afwijkingen micrometers? Schrijf dan { $offer }
 callout-mixed-decimals = { $number } heeft een ander decimaalteken dan het getal ervoor: gebruik één soort

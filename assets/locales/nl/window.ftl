@@ -118,8 +118,8 @@ take-meant = { $meant } mm gebruiken
 take-text = { $meant } gebruiken
 keep-text = { $given } toch zo gebruiken
 doubted-enter = Enter gebruikt de gekleurde knop; typen vervangt de tekst
-doubted-type = Er wordt niets beoordeeld voordat de tekst opnieuw getypt of zo gebruikt wordt
-question-enter = Enter doet na een halve seconde wat op de gevulde knop staat; typen vervangt de waarde
+doubted-type = Er wordt niets beoordeeld tot de tekst opnieuw getypt of zo gebruikt wordt
+question-enter = Na een halve seconde drukt Enter op de gevulde knop; typen vervangt de waarde
 doubt-sentence = { $doubt }
 lot-title = { $rows ->
     [one] { $name }: 1 rij
@@ -293,8 +293,8 @@ tables-loaded = { $count ->
    *[other] { $count } tabellen worden gebruikt uit { $folder }
 }
 mask-loaded-with-warnings = { $name } is gelezen met waarschuwingen
-state-set-aside = De bewaarde toestand kon niet worden gelezen en is bewaard als { $path }; het venster begint met de standaardinstellingen.
-state-set-aside-now = De bewaarde toestand was niet meer leesbaar en is bewaard als { $path }; de toestand van dit venster staat nu op zijn plaats.
+state-set-aside = De bewaarde toestand kon niet worden gelezen. Het bestand is bewaard als { $path }, en het venster begint met de standaardinstellingen.
+state-set-aside-now = De bewaarde toestand kan niet meer worden gelezen. Het bestand is bewaard als { $path }, en de toestand van dit venster wordt op zijn plaats opgeslagen.
 state-not-kept = De toestand van dit venster wordt niet bewaard: { $reason }
 import-contacts-not-judged = De meetpunten in { $name } zijn niet beoordeeld
 import-notice = { $name }: { $good ->
@@ -548,12 +548,12 @@ cycle-picture-part = Onderdeel met { $count ->
     [one] één element
    *[other] { $count } elementen
   }: { $names }.
-cycle-picture-path = Weg van de taster, { $step } van { $moves } verplaatsingen gedaan, { $contacts ->
+cycle-picture-path = Baan van de taster, { $step } van { $moves } verplaatsingen gedaan, { $contacts ->
     [one] 1 meetpunt
    *[other] { $contacts } meetpunten
 }. Kogel op X { $x }, Y { $y }, Z { $z } mm.
 cycle-picture-path-touch = { $phase }, meetpunt { $touch }
-cycle-picture-no-path = De weg verschijnt na het uitvoeren van de cyclus
+cycle-picture-no-path = De baan verschijnt na het uitvoeren van de cyclus
 cycle-picture-phase-pre-position = voorpositioneren
 cycle-picture-phase-approach = naderen
 cycle-picture-phase-contact = meetpunt
@@ -586,7 +586,7 @@ cycle-picture-uncertainty = Spreiding s van een meetpunt geeft { $diameter } s i
 
 # De bewaarde toestand, en het venster zelf
 saved-broken = de bewaarde toestand is onleesbaar: { $reason }
-saved-newer = de bewaarde toestand heeft versie { $version }, dit programma kent versies tot en met { $known }
+saved-newer = de bewaarde toestand heeft versie { $version }, dit programma ondersteunt versies tot en met { $known }
 window-no-display = geen beeldscherm: DISPLAY en WAYLAND_DISPLAY zijn niet ingesteld. Meld aan op een bureaublad, maak verbinding met ssh -X, of gebruik de opdrachtregel, die geen beeldscherm nodig heeft: fitcheck check "25 H7" --measured 25.012; zie fitcheck --help
 open-unknown = { $name } is geen bestand dat het venster opent; het opent metingen, meetprotocollen en meetpunten (.csv, .tsv, .txt, .html), NC-programma's (.h), tabellen (.tab), gereedschapstabellen (.t), gesimuleerde werkstukken (.toml), tastertabellen (.tp) en maskers (.a)
 window-not-opened = het venster kan niet worden geopend: { $reason }; de opdrachtregel werkt zonder beeldscherm, zie fitcheck --help
@@ -608,7 +608,7 @@ rows-done = { $count } rijen, alle beoordeeld in { $seconds } s
 rows-cancelled = ONVOLLEDIG: geannuleerd na { $count } rijen, { $percent } % van het bestand
 rows-failed = ONVOLLEDIG na { $count } rijen: { $why }
 rows-why-bytes = { $size } MiB, meer dan { $limit } MiB: rij voor rij beoordeeld, en de rijen blijven niet in de geschiedenis
-rows-why-packed = Ingepakt: rij voor rij beoordeeld, en de rijen blijven niet in de geschiedenis; de uitgepakte tekst staat in een tijdelijk bestand tot het bestand wordt gesloten
+rows-why-packed = Gecomprimeerd: rij voor rij beoordeeld, en de rijen blijven niet in de geschiedenis; de uitgepakte tekst staat in een tijdelijk bestand tot het bestand wordt gesloten
 rows-not-judged = NIET BEOORDEELD
 rows-fate = { $fate } { $count }
 rows-fate-hint = Toont deze rijen; meer dan één keuze is mogelijk
