@@ -56,15 +56,15 @@ pub(super) struct TableArgs(GivenTables);
 #[derive(Debug, Clone, clap::Args)]
 #[group(id = "TableArgs")]
 struct GivenTables {
-    /// Folder with your own control tables (*.tab); they come first for the classes and sizes that they hold
+    /// Folder with your own control tables (*.tab); they take precedence for the classes and sizes that they hold
     #[arg(long, value_name = "FOLDER", global = false)]
     tables: Option<PathBuf>,
-    /// Where limits come from that your own tables do not have
+    /// Source of the limits that your own tables do not have
     #[arg(long, value_parser = bases(), default_value = Base::default().name())]
     source: Base,
     #[command(flatten)]
     standard: StandardArgs,
-    /// Take a tolerance zone as it is given that is wider than IT 18 of its size or reaches to zero
+    /// Accept a tolerance zone that is wider than IT 18 of its size or reaches to zero
     #[arg(long)]
     wide_zone: bool,
 }
@@ -74,7 +74,7 @@ const EDITIONS: [(&str, iso286::Edition); 2] = [("1988", iso286::Edition::Of1988
 /// Where editions of ISO 286 differ.
 #[derive(Debug, Clone, clap::Args)]
 pub(super) struct StandardArgs {
-    /// Edition of ISO 286 for cd, ef and fg: to 10 mm (1988) or to 50 mm (2010)
+    /// Edition of ISO 286 for cd, ef and fg: up to 10 mm (1988) or up to 50 mm (2010)
     #[arg(long, value_name = "YEAR", default_value = "2010", value_parser = one_of(EDITIONS, |edition| edition.0))]
     edition: (&'static str, iso286::Edition),
     /// Round half micrometres of JS7 to JS11 and js7 to js11 down, as in 1988

@@ -31,7 +31,7 @@ use crate::tolerance::Sources;
 use judging::{Above, Judging, Rows};
 use summary::Told;
 
-/// Judge every row of CSV or Parquet files of any length, order kept
+/// Judge every row of CSV or Parquet files of any length, in order
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
 pub(super) struct Args {
@@ -39,19 +39,19 @@ pub(super) struct Args {
     #[arg(required = true, value_name = "FILE")]
     inputs: Vec<PathBuf>,
 
-    /// File to write, .csv, .tsv, .jsonl or .parquet; text is packed where .gz or .zst follows; - or no file is standard output
+    /// File to write: .csv, .tsv, .jsonl or .parquet; .gz or .zst after it compresses text; - or no file is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
 
-    /// Format of the answers; default: that of the output's ending, else csv
+    /// Format of the answers; default: by the ending of the output, or csv
     #[arg(long, value_parser = one_of(batch::FORMS.iter().map(|(form, ..)| *form), |form| form.name()))]
     format: Option<Form>,
 
-    /// Word before the names of the added columns, where the input has some of them already
+    /// Word to put before the names of the added columns, if the input already has some of them
     #[arg(long, value_name = "WORD", default_value = "")]
     prefix: String,
 
-    /// How many processors work at the same time; default: all, at most 8
+    /// Number of processors to use; default: all, at most 8
     #[arg(short, long, value_name = "COUNT", value_parser = clap::value_parser!(u8).range(1..=64))]
     jobs: Option<u8>,
 
@@ -62,14 +62,14 @@ pub(super) struct Args {
 fn help() -> String {
     format!(
         "\
-Columns are found as by fitcheck import: by their names in English, Dutch, German or Italian, or by what is in them. \
-Every column is passed on as it is; added are
+Columns are found as by fitcheck import: by their names in English, Dutch, German or Italian, or by their content. \
+Every column is written unchanged, followed by these:
 
   {}
 
-Every row is judged by the control's own rule: the limits decide; fitcheck import and report know decision rules. \
-A row without a verdict keeps its place, with the reason in the last column. Inputs packed with gzip or \
-Zstandard are unpacked. Parquet, in and out, is known to programs built with the feature parquet; its columns keep \
+The limits alone decide, as on a control; for decision rules, use fitcheck import or report. \
+A row without a verdict keeps its place, with the reason in the last column. Inputs compressed with gzip or \
+Zstandard are decompressed. Programs built with the feature parquet read and write Parquet: its columns keep \
 their types, and those of CSV become texts. The summary goes to standard error.
 
 Examples:
@@ -78,8 +78,8 @@ Examples:
   fitcheck batch bores.parquet -o verdicts.parquet
   zcat bores.csv.gz | fitcheck batch - --format jsonl | head
 
-The exit code is that of the worst verdict; it is 1 where any row could not be judged, and 14 (judged, but look first: see \
-fitcheck --help) instead of 0 or 10 where something stands against a verdict.",
+The exit code is that of the worst verdict; it is 1 if any row could not be judged, and 14 (judged, but look first: see \
+fitcheck --help) instead of 0 or 10 if something contradicts a verdict.",
         ADDED.join(",")
     )
 }

@@ -48,7 +48,7 @@ pub(super) struct Args {
     callout: String,
     #[command(flatten)]
     source: SourceArgs,
-    /// Seed of the simulated scatter: the same seed gives the same contacts
+    /// Seed of the simulated scatter; the same seed gives the same contacts
     #[arg(long, value_name = "N", default_value_t = 1, conflicts_with_all = ["measured", "contacts"])]
     seed: u64,
     /// Hole or shaft, for a callout that does not say which: 10m, "12 ±0.02", or one part of "25 H7/g6"
@@ -63,7 +63,7 @@ pub(super) struct Args {
     /// Language of the status words and of the L_ sections in your own mask; without --mask, also of the mask
     #[arg(long, default_value = "en", value_parser = dialogue())]
     language: Dialogue,
-    /// Format of the answer; text prints the mask's text and nothing else
+    /// Format of the answer; text prints only the text of the mask
     #[arg(long, value_enum, default_value_t = Format::Text)]
     format: Format,
     #[command(flatten)]

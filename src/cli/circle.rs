@@ -16,7 +16,7 @@ const EXAMPLES: &str = "Examples:
   printf 'x,y\\n12.5,0\\n0,12.5\\n-12.5,0\\n' | fitcheck circle -
 
 The file has columns x, y and optionally z in millimetres, with or without a header. The answer is in
-millimetres and degrees; maximum_inscribed is null where the contacts do not surround a circle.";
+millimetres and degrees; maximum_inscribed is null if the contacts do not surround a circle.";
 
 /// Evaluate a circle by every criterion: least squares, circumscribed, inscribed, minimum zone, two-point
 #[derive(Debug, clap::Args)]

@@ -17,22 +17,23 @@ Examples:
   fitcheck decide --lower 25 --upper 25.021 --u 1.2 --process-mean 25.012 --process-sd 3
   fitcheck decide --upper 0.002 --u 0.25 --gamma 4,0.25 --consumer-risk 0.001
 
-Conformity is the probability that the true value lies within the limits, by a normal law about the measured
-value (JCGM 106). Consumer's risk: accepted and bad. Producer's risk: good and not accepted.
+Conformity is the probability that the true value lies within the limits, by a normal law about the
+measured value (JCGM 106). Consumer's risk: a part is bad and accepted. Producer's risk: a part is
+good and not accepted.
 
 Exit codes with --measured: 0 good, 10 rework, 11 scrap, 12 re-measure.";
 
-/// Zones, conformity and risks of a decision rule
+/// Show zones, conformity and risks of a decision rule
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 pub(super) struct Args {
-    /// Lower limit in mm; without it there is none
+    /// Lower limit in mm; default: none
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     lower: Option<String>,
-    /// Upper limit in mm; without it there is none
+    /// Upper limit in mm; default: none
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     upper: Option<String>,
-    /// A measured value in mm
+    /// Measured value in mm
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     measured: Option<String>,
     /// Which side can be reworked: a hole that is too small, or a shaft that is too large
@@ -46,10 +47,10 @@ pub(super) struct Args {
     /// Standard deviation of the process in µm
     #[arg(long, value_name = "UM", requires = "process_mean", help_heading = "Process")]
     process_sd: Option<String>,
-    /// Instead of both: a gamma law from 0 up, by its shape and its scale in µm
+    /// Gamma law from 0 upwards, by its shape and its scale in µm, instead of mean and standard deviation
     #[arg(long, value_name = "SHAPE,UM", conflicts_with = "process_mean", help_heading = "Process")]
     gamma: Option<String>,
-    /// The accepted values for this consumer's risk, such as 0.001
+    /// Show the accepted values for this consumer's risk, such as 0.001
     #[arg(long, value_name = "RISK", help_heading = "Process")]
     consumer_risk: Option<String>,
     /// Format of the answer

@@ -36,7 +36,7 @@ Examples:
   fitcheck fit \"50 H7/p6\" --hole-material steel --shaft-material steel --hole-temperature 220
   fitcheck fit 25 --min-clearance 0.007 --max-clearance 0.041     classes for a clearance
   fitcheck fit 25 --function sliding --format json
-  fitcheck fit - --format csv < fits.txt                  one fit a line
+  fitcheck fit - --format csv < fits.txt                  one fit per line
 
 A clearance is hole minus shaft; a negative value is an interference. Measured diameters are those
 at 20 °C.
@@ -59,25 +59,25 @@ JSON of a search:
   nominal_mm, minimum_clearance_um, maximum_clearance_um, scope, function, total
   candidates    callout, hole, shaft, kind, minimum_clearance_um, maximum_clearance_um, basis,
                 preferred, function
-  nearest       where nothing fits: candidate, below_um, above_um
-What there is not is null. CSV has the same names, joined with _ where one lies within another.
+  nearest       if nothing fits: candidate, below_um, above_um
+Values that do not exist are null. CSV has the same names, with _ between the levels.
 
-Exit codes: the worse of the measured parts, 0 good, 10 rework, 11 scrap, 14 look
+Exit codes: that of the worse measured part: 0 good, 10 rework, 11 scrap, 14 look
 first (see fitcheck --help); 1 bad data, 2 wrong usage. A search that finds nothing names the nearest miss and ends with 0.";
 
 /// Show the fit of a hole and a shaft such as "25 H7/g6", or find classes for a clearance
 #[derive(Debug, clap::Args)]
 #[command(after_help = HELP)]
 pub(super) struct Args {
-    /// "25 H7/g6"; - reads one per line from standard input; for a search the nominal size alone, "25"
+    /// "25 H7/g6"; - reads one per line from standard input; for a search, only the nominal size, "25"
     #[arg(value_name = "CALLOUT|SIZE", required = true, allow_negative_numbers = true)]
     callouts: Vec<String>,
 
-    /// The hole's measured diameter in mm
+    /// Measured diameter of the hole in mm
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     hole: Option<String>,
 
-    /// The shaft's measured diameter in mm
+    /// Measured diameter of the shaft in mm
     #[arg(long, value_name = "MM", allow_hyphen_values = true)]
     shaft: Option<String>,
 

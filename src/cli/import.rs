@@ -33,7 +33,7 @@ pub(super) use row::{Row, Rows};
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
 pub(super) struct Args {
-    /// Files to read; a file that cannot be used is reported and the next one is read
+    /// Files to read; a file that cannot be used is reported, and the next one is read
     #[arg(required = true, value_name = "FILE")]
     files: Vec<PathBuf>,
 
@@ -82,21 +82,21 @@ fn help() -> String {
     let largest = WHOLE >> 20;
     format!(
         "\
-Formats, told by content:
+Formats, recognised by content:
 {}
 A CSV needs a column of callouts (or of nominal sizes and classes) and one of measured values. \
-A header in English, Dutch, German or Italian tells them apart; without one their content does. \
-Comma, semicolon, tab and pipe separate; point or comma is the decimal sign. \
-A unit may stand in the header: measured [mm], measured_um, Istmaß (inch). \
---columns sets what none of these tell: name, number, part, serial, who, callout, nominal, measured, time, simulated, x, y and z \
+A header in English, Dutch, German or Italian identifies them; without one, their content does. \
+The separator is a comma, semicolon, tab or pipe, and the decimal sign a point or comma. \
+The header may give a unit: measured [mm], measured_um, Istmaß (inch). \
+--columns sets what none of these show: name, number, part, serial, who, callout, nominal, measured, time, simulated, x, y and z \
 are columns; separator (semicolon, comma, tab, pipe), decimal (point, comma), unit of sizes and place-unit of x, y and z (mm, um, \
-inch), first-row (a line) and sheet (of a workbook) are set the same way, and - stands for no column. Give each only once. \
---show-columns prints how the columns would be read, as text and JSON also as the TOML that --columns reads.
+inch), first-row (a line) and sheet (of a workbook) are set in the same way, and - means no column. Give each only once. \
+--show-columns shows how the columns would be read; text and JSON also give the TOML that --columns reads.
 
 Columns of --format csv, and names in JSON:
   {}
-status is the diameter's; position tells the centre's, IN or OUT, where the control monitored it. \
-The last six tell how a value was brought to 20 °C, here or before; a decision rule and a budget add the columns that they add \
+status is that of the diameter; position is that of the centre, IN or OUT, if the control monitored it. \
+The last six show how a value was corrected to 20 °C, here or before; a decision rule and a budget add the same columns as \
 in fitcheck report.
 
 Examples:
@@ -111,11 +111,11 @@ Examples:
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; \
 it is 1 if any row or file could not be used or judged, and 14 (judged, but look first: see fitcheck --help) instead of 0, 10 or 12 \
-if something stands against a verdict. With --plan it is that of the worst part, by the value of \
-each feature that counts (the last one by its time; of values that contradict each other the worst one), and 1 if none is worse than good but features of a part have no value. Features without \
-a value are named at the end; in CSV and JSON each is a row with the plan as its file, and what stands against all values of a file \
-is one without a value. \
-Files may have any size that a disk holds, but a log of points, a pipe and a .dfx that is read beside its .dfd have up to \
+if something contradicts a verdict. With --plan it is that of the worst part, by the value of \
+each feature that counts (the last one by its time; if values contradict each other, the worst one), and 1 if none is worse than good but features of a part have no value. Features without \
+a value are named at the end; in CSV and JSON each is a row with the plan as its file, and what contradicts all values of a file \
+is a row without a value. \
+Files may have any size, but a log of points, a pipe and a .dfx that is read beside its .dfd have up to \
 {largest} MiB, and a sheet of a workbook unpacks to at most 512 MiB. \
 With --record, up to {MOST_ROWS} rows of a file are read.",
         formats.collect::<String>(),

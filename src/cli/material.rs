@@ -76,22 +76,22 @@ pub(super) fn refuse_far(doubt: Option<ThermalDoubt>, is_meant: bool) -> Result<
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Temperature")]
 pub(super) struct WarmArgs {
-    /// The temperature of the measured part in °C: the value is brought to 20 °C before it is judged
+    /// Temperature of the measured part in °C; the value is corrected to 20 °C before it is judged
     #[arg(long, value_name = "C", requires = "material", allow_hyphen_values = true)]
     temperature: Option<String>,
-    /// The part's material, or its expansion in millionths per kelvin, such as 11.5
+    /// Material of the part, or its expansion in millionths per kelvin, such as 11.5
     #[arg(long, value_name = "NAME", requires = "temperature", allow_hyphen_values = true)]
     material: Option<String>,
-    /// The temperature of the machine's scales in °C, where the machine does not compensate them
+    /// Temperature of the machine's scales in °C, if the machine does not compensate for it
     #[arg(long, value_name = "C", requires_all = ["scale_material", "temperature"], allow_hyphen_values = true)]
     scale_temperature: Option<String>,
-    /// The scales' material, or their expansion
+    /// Material of the scales, or their expansion
     #[arg(long, value_name = "NAME", requires = "scale_temperature", allow_hyphen_values = true)]
     scale_material: Option<String>,
-    /// Your own materials, a TOML file: they replace those of the same name and add others
+    /// TOML file with your own materials; they replace built-in ones of the same name and add others
     #[arg(long, value_name = "FILE.toml", requires = "material")]
     materials: Option<PathBuf>,
-    /// Take a temperature as it is given that is below -20 °C, above 50 °C or beyond the range of the expansion
+    /// Accept a temperature below -20 °C, above 50 °C or outside the range of the expansion
     #[arg(long, requires = "temperature")]
     far_temperature: bool,
 }

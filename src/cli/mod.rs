@@ -94,9 +94,9 @@ use io::{diameter, heard_or_not, now, read_contacts, read_input, read_table, sav
 use said::{CliRemark, CliWarning};
 pub use start::Start;
 
-/// Good, rework or scrap: limits and fits, measured.
+/// Judge measured holes and shafts: good, rework or scrap.
 ///
-/// Without a subcommand the window opens; with the names of files instead, it opens them.
+/// Without a subcommand, the window opens. With file names instead, the window opens these files.
 #[derive(Debug, Parser)]
 #[command(name = "fitcheck", version, max_term_width = 100, after_help = EXIT_CODES)]
 #[command(override_usage = "fitcheck [COMMAND]\n       fitcheck FILE...")]
@@ -108,9 +108,9 @@ pub struct Cli {
 const EXIT_CODES: &str = "\
 Exit codes: 0 done and good, 10 rework, 11 scrap, 12 re-measure, 14 judged, but look first, 1 bad data, 2 wrong usage, 130 stopped by Ctrl+C.
 
-14 takes the place of 0, 10 and 12: everything has an answer, yet something stands against it (the file's own status, another value of the \
-same feature, a value that may be another quantity, nobody measured) or something measured was left out of it (another sheet, a file with \
-the bytes of another, limits that a measuring block leaves out). Standard error says what. With scrap the exit code stays 11, with bad data 1.";
+14 takes the place of 0, 10 and 12: everything has an answer, but something contradicts it (the file's own status, another value of the \
+same feature, a value that may be another quantity, nobody measured), or something measured is not in it (another sheet, a file with \
+the bytes of another one, limits that a measuring block leaves out). Standard error gives the reason. With scrap the exit code stays 11, with bad data 1.";
 
 subcommands! {
     Limits(limits::Args),

@@ -20,10 +20,10 @@ Examples:
   fitcheck nc plan.csv --control itnc530 --language de -o set.zip
   fitcheck nc plan.csv --control tnc620 --folder 'TNC:\\nc_prog\\order_12' -o order_12
 
-A plan is a TOML file, or a CSV or workbook with one feature per line; docs/PLANS.md says what
-each column has. The columns of a feature, in any order:
+A plan is a TOML file, or a CSV or workbook with one feature per line; docs/PLANS.md
+describes each column. The columns of a feature, in any order:
   {columns}
-A set needs these of them:
+A set uses these of them:
   callout, x, y, z          nominal size and class such as 25 H7; centre and measuring height in mm
   kind                      diameter (of a hole or shaft, default), width (of a slot or ridge), face,
                             pocket or boss (four walls), point (of any surface)
@@ -42,13 +42,13 @@ The callout of a point is the band about its nominal place along the normal, suc
 
 The set holds a main program, the program that it calls, the tables 82553 (FIT_HOLE.TAB and
 FIT_SHAFT.TAB for later controls), the mask and a page that says what goes where. The tables have
-the 47 classes of NC-Solution 8255 and a column more for each other class of the plan. A callout
+the 47 classes of NC-Solution 8255 and an extra column for each other class of the plan. A callout
 without a class, such as 12 ±0.02 or 10m, is refused: the program looks limits up by class. The set
 judges by the limits alone: a rule, an uncertainty or a material of the plan is named in a remark
-and in README.TXT. A cycle or parameters of the plan's own are refused.
+and in README.TXT. A plan that names a cycle or parameters is refused.
 
-A name that ends in .zip becomes one file, any other a folder. Files that are there already stay
-as they are: --force overwrites them.
+A name that ends in .zip becomes one file, any other a folder. Existing files are kept:
+--force overwrites them.
 
 Exit codes: 0 done, 1 bad data, 2 wrong usage.";
 
@@ -73,7 +73,7 @@ pub(super) struct Args {
     /// A callout such as "25 H7", a plan as CSV, or - for a plan from standard input
     #[arg(value_name = "CALLOUT|PLAN.csv")]
     what: String,
-    /// Which control the files are for; an iTNC 530 needs NC software 340 49x-07 or 606 42x-02, or a later one
+    /// Control for which the files are written; an iTNC 530 needs NC software 340 49x-07 or 606 42x-02, or later
     #[arg(long, value_parser = control())]
     control: Control,
     /// Folder or .zip to write
@@ -85,7 +85,7 @@ pub(super) struct Args {
     /// Folder on the control; default: the control's usual one
     #[arg(long, value_name = "TNC:\\FOLDER")]
     folder: Option<String>,
-    /// Also write the plan as a simulated workpiece, every feature in the middle of its zone: for fitcheck run
+    /// Also write the plan as a simulated workpiece for fitcheck run, with every feature in the middle of its zone
     #[arg(long, value_name = "FILE.toml")]
     workpiece_out: Option<PathBuf>,
     /// Overwrite existing files

@@ -33,7 +33,7 @@ pub(super) struct Args {
     #[arg(value_name = "SHAFTS")]
     shafts: PathBuf,
 
-    /// Wanted clearances in mm, both ends included, such as 0.010..0.030; a negative one is an interference
+    /// Wanted clearances in mm, both ends included, such as 0.010..0.030; a negative value is an interference
     #[arg(
         long,
         value_name = "MM..MM",
@@ -47,7 +47,7 @@ pub(super) struct Args {
     #[arg(long, value_name = "CALLOUT")]
     fit: Option<String>,
 
-    /// Also sort into N groups of equal width: over what was measured or, with --fit, over its zones
+    /// Also sort into N groups of equal width: over the measured sizes or, with --fit, over its zones
     #[arg(long, value_name = "N", value_parser = clap::value_parser!(u16).range(1..=1_000))]
     classes: Option<u16>,
 
@@ -78,29 +78,29 @@ Examples:
   fitcheck pair holes.csv shafts.csv --fit \"25 H7/g6\" --classes 5
   fitcheck pair holes.csv shafts.csv --clearance -0.020..-0.005 --format csv -o pairs.csv
 
-The columns are found as fitcheck import finds them; only names and measured sizes are needed. Of a
-callout only the side counts, if it can be read: a shaft among the holes is refused. In a file
-without header names are not numbers, or they would be contacts.
+The columns are found as fitcheck import finds them; only names and measured sizes are needed. A
+callout only says hole or shaft, if it can be read: a shaft among the holes is refused. In a file
+without a header, names must not be numbers, or the rows are read as contacts.
 
-There are as many pairs as possible and, among these, the ones in the narrowest band around the
-middle of the wanted clearances. Each hole, from the smallest, gets the smallest shaft that is left
-and within that band; parts of equal size go in the order of their file.
+Fitcheck makes as many pairs as possible and, among these, chooses the narrowest band around the
+middle of the wanted clearances. Each hole, from the smallest, gets the smallest remaining shaft
+within that band; parts of equal size are taken in the order of their file.
 
---classes: a size at the end of a group belongs to the next group; the last group has both its ends.
+--classes: a size at the end of a group belongs to the next group; the last group includes both ends.
 Clearances of a group are those that its measured parts can have. At most {MOST_GROUPS} groups.
 
-What is left over may be saved by grinding: amounts from 1 µm in steps of 1 µm, at most {MOST_AMOUNTS} µm,
-off all leftover shafts or out of all leftover holes, which comes to the same. The smallest amount
-that makes most further pairs is given; pairs that are made stay.
+Grinding may save leftover parts: amounts from 1 µm in steps of 1 µm, at most {MOST_AMOUNTS} µm, off
+all leftover shafts or out of all leftover holes, which is the same. The answer gives the smallest
+amount that makes the most additional pairs; existing pairs are kept.
 
 CSV has a row per result (pair, leftover, grinding, saved, group, refused) and these columns:
 {}.
 JSON has the same names within pairs, leftover_holes, leftover_shafts, grinding, saved, groups and
-refused, and besides fit, holes, shafts, minimum_clearance_um and maximum_clearance_um as wanted,
+refused, and also fit, holes, shafts, minimum_clearance_um and maximum_clearance_um as wanted,
 actual (of the pairs, with band_um), holes_outside_groups, shafts_outside_groups and warnings. saved
-are the pairs after grinding, with their clearances then.
+are the pairs after grinding, with their new clearances.
 
-Exit codes: 0 done, 1 where any row or file could not be used, 2 wrong usage.",
+Exit codes: 0 done, 1 if any row or file could not be used, 2 wrong usage.",
         column_names().join(", "),
     )
 }

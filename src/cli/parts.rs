@@ -20,7 +20,7 @@ const MOST: usize = 10_000;
 /// Which of several values of one feature counts.
 #[derive(Debug, Clone, Copy, clap::Args)]
 pub(super) struct RepeatArgs {
-    /// Which of the values of one feature of a part counts that contradict each other; without this the worst one, and the exit code says so
+    /// Which value counts if values of one feature of a part contradict each other; without this the worst one, and the exit code says so
     #[arg(long, value_name = "WHICH", value_parser = one_of(Repeats::CHOICES, |repeats| repeats.word()), requires = "plan")]
     repeats: Option<Repeats>,
 }

@@ -17,7 +17,7 @@ use crate::store::local::{self, Journal, Opening, Reader};
 use crate::store::{StoreError, StoreRemark, here, is_server};
 
 const JOURNAL: &str =
-    "The journal: a file, or the server of a shop (postgres://…); default: FITCHECK_JOURNAL, or your own";
+    "Journal: a file, or the server of a shop (postgres://…); default: FITCHECK_JOURNAL, or your own journal";
 
 /// Where a journal is.
 #[derive(Debug, Clone, clap::Args)]
@@ -30,7 +30,7 @@ pub(super) struct JournalArgs {
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Record")]
 pub(super) struct RecordArgs {
-    /// Keep every verdict in the journal
+    /// Record every verdict in the journal
     #[arg(long)]
     record: bool,
     #[arg(long, help = JOURNAL, value_name = "FILE|ADDRESS", requires = "record")]
@@ -47,7 +47,7 @@ pub(super) struct RecordArgs {
     /// The feature of the part
     #[arg(long, value_name = "NAME", requires = "record")]
     feature_name: Option<String>,
-    /// Anything else that is worth keeping
+    /// Remark to record
     #[arg(long, value_name = "TEXT", requires = "record")]
     remark: Option<String>,
     /// The station; default: the name of the computer
@@ -64,16 +64,16 @@ pub(super) struct StreamArgs {
     record: bool,
     #[command(flatten)]
     journal: JournalArgs,
-    /// Who measures, where the files do not say it
+    /// Who measures, if the files do not say it
     #[arg(long, value_name = "NAME")]
     who: Option<String>,
-    /// The part, in place of the plan's, where the files do not say it
+    /// The part, instead of the plan's, if the files do not say it
     #[arg(long, value_name = "NAME")]
     part: Option<String>,
-    /// Its serial number, where the files do not say it
+    /// Its serial number, if the files do not say it
     #[arg(long, value_name = "NO")]
     serial: Option<String>,
-    /// Anything else that is worth keeping
+    /// Remark to record
     #[arg(long, value_name = "TEXT")]
     remark: Option<String>,
     /// The station; default: the name of the computer

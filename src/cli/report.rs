@@ -55,7 +55,7 @@ pub(super) struct Args {
     #[arg(long)]
     order: Option<String>,
 
-    /// Who inspected
+    /// Name of the inspector
     #[arg(long, value_name = "NAME")]
     inspector: Option<String>,
 
@@ -92,17 +92,17 @@ Examples:
   fitcheck report --plan flange.toml results.qif TCHPR421.TXT -o flange.html
   fitcheck report --check \"25 H7=25.012\" -o - --format json
 
-With --plan the page begins with each part: its status, what is missing, its picture with a balloon
-for each feature, and the source of each value. JSON has the same as parts, without positions on the
-picture.
+With --plan, the page begins with the parts, each with its status, what is missing, its picture with a
+balloon for each feature, and the source of each value. JSON has the same under parts, without
+positions on the picture.
 
 The exit code is that of the worst check. A check that cannot be read or judged is named on standard
 error, and in the report as HTML and JSON; the others are reported, and the exit code is 1. With
 --plan it is that of the worst part, by the value of each feature that counts (the last one by its
-time; of values that contradict each other the worst one), and 1 if none is worse than good but a
+time; if values contradict each other, the worst one), and 1 if none is worse than good but a
 part lacks a value. 14 (judged, but look first: see fitcheck --help) takes the place of 0, 10 and
-12 if something stands against a verdict. CSV holds only the checks, with the
-name of the picture: standard error reports what it leaves out.";
+12 if something contradicts a verdict. CSV holds only the checks, with the name of the picture:
+standard error reports what it leaves out.";
 
 /// Why a `--check` is not a check.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]

@@ -10,7 +10,7 @@ use crate::verdict::rules::{Given, Prover, RuleName, Uncertainty, UncertaintyErr
 #[derive(Debug, Clone, clap::Args)]
 #[command(next_help_heading = "Decision rule")]
 pub(super) struct RuleArgs {
-    /// Which measured values are accepted: the limits themselves (simple, as a control), or with a guard band; default: simple
+    /// Decision rule: the limits alone (simple, as on a control), or with a guard band; default: simple
     #[arg(long, value_name = "RULE", value_parser = one_of(RuleName::ALL, |rule| rule.word()))]
     rule: Option<RuleName>,
     /// Standard uncertainty of the measured value in µm
@@ -28,7 +28,7 @@ pub(super) struct RuleArgs {
     /// Guard band in µm, for the rule fixed
     #[arg(long, value_name = "UM")]
     guard: Option<String>,
-    /// Who has to prove: the supplier conformity, or the customer nonconformity
+    /// Burden of proof: the supplier proves conformity, or the customer proves nonconformity
     #[arg(long, value_name = "WHO", default_value = "supplier", value_parser = one_of(PROVERS, |prover| prover.0))]
     prover: (&'static str, Prover),
 }

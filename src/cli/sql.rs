@@ -6,11 +6,11 @@ use super::args::{classes, one_of};
 use super::{CliError, Io, Outcome, Refused as _, TableArgs, heard_or_not, save_with};
 use crate::exchange::sql::{self, DIALECTS, Dialect, ERRORS, Model};
 
-/// Write limits and verdicts as plain SQL for a database or a lake
+/// Write limits and verdicts as plain SQL for a database or a data lake
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
 pub(super) struct Args {
-    /// The engine
+    /// Database engine
     #[arg(long, value_parser = one_of(DIALECTS, |dialect| dialect.name))]
     dialect: &'static Dialect,
     /// Classes such as "H7 h6", preferred or control; default: every class
@@ -36,8 +36,8 @@ Examples:
   fitcheck sql --dialect sqlite --tables my_tables -o fitcheck.sql
 
 The SQL holds the limits of every class and size step, and views that judge the rows of a table
-where they are, with the rule of fitcheck check without a guard band: min_mm, max_mm,
-deviation_um, status, remove_um, error. The comment at its top says how to use it, with examples.
+in place, with the rule of fitcheck check without a guard band: min_mm, max_mm,
+deviation_um, status, remove_um, error. The comment at its top describes how to use it, with examples.
 A row that cannot be judged keeps its place, with a code in error:
   {}
 The ends of all size ranges of your own tables must be whole millimetres.",

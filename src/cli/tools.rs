@@ -14,7 +14,7 @@ pub(super) struct ToolArgs {
     /// Tool table of a control, in which cycles with Q330 correct the tool
     #[arg(long = "tools", value_name = "FILE.t")]
     from: Option<PathBuf>,
-    /// Write the tool table with its changes
+    /// Write the tool table with its changes to this file
     #[arg(long = "tools-out", value_name = "FILE.t", requires = "from")]
     to: Option<PathBuf>,
 }

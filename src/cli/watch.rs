@@ -36,7 +36,7 @@ Examples:
 
 The exit code is that of the worst verdict, a centre out of position counting as scrap; it is 1 if a row or file \
 could not be used or judged, and 14 (judged, but look first: see fitcheck --help) instead of 0, 10 or 12 if something \
-stands against a verdict or a file was not recorded because it has the bytes of another.";
+contradicts a verdict or a file was not recorded because it has the bytes of another.";
 
 /// Judge and record files as they are dropped into a folder
 #[derive(Debug, clap::Args)]

@@ -84,18 +84,18 @@ pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
     for (count, one, many) in [
         (
             tally.notes(Kind::Doubt).count,
-            "value may be another quantity or another part's",
-            "values may be another quantity or another part's",
+            "value may be another quantity or belong to another part",
+            "values may be another quantity or belong to another part",
         ),
         (
             tally.notes(Kind::StatusDiffers).count,
-            "row has another status in its file",
-            "rows have another status in their file",
+            "row has a different status in its file",
+            "rows have a different status in their file",
         ),
         (
             tally.notes(Kind::StatusUnknown).count,
-            "row has a status in its file that is not known",
-            "rows have a status in their file that is not known",
+            "row has an unknown status in its file",
+            "rows have an unknown status in their file",
         ),
         (
             tally.notes(Kind::ClaimDiffers).count,
@@ -109,7 +109,7 @@ pub(super) fn tell(summary: &Summary, io: &mut Io<'_>) {
             "line is not UTF-8: read as Windows-1252, written as UTF-8",
             "lines are not UTF-8: read as Windows-1252, written as UTF-8",
         ),
-        (tally.comments, "comment is no row", "comments are no rows"),
+        (tally.comments, "comment is not a row", "comments are not rows"),
     ] {
         if 0 < count {
             io.tell(format_args!("{count} {}", if count == 1 { one } else { many }));

@@ -30,17 +30,18 @@ Examples:
   fitcheck budget ring30.toml --readings ring30.csv
   fitcheck check \"25 H7\" --measured 25.0195 --rule iso14253-2017 --budget station3.toml
 
-The file is TOML: name, date, by, valid_until, and either [[contribution]] tables, combined as in the GUM,
-or one table [calibrated] for repeated measurements of a calibrated piece (ISO 15530-3). A contribution:
+The file is TOML: name, date, by, valid_until, and either [[contribution]] tables, combined as in
+the GUM, or one table [calibrated] for repeated measurements of a calibrated piece (ISO 15530-3). A
+contribution:
   name = \"Setting ring\"    type = \"B\"    law = \"normal\"    expanded_um = 1.0    k = 2
 law: normal (standard_um, or expanded_um with k), rectangular, u-shaped, triangular (half_width_um).
 kind: scatter of a touch (touches, step_deg), part-temperature and scale-temperature (alpha_per_k, and
 standard_k, expanded_k or half_width_k), part-expansion and scale-expansion (delta_k from 20 °C, and
 standard_per_k, expanded_per_k or half_width_per_k), resolution (resolution_um). Any may have
-sensitivity and degrees_of_freedom; they are 1 and infinite otherwise.
+sensitivity and degrees_of_freedom; default: 1 and infinite.
 
-The coverage factor is that of Student's law for 95.45 %, to the thousandth. CSV has a row per contribution,
-one for the combined uncertainty, and one for each thing that would help most.";
+The coverage factor is that of Student's law for 95.45 %, to the thousandth. CSV has a row per
+contribution, one for the combined uncertainty, and one for each thing that would help most.";
 
 /// Evaluate an uncertainty budget: contributions, combined and expanded uncertainty, what would help most
 #[derive(Debug, clap::Args)]
@@ -49,7 +50,7 @@ pub(super) struct Args {
     /// The budget as TOML; - reads standard input
     #[arg(value_name = "FILE.toml")]
     file: PathBuf,
-    /// Measured size in mm, for contributions of temperature
+    /// Measured size in mm, for contributions that depend on temperature
     #[arg(long, value_name = "MM")]
     size: Option<String>,
     /// Number of touches, instead of those in the file
@@ -64,7 +65,7 @@ pub(super) struct Args {
     /// Readings of the calibrated piece, in any format that import reads, instead of those in the file
     #[arg(long, value_name = "FILE")]
     readings: Option<PathBuf>,
-    /// The day for which the budget must be valid; default: today
+    /// Day on which the budget must be valid; default: today
     #[arg(long, value_name = "YYYY-MM-DD")]
     date: Option<Date>,
     /// Format of the answer

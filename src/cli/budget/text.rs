@@ -15,7 +15,7 @@ pub(super) fn print(found: &Assessment, conditions: &Conditions, io: &mut Io<'_>
         Validity::NotYet => ", NOT YET VALID",
     };
     writeln!(io.people(), "{}", budget.name)?;
-    writeln!(io.people(), "made {} by {}, valid until {}{valid}", budget.date, budget.by, budget.valid_until)?;
+    writeln!(io.people(), "created {} by {}, valid until {}{valid}", budget.date, budget.by, budget.valid_until)?;
     if let Some(size) = conditions.size {
         writeln!(io.people(), "for {size} mm")?;
     }
@@ -91,9 +91,9 @@ fn helps(evaluation: &Evaluation, io: &mut Io<'_>) -> Result<(), CliError> {
     writeln!(io.people(), "largest contribution: {}, {:.1} % of the variance", row.name, row.share)?;
     for help in &evaluation.help {
         match *help {
-            Help::Halved { u } => writeln!(io.people(), "  half of it: u = {u:.3} µm")?,
+            Help::Halved { u } => writeln!(io.people(), "  with half of it: u = {u:.3} µm")?,
             Help::FullCircle { touches, u } | Help::MoreTouches { touches, u } => {
-                writeln!(io.people(), "  {touches} contacts evenly round the full circle: u = {u:.3} µm")?;
+                writeln!(io.people(), "  {touches} contacts evenly spaced around the full circle: u = {u:.3} µm")?;
             }
         }
     }

@@ -77,7 +77,7 @@ pub(super) struct Args {
     /// Parameters such as Q263=35, QS400=0.4-0.1 or BR=1
     #[arg(long = "set", value_name = "NAME=VALUE", num_args = 1..)]
     settings: Vec<String>,
-    /// What PREDEF stands for, as GLOBAL DEF gives it, such as Q320=2
+    /// Values that PREDEF stands for, as GLOBAL DEF gives them, such as Q320=2
     #[arg(long = "predef", value_name = "NAME=VALUE", num_args = 1..)]
     globals: Vec<String>,
     /// Parameters as a JSON object; - reads standard input
@@ -92,7 +92,7 @@ pub(super) struct Args {
     /// Recorded contacts in probing order: x, y, z in mm, points of the surface; - reads standard input
     #[arg(long, value_name = "FILE.csv")]
     contacts: Option<PathBuf>,
-    /// Seed of the scatter, instead of the workpiece file's
+    /// Seed of the scatter, instead of that in the workpiece file
     #[arg(long, value_name = "N", requires = "workpiece", conflicts_with = "contacts")]
     seed: Option<u64>,
     /// Touch-probe table of a control, instead of the built-in one
@@ -114,7 +114,7 @@ pub(super) struct Args {
     /// Show the parameters of the cycle and run nothing
     #[arg(long, conflicts_with_all = OF_RUN, conflicts_with_all = OF_INPUTS)]
     list: bool,
-    /// Print the cycle's block for an NC program, in the given language, and run nothing
+    /// Print the cycle as a block for an NC program, in the given language, and run nothing
     #[arg(long, conflicts_with = "list", conflicts_with_all = OF_RUN)]
     as_block: bool,
     #[command(flatten)]

@@ -52,7 +52,7 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
     match (result.verdict(), result.status) {
         (Some(status), _) => writeln!(io.people(), "{status}")?,
         (None, Some(_)) => {
-            writeln!(io.people(), "no verdict: no limits were given; a control says within tolerance then")?;
+            writeln!(io.people(), "no verdict: no limits were given; a control then reports within tolerance")?;
         }
         (None, None) => writeln!(io.people(), "nothing to judge: no tolerance")?,
     }
@@ -83,7 +83,7 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
 
 fn source(run: &Run<'_>) -> String {
     match run.source {
-        Source::Perfect => "perfect workpiece at nominal, probe without faults".to_owned(),
+        Source::Perfect => "perfect workpiece at nominal, perfect probe".to_owned(),
         Source::Workpiece { file, part } => {
             let Part { temperature, expansion, seed, .. } = part;
             // At the reference temperature nothing expands.

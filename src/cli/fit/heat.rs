@@ -11,22 +11,22 @@ use crate::tolerance::fit::{Fit, Kind};
 /// Materials and temperatures.
 #[derive(Debug, clap::Args)]
 pub(super) struct HeatArgs {
-    /// The hole's material, or its expansion in millionths per kelvin, such as 11.5
+    /// Material of the hole, or its expansion in millionths per kelvin, such as 11.5
     #[arg(long, value_name = "NAME", requires = "shaft_material", requires = "heat", allow_hyphen_values = true)]
     hole_material: Option<String>,
 
-    /// The shaft's material, or its expansion
+    /// Material of the shaft, or its expansion
     #[arg(long, value_name = "NAME", requires = "hole_material", allow_hyphen_values = true)]
     shaft_material: Option<String>,
 
     #[command(flatten)]
     temperatures: TemperatureArgs,
 
-    /// Your own materials, a TOML file: they replace those of the same name and add others
+    /// TOML file with your own materials; they replace built-in ones of the same name and add others
     #[arg(long, value_name = "FILE.toml", requires = "hole_material")]
     materials: Option<PathBuf>,
 
-    /// Take a temperature as it is given that is beyond the range of the expansion
+    /// Accept a temperature outside the range of the expansion
     #[arg(long, requires = "heat")]
     far_temperature: bool,
 }
@@ -35,7 +35,7 @@ pub(super) struct HeatArgs {
 #[derive(Debug, clap::Args)]
 #[group(id = "heat", multiple = true)]
 struct TemperatureArgs {
-    /// The temperature of both parts in °C
+    /// Temperature of both parts in °C
     #[arg(
         long,
         value_name = "C",
@@ -45,11 +45,11 @@ struct TemperatureArgs {
     )]
     temperature: Option<String>,
 
-    /// The hole's own temperature in °C; default: 20
+    /// Temperature of the hole in °C; default: 20
     #[arg(long, value_name = "C", requires = "hole_material", allow_hyphen_values = true)]
     hole_temperature: Option<String>,
 
-    /// The shaft's own temperature in °C; default: 20
+    /// Temperature of the shaft in °C; default: 20
     #[arg(long, value_name = "C", requires = "hole_material", allow_hyphen_values = true)]
     shaft_temperature: Option<String>,
 }

@@ -20,15 +20,15 @@ use crate::tolerance::{Callout, Sources};
 /// A wanted clearance or a function.
 #[derive(Debug, clap::Args)]
 pub(super) struct ReverseArgs {
-    /// Search: the smallest clearance in mm; a negative value is an interference
+    /// Search: smallest clearance in mm; a negative value is an interference
     #[arg(long, value_name = "MM", requires = "max_clearance", allow_hyphen_values = true)]
     min_clearance: Option<String>,
 
-    /// Search: the largest clearance in mm
+    /// Search: largest clearance in mm
     #[arg(long, value_name = "MM", requires = "min_clearance", allow_hyphen_values = true)]
     max_clearance: Option<String>,
 
-    /// The pairs that ANSI B4.2 names for a function
+    /// Show the pairs that ANSI B4.2 names for a function
     #[arg(
         long,
         value_parser = one_of(Function::ALL, |function| function.word()),
@@ -36,7 +36,7 @@ pub(super) struct ReverseArgs {
     )]
     function: Option<Function>,
 
-    /// Search: which pairs to search; default: all
+    /// Search: pairs to consider; default: all
     #[arg(long, value_enum, requires = "min_clearance")]
     scope: Option<ScopeChoice>,
 

@@ -113,10 +113,10 @@ fn temperature(out: &mut dyn Write, heat: &Heat, heated: &Heated) -> Result<()> 
     line(out, "", format_args!("shaft {}", material(&heat.shaft)))
 }
 
-/// `at 220 °C: steel, 11.5 millionths a kelvin from -100 to 250 °C (published value)`
+/// `at 220 °C: steel, 11.5 millionths per kelvin from -100 to 250 °C (published value)`
 fn material(part: &Part) -> String {
     let name = part.name.as_ref().map(|name| format!("{name}, ")).unwrap_or_default();
     let (temperature, expansion) = (part.warm.temperature, part.warm.expansion);
     let (certainty, least, most) = (part.certainty, part.range.least, part.range.most);
-    format!("at {temperature} °C: {name}{expansion} millionths a kelvin from {least} to {most} °C ({certainty})")
+    format!("at {temperature} °C: {name}{expansion} millionths per kelvin from {least} to {most} °C ({certainty})")
 }

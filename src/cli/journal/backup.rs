@@ -10,10 +10,10 @@ use crate::store::local;
 /// Copy a journal to a new file, also while it is in use
 ///
 /// A copy of the file alone would lack what is still in the files beside it. The copy is read back and verified. Keep the
-/// number and hash that are printed elsewhere: fitcheck journal verify --head compares with them.
+/// printed number and hash in another place: fitcheck journal verify --head compares with them.
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// The new file
+    /// The file to write
     #[arg(value_name = "FILE")]
     to: PathBuf,
     #[command(flatten)]

@@ -15,7 +15,7 @@ use crate::store::local::{Reader, Row};
 const HELP: &str = "\
 Nothing is changed: a new entry names the old one and gives the reason, and both stay. A value that
 was typed may be typed again; it is judged by the same limits and the same rule.
-To withdraw a correction leaves nothing: what it corrected does not stand again (exit code 14).
+If a correction is withdrawn, the check that it corrected does not count again (exit code 14).
 
 Examples:
   fitcheck journal correct 12 --reason \"serial number of the next part\" --serial 17-0043
@@ -26,18 +26,18 @@ Examples:
 #[derive(Debug, clap::Args)]
 #[command(after_help = HELP)]
 pub(super) struct Args {
-    /// The number of the entry
+    /// Number of the entry
     #[arg(value_name = "NUMBER")]
     number: u64,
-    /// Why
+    /// Reason for the correction
     #[arg(long, value_name = "TEXT")]
     reason: String,
-    /// Who corrects; default: the user of the computer. --who is who measured
+    /// Who corrects, not who measured (--who); default: the user of the computer
     #[arg(long, value_name = "NAME")]
     by: Option<String>,
     #[command(flatten)]
     changes: Changes,
-    /// Take the check back, with nothing in its place
+    /// Withdraw the check, with nothing in its place
     #[arg(long, conflicts_with = "changes")]
     withdraw: bool,
     /// The station that corrects; default: the name of the computer
@@ -51,7 +51,7 @@ pub(super) struct Args {
 #[derive(Debug, clap::Args)]
 #[group(id = "changes", multiple = true)]
 struct Changes {
-    /// The measured value in mm, where it was typed
+    /// The measured value in mm, if it was typed
     #[arg(long, value_name = "MM")]
     measured: Option<String>,
     /// Who measured

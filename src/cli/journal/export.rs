@@ -26,13 +26,13 @@ fn help() -> String {
         "\
 {QUESTIONS}
 
-An export is the journal at one moment, however many programs record into it. Corrected and withdrawn
-checks are in it, as are those that correct them (correction_of); standing leaves them out. From a
-server come the checks of all stations, what it got last first.
+An export is the journal at one moment, however many programs record into it. It includes corrected
+and withdrawn checks, and those that correct them (correction_of); standing leaves the former out.
+A server gives the checks of all stations, the last received first.
 
 Columns of csv:
   {}
-json has one entry on each line: its body as it is kept, with number, hash and chain.
+json has one entry on each line: its body as it is stored, with number, hash and chain.
 
 Examples:
   fitcheck journal export -o checks.csv
@@ -41,13 +41,13 @@ Examples:
     )
 }
 
-/// Write checks as CSV or lines of JSON, the oldest first
+/// Write checks as CSV or lines of JSON, oldest first
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
 pub(super) struct Args {
     #[command(flatten)]
     question: QuestionArgs,
-    /// The file; - or no file is standard output
+    /// The file to write; - or no file is standard output
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Format of the export

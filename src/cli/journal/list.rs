@@ -26,16 +26,16 @@ Examples:
     )
 }
 
-/// List checks, the newest first
+/// List checks, newest first
 #[derive(Debug, clap::Args)]
 #[command(after_help = help())]
 pub(super) struct Args {
     #[command(flatten)]
     question: QuestionArgs,
-    /// At most so many
+    /// Show at most N entries
     #[arg(long, value_name = "N", default_value_t = 50)]
     limit: usize,
-    /// The oldest first
+    /// Show the oldest first
     #[arg(long)]
     oldest: bool,
     /// Format of the list

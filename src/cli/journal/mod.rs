@@ -34,7 +34,7 @@ use super::{CliError, CliRemark, Format, Io, Outcome, Refused, heard_or_not, sav
 use crate::files;
 use crate::journal::ask::{Here, Question};
 
-/// The journal: list, show, export, verify, correct, back up, send
+/// Work with the journal: list, show, export, verify, correct, back up, send
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
     #[command(subcommand)]
@@ -61,14 +61,14 @@ impl Args {
 /// What a question may say.
 const QUESTIONS: &str = "\
 A question narrows the list word by word:
-  part:Flange feature:B1 who:Anna station:Mill3    these names, whole
+  part:Flange feature:B1 who:Anna station:Mill3    exactly these names
   serial:17 serial:17*                             this serial number; all that begin with 17
   \"callout:25 H7\" class:H7                         this callout; this class
   verdict:scrap,rework                             any of good, rework, re-measure, scrap
   from:2026-11-01 to:2026-11-23 today week         recorded on these days, the last one included
   simulated measured                               only simulated ones, only measured ones
   standing                                         neither corrected nor withdrawn
-  burr                                             a word that begins so, in any name or the remark";
+  burr                                             a word that begins with this, in any name or the remark";
 
 /// Which checks are asked for.
 #[derive(Debug, Clone, clap::Args)]

@@ -193,13 +193,16 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
         }
         if 0 < *renamed {
             let entries = entries(*renamed);
-            writeln!(io.people(), "{station} ({chain}): {entries} listed under another station than was recorded")?;
+            writeln!(
+                io.people(),
+                "{station} ({chain}): {entries} listed under a different station from the recorded one"
+            )?;
         }
         if let Some(Clock { newest_ms, least_ms, .. }) = clock {
             let (newest, least) = (seconds(*newest_ms), seconds(*least_ms));
             writeln!(
                 io.people(),
-                "{station} ({chain}): its newest entry was received {newest} s after the time on its clock, of the newest 500 \
+                "{station} ({chain}): its newest entry was received {newest} s after the time on its clock; of the newest 500, \
                  the quickest {least} s after it"
             )?;
         }
@@ -208,13 +211,16 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
         }
     }
     for (chain, Head { number, .. }) in &found.missing {
-        writeln!(io.people(), "the chain {chain}, of which entry {number} is known elsewhere, is not there")?;
+        writeln!(
+            io.people(),
+            "the chain {chain}, of which entry {number} is known elsewhere, is missing on the server"
+        )?;
     }
     for (chain, Head { number, .. }, there) in &found.behind {
         let there = entries(*there);
         writeln!(
             io.people(),
-            "this station's own journal ({chain}) ends with entry {number}, and the server has {there} of it: the rest was not \
+            "this station's own journal ({chain}) ends with entry {number}, but the server has {there} of it: the rest was not \
              sent yet (run fitcheck journal send), or was removed there"
         )?;
     }
@@ -229,7 +235,10 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
             if journals == 1 { "1 journal".to_owned() } else { format!("{journals} journals") },
             entries(found.entries()),
         );
-        writeln!(io.people(), "{journals} with {entries} looked at, {beside} beside an entry that is known here")?;
+        writeln!(
+            io.people(),
+            "{journals} with {entries} verified, {beside} compared with an entry that is known here"
+        )?;
     }
     match &found.not_compared {
         Some(why) => writeln!(

@@ -5,20 +5,20 @@ use crate::store::here;
 
 const PASSWORDS: &str = "\
 The password comes from the address, PGPASSWORD, the password file (~/.pgpass, or PGPASSFILE) or the
-system's keyring, in this order. To another machine the connection is always encrypted and its
-certificate checked; sslrootcert=FILE in the address names the authority of the shop.
+system's keyring, in this order. A connection to another machine is always encrypted, and its
+certificate is checked; sslrootcert=FILE in the address names the authority of the shop.
 
 Examples:
   fitcheck journal init-shop postgres://admin@shop.example/checks
   fitcheck journal send postgres://mill3@shop.example/checks";
 
-/// Make the tables of a shop's server, or bring them to this version
+/// Create the journal on a shop's server, or upgrade it to this version
 ///
-/// It can be repeated. Nothing that is recorded there is changed.
+/// The command can be repeated. Recorded entries are not changed.
 #[derive(Debug, clap::Args)]
 #[command(after_help = PASSWORDS)]
 pub(super) struct InitArgs {
-    /// The server, as a user who may make roles and schemas
+    /// Address of the server, with a user who may create roles and schemas
     #[arg(value_name = "ADDRESS")]
     address: String,
 }
@@ -27,10 +27,10 @@ pub(super) struct InitArgs {
 #[derive(Debug, clap::Args)]
 #[command(after_help = PASSWORDS)]
 pub(super) struct SendArgs {
-    /// The server, as the user of this station
+    /// Address of the server, with the user of this station
     #[arg(value_name = "ADDRESS")]
     address: String,
-    /// What the station is called there, where an entry does not say it; default: the name of the computer
+    /// Name of the station for entries that do not give one; default: the name of the computer
     #[arg(long, value_name = "NAME")]
     station: Option<String>,
     #[command(flatten)]

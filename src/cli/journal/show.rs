@@ -5,13 +5,13 @@ use crate::cli::args::one_of;
 use crate::journal::chain::{ChainId, Head};
 use crate::store::local::{Reader, Row};
 
-/// Show one entry with everything that is kept of it
+/// Show one entry with everything that it holds
 #[derive(Debug, clap::Args)]
 pub(super) struct Args {
-    /// Its number
+    /// Number of the entry
     #[arg(value_name = "NUMBER")]
     number: u64,
-    /// text for people; json: chain, hashes and the body as it is kept
+    /// Format: text for people, or json with chain, hashes and the body as it is stored
     #[arg(long, value_name = "FORMAT", default_value = "text", value_parser = one_of(FORMATS, |format| format))]
     format: &'static str,
     #[command(flatten)]

@@ -154,7 +154,7 @@ fn print_judgement(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
         let (date, until, validity) = (budget.date, budget.valid_until, budget.validity.word());
         line(
             "budget",
-            format_args!("{}, made {date} by {}, valid until {until}: {validity}", budget.name, budget.by),
+            format_args!("{}, created {date} by {}, valid until {until}: {validity}", budget.name, budget.by),
             io,
         )?;
         for warning in &budget.warnings {

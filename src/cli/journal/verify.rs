@@ -15,22 +15,22 @@ use crate::store::StoreRemark;
 use crate::store::local::{self, Anchors, Reader, Verified};
 
 const HELP: &str = "\
-The chain shows an entry that was changed, removed, inserted or moved. That the newest entries were
-cut off, that an older copy was put back, or that all was written anew is found with an entry that is
-known elsewhere: the last one that this computer has seen, which Fitcheck keeps beside its settings,
-and those that --head gives.
+The chain shows an entry that was changed, removed, inserted or moved. To find out whether the
+newest entries were cut off, an older copy was put back or everything was rewritten, verify needs an
+entry that is known elsewhere: the last one that this computer has seen, which Fitcheck keeps beside
+its settings, and those that --head gives.
 
 Examples:
   fitcheck journal verify
   fitcheck journal verify --head 1204:9f86d081…
 
-The exit code is 1 where anything is not as it was written.";
+The exit code is 1 if anything is not as it was written.";
 
-/// Look at every entry of a journal
+/// Verify every entry of a journal
 #[derive(Debug, clap::Args)]
 #[command(after_help = HELP)]
 pub(super) struct Args {
-    /// An entry that is known elsewhere, such as from a report or a backup: its number and its hash, on a server behind its chain
+    /// Entry that is known elsewhere, such as from a report or a backup, by its number and hash; on a server, its chain comes first
     #[arg(long = "head", value_name = "[CHAIN:]NUMBER:HASH", value_parser = head)]
     heads: Vec<Known>,
     /// Format of the answer

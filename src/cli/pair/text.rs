@@ -112,7 +112,10 @@ fn ground(out: &mut dyn Write, answer: &Answer, grinding: &Grinding) -> Result<(
     let amount = um(best.amount);
     let count = best.pairs.len();
     let more = if count == 1 { "1 more pair".to_owned() } else { format!("{count} more pairs") };
-    writeln!(out, "{amount} µm off the leftover shafts, or out of the leftover holes, saves most: {more}{bounded}")?;
+    writeln!(
+        out,
+        "{amount} µm off the leftover shafts, or out of the leftover holes, saves the most: {more}{bounded}"
+    )?;
     writeln!(out, "clearances after grinding:")?;
     pairs(out, answer, &best.pairs)
 }

@@ -40,11 +40,12 @@ Examples:
   fitcheck run part.h --folder tables --output-folder results --format json
 
 A value of --set replaces the main program's own first assignment to that parameter.
-TNC:\\fit\\a.tab is looked for as fit/a.tab and as a.tab: in the output folder, in the program's own folder,
-in the folders of --folder in their order, and then among the built-in files. Files that FN 16 prints go below
-the output folder and nowhere else; it is created if missing, and without one they are not written. STOP and M0 do not wait. Without
---workpiece and --contacts every cycle measures a perfect workpiece at nominal. A workpiece file is
-described in fitcheck cycle --help. As on a control the limits alone decide: no decision rule, uncertainty or temperature.
+Fitcheck looks for TNC:\\fit\\a.tab as fit/a.tab and as a.tab: in the output folder, in the
+program's own folder, in the folders of --folder in their order, and then among the built-in files.
+Files that FN 16 prints go below the output folder and nowhere else; it is created if missing, and
+without one they are not written. STOP and M0 do not wait. Without --workpiece and --contacts, every
+cycle measures a perfect workpiece at nominal. fitcheck cycle --help describes a workpiece file. As
+on a control, the limits alone decide: no decision rule, uncertainty or temperature.
 
 With --tools, cycles with Q330 correct DR or DL of that tool for the rest of the run; a broken
 tool is locked (TL), and the run stops. --tools-out writes the changed table, also after a fault.
@@ -55,7 +56,7 @@ files, windows, outputs, cycles, tool changes, pauses, remarks, faults, trace.
 Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure,
 14 judged, but look first (see fitcheck --help), 1 a fault or bad data, 2 wrong usage.";
 
-/// Run an NC program as a control does, within bounds
+/// Run an NC program as a control does, within limits
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
 #[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
@@ -63,7 +64,7 @@ pub(super) struct Args {
     /// The program, or the name of a built-in one; - reads standard input
     #[arg(value_name = "PROGRAM.h")]
     program: PathBuf,
-    /// Parameters before the run, such as Q1=25 or QS1=H7
+    /// Parameters to set before the run, such as Q1=25 or QS1=H7
     #[arg(long = "set", value_name = "NAME=VALUE", num_args = 1..)]
     settings: Vec<String>,
     /// The simulated workpiece and probe
@@ -72,13 +73,13 @@ pub(super) struct Args {
     /// Recorded contacts for all cycles in probing order: x, y, z in mm, points of the surface
     #[arg(long, value_name = "FILE.csv")]
     contacts: Option<PathBuf>,
-    /// Seed of the scatter, instead of the workpiece file's
+    /// Seed of the scatter, instead of that in the workpiece file
     #[arg(long, value_name = "N", requires = "workpiece", conflicts_with = "contacts")]
     seed: Option<u64>,
     /// Folder with programs, tables and masks, besides the program's own
     #[arg(long = "folder", value_name = "FOLDER")]
     folders: Vec<PathBuf>,
-    /// Refuse built-in programs, tables and masks in place of files that are not there
+    /// Use no built-in programs, tables and masks in place of missing files
     #[arg(long)]
     no_builtin: bool,
     /// Folder for the files that FN 16 and FN 27 write
@@ -94,16 +95,16 @@ pub(super) struct Args {
     /// Skip unknown blocks instead of stopping; what they may have set is undefined from there on
     #[arg(long)]
     skip_unknown: bool,
-    /// Measure along Z with the first probe where no TOOL CALL comes before a cycle, instead of stopping
+    /// If no TOOL CALL comes before a cycle, measure along Z with the first probe instead of stopping
     #[arg(long)]
     assume_tool: bool,
     /// Skip blocks with a / before them
     #[arg(long)]
     block_skip: bool,
-    /// List every block with the values that it changes, and where every file came from
+    /// List every block with the values that it changes, and the origin of every file
     #[arg(long)]
     trace: bool,
-    /// Largest number of blocks to run
+    /// Run at most N blocks
     #[arg(long, value_name = "N", default_value_t = 10_000_000)]
     max_blocks: u64,
     /// Dialogue language of masks and notes

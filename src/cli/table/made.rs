@@ -23,8 +23,8 @@ Examples:
   fitcheck table new --classes preferred --ends \"3 6 10 18 30 50\" --generation tnc7 -o shop.tab
 
 Holes and shafts never share a table: with classes of both, my.tab becomes my_hole.tab and
-my_shaft.tab. A cell is empty where ISO 286 does not define the class, and where a range of --ends
-has more than one value of it: a warning says so.";
+my_shaft.tab. A cell is empty if ISO 286 does not define the class, or if a range of --ends has
+more than one value of it: a warning says so.";
 
 const EXPORT_EXAMPLES: &str = "\
 Examples:
@@ -33,10 +33,10 @@ Examples:
   fitcheck table export --classes \"H7 h6 g6\" --to 3150 --format pcdmis -o iso.csv
 
 Columns of CSV: class, over_mm, to_mm, upper_um, lower_um. Columns of Parquet, which programs built
-with the feature parquet write: class, hole, over_mm, to_mm, lower_mm, upper_mm. pcdmis: two lines per class, its size
-limits and its pairs of upper and lower deviation in mm. The manual of PC-DMIS shows H7 alone:
-in PC-DMIS, check each class whose lower deviation is not 0 before you rely on it. A control table
-has the name of its file.";
+with the feature parquet write: class, hole, over_mm, to_mm, lower_mm, upper_mm. pcdmis: two lines
+per class, its size limits and its pairs of upper and lower deviation in mm. The manual of PC-DMIS
+shows only H7: in PC-DMIS, check each class whose lower deviation is not 0 before you rely on it. A
+control table has the name of its file.";
 
 /// Which classes and sizes of ISO 286.
 #[derive(Debug, clap::Args)]
@@ -60,7 +60,7 @@ pub(super) struct NewArgs {
     classes: String,
     #[command(flatten)]
     choice: Choice,
-    /// Which generation of controls the table is for
+    /// Generation of controls for which the table is made
     #[arg(long, default_value = "itnc530", value_parser = one_of(generations(), |format| format.name))]
     generation: &'static TableFormat,
     /// The table's file, *.tab; - is standard output
@@ -81,7 +81,7 @@ pub(super) struct ExportArgs {
     classes: Option<String>,
     #[command(flatten)]
     choice: Choice,
-    /// The format
+    /// Format of the file
     #[arg(long, value_parser = one_of(TABLE_FORMATS.iter().chain([&PARQUET]), |format| format.name))]
     format: &'static TableFormat,
     /// The file to write; - or no file is standard output

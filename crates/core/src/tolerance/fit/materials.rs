@@ -261,7 +261,7 @@ fn is_name(name: &str) -> bool {
 }
 
 fn expansion<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Expansion, D::Error> {
-    deserializer.deserialize_any(Read("an expansion in millionths a kelvin, such as 11.5", PhantomData))
+    deserializer.deserialize_any(Read("an expansion in millionths per kelvin, such as 11.5", PhantomData))
 }
 
 fn temperature<'de, D: Deserializer<'de>>(deserializer: D) -> Result<Temperature, D::Error> {
