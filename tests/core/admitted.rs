@@ -68,9 +68,9 @@ fn a_status_that_is_not_known_is_said_and_looked_at_first() {
     }
     let rows = "id;callout;measured;verdict\nA;25 H7;25.012;Sperrlager\n";
     let (_, _, err) = of(&[("a.csv", rows)], &["import", "a.csv"]);
-    assert!(err.contains("a.csv:2") && err.contains("Sperrlager, which is no status that is known here"), "{err}");
+    assert!(err.contains("a.csv:2") && err.contains("Sperrlager, which is not a known status"), "{err}");
     let (_, _, err) = of(&[("a.csv", rows)], &["batch", "a.csv"]);
-    assert!(err.contains("1 row has a status in its file that is not known"), "{err}");
+    assert!(err.contains("1 row has an unknown status in its file"), "{err}");
     let plan = "fitcheck_plan = 1\npart = \"One\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n";
     let (code, _, err) = of(&[("a.csv", rows), ("p.toml", plan)], &["import", "--plan", "p.toml", "a.csv"]);
     assert_eq!((code, err.matches("Sperrlager").count()), (14, 1), "{err}");
@@ -344,7 +344,7 @@ fn batch_compares_the_status_of_the_file_too() {
     let (code, _, err) = of(&[("a.csv", rows)], &["batch", "a.csv"]);
     assert_eq!(code, 14, "{err}");
     assert!(err.contains("a.csv:3: warning: the file says NOK, but the limits say GOOD"), "{err}");
-    assert!(err.contains("2 rows have another status in their file"), "{err}");
+    assert!(err.contains("2 rows have a different status in their file"), "{err}");
     assert_eq!(of(&[("a.csv", &rows.to_uppercase().replace("NOK", "OK"))], &["batch", "a.csv"]).0, 0);
 }
 
@@ -391,7 +391,9 @@ fn rows_within_quotation_marks_have_no_verdict_for_batch_as_for_import() {
         assert_eq!(status(&batch.1, id), expected, "{}", batch.1);
         assert_eq!(status(&import.1, id), expected, "{}", import.1);
     }
-    for (reason, count) in [("a quotation mark is not closed on this line", 1), ("a row or a remark?", 2)] {
+    for (reason, count) in
+        [("a quotation mark is not closed on this line", 1), ("this line may be a row or a remark", 2)]
+    {
         for said in [&import.1, &batch.1] {
             assert_eq!(said.matches(reason).count(), count, "{said}");
         }

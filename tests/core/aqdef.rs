@@ -243,13 +243,13 @@ fn a_file_in_two_halves_is_read_from_either() {
 #[test]
 fn half_of_a_file_says_what_is_missing() {
     let alone = items("two.dfx", &bytes("two_files.dfx"), None);
-    assert_eq!(said(&alone), ["1: values without characteristics: two.dfd belongs beside this file"]);
+    assert_eq!(said(&alone), ["1: values without characteristics: two.dfd is missing beside this file"]);
     let other = items("two.dfx", &bytes("two_files.dfx"), Some(("dfd", b"x")));
     assert_eq!(
         values(&other),
         [
             "1: two.dfd, line 1: expected a key and a text such as K0001/1 25.012, or a line of values",
-            "1: values without characteristics: two.dfd belongs beside this file"
+            "1: values without characteristics: two.dfd is missing beside this file"
         ]
     );
     let plan = items("two.dfd", &bytes("two_files.dfd"), None);
@@ -339,7 +339,7 @@ fn dates_in_orders_that_are_not_known_are_told() {
         &[
             "12? 2018/05/20/18:05:10 is not a date and time: the time of import is used",
             "12 D 25.01 GOOD",
-            "14? 2018-05-09T10:05:59+02:00 is kept as local time without its offset from UTC",
+            "14? 2018-05-09T10:05:59+02:00 is stored as local time without its offset from UTC",
             "14 D 25.01 GOOD",
         ],
     );
@@ -351,7 +351,7 @@ fn missing_and_marked_values_are_told() {
         "K0001/1 25.01\nK0002/1 255\nK0001/1 25.02\nK0002/1 256\nK0001/1\nK0001/1 25.01\nK0002/1 0\nK0001/1 25.01\nK0002/1 3\n\u{14}255\n25.03\u{14}255\n25.03\n",
         &[
             "17 D 25.01 GOOD",
-            "19 D 25.01: not judged: marked with 3 (K0002), but only 0 is known to be a valid value",
+            "19 D 25.01: not judged: marked with 3 (K0002); only 0 is known to mark a valid value",
             "23 D 25.03 SCRAP",
             "12? 5 values are empty or marked as missing (K0002 is 255 or 256), from this line on: they are skipped",
         ],
@@ -385,7 +385,7 @@ fn a_line_of_values_follows_the_order_of_the_characteristics() {
             &format!("5 b 2.5: {no}"),
             "6? expected 2 values, found 1",
             &format!("6 a 1.6: {no}"),
-            "7: value of characteristic 3, which is not declared above it",
+            "7: value of characteristic 3, which is not declared before this line",
             &format!("7 a 1: {no}"),
             &format!("7 b 2: {no}"),
             &format!("9 a 1.7: {no}"),
@@ -538,7 +538,7 @@ fn what_is_no_entry_is_an_error_of_its_line() {
         "nonsense\nK0001/9 5\nK0001/1 25.01\nK2001/1/1 5\nK5002/1 g\nK8010/1 x\nK0014/2 x\n",
         &[
             "12: expected a key and a text such as K0001/1 25.012, or a line of values",
-            "13: value of characteristic 9, which is not declared above it",
+            "13: value of characteristic 9, which is not declared before this line",
             "15: expected a key and a text such as K0001/1 25.012, or a line of values",
             "14 D 25.01 GOOD",
             "1? entries skipped: K5002, K8010",
@@ -678,7 +678,7 @@ fn the_other_half_is_found_in_small_and_in_capital_letters() {
 #[test]
 fn a_value_before_bytes_of_zero_is_refused() {
     let zeros = "\0".repeat(100);
-    let refused = "the line has bytes of value 0, so the file was not written completely: it is not used";
+    let refused = "the line has bytes of value 0, so the file was not written completely: the line is skipped";
     for tail in [format!("K0001/1 25.0{zeros}"), format!("25.0{zeros}"), "K0001/1 25.0\x00003\n".to_owned()] {
         check(&tail, &[&format!("12: {refused}")]);
     }
@@ -695,7 +695,7 @@ fn a_value_before_bytes_of_zero_is_refused() {
 fn a_last_value_without_a_line_end_is_refused_unless_its_decimals_say_that_it_is_whole() {
     let cut_off = |line: usize, given: &str| {
         format!(
-            "{line}: the file ends here without a line end, so {given} may be cut off: it is not used; if it is complete, add a line end"
+            "{line}: the file ends here without a line end, so {given} may be cut off: it is skipped; if it is complete, add a line end"
         )
     };
     for text in ["K0001/1 25.0", "25.0", "K0001/1 2.501E+1", "25"] {
@@ -715,7 +715,7 @@ fn a_last_value_without_a_line_end_is_refused_unless_its_decimals_say_that_it_is
 
 #[test]
 fn a_value_of_all_characteristics_is_refused() {
-    let refused = "K0001 with number 0 would be the value of every characteristic: it is not used";
+    let refused = "K0001 with number 0 would be the value of every characteristic: it is skipped";
     check("K0001/0 25.05\nK0001/1 25.01\n", &[&format!("12: {refused}"), "13 D 25.01 GOOD"]);
 }
 
@@ -743,7 +743,7 @@ fn an_attribute_of_all_values_between_two_rows_leaves_neither_good() {
     assert_eq!(
         said,
         [
-            "14: K0002/0 255 stands between this row and the one before it, and may mark either: the value is not used",
+            "14: K0002/0 255 is between this row and the one before it and may apply to either: the value is skipped",
             "15 D 25.011 GOOD",
             "12? 1 value is empty or marked as missing (K0002 is 255 or 256), from this line on: it is skipped",
         ]
@@ -751,7 +751,7 @@ fn an_attribute_of_all_values_between_two_rows_leaves_neither_good() {
     // Where each row has its own, it is that of the row.
     check(
         "K0001/1 25.01\nK0002/0 3\nK0001/1 25.012\nK0002/0 0\n",
-        &["12 D 25.01: not judged: marked with 3 (K0002), but only 0 is known to be a valid value", "14 D 25.012 GOOD"],
+        &["12 D 25.01: not judged: marked with 3 (K0002); only 0 is known to mark a valid value", "14 D 25.012 GOOD"],
     );
 }
 

@@ -270,7 +270,7 @@ fn a_cycle_needs_a_tool_call_with_an_axis_unless_the_user_lets_it_go() {
     let with = Settings { assumes_tool: true, ..settings() };
     let (machine, fault) = over(machine_with(text(HOLE).as_bytes(), Contacts::Perfect, with));
     assert_eq!(fault, None);
-    assert_eq!(remarks(&machine), ["no TOOL CALL comes before: measured along Z with the first probe"]);
+    assert_eq!(remarks(&machine), ["no TOOL CALL comes before this cycle: measured along Z with the first probe"]);
 }
 
 #[test]
@@ -323,7 +323,7 @@ fn nothing_is_measured_under_a_rotation_and_its_like_until_it_ends() {
         ("PLANE SPATIAL SPA+0 SPB+30 SPC+0 STAY", "PLANE RESET STAY", "a tilted plane"),
         ("CYCL DEF 19.1 A+0 B-90 C+0", "CYCL DEF 19.1 A+0 B+0 C+0", "a tilted plane"),
     ] {
-        let told = format!("{told} is in force since line 3, {on}: nothing is measured under it here");
+        let told = format!("{told} has been active since line 3, {on}: Fitcheck does not measure while it is active");
         assert_eq!(fault(&format!("TOOL CALL 1 Z\n{on}\n{HOLE}")), told);
         ran(&format!("TOOL CALL 1 Z\n{on}\n{off}\n{HOLE}"), Contacts::Perfect);
     }
@@ -365,7 +365,7 @@ fn no_value_of_a_change_is_lost() {
         ("CYCL DEF 19.2 B+30", "a tilted plane"),
     ] {
         let said = fault(&format!("TOOL CALL 1 Z\n{blocks}\n{HOLE}"));
-        assert!(said.starts_with(&format!("{change} is in force")), "{blocks}: {said}");
+        assert!(said.starts_with(&format!("{change} has been active")), "{blocks}: {said}");
     }
     // As controls write them.
     for blocks in [
@@ -439,7 +439,7 @@ fn a_shift_moves_the_zero_that_the_workpiece_is_measured_from() {
         &format!("TOOL CALL 1 Z\nCYCL DEF 247 X ~\nQ339=+1\nCYCL DEF 247 X ~\nQ339=+2\n{HOLE}"),
         bore("centre = [40.0, 30.0]"),
     );
-    assert_eq!(remarks(&other), ["preset 2: the workpiece was taken to lie there, too"]);
+    assert_eq!(remarks(&other), ["preset 2: the workpiece is assumed to lie there, too"]);
 }
 
 #[test]
@@ -467,7 +467,10 @@ fn a_turning_spindle_and_turned_axes_are_told() {
     assert!(told("L Z+50 FMAX M3\nM5").is_empty());
     assert!(told("L Z+50 FMAX M13\nTOOL CALL 1 Z").is_empty());
     assert!(told("M4\nSTOP").is_empty());
-    assert_eq!(told("L C+90 FMAX"), ["C moved before: the workpiece was measured as if not turned"]);
+    assert_eq!(
+        told("L C+90 FMAX"),
+        ["C moved before this cycle: the workpiece was measured as if it had not been turned"]
+    );
     assert!(told("L C+90 FMAX\nL C+0 FMAX").is_empty());
 }
 

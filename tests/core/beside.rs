@@ -263,7 +263,7 @@ fn a_part_that_its_qif_file_rejects_is_looked_at_first() {
         let pass = "<InspectionStatusEnum>PASS";
         let text = format!("{}<InspectionStatusEnum>FAIL{}", before.join(pass), behind.join(pass));
         let (code, err) = of(&[("a.qif", &text)], &["import", "a.qif"]);
-        assert!(code == 14 && err.contains("FAIL of the whole part"), "{code}: {err}");
+        assert!(code == 14 && err.contains("FAIL about the whole part"), "{code}: {err}");
     }
 }
 
@@ -490,7 +490,7 @@ mod runs {
         let files = files.each_ref().map(|(name, text)| (*name, text.as_str()));
         let contacts = [files[0], ("c.csv", "x,y,z\n22.505,20,-5\n10,32.505,-5\n-2.505,20,-5\n10,7.495,-5\n")];
         let (code, err) = of(&contacts, &["run", "a.h", "--contacts", "c.csv"]);
-        assert!(code == 14 && err.contains("as if not turned"), "{code}: {err}");
+        assert!(code == 14 && err.contains("as if it had not been turned"), "{code}: {err}");
     }
 }
 
@@ -698,7 +698,7 @@ fn a_temperature_in_a_file_of_contacts_is_told() {
             // A file of contacts alone says nothing of its limits.
             let code = if args.contains(&"import") { found } else { code };
             assert_eq!(found, code, "{args:?}: {err}");
-            assert_eq!(err.contains("speaks of another temperature"), text != contacts, "{args:?}: {err}");
+            assert_eq!(err.contains("mentions a temperature other than"), text != contacts, "{args:?}: {err}");
         }
     }
     let args = ["check", "25 H7", "--contacts", "c.csv", "--temperature", "35", "--material", "steel"];

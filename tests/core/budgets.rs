@@ -203,7 +203,7 @@ fn the_uncertainty_of_an_expansion_counts_by_size_and_temperature() {
                 near(found.rows[0].u, 0.5, 1e-6);
                 near(found.rows[0].sensitivity.abs(), 0.4, 1e-12);
                 let error = Evaluation::of(&contributions(&table), &Conditions::default()).unwrap_err();
-                assert_eq!(error.to_string(), "alpha depends on the size, and no size is given");
+                assert_eq!(error.to_string(), "alpha depends on the size, but no size is given");
             }
         }
     }
@@ -311,12 +311,12 @@ fn the_first_and_the_last_day_count() {
 fn a_budget_says_what_it_needs() {
     let budget = contributions(WORKED);
     let error = Evaluation::of(&budget, &Conditions::default()).unwrap_err();
-    assert_eq!(error.to_string(), "temperature depends on the size, and no size is given");
+    assert_eq!(error.to_string(), "temperature depends on the size, but no size is given");
     let without = WORKED.replace("touches = 4\nstep_deg = 90\n", "");
     let error = Evaluation::of(&contributions(&without), &at("25", None)).unwrap_err().to_string();
     assert_eq!(
         error,
-        "touch depends on the contacts: the budget has no touches and step_deg, and no contacts are given"
+        "touch depends on the contacts, but the budget has no touches and step_deg, and no contacts are given"
     );
     let zero = "[[contribution]]\nname = \"a\"\ntype = \"B\"\nlaw = \"rectangular\"\nhalf_width_um = 0\n";
     let error = Evaluation::of(&contributions(zero), &Conditions::default()).unwrap_err();

@@ -127,7 +127,7 @@ fn refuses_what_is_no_deviation() {
     check("12 +0.0001 µm", "! deviation: 0.0001 µm is finer than a nanometre (character 5)");
     check("12 +0.1 -0.2 -0.3", "! -0.3 is not expected here: the text is complete without it (character 14)");
     check("12 ±0.1 H7", "! H7 is not expected here: the text is complete without it (character 9)");
-    let asks = "are the deviations micrometres? Then write";
+    let asks = "if the deviations are in micrometres, write";
     check("12 -11 -12", &format!("! minimum limit 0 mm is not above 0: {asks} 12 -0.011 -0.012 (character 4)"));
     check("12 ±13", &format!("! minimum limit -1 mm is not above 0: {asks} 12 ±0.013 (character 4)"));
     check("0.001 ±0.0013", "! minimum limit -0.0003 mm is not above 0 (character 7)");
@@ -166,9 +166,9 @@ fn a_minus_between_two_sizes_is_no_deviation() {
     check("12 0 -6", "12 0 -6");
     check(
         "11.985-12.01",
-        "! such a deviation would leave nothing: write 12.01/11.985 for limits of size (character 1)",
+        "! such a deviation would leave no size: write 12.01/11.985 for limits of size (character 1)",
     );
-    let asks = "are the deviations micrometres? Then write";
+    let asks = "if the deviations are in micrometres, write";
     check("12-30", &format!("! minimum limit -18 mm is not above 0: {asks} 12 0 -0.03 (character 3)"));
 }
 

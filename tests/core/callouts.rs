@@ -258,7 +258,7 @@ fn refusals_say_where_the_class_is_defined() {
         "f",
         "ISO 2768-1 does not define class f over 2000 up to 4000 mm; it is defined from 0.5 up to 2000 mm",
     );
-    check_general("4000.000001", "m", "nominal size 4000.000001 mm is beyond ISO 2768-1, which ends with 4000 mm");
+    check_general("4000.000001", "m", "nominal size 4000.000001 mm is beyond ISO 2768-1, which ends at 4000 mm");
 }
 
 #[test]

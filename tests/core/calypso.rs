@@ -185,11 +185,11 @@ fn a_last_row_that_may_be_cut_off_is_refused() {
     assert_eq!(
         said(format!("{header}{row}").as_bytes()),
         [
-            "2: the file ends here without a line end, so the row may be cut off: it is left out; if it is complete, add a line end",
+            "2: the file ends here without a line end, so the row may be cut off: it is skipped; if it is complete, add a line end",
             no_end
         ]
     );
-    let zeros = "2: the line has bytes of value 0, so the file was not written completely: the row is left out";
+    let zeros = "2: the line has bytes of value 0, so the file was not written completely: the row is skipped";
     assert_eq!(said(format!("{header}{row}{}", "\0".repeat(100)).as_bytes()), [zeros, no_end]);
     assert_eq!(said(format!("{header}{row}\0003\nEND\n").as_bytes()), [zeros]);
     let behind = said(format!("{header}{row}\n{}", "\0".repeat(100)).as_bytes());

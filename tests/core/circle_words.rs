@@ -85,7 +85,7 @@ fn every_warning_has_its_words() {
         &CircleWarning::ShortChord { first: 1, second: 3, short: text("0.80") },
         "contacts 1 and 3 are opposite each other but off the centre: this size is 0.80 µm too small",
     );
-    check_words(&CircleWarning::More { more: 7 }, "the same holds for 7 more");
+    check_words(&CircleWarning::More { more: 7 }, "the same applies to 7 more");
     check_words(
         &CircleWarning::Apart { contact: 9, apart: text("3.0123") },
         "contact 9 lies 3.0123 mm off the circle, far more than the others: dust or a false trigger?",

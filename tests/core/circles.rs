@@ -494,7 +494,7 @@ fn repeated_contacts_are_listed_but_not_by_the_thousand() {
     let said: Vec<_> =
         evaluate(&on_circle([0.0, 0.0], 10.0, &angles)).unwrap().warnings.iter().map(ToString::to_string).collect();
     assert_eq!(said[0], "contacts 1 and 5 coincide: this place counts twice");
-    assert_eq!(said[5], "the same holds for 391 more");
+    assert_eq!(said[5], "the same applies to 391 more");
     assert_eq!(said.len(), 6);
 }
 
@@ -514,7 +514,7 @@ fn as_many_repeated_contacts_as_are_listed_leave_no_more() {
     let five = said(&[0.0, 90.0, 180.0, 270.0, 270.0]);
     assert!(five.len() == 5 && five.iter().all(|said| said.contains("coincide")), "{five:?}");
     let six = said(&[0.0, 0.0, 90.0, 180.0, 270.0, 270.0]);
-    assert_eq!(six.last().map(String::as_str), Some("the same holds for 1 more"), "{six:?}");
+    assert_eq!(six.last().map(String::as_str), Some("the same applies to 1 more"), "{six:?}");
 }
 
 #[test]

@@ -297,7 +297,7 @@ fn a_row_without_its_date_is_told_and_so_is_an_offset_that_is_not_kept() {
     let lines: Vec<&str> = said.lines().skip(1).collect();
     assert!(!lines[0].contains("time"), "{said}");
     assert!(lines[1].contains("no date and time here: the time of import is used"), "{said}");
-    assert!(lines[2].contains("2024-03-14T08:05:09+05:00 is kept as local time without its offset"), "{said}");
+    assert!(lines[2].contains("2024-03-14T08:05:09+05:00 is stored as local time without its offset"), "{said}");
     assert!(!import("id;callout;measured\n1;25 H7;25.012\n").out.contains("time of import"));
 }
 
@@ -311,9 +311,9 @@ fn a_report_as_csv_says_what_it_does_not_hold() {
     for output in [["-o", "r.csv"].as_slice(), &["-o", "-", "--format", "csv"]] {
         let said = report(output, &head);
         assert_eq!(said.code, 1);
-        let words = "warning: CSV has no place for --title, --part, --order, --inspector: HTML and JSON have";
+        let words = "warning: CSV has no place for --title, --part, --order, --inspector: HTML and JSON do";
         assert!(said.err.contains(words), "{}", said.err);
-        assert!(said.err.contains("warning: 1 note is not in the CSV: HTML and JSON have it"), "{}", said.err);
+        assert!(said.err.contains("warning: 1 note is not in the CSV: HTML and JSON contain it"), "{}", said.err);
         let said = report(output, &["--part", "4711"]);
         assert!(said.err.contains("CSV has no place for --part:"), "{}", said.err);
     }
@@ -328,7 +328,7 @@ const COORDINATE: [&str; 8] = ["cycle", "427", "--set", "Q263=35", "Q264=45", "Q
 
 #[test]
 fn contacts_without_heights_are_refused_where_the_height_is_measured() {
-    let words = "contact 1 has no height: give the file a column z";
+    let words = "contact 1 has no height: add a column z to the file";
     let axis =
         |axis: &'static str| [COORDINATE.as_slice(), &[axis, "Q288=0.1", "Q289=-0.1", "--contacts", "c.csv"]].concat();
     let said = answer("c.csv", "x,y\n35,45\n", &axis("Q272=3"));
@@ -390,7 +390,7 @@ fn call(program: &str, contacts: &str) -> Answer {
 
 #[test]
 fn a_program_refuses_contacts_without_heights_where_it_measures_them() {
-    let words = "has no height: give the file a column z";
+    let words = "has no height: add a column z to the file";
     let point = "TCH PROBE 427 MEASURE COORDINATE ~\nQ263=+35 ~\nQ264=+45 ~\nQ261=+0 ~\nQ320=+0 ~\nQ272=+3 ~\nQ267=-1 ~\n\
                  Q260=+50 ~\nQ281=+0 ~\nQ288=+0.1 ~\nQ289=-0.1";
     let said = call(&program("Z", point), "x,y\n35,45\n");

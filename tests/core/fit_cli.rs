@@ -72,8 +72,8 @@ fn two_measured_parts_and_two_temperatures_in_text() {
   actual       -40 µm, within what the fit allows
   when warm    +73 … +114 µm, clearance fit, +115 µm against 20 °C
                actual +75 µm
-               hole at 220 °C: steel, 11.5 millionths a kelvin from -100 to 250 °C (published value)
-               shaft at 20 °C: 16 millionths a kelvin from -50 to 200 °C (own value)
+               hole at 220 °C: steel, 11.5 millionths per kelvin from -100 to 250 °C (published value)
+               shaft at 20 °C: 16 millionths per kelvin from -50 to 200 °C (own value)
 ";
     assert_eq!((out.get(out.find("  this hole").unwrap()..), err.as_str(), code), (Some(expected), "", 10));
 }

@@ -97,7 +97,7 @@ fn refused(text: &str, wanted: &str) {
 fn what_is_no_question_is_refused_with_its_place_and_what_is_allowed() {
     refused(
         "burr color:red",
-        "color: is not something to ask for; expected part:, serial:, feature:, callout:, class:, verdict:, who:, station:, \
+        "color: is not a known keyword; expected part:, serial:, feature:, callout:, class:, verdict:, who:, station:, \
          from:, to:, or quotation marks around a word with a colon (character 6)",
     );
     refused("part: x", "part: has no value (character 1)");
@@ -113,10 +113,7 @@ fn what_is_no_question_is_refused_with_its_place_and_what_is_allowed() {
         "to:23.11.2026",
         "\"23.11.2026\" is not a day or a time: expected 2026-11-23 or 2026-11-23T14:30 (character 4)",
     );
-    refused(
-        "from:2026-11-24 to:2026-11-23",
-        "the question ends before it begins: from is not before to (character 17)",
-    );
+    refused("from:2026-11-24 to:2026-11-23", "the period ends before it begins: from must be before to (character 17)");
     refused("today to:2026-11-30", "to is given twice (character 7)");
     refused("today week", "week is given twice (character 7)");
     refused("simulated measured", "simulated and measured exclude each other (character 11)");

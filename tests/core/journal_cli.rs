@@ -108,7 +108,7 @@ fn a_check_is_recorded_after_its_verdict_and_found_again() {
     let said = place.record("25.012", &names);
     assert_eq!(said.code, 0);
     assert!(said.out.starts_with("FIT STATUS: GOOD"), "{}", said.out);
-    assert!(said.err.contains("note: a new journal was begun: j.sqlite"), "{}", said.err);
+    assert!(said.err.contains("note: a new journal was created: j.sqlite"), "{}", said.err);
     assert!(said.err.contains("recorded as entry 2 of j.sqlite (hash "), "{}", said.err);
     let rework = place.record("24.99", &["--rule", "iso14253-2017", "--u", "1.2"]);
     assert_eq!(rework.code, 10);
@@ -235,7 +235,7 @@ fn contacts_their_file_and_a_budget_are_in_the_record() {
     let text = place.done("journal show 2 --journal j.sqlite");
     for line in [
         "at 20 °C",
-        "budget       S3, made 2020-01-15 by J. Jansen",
+        "budget       S3, created 2020-01-15 by J. Jansen",
         "contact      X 12.5050",
         "file         measurements bore.csv, SHA-256",
     ] {
@@ -391,7 +391,7 @@ fn a_list_is_the_newest_first_and_ends_where_it_is_told_to() {
     assert_eq!(list(""), [4, 3, 2]);
     assert_eq!(list(" --oldest --limit 2"), [2, 3]);
     let said = place.say("journal list --journal j.sqlite --limit 2");
-    assert!(said.err.contains("note: only 2 are listed"), "{}", said.err);
+    assert!(said.err.contains("note: only 2 entries are listed"), "{}", said.err);
     let csv = place.done("journal list --journal j.sqlite --format csv --limit 1");
     assert_eq!(csv.lines().next(), Some(HEADER));
     let row: Value =
@@ -412,7 +412,7 @@ fn a_list_is_the_newest_first_and_ends_where_it_is_told_to() {
     assert_eq!(said.out.lines().count(), 4, "{}{}", said.out, said.err);
     let said = place.say("journal list --journal j.sqlite colour:red");
     assert_eq!(said.code, 1);
-    assert!(said.err.contains("colour:red: colour: is not something to ask for; expected part:, "), "{}", said.err);
+    assert!(said.err.contains("colour:red: colour: is not a known keyword; expected part:, "), "{}", said.err);
 }
 
 #[test]
@@ -480,7 +480,7 @@ fn a_correction_is_a_new_entry_and_the_old_one_stays() {
     assert!(text.contains("corrects     entry 2 (") && text.contains("reason       the next part"), "{text}");
     let again = place.run(&["journal", "correct", "2", "--reason", "x", "--serial", "19", "--journal", "j.sqlite"]);
     assert!(
-        again.err.contains("entry 2 is corrected or withdrawn by entry 3 already: correct that one"),
+        again.err.contains("entry 2 was already corrected or withdrawn by entry 3: correct that one"),
         "{}",
         again.err
     );
@@ -522,7 +522,7 @@ fn a_check_is_withdrawn_with_a_reason() {
     let said = place.say("journal correct 3 --reason x --serial 1 --journal j.sqlite");
     assert!(said.err.contains("entry 3 is not a check"), "{}", said.err);
     let said = place.say("journal correct 2 --reason x --journal j.sqlite");
-    assert!(said.err.contains("a correction changes something"), "{}", said.err);
+    assert!(said.err.contains("a correction must change something"), "{}", said.err);
     let said = place.say("journal correct 2 --reason x --withdraw --serial 1 --journal j.sqlite");
     assert_eq!(said.code, 2, "{}", said.err);
 }
@@ -535,7 +535,7 @@ fn a_correction_that_is_withdrawn_leaves_neither_and_says_so() {
     assert_eq!(place.say("journal correct 2 --reason typing --measured 25.01 --journal j.sqlite").code, 0);
     let said = place.say("journal correct 3 --reason x --withdraw --journal j.sqlite");
     assert_eq!(said.code, 14, "{}", said.err);
-    assert!(said.err.contains("entry 3 corrected entry 2: now neither stands"), "{}", said.err);
+    assert!(said.err.contains("entry 3 corrected entry 2: now neither of them counts"), "{}", said.err);
 }
 
 // ---- verifying and copying ----

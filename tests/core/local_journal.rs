@@ -415,7 +415,7 @@ fn a_file_that_is_no_journal_is_left_as_it_is() {
         (b"Time;Part;Measured\n".as_slice(), "is not a journal of Fitcheck"),
         (b"x".as_slice(), "is not a journal of Fitcheck"),
         (&other, "is not a journal of Fitcheck"),
-        (&newer, "was made by a newer Fitcheck (version 99, this one knows 1)"),
+        (&newer, "was made by a newer Fitcheck (version 99, this one supports 1)"),
     ] {
         let place = Place::new();
         std::fs::create_dir_all(place.path().parent().unwrap()).unwrap();

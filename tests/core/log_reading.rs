@@ -213,7 +213,7 @@ fn contradictions_name_the_line() {
     with("Center in minor axis: 65.0000\n", "Center in minor axis:\n65.0000\n7.0\n", "! line 12: no label before 7.0");
     let text_logs = CYCLES.iter().filter(|cycle| matches!(cycle.log, cycle::Log::Text(_)));
     let codes = text_logs.map(|cycle| cycle.code).collect::<Vec<_>>().join(", ");
-    with("cycle 421", "cycle 430", &format!("! line 1: logs of cycle 430 are not read, only those of {codes}"));
+    with("cycle 421", "cycle 430", &format!("! line 1: logs of cycle 430 cannot be read, only those of {codes}"));
 }
 
 #[test]

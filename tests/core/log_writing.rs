@@ -359,13 +359,13 @@ fn what_would_not_read_back_is_refused() {
     check_error(|log| log.unit = Unit::Micrometre, "a log is in mm or inch, not in µm");
     check_error(
         |log| log.program = Some("TNC:\\\u{20ac}.H".to_owned()),
-        "TNC:\\\u{20ac}.H cannot be written: a log holds no character U+20AC",
+        "TNC:\\\u{20ac}.H cannot be written: a log cannot contain the character U+20AC",
     );
     check_error(
         |log| log.program = Some("TNC:\\A\nB.H".to_owned()),
-        "TNC:\\A\u{fffd}B.H cannot be written: a log holds no character U+000A",
+        "TNC:\\A\u{fffd}B.H cannot be written: a log cannot contain the character U+000A",
     );
-    let path = "would not be read back as the path of a program: write it as in TNC:\\PART\\CHECK.H";
+    let path = "would not be read back as the path of a program: write a path such as TNC:\\PART\\CHECK.H";
     check_error(|log| log.program = Some("CHECK1".to_owned()), &format!("CHECK1 {path}"));
     // Two letters of Latin-1 that are also one letter of UTF-8.
     check_error(|log| log.program = Some("TNC:\\\u{c3}\u{b6}.H".to_owned()), &format!("TNC:\\\u{c3}\u{b6}.H {path}"));

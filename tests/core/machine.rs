@@ -477,7 +477,7 @@ fn the_range_column_is_found_in_both_spellings() {
         let said: Vec<String> = machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect();
         let said: Vec<&String> = said.iter().filter(|said| said.contains("spelling")).collect();
         let expected =
-            format!("table own.tab has no column {lacks}: {has} was taken, the other spelling in NC-Solution 8255");
+            format!("table own.tab has no column {lacks}: {has} was used, the other spelling in NC-Solution 8255");
         assert!(!said.is_empty() && said.iter().all(|said| **said == expected), "{said:?}");
     }
 }
@@ -877,7 +877,7 @@ fn what_is_odd_in_a_called_program_is_told_in_every_run() {
         let _fault = machine.run(100).unwrap_err();
         let said: Vec<String> = machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect();
         let [said] = said.as_slice() else { panic!("{said:?}") };
-        assert!(said.starts_with("TNC:\\fit\\sub.h: line 4, column 2: cycle 421 has ended in line 3"), "{said}");
+        assert!(said.starts_with("TNC:\\fit\\sub.h: line 4, column 2: cycle 421 ended in line 3"), "{said}");
         machine.restart(Contacts::Perfect);
     }
 }

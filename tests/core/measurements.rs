@@ -344,7 +344,7 @@ fn a_status_that_the_file_has_and_that_is_another_one_is_told() {
             "6 E: 25 H7 is 25.01 GOOD",
             "? line 2: the file says n.i.O., but the limits say GOOD",
             "? line 4: the file says OK, but the limits say SCRAP",
-            "? line 6: the file says ?, which is no status that is known here: the limits say GOOD",
+            "? line 6: the file says ?, which is not a known status: the limits say GOOD",
         ],
     );
     check(

@@ -103,10 +103,10 @@ fn a_plan_becomes_a_zip_and_notes_say_what_is_special() {
     assert_eq!(
         answer.err,
         "note: ZA8 is not one of the 47 classes of NC-Solution 8255: FIT_HOLE.TAB gets an extra column\n\
-         note: A: the nominal size of 25 D10 is outside the limits, which a TNC7 refuses: Q262 is 25.065 mm, and Q163 counts \
-         from there\n\
-         note: B: the nominal size of 24 ZA8 is outside the limits, which a TNC7 refuses: Q262 is 23.902 mm, and Q163 counts \
-         from there\n\
+         note: A: the nominal size of 25 D10 is outside the limits, which a TNC7 refuses: Q262 is 25.065 mm, and Q163 refers \
+         to that\n\
+         note: B: the nominal size of 24 ZA8 is outside the limits, which a TNC7 refuses: Q262 is 23.902 mm, and Q163 refers \
+         to that\n\
          wrote set.zip (6 files)\n"
     );
     assert_eq!(names(folder.path()), ["plan.csv", "set.zip"]);

@@ -50,7 +50,7 @@ fn nothing_leads_out() {
     check("  ", "the path is empty");
     check(r"TNC:\", "the path is empty");
     check(r"sub\", "the path is empty");
-    let too_long = "the path has more than 255 characters, which a control does not take";
+    let too_long = "the path has more than 255 characters, which a control does not allow";
     let below = r"TNC:\fit\check\".len();
     check(&"x".repeat(255 - below), &format!(r"TNC:\fit\check\{}", "x".repeat(255 - below)));
     check(&"x".repeat(256 - below), too_long);

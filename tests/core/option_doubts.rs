@@ -251,7 +251,7 @@ fn options_of_a_cycle_without_effect_are_told() {
     assert_eq!(said(&[]), "");
     let position = said(&["--position", "1,2,3"]);
     assert!(
-        position.contains("warning: --position has no effect: cycle 421 does not begin where the ball is"),
+        position.contains("warning: --position has no effect: cycle 421 does not start at the position of the ball"),
         "{position}"
     );
     let predef = said(&["--predef", "Q320=2"]);
@@ -323,7 +323,7 @@ fn two_spellings_of_a_called_program_are_refused_or_told() {
     let (code, _, said) = call("S.H");
     assert_eq!(code, Some(0), "{said}");
     assert!(
-        said.contains("note: main.h:2: S.H was read, and S.h is there, too: a control has one file of a name"),
+        said.contains("note: main.h:2: S.H was read, but S.h also exists: a control has only one file of each name"),
         "{said}"
     );
     // Of a folder on the way, too.

@@ -272,7 +272,7 @@ fn a_part_outside_its_own_limits_is_told_where_a_fit_is_given() {
     let said = |holes: &str, args: &[&str]| pair(holes, "id;measured\nS1;24,990\n", args).err;
     let fit = ["--fit", "25 H7/g6"];
     assert_eq!(said("id;measured\nH1;25,021\n", &fit), "");
-    let warning = "holes.csv: warning: 1 part is outside its own limits: pairs are made by clearance alone\n";
+    let warning = "holes.csv: warning: 1 part is outside its own limits: pairs are chosen by clearance alone\n";
     assert_eq!(said("id;measured\nH1;25,021001\n", &fit), warning);
     assert_eq!(said("id;measured\nH1;25,021001\n", &["--clearance", "0.010..0.040"]), "");
     let (answer, code) = told("id;measured\nH1;25,03\nH2;25,04\n", "id;measured\nS1;24,990\n", &fit);

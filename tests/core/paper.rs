@@ -79,16 +79,16 @@ fn a_check_by_a_rule_says_zone_proof_and_probability() {
         &[
             "the supplier proves conformity; u = 1.2 µm, U = 2.4 µm (k = 2)",
             &entry("Accepted values", "25.001974 to 25.019026 mm"),
-            &entry("Proof", "proven by this rule; conforms with 100.00 % probability"),
+            &entry("Proof", "proven by this rule; conforms with a probability of 100.00 %"),
         ],
     );
     let undecided = page("--check 25_H7=25.0195 --rule iso14253-2017 --u 1.2");
     has(
         &undecided,
-        &["RE-MEASURE", "not proven by this rule; conforms with 89.44 % probability", "lies in a guard band"],
+        &["RE-MEASURE", "not proven by this rule; conforms with a probability of 89.44 %", "lies in a guard band"],
     );
     let nothing = page("--check 25_H7=25.01 --rule iso14253-1998 --u 6");
-    has(&nothing, &[&entry("Accepted values", "none: the rule leaves nothing of this tolerance")]);
+    has(&nothing, &[&entry("Accepted values", "none: the rule leaves no part of this tolerance")]);
     // The uncertainty is said where the rule's own sentence does not have it.
     let fixed = page("--check 25_H7=25.012 --rule fixed --guard 2 --u 1.2");
     has(&fixed, &["guard band 2 µm, the supplier proves conformity; u = 1.2 µm"]);
@@ -121,7 +121,7 @@ fn the_head_says_once_what_all_checks_share() {
     let by_budget = head(&format!("{two} --rule ilac-g8 --budget b.toml"));
     has(
         &by_budget,
-        &["ILAC-G8, guard band 1 U", "u of each value beside its check", "Station 3, made 2026-01-15 by J. Jansen"],
+        &["ILAC-G8, guard band 1 U", "u of each value beside its check", "Station 3, created 2026-01-15 by J. Jansen"],
     );
     assert!(!head(two).contains("Decision rule"));
     let warm = head(&format!("{two} --temperature 26 --material 11.5"));
@@ -163,7 +163,7 @@ fn an_expired_budget_is_said_in_words_for_each_day() {
         (page, said)
     };
     let (valid, said) = of("2026-06-30");
-    has(&valid, &["Station 3, made 2026-01-15 by J. Jansen, valid until 2026-06-30</td>"]);
+    has(&valid, &["Station 3, created 2026-01-15 by J. Jansen, valid until 2026-06-30</td>"]);
     assert!(!said.contains("warning"), "{said}");
     let (expired, said) = of("2026-07-01");
     has(&expired, &["valid until 2026-06-30; EXPIRED on the day of the check"]);
@@ -182,7 +182,7 @@ fn a_budget_with_entries_of_the_template_is_told_and_ends_with_14() {
         let line =
             "report --check 25_H7=25.012 --rule ilac-g8 --budget new.toml -o - --format json --time 2026-03-01T10:00";
         let (code, out, said) = run(folder.path(), line);
-        assert_eq!((code, said.contains("entries of the template")), (Some(expected), expected == 14), "{out}{said}");
+        assert_eq!((code, said.contains("entries from the template")), (Some(expected), expected == 14), "{out}{said}");
     }
 }
 
@@ -246,7 +246,7 @@ fn an_import_judges_by_the_rule_and_has_its_columns() {
     assert_eq!((&rows[0]["budget"], &rows[0]["proven"]), (&"Station 3".into(), &true.into()), "{json}");
     let (_, text, said) = run(folder.path(), "import rows.csv --temperature 26 --material steel");
     has(&text, &["25.017774"]);
-    assert!(said.contains("every measured value is brought from 26 °C to 20 °C (steel"), "{said}");
+    assert!(said.contains("every measured value is corrected from 26 °C to 20 °C (steel"), "{said}");
     // A row that cannot be used has no cells there.
     let (code, csv, _) = run(folder.path(), "import bad.csv --rule ilac-g8 --u 1 --format csv");
     assert_eq!(code, Some(1));
@@ -339,7 +339,7 @@ fn the_reason_is_said_in_text_json_csv_and_report() {
     let lines: Vec<String> = contacts.iter().map(|contact| format!("{};{}", contact.x, contact.y)).collect();
     write(folder.path(), "arc.csv", &format!("x;y\n{}\n", lines.join("\n")));
     let check = |options: &str| run(folder.path(), &format!("check 25_H7 --contacts arc.csv --rule ilac-g8 {options}"));
-    let reason = "the 3 contacts make the diameter 5.914 times less sure than 3 contacts round the full circle";
+    let reason = "the 3 contacts make the diameter 5.914 times less certain than 3 contacts around the full circle";
     let (code, text, said) = check("--u 0.5");
     assert_eq!((code, text.contains("RE-MEASURE")), (Some(12), true), "{text}{said}");
     has(&said, &[reason, "not proven by this rule"]);
@@ -381,9 +381,9 @@ fn a_file_of_fitcheck_read_again_is_no_better_than_it_was() {
     file("A1,25 H7,25.012,12,GOOD,not monitored,simple,");
     let (_, told, code) = run("import", &[]);
     assert_eq!(code, Some(0), "{told}");
-    assert!(told.contains("may be by another decision rule (column rule_name)"), "{told}");
+    assert!(told.contains("may come from another decision rule (column rule_name)"), "{told}");
     for (row, reason) in [
-        ("A1,25 H7,25.012,12,SCRAP,OUT,simple,", "the centre was out of position, and a file has the size alone"),
+        ("A1,25 H7,25.012,12,SCRAP,OUT,simple,", "the centre was out of position, but the file has only the size"),
         ("A1,25 H7,25.012,12,RE-MEASURE,,fixed,3 contacts", "nothing was decided here: 3 contacts"),
     ] {
         file(row);
@@ -438,8 +438,8 @@ fn a_budget_for_another_piece_temperature_or_arc_is_told() {
         (String::from_utf8_lossy(&output.stderr).into_owned(), output.status.code())
     };
     let (told, _) = check(&["300 h7", "--measured", "299.99", "--budget", &ring]);
-    assert!(told.contains("the calibrated piece of the budget has 30 mm and 299.99 mm were measured"), "{told}");
-    assert!(told.contains("the calibrated piece of the budget is a hole, and the other side was measured"), "{told}");
+    assert!(told.contains("the calibrated piece of the budget has 30 mm, but 299.99 mm were measured"), "{told}");
+    assert!(told.contains("the calibrated piece of the budget is a hole, but a shaft was measured"), "{told}");
     // 25 mm more belongs to a piece of 30 mm, a nanometre beyond does not.
     for (measured, is_told) in [("55", false), ("55.000001", true), ("5", false), ("4.999999", true)] {
         let callout = if measured.starts_with('5') && 1 < measured.len() { "55 H12" } else { "5 H12" };
@@ -451,13 +451,13 @@ fn a_budget_for_another_piece_temperature_or_arc_is_told() {
     let (told, _) = check(&temperature);
     assert!(
         told.contains(
-            "Expansion of the budget is for a temperature 1 K from 20 °C, and the value was corrected for 20 K"
+            "Expansion of the budget is for a temperature 1 K from 20 °C, but the value was corrected for 20 K"
         ),
         "{told}"
     );
     assert!(
         told.contains(
-            "Temperature of the budget has the expansion 11.5 · 10⁻⁶/K, and the value was corrected with 23.1"
+            "Temperature of the budget has the expansion 11.5 · 10⁻⁶/K, but the value was corrected with 23.1"
         ),
         "{told}"
     );

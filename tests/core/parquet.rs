@@ -409,7 +409,7 @@ fn nothing_without_rows_columns_or_plain_cells_is_judged() {
     let mut out = Vec::new();
     SerializedFileWriter::new(&mut out, Arc::new(schema), Arc::default()).unwrap().close().unwrap();
     let said = as_csv(&out.into()).unwrap_err();
-    assert_eq!(said, "column measured.x has columns or lists in it: only columns of single values can be judged");
+    assert_eq!(said, "column measured.x contains columns or lists: only columns of single values can be judged");
 }
 
 /// Rows that people and machines write, right and wrong; the cells as they are, without any quotation.

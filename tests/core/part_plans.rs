@@ -260,7 +260,7 @@ fn a_set_has_only_the_programs_that_its_plan_needs() {
     let plan = plan(Control::Tnc7);
     let set = NcSet::make(&plan, &Target::new(Control::Tnc7, Dialogue::En), &Sources::default()).unwrap();
     let said: Vec<String> = set.remarks.iter().map(ToString::to_string).collect();
-    let moved = "N2: the nominal size of 10 D10 is outside the limits, which a TNC7 refuses: Q311 is 10.04 mm, and Q166 counts from there";
+    let moved = "N2: the nominal size of 10 D10 is outside the limits, which a TNC7 refuses: Q311 is 10.04 mm, and Q166 refers to that";
     assert!(said.iter().any(|said| said == moved), "{said:?}");
     for (side, nominal) in [("18 s7", "Q282 is 18.028 mm, and Q164"), ("25 D10", "Q283 is 25.065 mm, and Q165")] {
         assert!(said.iter().any(|said| said.contains(side) && said.contains(nominal)), "{said:?}");

@@ -186,7 +186,9 @@ fn what_cannot_be_told_is_an_error_with_the_names() {
         behind,
         [50.0, 0.0, -5.0],
         [-1.0, 0.0, 0.0],
-        Err("contact 1: the ball comes to the wall of hole from behind: nothing says how thick the material is there"),
+        Err(
+            "contact 1: the ball reaches the wall of hole from behind, and the thickness of the material there is unknown",
+        ),
     );
     // Two shafts side by side, met at once.
     let both = "[[feature]]\nkind = \"stud\"\ncentre = [0, 10]\ndiameter = 10\n\
@@ -195,7 +197,7 @@ fn what_cannot_be_told_is_an_error_with_the_names() {
         both,
         [50.0, 0.0, -5.0],
         [-1.0, 0.0, 0.0],
-        Err("contact 1: the ball meets F1 and F2 at the same place: which one is measured cannot be told"),
+        Err("contact 1: the ball meets F1 and F2 at the same place, so it is not known which one is measured"),
     );
     // A keyway: the bore is measured beside it, and where it is, its wall is not there.
     let keyway = "[[feature]]\nname = \"bore\"\nkind = \"bore\"\ncentre = [0, 0]\ndiameter = 30\n\

@@ -225,7 +225,7 @@ fn a_corrected_value_without_a_callout_is_not_corrected_again_by_a_plan() {
     assert_eq!((code, rows[0]["measured_mm"].as_f64()), (0, Some(25.019_774)), "{rows:?}");
     let (code, rows) = place.judged(plan, values, &["--temperature", "26", "--material", "steel"]);
     assert_eq!(code, 1);
-    says(&rows[0], None, "--temperature: the values are at 20 °C already, as their file says");
+    says(&rows[0], None, "--temperature: the file says that its values are at 20 °C already");
     // The correction is recorded with the value.
     let record = ["--record", "--journal", "j.sqlite"];
     place.say(&[&["import", "--plan", "own.csv", "v.csv"], &record[..]].concat());
@@ -262,7 +262,7 @@ fn a_running_number_beside_a_name_that_the_plan_does_not_know_finds_nothing() {
     let (code, rows) = place.judged(plan, "number;name;measured\n1;circle 7;25.01\n2;circle 9;25.01\n", &[]);
     assert_eq!(code, 1);
     for (row, name) in [(&rows[0], "BORE"), (&rows[1], "PIN")] {
-        says(row, None, &format!("a number alone may be a running one: {name} has it"));
+        says(row, None, &format!("{name} has the same number, but that may be a running number"));
     }
     // Without a name the number is all that there is.
     let (code, rows) = place.judged(plan, "number;measured\n1;25.01\n2;25.01\n", &[]);
@@ -489,7 +489,7 @@ fn a_set_for_a_control_names_what_it_does_not_know_of_judging() {
     assert_eq!(code, 0, "{err}");
     let readme = std::fs::read_to_string(place.0.path().join("set/README.TXT")).unwrap();
     for (name, said) in [("BORE", "rule iso14253-2017, u_um 2, material steel"), ("SURE", "u_um 2")] {
-        assert!(err.contains(&format!("{name}: the plan says {said}, and the set does not know it")), "{err}");
+        assert!(err.contains(&format!("{name}: the plan says {said}, but the set does not use it")), "{err}");
         assert!(readme.contains(&format!("  {name:<20} {said}\r\n")), "{readme}");
     }
     assert!(!err.contains("PLAIN:"), "{err}");
@@ -499,7 +499,7 @@ fn a_set_for_a_control_names_what_it_does_not_know_of_judging() {
         place.say(&["nc", "25 H7", "--x", "1", "--y", "2", "--z", "-8", "--control", "tnc7", "-o", "plain"]);
     let readme = std::fs::read_to_string(place.0.path().join("plain/README.TXT")).unwrap();
     assert!(
-        !err.contains("does not know") && !readme.contains("the plan says more") && !readme.contains('{'),
+        !err.contains("does not use") && !readme.contains("the plan says more") && !readme.contains('{'),
         "{readme}"
     );
 }

@@ -153,12 +153,12 @@ fn the_plans_rule_and_uncertainty_count_over_those_that_are_given_and_the_others
     let walk = by_session(|session| use_rule(session, RuleName::IlacG8, "2.5"));
     assert_eq!(verdicts(&import), verdicts(&walk));
     let both = [&import[..], &walk[..]];
-    has(both, "STRICT", "RE-MEASURE", "judged by the plan's rule and not by ilac-g8: ISO 14253-1:2017");
-    has(both, "STRICT", "RE-MEASURE", "judged with the plan's uncertainty and not with the given one: u = 1 µm");
+    has(both, "STRICT", "RE-MEASURE", "judged by the plan's rule instead of ilac-g8: ISO 14253-1:2017");
+    has(both, "STRICT", "RE-MEASURE", "judged with the plan's uncertainty instead of the given one: u = 1 µm");
     // An explicit simple rule is one.
-    has(both, "PLAIN", "GOOD", "judged by the plan's rule and not by ilac-g8: no guard band");
+    has(both, "PLAIN", "GOOD", "judged by the plan's rule instead of ilac-g8: no guard band");
     // The plan's uncertainty with the given rule: 0.4 µm are within 0.5 µm.
-    has(both, "SURE", "GOOD", "judged with the plan's uncertainty and not with the given one: u = 0.2 µm");
+    has(both, "SURE", "GOOD", "judged with the plan's uncertainty instead of the given one: u = 0.2 µm");
     has(both, "OPEN", "RE-MEASURE", "");
     let is_silent = import.iter().find(|(verdict, _)| verdict.0 == "OPEN").is_some_and(|(_, said)| said == "[]null");
     assert!(is_silent, "{import:?}");
@@ -181,11 +181,11 @@ fn values_of_files_are_brought_to_20_degrees_with_the_plans_material_and_places_
     });
     assert_eq!(verdicts(&import), verdicts(&walk));
     let both = [&import[..], &walk[..]];
-    has(both, "TOP", "REWORK", "not brought to 20 °C: a place on the part is not a size");
-    has(both, "STRICT", "GOOD", "brought to 20 °C with the plan's material and not with the given one: aluminium");
+    has(both, "TOP", "REWORK", "not corrected to 20 °C: a location on the part is not a size");
+    has(both, "STRICT", "GOOD", "corrected to 20 °C with the plan's material instead of the given one: aluminium");
     has(both, "SHAFT", "GOOD", "");
     assert_eq!((import[0].0.1.as_str(), import[6].0.1.as_str()), ("25.01472", "24.999125"));
     for (_, said) in walk.iter().filter(|(verdict, _)| verdict.0 != "TOP") {
-        assert!(said.contains("brought from 30 °C to 20 °C (expansion "), "{said}");
+        assert!(said.contains("corrected from 30 °C to 20 °C (expansion "), "{said}");
     }
 }

@@ -97,7 +97,7 @@ fn every_test_that_a_document_names_exists() {
     };
     for (document, heading, at_least) in [
         ("ARCHITECTURE.md", "## Invariants", 15),
-        ("SECURITY.md", "## What holds", 20),
+        ("SECURITY.md", "## Promises and their tests", 20),
         ("docs/REQUIREMENTS.md", "## Rows", 170),
     ] {
         let names = named_tests(document, heading);

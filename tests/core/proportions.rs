@@ -30,7 +30,7 @@ fn length(text: &str) -> Length {
 fn asked(callout: &str, offer: &str) {
     let (code, out, said) = fitcheck(&["limits", callout]);
     assert_eq!((code, out.as_str()), (Some(1), ""), "{callout}: {said}");
-    assert!(said.contains("are the deviations micrometres?"), "{callout}: {said}");
+    assert!(said.contains("if the deviations are in micrometres"), "{callout}: {said}");
     let said = said.split(" (character").next().unwrap().trim_end();
     assert!(said.ends_with(&format!("write {offer}")), "{callout}: {said}");
 }
@@ -278,14 +278,14 @@ fn degrees_fahrenheit_and_kelvin_are_asked_about() {
     assert!(said("50.001").is_some());
     let call = ["check", "25 H7", "--measured", "25.012", "--material", "steel", "--temperature"];
     for (given, offer) in
-        [("68", "Fahrenheit? Then write 20"), ("293", "kelvin? Then write 19.85"), ("-196", "--far-temperature")]
+        [("68", "Fahrenheit, write 20"), ("293", "kelvin, write 19.85"), ("-196", "--far-temperature")]
     {
         refuses(&[&call[..], &[given]].concat(), offer);
     }
     refuses(&[&call[..], &["22", "--scale-material", "10", "--scale-temperature", "68"]].concat(), "write 20");
     let (_, out, said) = fitcheck(&[&call[..], &["68", "--far-temperature"]].concat());
     assert!(out.contains("REWORK") || out.contains("GOOD"), "{out}{said}");
-    assert!(said.contains("are these degrees Fahrenheit"), "{said}");
+    assert!(said.contains("if it is in degrees Fahrenheit"), "{said}");
 }
 
 #[test]
@@ -366,7 +366,7 @@ fn a_csv_that_was_corrected_from_degrees_fahrenheit_is_refused() {
     ];
     let (_, out, said) = fitcheck(&call);
     assert!(out.contains("temperature_c"), "{out}{said}");
-    refuses(&["import", &shop.with("again.csv", &out)], "Fahrenheit? Then write 20");
+    refuses(&["import", &shop.with("again.csv", &out)], "Fahrenheit, write 20");
 }
 
 /// The window, by commands.

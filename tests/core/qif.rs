@@ -335,7 +335,7 @@ fn lists_that_have_another_number_of_things_and_numbers_that_stand_twice_are_tol
     let offset = with("10:21:33</TimeStamp>", "10:21:33.5+01:00</TimeStamp>");
     assert_eq!(
         said(&offset),
-        ["line 61: 2025-01-15T10:21:33.5+01:00 is kept as local time without its offset from UTC"]
+        ["line 61: 2025-01-15T10:21:33.5+01:00 is stored as local time without its offset from UTC"]
     );
     assert_eq!(only(&read(&offset)).time, date(2025, 1, 15).at(10, 21, 33, 500_000_000));
     let inspection = timeless.replace("<MeasurementResults id=\"10\">", "<MeasurementResults id=\"10\"><InspectionTraceability><InspectionEnd>2025-01-16T00:00:00Z</InspectionEnd></InspectionTraceability>");
@@ -484,7 +484,7 @@ fn a_radius_is_no_value_of_a_diameter() {
     let radius = LIMITS.replace("DiameterCharacteristicMeasurement", "RadiusCharacteristicMeasurement");
     refused(
         &radius,
-        "line 61, column 13: the measurement is of the kind radius, and its characteristic of the kind diameter",
+        "line 61, column 13: the measurement is of kind radius, but its characteristic is of kind diameter",
     );
 }
 

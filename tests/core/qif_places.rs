@@ -25,7 +25,7 @@ fn a_bore_along_another_axis_has_no_position_for_a_cycle() {
     assert_eq!(place, none);
     assert_eq!(
         said,
-        ["line 45: BORE1 25 H7: no position was taken over: it lies along 1 0 0, and cycles 421 and 422 probe along Z"]
+        ["line 45: BORE1 25 H7: no position was taken over: it lies along 1 0 0, but cycles 421 and 422 probe along Z"]
     );
     // From below, and with the noise of doubles, it is the same axis.
     for normal in ["0 0 -1", "6.1e-17 -0.0 1.000"] {

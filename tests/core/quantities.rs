@@ -497,7 +497,7 @@ fn words_that_are_not_known_are_never_a_size_in_silence() {
     let answer = place.say(&["import", "--plan", "p.csv", "m.csv"]);
     assert_eq!(answer.code, 14, "{}", answer.said());
     assert_eq!(
-        answer.said().matches("column 2 (Type) says nothing known of what was measured (Zwischenring)").count(),
+        answer.said().matches("column 2 (Type) has no known word for what was measured (Zwischenring)").count(),
         1
     );
     // Words that tell rows of one name apart, a column that says what is measured, and a word beside known ones.
@@ -513,7 +513,7 @@ fn words_that_are_not_known_are_never_a_size_in_silence() {
     let text = "name;callout;Type;measured\nA1;25 H7;A;25.012\nA2;25 H7;B;25.012\n";
     let place = Place::of(&[("m.csv", text)]);
     let answer = place.say(&["import", "m.csv"]);
-    assert!(answer.code == 14 && answer.said().contains("column 3 (Type) says nothing known"), "{}", answer.said());
+    assert!(answer.code == 14 && answer.said().contains("column 3 (Type) has no known word"), "{}", answer.said());
     // The user knows.
     let text = "name;Type;measured\nBORE_A;Blub;25.012\nBORE_A;Blab;25.013\n";
     let place = Place::of(&[("p.csv", PLAN), ("m.csv", text)]);

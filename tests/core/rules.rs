@@ -269,7 +269,7 @@ fn where_the_uncertainty_is_too_large_nothing_is_accepted_and_it_is_said() {
         .unwrap();
     assert_eq!(output.status.code(), Some(12));
     let said = String::from_utf8(output.stderr).unwrap();
-    assert!(said.contains("no value is accepted: the rule leaves nothing of this tolerance"), "{said}");
+    assert!(said.contains("no value is accepted: the rule leaves no part of this tolerance"), "{said}");
 }
 
 #[test]

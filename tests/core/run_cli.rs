@@ -331,7 +331,7 @@ fn a_scrap_hole_is_not_passed_by_a_cycle_that_lost_its_limits() {
     let scrap = shop.path("scrap.toml");
     let whole = fitcheck(&[&shop.program(&cycle("Q301=+0 ;X ~")), "--workpiece", &scrap]);
     assert_eq!(whole.code, Some(11), "{}{}", whole.out, whole.err);
-    let cut = "column 5: cycle 421 has ended in line 12, which has no ~ at its end: Q275 is no part of it and would be assigned instead";
+    let cut = "column 5: cycle 421 ended in line 12, which has no ~ at its end: Q275 is not part of it and would be assigned instead";
     let own = fitcheck(&[&shop.program(&cycle("Q301=+0 ;X")), "--workpiece", &scrap]);
     assert_eq!(own.code, Some(1), "{}", own.err);
     assert!(own.err.contains(&format!("own.h: line 13, {cut}")), "{}", own.err);

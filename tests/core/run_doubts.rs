@@ -103,10 +103,13 @@ fn what_a_tool_call_does_not_say_or_cannot_have_is_told() {
     {
         assert!(measured(&format!("Q5 = 5\n{fine}")).is_empty(), "{fine}: {:?}", measured(fine));
     }
-    assert_eq!(measured("TOOL CALL 0 Z"), ["tool 0 was called: a TNC7 has no probe in the spindle then"]);
-    assert_eq!(measured("TOOL CALL Z S50"), ["no TOOL CALL before names a tool: measured with the first probe"]);
+    assert_eq!(measured("TOOL CALL 0 Z"), ["tool 0 was called: a TNC7 then has no probe in the spindle"]);
+    assert_eq!(
+        measured("TOOL CALL Z S50"),
+        ["no TOOL CALL before this cycle names a tool: measured with the first probe"]
+    );
     assert!(measured("TOOL CALL Z S50\nTOOL CALL 1 Z\nTOOL CALL S60").is_empty());
-    assert_eq!(measured("TOOL CALL 1 Z M3 X+100"), ["TOOL CALL does not take M3 X+100: ignored"]);
+    assert_eq!(measured("TOOL CALL 1 Z M3 X+100"), ["TOOL CALL does not take M3 X+100: skipped"]);
 }
 
 #[test]
@@ -130,7 +133,7 @@ fn a_value_that_was_given_and_that_no_block_reads_is_told() {
 fn what_a_block_leaves_out_is_told_and_half_a_pair_of_limits_stops() {
     let without = BORE.replace("Q261=-8 ~\n", "");
     let found = remarks(&format!("TOOL CALL 1 Z\n{without}{LIMITS}"));
-    let said = "the block leaves out Q261 = 0 mm: these values were taken, while a control may refuse the block";
+    let said = "the block leaves out Q261 = 0 mm: these values were used, but a control may refuse the block";
     assert_eq!(found, [said]);
     let half = format!("TOOL CALL 1 Z\n{BORE} ~\nQ275=+25.021");
     assert_eq!(fault("MM", &half), "cycle 421: Q275 is given without Q276: 0 would be the other limit");
@@ -150,7 +153,7 @@ fn a_cycle_that_is_skipped_at_request_is_told() {
     let program = Arc::new(Program::read(main_program("MM", &blocks).as_bytes()).unwrap().0);
     let mut machine = Machine::new("main.h", program, InMemory::new(), Contacts::Perfect, settings);
     while machine.run(u64::MAX).unwrap() != Step::Ended {}
-    let said = "this measuring cycle was skipped at request, because of the / before it";
+    let said = "this measuring cycle was skipped as requested, because of the / before it";
     assert_eq!(machine.remarks().iter().map(|(_, remark)| remark.to_string()).collect::<Vec<_>>(), [said]);
 }
 
@@ -159,7 +162,7 @@ fn a_global_value_that_is_no_number_stops_and_so_does_more_than_a_preset() {
     let global =
         |value: &str| format!("GLOBAL DEF 120 X ~\nQ320=+2 ~\nQ260=+50 ~\nQ301=+0\nGLOBAL DEF 120 X ~\nQ320={value}");
     assert!(remarks(&global("+3")).is_empty());
-    assert_eq!(fault("MM", &global("MAX")), "GLOBAL DEF 120: Q320 is given no number");
+    assert_eq!(fault("MM", &global("MAX")), "GLOBAL DEF 120: Q320 has no number");
     for block in ["TRANS DATUM RESET X+5 Y+3", "CYCL DEF 247 PRESET ~\nQ339=+1 ~\nQ340=+4"] {
         assert_eq!(fault("MM", block), "unknown block: Fitcheck runs only what it understands", "{block}");
     }
@@ -191,7 +194,7 @@ fn the_block_of_a_program_in_inches_is_not_read_as_mm() {
     let program = shop.file("main.h", &main_program("INCH", &format!("{BORE}{LIMITS}")));
     let (code, _, said) = fitcheck(&["cycle", "421", "--block", &program]);
     assert_eq!(code, Some(1));
-    assert!(said.contains("line 1: the block is of a program in inches"), "{said}");
+    assert!(said.contains("line 1: the block belongs to a program in inches"), "{said}");
     let program = shop.file("main.h", &main_program("MM", &format!("{BORE}{LIMITS}")));
     assert_eq!(fitcheck(&["cycle", "421", "--block", &program]).0, Some(0));
 }

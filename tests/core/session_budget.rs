@@ -165,7 +165,7 @@ fn no_answer_stays_beside_a_text_that_it_was_not_made_with() {
     assert!((session.budget().found().unwrap().u() - 1.3842).abs() < 0.001);
     give(&mut session, BudgetField::Size, "");
     let error = session.budget().answer().unwrap().as_ref().unwrap_err();
-    assert_eq!(said(error), "Temperature of the part depends on the size, and no size is given");
+    assert_eq!(said(error), "Temperature of the part depends on the size, but no size is given");
     give(&mut session, BudgetField::Size, "x");
     assert!(session.budget().answer().is_none() && session.error(BudgetField::Size).is_some());
     // A field that the budget does not ask for refuses nothing.
@@ -205,7 +205,7 @@ fn a_temperature_is_helped_by_measuring_it_better() {
     edit(&mut session, "standard_k = 1.0", "standard_k = 10.0");
     let Answer::Combined(evaluation) = &session.budget().found().unwrap().answer else { panic!() };
     let told = said(&advice(evaluation)[0]);
-    assert!(told.starts_with("The temperature of the part known twice as well: u = 1.7"), "{told}");
+    assert!(told.starts_with("Half the uncertainty of the part temperature: u = 1.7"), "{told}");
 }
 
 #[test]
@@ -224,7 +224,7 @@ fn checks_use_the_budget_until_they_stop() {
     assert!((session.used_budget().unwrap().budget.clone() == Session::used_budget(&with_used()).unwrap().budget));
     send(&mut session, BudgetCommand::Use);
     assert_eq!(session.budget().use_of(session.used_budget()), UseOf::This);
-    assert!(notices(&session).contains(&"Save the budget to use it after a restart, too".to_owned()));
+    assert!(notices(&session).contains(&"Save the budget to keep using it after a restart".to_owned()));
     assert_eq!(session.saved().budget, None, "no file holds it");
     send(&mut session, BudgetCommand::Leave);
     assert!(session.used_budget().is_none() && session.saved().budget.is_none());
@@ -267,7 +267,10 @@ fn the_budget_that_checks_use_is_read_again_at_the_next_start() {
         send(&mut session, BudgetCommand::UsedRead { path: path.clone(), result });
         assert!(session.used_budget().is_none());
         let told = notices(&session);
-        assert!(told.len() == 1 && told[0].contains("station3.toml") && told[0].contains("they use none"), "{told:?}");
+        assert!(
+            told.len() == 1 && told[0].contains("station3.toml") && told[0].contains("checks use no budget"),
+            "{told:?}"
+        );
         assert_eq!(session.saved(), saved);
     }
     // It comes too late where the user has chosen meanwhile, and never takes the place of another text.

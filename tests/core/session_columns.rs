@@ -149,7 +149,7 @@ fn what_is_remembered_is_said_and_can_be_forgotten() {
     let shape = session.remembered_columns().find(&first).unwrap().0.to_owned();
     imported(&mut session, Some((shape, "2026-11-24".to_owned())));
     let lines: Vec<String> = session.notices()[0].details.iter().map(said).collect();
-    assert_eq!(lines[0], "Columns remembered as corrected on 2026-11-24");
+    assert_eq!(lines[0], "Columns read as corrected on 2026-11-24");
     let forget = Action::ForgetColumns.command(&session).unwrap();
     send(&mut session, forget);
     assert!(session.remembered_columns().is_empty());

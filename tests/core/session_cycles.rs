@@ -314,7 +314,7 @@ fn a_block_fills_the_form_or_changes_nothing() {
         // Nor is one that a control may skip, or does not reach.
         (
             block.replace(" ~\nQ999=+1 ;? ~\n", "\n").replace("11 ", "/11 "),
-            "line 1: a control may skip the probing cycle because of the / before it: delete the / if it has to measure",
+            "line 1: a control may skip the probing cycle because of the / before it: if it must be measured, delete the /",
         ),
         (
             format!("END PGM A MM\n{}", block.replace(" ~\nQ999=+1 ;? ~\n", "\n")),

@@ -485,7 +485,7 @@ fn what_a_plan_of_another_tool_leaves_out_is_told_when_it_is_opened() {
     apply(&mut session, Command::OpenPage(Page::Parts));
     plan(&mut session, PlanCommand::Read { path: "/plans/a.dfq".into(), result: Ok(Box::new(document)) });
     let notice = &session.notices()[0];
-    assert_eq!(said(&notice.message), "a.dfq is opened, and one thing of it is not taken over");
+    assert_eq!(said(&notice.message), "a.dfq is open, but the plan leaves out one thing that the file has");
     assert!(said(&notice.details[0]).contains("ROUND"), "{}", said(&notice.details[0]));
     assert_eq!((notice.details.len(), draft(&session).rows.len()), (1, 1));
 }
@@ -565,7 +565,7 @@ fn a_plan_as_csv_is_a_copy_where_it_has_less_and_says_what_is_left_out() {
     let details: Vec<String> = session.notices().last().unwrap().details.iter().map(said).collect();
     assert_eq!(
         details,
-        ["The file is a copy: CSV has the features alone, and drawing, picture of the part is left out"]
+        ["The file is a copy: CSV has only the features, and drawing, picture of the part is left out"]
     );
     assert_eq!(apply(&mut session, Command::AskToLeave), [], "it is asked first");
     // One that has nothing but features is the plan itself, and so is one as TOML.
@@ -587,7 +587,7 @@ fn comments_of_a_plan_are_told_as_lost_before_it_is_saved_and_when_it_is() {
     assert_eq!(session.parts().document().comments(), 2, "{text}");
     save(&mut session, 0, "/plans/plate.toml");
     let details: Vec<String> = session.notices().last().unwrap().details.iter().map(said).collect();
-    assert_eq!(details, ["2 comments of plate.toml are not in the file: a plan is written without comments"]);
+    assert_eq!(details, ["2 comments were removed from plate.toml: a plan is written without comments"]);
     assert_eq!(session.parts().document().comments(), 0);
 }
 

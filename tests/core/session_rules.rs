@@ -98,7 +98,7 @@ fn a_rule_that_needs_an_uncertainty_judges_nothing_without_one() {
     run(&mut session, [typed(CheckField::Uncertainty, "1,2"), CheckCommand::Measure]);
     assert_eq!(shown(&session).verdict.status(), Status::Good);
     for (field, text, said) in [
-        (CheckField::Uncertainty, "-1", "an uncertainty is above 0 µm"),
+        (CheckField::Uncertainty, "-1", "an uncertainty must be above 0 µm"),
         (
             CheckField::Coverage,
             "0.5",
@@ -201,8 +201,8 @@ fn a_file_is_judged_by_the_rule_and_its_values_are_taken_as_they_are() {
     assert_eq!(statuses, [Status::ReMeasure, Status::Good]);
     assert!(session.history().iter().all(|record| record.correction.is_none()));
     let said: Vec<_> = session.notices()[0].details.iter().map(ToString::to_string).collect();
-    assert!(said[0].contains("Judged by the rule of the check page: ISO 14253-1:1998"), "{said:?}");
-    assert!(said[1].starts_with("Not brought to 20 °C"), "{said:?}");
+    assert!(said[0].contains("Judged by the rule on the check page: ISO 14253-1:1998"), "{said:?}");
+    assert!(said[1].starts_with("Not corrected to 20 °C"), "{said:?}");
 }
 
 #[test]
@@ -213,7 +213,7 @@ fn a_file_is_not_judged_by_half_a_rule() {
     assert!(session.history().is_empty());
     let notice = &session.notices()[0];
     assert!(notice.is_problem);
-    assert_eq!(notice.message.to_string(), "parts.csv was read and nothing in it was judged");
+    assert_eq!(notice.message.to_string(), "parts.csv was read, but nothing in it was judged");
     assert!(notice.details[0].to_string().contains("needs the uncertainty"), "{:?}", notice.details);
 }
 

@@ -628,7 +628,7 @@ fn what_waits_for_a_plan_that_has_faults_now_is_told() {
     let faulty = PLAN.replace("12 F9", "12 F99");
     assert_eq!(read_plan(&mut back, &faulty), []);
     let told: Vec<String> = back.notices().iter().map(|notice| said(&notice.message)).collect();
-    let ends = ["comes back once its plan has no faults", "is watched again once the plan has no faults"];
+    let ends = ["is restored once its plan has no faults", "is watched again once the plan has no faults"];
     assert_eq!(ends.map(|end| told.iter().filter(|text| text.ends_with(end)).count()), [1, 1], "{told:?}");
 }
 

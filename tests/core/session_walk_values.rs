@@ -354,7 +354,7 @@ fn an_interrupted_part_that_waits_for_its_plan_is_not_given_up_silently() {
     typed(&mut back, PartsField::Serial, "T-1");
     act(&mut back, Action::BeginPart);
     let said = noticed(&back);
-    assert!(said.starts_with("The interrupted part A-0099 does not come back"), "{said}");
+    assert!(said.starts_with("The interrupted part A-0099 is not restored"), "{said}");
 }
 
 #[test]
@@ -382,7 +382,7 @@ fn what_was_left_out_is_said_when_the_part_is_ended() {
     send(&mut session, WalkCommand::Skip("no gauge".to_owned()));
     act(&mut session, Action::NextPart);
     assert!(!session.parts().walking().is_begun());
-    assert_eq!(noticed(&session), "Left out of the part A-0099, which is ended\nC: no gauge");
+    assert_eq!(noticed(&session), "Not used for the part A-0099, which has ended\nC: no gauge");
 }
 
 #[test]

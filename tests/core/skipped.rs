@@ -140,7 +140,7 @@ fn nothing_is_measured_behind_a_skipped_block_that_may_have_set_a_datum() {
     assert_eq!(
         fault.as_deref(),
         Some(
-            "a datum that is not known is in force since line 3, TCH PROBE 412 DATUM INSIDE CIRCLE ~: nothing is measured under it here"
+            "an unknown datum has been active since line 3, TCH PROBE 412 DATUM INSIDE CIRCLE ~: Fitcheck does not measure while it is active"
         )
     );
     assert!(machine.cycles().is_empty() && machine.status().is_none());
@@ -170,7 +170,10 @@ fn nothing_is_measured_behind_a_skipped_block_that_may_have_set_a_datum() {
         "ERROR = 23 TOOL CALL \"MILL D6\"",
     ] {
         let (machine, fault) = run(&format!("{block}\n{HOLE}"));
-        assert!(fault.as_ref().is_some_and(|fault| fault.contains("is in force since line 3, ")), "{block}: {fault:?}");
+        assert!(
+            fault.as_ref().is_some_and(|fault| fault.contains("has been active since line 3, ")),
+            "{block}: {fault:?}"
+        );
         assert!(machine.cycles().is_empty());
         // Another preset does not help: the block may have written it.
         let preset = "CYCL DEF 247 DATUM SETTING ~\nQ339=+1";
@@ -219,7 +222,7 @@ fn recorded_contacts_behind_a_skipped_measurement_are_of_nobody_knows_which() {
     assert_eq!(
         fault.as_deref(),
         Some(
-            "it is not known which recorded contacts are of this cycle: some may be of line 3, TCH PROBE 430 MEAS. BOLT HOLE CIRC, \
+            "it is not known which recorded contacts belong to this cycle: some may belong to line 3, TCH PROBE 430 MEAS. BOLT HOLE CIRC, \
              which was not run"
         )
     );
@@ -354,7 +357,7 @@ fn a_block_that_decides_what_runs_next_is_not_skipped() {
         "FN 37: EXPORT QS10",
         "FUNCTION COUNT REPEAT LBL 5",
     ] {
-        stops(block, "this block decides what runs next or what another program gets: it cannot be skipped");
+        stops(block, "this block decides what runs next or what another program receives: it cannot be skipped");
     }
 }
 

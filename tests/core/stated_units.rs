@@ -170,10 +170,11 @@ fn a_unit_that_is_not_read_or_not_clear_is_refused() {
     for line in
         ["# unit: cm", "All values in cm", "Unit;m", "Einheit;mil", "Units: thou", "Unit: furlong", "Unit: 0.001 mm"]
     {
-        check(&format!("{line}\n{ROWS}"), Err("which is not read"));
+        check(&format!("{line}\n{ROWS}"), Err("which is not supported"));
     }
     for line in ["Inch report", "values are not in inch", "Zoll"] {
-        let refused = if line == "Zoll" { Ok("SCRAP") } else { Err("nothing says whether the values are in it") };
+        let refused =
+            if line == "Zoll" { Ok("SCRAP") } else { Err("nothing says whether the values are in this unit") };
         check(&format!("{line}\n{ROWS}"), refused);
     }
     check(&format!("# unit: inch\nMaße in mm\n{ROWS}"), Err("correct one of them"));
@@ -191,7 +192,7 @@ fn a_word_that_is_also_a_name_is_no_unit_of_its_row_and_none_of_a_title() {
         ("id;nominal;class;measured;Country\n", "A;25;N7;24.997;IN\nB;25;N7;24.996;IN\n"),
         ("", "A;25;N7;24.997;IN\nB;25;N7;24.996;IN\n"),
     ] {
-        check(&format!("{header}{rows}"), Err("nothing says whether the values are in it"));
+        check(&format!("{header}{rows}"), Err("nothing says whether the values are in this unit"));
     }
     check("id;nominal;class;measured;Remark\nA;25;H7;25.010;Zoll\nB;25;H7;25.030;\n", Ok("GOOD SCRAP"));
     check("id;callout;measured;Shift\nA;25 H7;25.010;M\nB;25 H7;25.030;A\n", Ok("GOOD SCRAP"));
@@ -211,7 +212,7 @@ fn a_title_with_two_units_or_none_of_them_is_refused() {
         "# all sizes in mm or inch",
         "# Werte in 1/1000 mm",
     ] {
-        check(&format!("{line}\n{ROWS}"), Err("nothing says whether the values are in it"));
+        check(&format!("{line}\n{ROWS}"), Err("nothing says whether the values are in this unit"));
     }
 }
 
@@ -268,7 +269,7 @@ fn a_column_of_units_states_that_of_its_row() {
         for unit in ["inch", "in", "IN", "Inches", "Zoll", "duim", "pollici"] {
             // Below a name that says nothing, a word that may be another name is asked about.
             let is_clear = name != "-" || !["in", "IN", "Zoll"].contains(&unit);
-            let expected = if is_clear { Ok("SCRAP") } else { Err("nothing says whether the values are in it") };
+            let expected = if is_clear { Ok("SCRAP") } else { Err("nothing says whether the values are in this unit") };
             check(&format!("id;nominal;class;measured;{name}\nA;1;H7;1.0009;{unit}\n"), expected);
         }
         check(&format!("id;nominal;class;measured;{name}\nA;1;H7;1.0009;mm\nB;1;H7;1.0009;inch\n"), Ok("GOOD SCRAP"));
@@ -411,10 +412,10 @@ fn a_print_of_a_control_in_inches_is_refused() {
     let print = |unit: &str| format!("NOMINAL:   25.0000 {unit}\nACTUAL:   25.0120 {unit}\n");
     for unit in ["INCH", "in", "inch", "\u{2033}"] {
         let said = read(&mask(unit), &print(unit));
-        assert!(said[0].contains("but prints of a control are read in mm"), "{unit} {said:?}");
+        assert!(said[0].contains("but the output of a control is read in mm"), "{unit} {said:?}");
     }
     let said = read(&mask("mm"), &print("mm"));
-    assert!(!said.iter().any(|said| said.contains("prints of a control")), "{said:?}");
+    assert!(!said.iter().any(|said| said.contains("the output of a control")), "{said:?}");
     let said = read(&mask("mm"), &format!("UNIT: INCH\n{}", print("mm")));
     assert!(said[0].contains("line 1 states INCH"), "{said:?}");
 }

@@ -128,10 +128,10 @@ fn a_shifted_size_range_is_found_in_all_classes_that_change_there() {
 /// Nothing that reads a table drops a column without a word.
 #[test]
 fn a_column_that_is_no_class_is_told_wherever_a_table_is_read() {
-    let by_name = "cannot be a tolerance class by its name, so it was skipped";
+    let by_name = "was skipped, because its name cannot be that of a tolerance class";
     for (column, cells, reason) in [
         ("P_F ", ["+1", "0"], by_name),
-        ("NOTE", ["ab", "cd"], "holds texts and no deviations, so it was skipped"),
+        ("NOTE", ["ab", "cd"], "was skipped, because it holds texts and no deviations"),
         ("Pf  ", ["+1", "0"], "mixes upper and lower case, so it is not a tolerance class and was skipped"),
     ] {
         let [upper, lower] = cells;

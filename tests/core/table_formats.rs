@@ -37,10 +37,10 @@ fn the_limits_of_a_control_are_kept() {
     assert!(many.to_string().contains("an iTNC 530 takes at most 30"), "{many}");
     assert!((table_format("tnc640").unwrap().write)(&wide).is_ok());
     let digit = error("tnc7", &table("82553_hole.tab", "H7", "50"));
-    let why = "82553_hole.tab does not begin with a letter: table names on a TNC7 do";
+    let why = "82553_hole.tab does not begin with a letter: table names on a TNC7 must";
     assert_eq!(digit.to_string(), why);
     let operator = error("tnc7", &table("my-hole.tab", "H7", "50"));
-    let why = "my-hole.tab contains -: table names on a TNC7 have no arithmetic operators";
+    let why = "my-hole.tab contains -: table names on a TNC7 cannot have arithmetic operators";
     assert_eq!(operator.to_string(), why);
     assert!((table_format("tnc7").unwrap().write)(&table("my_hole.tab", "H7", "50")).is_ok());
 }
@@ -85,7 +85,7 @@ fn pc_dmis_is_not_trusted_with_signs_that_its_manual_does_not_show() {
     let said = warning("H7 F8 G7").unwrap();
     assert_eq!(
         said.to_string(),
-        "the PC-DMIS manual shows no lower deviation other than 0: check F8 in PC-DMIS before you rely on it, above all its signs"
+        "the PC-DMIS manual shows no lower deviation other than 0: check F8 in PC-DMIS before you rely on it, especially its signs"
     );
 }
 

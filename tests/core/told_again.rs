@@ -237,7 +237,7 @@ fn no_file_of_fitcheck_is_corrected_a_second_time() {
         shop.put("p.csv", "name;callout\nA;25 H7\n");
         let (code, out, said) = shop.call(&[&["import", file, "--plan", "p.csv"][..], &WARM].concat());
         assert_eq!(code, Some(1), "{file}: {out}{said}");
-        assert!(said.contains("at 20 °C already, as their file says"), "{file}: {said}");
+        assert!(said.contains("the file says that its values are at 20 °C already"), "{file}: {said}");
         assert_eq!(shop.call(&["import", file, "--plan", "p.csv"]).0, Some(11), "{file}");
         // Without the columns that tell how.
         let at = text.lines().next().unwrap().split(',').position(|name| name == "temperature_c").unwrap();

@@ -263,7 +263,7 @@ fn tools_have_names_numbers_and_indices() {
         let found: Vec<String> = changed.into_iter().chain(remarks(&machine)).collect();
         assert_eq!(found, expected, "{tool}");
     };
-    let same = "another tool has the name MILL: the first one of the tool table was taken";
+    let same = "another tool has the name MILL: the first one in the tool table was used";
     check("Q330=5", "ended", &["5"]);
     check("Q330=5.1", "ended", &["5.1"]);
     check("Q330=+Q1", "ended", &["5.1"]);

@@ -147,14 +147,14 @@ fn a_corrected_value_is_read_back_and_never_corrected_again() {
     assert_eq!(read.records[0].measurement.diameter, correction.at_reference);
     let (_, told, code) = run(&["import", name]);
     assert_eq!(code, Some(0), "{told}");
-    assert!(told.contains("values with an entry in the column as_measured_mm are at 20 °C already"), "{told}");
+    assert!(told.contains("values with an entry in the column as_measured_mm are already at 20 °C"), "{told}");
     let (out, told, code) = run(&["import", name, "--temperature", "28", "--material", "23.1"]);
     assert!(out.contains("1 row: 1 not judged"), "{out}");
     assert_eq!(code, Some(1), "{told}");
-    assert!(told.contains("the values are at 20 °C already"), "{told}");
+    assert!(told.contains("the file says that its values are at 20 °C already"), "{told}");
     // A value that does not follow from its own columns is refused.
     fitcheck::files::write(&path, csv.replace("80.020", "80.021").as_bytes()).unwrap();
     let (_, told, code) = run(&["import", name]);
     assert_eq!(code, Some(1), "{told}");
-    assert!(told.contains("does not follow from the value as measured and its temperatures"), "{told}");
+    assert!(told.contains("does not follow from the measured value and its temperatures"), "{told}");
 }

@@ -212,7 +212,7 @@ fn a_sheet_that_is_not_in_order_is_refused() {
 fn what_unpacks_to_too_much_is_refused_before_it_does() {
     let rows = sheet(&[HEADER, &["B1", "25 H7", "25.012"]]);
     assert_eq!(read(&book(&rows, &[])).records.len(), 1);
-    let dense = "is packed too densely for a workbook: it is not read";
+    let dense = "is compressed too densely for a workbook: it is not read";
     let bomb = "<row/>".repeat(4 << 20).into_bytes();
     let packed = book(&rows, &[("xl/sharedStrings.xml", &bomb)]);
     assert!(packed.len() < 200_000);
@@ -398,7 +398,7 @@ fn a_sheet_that_is_seen_comes_before_a_hidden_one_and_a_hidden_one_is_told() {
     assert!(imported.warnings[0].what.kind.stands_against(), "S has a measured value, too");
     let imported = read(&state(" state=\"hidden\"", " state=\"veryHidden\""));
     assert_eq!(records(&imported), ["2 A 25 H7 25.01 GOOD 2030-01-01T00:00:00"]);
-    assert_eq!(warnings(&imported)[1], "line 1: sheet S is read, and it is hidden in the workbook");
+    assert_eq!(warnings(&imported)[1], "line 1: sheet S is read, although it is hidden in the workbook");
 }
 
 /// Cell formats of these codes, after the plain one.
@@ -503,7 +503,7 @@ fn hidden_rows_and_columns_are_read_and_told() {
     assert_eq!(
         warnings(&imported),
         [
-            "line 1: row 3 is hidden or filtered out in the workbook, and is read like the others",
+            "line 1: row 3 is hidden or filtered out in the workbook, but is read like the others",
             "line 1: hidden columns are read like the others: C",
         ]
     );

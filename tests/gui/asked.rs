@@ -208,14 +208,14 @@ fn a_budget_of_the_template_is_used_by_no_check() {
     page.run();
     page.key_press_modifiers(Modifiers::COMMAND, Key::N);
     page.run();
-    page.get_by_label_contains("It still has of the template: the name, who made it, all figures");
+    page.get_by_label_contains("It still has entries from the template: the name, who created it, all figures");
     assert!(!page.state().session().can(Action::UseBudget));
     let ctx = page.ctx.clone();
     let toml = page.state().session().budget().toml().to_owned();
     let named = toml.replace("Station 1, probe 1", "Mill 3").replace("Who made it", "JJ");
     page.state_mut().send(&ctx, BudgetCommand::Edit(named.clone()).into());
     page.run();
-    page.get_by_label_contains("It still has of the template: all figures.");
+    page.get_by_label_contains("It still has entries from the template: all figures.");
     page.state_mut().send(&ctx, BudgetCommand::Edit(named.replace("standard_um = 0.5", "standard_um = 0.7")).into());
     page.run();
     assert!(page.state().session().can(Action::UseBudget));

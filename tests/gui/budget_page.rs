@@ -65,7 +65,7 @@ fn description(page: &Harnessed, figure: &str) -> String {
 #[test]
 fn a_new_budget_is_begun_by_key_and_says_its_answer() {
     let mut page = open(Window::default());
-    page.get_by_label("Begin a new budget, or open one");
+    page.get_by_label("Create a new budget, or open one");
     assert_eq!(verdict(&page), "No answer");
     page.key_press_modifiers(Modifiers::COMMAND, Key::N);
     page.run();
@@ -131,7 +131,7 @@ fn fields_change_the_answer_and_have_their_errors_beside_them() {
     assert_eq!(verdict(&page), "No answer");
     type_into(&mut page, "Step", "60");
     assert!(verdict(&page).contains("U = 3."), "{}", verdict(&page));
-    page.get_by_label_contains("3 contacts evenly round the full circle: u = 1.0");
+    page.get_by_label_contains("3 contacts evenly spaced around the full circle: u = 1.0");
     type_into(&mut page, "Day", "2999-01-15");
     assert!(verdict(&page).ends_with("EXPIRED. valid until 2999-01-14, on 2999-01-15"), "{}", verdict(&page));
     type_into(&mut page, "Day", "15.01.2999");
@@ -182,7 +182,7 @@ fn a_budget_is_saved_and_used_for_checks() {
     append(&mut page, "# more\n");
     page.get_by_label("In use: Mill 3");
     append(&mut page, "[[contribution]]\nname = \"More\"\ntype = \"B\"\nlaw = \"normal\"\nstandard_um = 1\n");
-    page.get_by_label("In use: Mill 3 of budget.toml, not as it stands here");
+    page.get_by_label("In use: Mill 3 from budget.toml, which differs from what is shown here");
     click(&mut page, Role::Button, "Stop using");
     page.get_by_label("Checks use no budget");
 }

@@ -76,7 +76,7 @@ fn odd_columns_are_corrected_imported_remembered_after_a_restart_and_forgotten()
     dropped(&mut page, folder.path(), "b.csv", &format!("Protokoll 12\n{ODD}D10;12;0,39390;ja\n"));
     assert!(!is_open(&page));
     page.get_by_label("b.csv: 4 imported, 0 not");
-    page.get_by_label("Columns remembered as corrected on 2026-11-21");
+    page.get_by_label("Columns read as corrected on 2026-11-21");
     assert_eq!(measured(&page), 4);
     let state = folder.path().join("state.toml");
     until(&mut page, |_| std::fs::read_to_string(&state).is_ok_and(|text| text.contains("Ergebnis in Zoll")));

@@ -162,8 +162,8 @@ fn the_picture_says_what_it_shows() {
     let mut window = usual();
     assert_eq!(
         description(&window),
-        "4 holes on the left, 4 shafts on the right, on one scale of size; shafts are moved by +15 µm, so that a pair at \
-         the middle of the wanted clearance is level. 3 pairs are lines. left over: 1 hole, 1 shaft."
+        "4 holes on the left, 4 shafts on the right, on one scale of size; shafts are shifted by +15 µm, so that a pair at \
+         the middle of the wanted clearance is level. 3 pairs are drawn as lines. left over: 1 hole, 1 shaft."
     );
     window.get_by_label_contains("H2 25.004 mm with S1").click();
     window.run();
@@ -266,7 +266,7 @@ fn a_hundred_thousand_of_each_are_paired_and_walked() {
     let mut window = paired(Window::default(), "0.010..0.030", &holes, &shafts);
     assert!(verdict(&window).starts_with("100000 pairs"), "{}", verdict(&window));
     assert!(rows(&window).len() < 40);
-    assert!(description(&window).contains("pairs are in sight"), "{}", description(&window));
+    assert!(description(&window).contains("pairs are visible"), "{}", description(&window));
     window.get_by_role(Role::Grid).focus();
     window.run();
     press(&mut window, Key::End);

@@ -199,7 +199,7 @@ fn what_is_wrong_is_marked_listed_and_reached() {
     let (_folder, path) = folder(&format!("colour = \"red\"\n{faulty}"));
     let mut page = open(Window::default(), &path);
     page.get_by_label("4 faults");
-    page.get_by_label_contains("Not understood in the file: nothing is measured");
+    page.get_by_label_contains("Not understood in the file: the plan measures and saves nothing");
     page.get_by_label_contains("line 1");
     let wrong = page.get_all_by(|node| node.role() == Role::GridCell && node.data().invalid().is_some());
     assert_eq!(wrong.count(), 3);
@@ -235,7 +235,7 @@ fn a_new_plan_is_typed_into_at_once_and_is_no_mistake() {
     let mut page = Window { files: vec![(Purpose::OpenPlan, path)], ..Window::default() }.open();
     page.key_press_modifiers(Modifiers::COMMAND, Key::N);
     page.run();
-    page.get_by_label("Type the first feature, or paste rows of a spreadsheet");
+    page.get_by_label("Type the first feature, or paste rows from a spreadsheet");
     assert!(page.query_by_label_contains("fault").is_none());
     assert!(is_at_table(&page));
     type_text(&mut page, "1");

@@ -283,7 +283,7 @@ fn a_report_of_chosen_records_leaves_simulated_ones_out_unless_they_are_asked_fo
     assert!(without.contains("records 4, 5; its newest entry is 5"));
     click(&mut window, Role::CheckBox, "With simulated checks");
     let with = report(&mut window, "with.html");
-    assert!(with.contains("1 of these checks is simulated: it is no evidence"));
+    assert!(with.contains("1 of these checks is simulated: it is not evidence"));
 }
 
 #[test]
@@ -326,7 +326,7 @@ fn who_measures_is_chosen_once_and_changed_with_two_touches() {
     let folder = tempfile::tempdir().unwrap();
     let store = Store::at(&folder.path().join("state.toml"));
     let mut window = Window { store: store.clone(), ..at(folder.path()) }.open();
-    click(&mut window, Role::Button, "Measured by nobody in particular. Choose a name");
+    click(&mut window, Role::Button, "No name is chosen. Choose a name");
     type_into(&mut window, "Another name", "Anna");
     press(&mut window, Key::Enter);
     click(&mut window, Role::Button, "Measured by Anna");
@@ -352,8 +352,8 @@ fn a_full_disk_warns_in_the_card_and_the_verdict_stays_until_it_can_be_written()
     let mut window = Window { records: records(fake.clone(), folder.path()), ..Window::default() }.open();
     check(&mut window, "25 H7", "25.012");
     assert!(verdict(&window).starts_with("GOOD"), "{}", verdict(&window));
-    window.get_by_label("Not recorded: the system gives no thread for the journal");
-    window.get_by_label("1 check is not recorded: the system gives no thread for the journal");
+    window.get_by_label("Not recorded: the system cannot start a thread for the journal");
+    window.get_by_label("1 check is not recorded: the system cannot start a thread for the journal");
     // The window does not close over it without a question.
     send(&mut window, Command::AskToLeave);
     window.get_by_label("1 check is not recorded yet. It is lost if the window closes.");

@@ -150,7 +150,7 @@ fn packed_rows_are_read_again_from_their_text() {
         [("parts.csv.gz", encoder.finish().unwrap()), ("parts.csv.zst", zstd::encode_all(text, 1).unwrap())]
     {
         let (_folder, window) = opened(name, &packed);
-        window.get_by_label_contains("Packed: judged row by row");
+        window.get_by_label_contains("Compressed: judged row by row");
         assert_eq!(
             rows(&window),
             [
@@ -231,7 +231,7 @@ fn every_size_shows_rows_and_the_verdict() {
 fn rows_that_no_rule_has_judged_say_so() {
     let (_folder, mut window) = opened("big.csv", large().as_bytes());
     let said =
-        "Judged by the limits alone: the decision rule and the temperature of this page are not used for a large file";
+        "Judged by the limits alone: the decision rule and the temperature on this page do not apply to a large file";
     assert!(window.query_by_label(said).is_none());
     let ctx = window.ctx.clone();
     window.state_mut().send(&ctx, CheckCommand::UseRule(RuleName::Iso14253Of2017).into());

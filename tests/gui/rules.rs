@@ -51,7 +51,7 @@ fn a_value_in_a_guard_band_is_measured_again() {
     assert!(said.contains("Not proven by the rule"), "{said}");
     assert!(band(&window).contains("The rule accepts from 1.974 to 19.026 µm."), "{}", band(&window));
     unfold(&mut window, "Why?");
-    window.get_by_label("Conforms with 89.44 %; too small with 0.00 %, too large with 10.56 %");
+    window.get_by_label("Probability of conformity 89.44 %; of too small 0.00 %, of too large 10.56 %");
     // Among the reasons, and below the rule.
     assert_eq!(window.query_all_by_label("Accepted from 25.001974 to 25.019026 mm").count(), 2);
 }
@@ -103,7 +103,7 @@ fn an_uncertainty_that_leaves_no_zone_is_said() {
     check(&mut window, "25 H7", "25.0105");
     let said = verdict(&window);
     assert!(said.starts_with("RE-MEASURE"), "{said}");
-    assert!(said.contains("No value is accepted: the rule leaves nothing of this tolerance"), "{said}");
+    assert!(said.contains("No value is accepted: the rule leaves no part of this tolerance"), "{said}");
     assert!(band(&window).contains("The rule accepts no value."), "{}", band(&window));
 }
 
@@ -153,7 +153,7 @@ fn a_warm_part_says_what_was_measured_and_what_it_is_at_twenty_degrees() {
     let mut window = window();
     unfold(&mut window, "Temperature: not corrected");
     type_into(&mut window, "Part", "28");
-    window.get_by_label("Temperature: 28 °C, brought to 20 °C");
+    window.get_by_label("Temperature: 28 °C, corrected to 20 °C");
     type_into(&mut window, "Expansion of the part", "23.1");
     check(&mut window, "80 H7", "80.01");
     let said = verdict(&window);

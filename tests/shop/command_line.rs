@@ -33,7 +33,7 @@ fn what_a_station_has_recorded_is_sent_listed_and_verified() {
     let address = shop.address.as_str();
     let (_, err) = done(&["journal", "init-shop", address]);
     assert!(err.contains("the journal was created in the database"), "{err}");
-    assert!(done(&["journal", "init-shop", address]).1.contains("was there already"));
+    assert!(done(&["journal", "init-shop", address]).1.contains("existed already"));
     done(&[&CHECK[..], &["--part", "Flange"]].concat());
     let (_, err) = done(&["journal", "send", address, "--station", "Mill 3"]);
     assert!(err.contains("2 entries were sent to postgres://") && err.contains("up to entry 2"), "{err}");
@@ -87,13 +87,13 @@ fn verify_says_what_it_verified_and_misses_what_this_station_has_sent() {
     );
     assert_eq!(call(&[&CHECK[..], &["--station", "Mill 3"]].concat()).0, 0);
     let (code, out, _) = verify();
-    assert_eq!((code, out.contains("ends with entry 2, and the server has 0 entries of it")), (1, true), "{out}");
+    assert_eq!((code, out.contains("ends with entry 2, but the server has 0 entries of it")), (1, true), "{out}");
     assert_eq!(call(&["journal", "send", address]).0, 0);
     let (code, out, err) = verify();
     assert_eq!(code, 0, "{out}{err}");
     assert!(out.contains("2 entries are as they were written"), "{out}");
     assert!(out.contains("entry 2 is the one that is known here"), "{out}");
-    assert!(out.contains("1 journal with 2 entries looked at, 1 beside an entry that is known here"), "{out}");
+    assert!(out.contains("1 journal with 2 entries verified, 1 compared with an entry that is known here"), "{out}");
     assert!(
         out.contains("functions, triggers, policies, grants, views and indexes are as init-shop makes them"),
         "{out}"
@@ -115,7 +115,11 @@ fn verify_says_what_it_verified_and_misses_what_this_station_has_sent() {
     assert_eq!((code, out.contains("entry 2 is known elsewhere")), (1, true), "{out}");
     remove("true");
     let (code, out, _) = verify();
-    assert_eq!((code, out.contains("of which entry 2 is known elsewhere, is not there")), (1, true), "{out}");
+    assert_eq!(
+        (code, out.contains("of which entry 2 is known elsewhere, is missing on the server")),
+        (1, true),
+        "{out}"
+    );
     assert!(out.contains("nothing was verified"), "{out}");
 }
 
@@ -126,13 +130,13 @@ fn what_cannot_be_sent_is_recorded_here_and_no_password_is_told() {
     let (code, out, err) = run(home.path(), &[&CHECK[..], &["--journal", address]].concat());
     assert_eq!(code, 0, "{err}");
     assert!(out.starts_with("FIT STATUS: GOOD"), "{out}");
-    assert!(err.contains("recorded as entry 2 of ") && err.contains("warning: not sent to the server yet: "), "{err}");
+    assert!(err.contains("recorded as entry 2 of ") && err.contains("warning: not yet sent to the server: "), "{err}");
     let (code, out, more) = run(home.path(), &["journal", "send", address]);
     assert_eq!((code, out.as_str()), (1, ""));
     assert!(!format!("{err}{more}").contains("s3cret"), "{err}{more}");
     for refused in [["journal", "show", "2"], ["journal", "backup", "x.sqlite"]] {
         let (code, _, err) = run(home.path(), &[&refused[..], &["--journal", address]].concat());
         assert_eq!(code, 1);
-        assert!(err.contains("needs the journal of a station") && !err.contains("s3cret"), "{err}");
+        assert!(err.contains("needs the journal file of a station") && !err.contains("s3cret"), "{err}");
     }
 }

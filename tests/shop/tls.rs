@@ -64,8 +64,8 @@ fn every_other_certificate_is_refused_with_a_sentence() {
     assert_eq!(error, ShopError::Certificate { fault: CertificateFault::UnknownIssuer });
     assert_eq!(
         error.to_string(),
-        "the certificate of the server is not accepted: no authority that this computer trusts has issued it; for a shop's own \
-         authority name its file with sslrootcert=FILE in the address"
+        "the certificate of the server is not accepted: it was not issued by an authority that this computer trusts; for a shop's own \
+         authority, name its file with sslrootcert=FILE in the address"
     );
     let error = init(&access(&named(&cluster.address, "other.example", &right)), SHORT).unwrap_err();
     assert_eq!(error, ShopError::Certificate { fault: CertificateFault::OtherName });

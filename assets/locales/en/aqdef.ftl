@@ -2,11 +2,11 @@
 aqdef-line = expected a key and a text such as K0001/1 25.012, or a line of values
 aqdef-number = { $key }: { $reason }
 aqdef-whole = { $key }: { $given } is not a whole number
-aqdef-undeclared = value of characteristic { $number }, which is not declared above it
-aqdef-of-all = { $key } with number 0 would be the value of every characteristic: it is not used
-aqdef-cut-off = the file ends here without a line end, so { $given } may be cut off: it is not used; if it is complete, add a line end
-aqdef-zeros = the line has bytes of value 0, so the file was not written completely: it is not used
-aqdef-mark-between = K0002/0 { $given } stands between this row and the one before it, and may mark either: the value is not used
+aqdef-undeclared = value of characteristic { $number }, which is not declared before this line
+aqdef-of-all = { $key } with number 0 would be the value of every characteristic: it is skipped
+aqdef-cut-off = the file ends here without a line end, so { $given } may be cut off: it is skipped; if it is complete, add a line end
+aqdef-zeros = the line has bytes of value 0, so the file was not written completely: the line is skipped
+aqdef-mark-between = K0002/0 { $given } is between this row and the one before it and may apply to either: the value is skipped
 aqdef-twice = { $key } is given twice with different texts, before with { $other }: values of this characteristic are not judged
 aqdef-fields = expected at most { $most } fields in a value, found { $found }
 aqdef-no-values = { $count ->
@@ -19,7 +19,7 @@ aqdef-no-values-beside = { $count ->
         [one] 1 characteristic but no values
        *[other] { $count } characteristics but no values
     }, and no { $file } of up to { $most } MiB beside this file: this is a plan, not measurements; give { $file } itself if it is larger
-aqdef-no-description = values without characteristics: { $file } belongs beside this file
+aqdef-no-description = values without characteristics: { $file } is missing beside this file
 aqdef-count = K0100 announces { $expected } characteristics, found { $found }: the file may be cut off
 aqdef-too-large = the characteristics take more than { $most } MiB
 aqdef-beside = { $file }, line { $line }: { $reason }

@@ -1,7 +1,7 @@
 page-budget = Budget
 
 budget-page-text = Budget as TOML
-budget-page-none = Begin a new budget, or open one
+budget-page-none = Create a new budget, or open one
 budget-page-new = New budget
 budget-page-open = Open budget…
 budget-page-save = Save budget as…
@@ -91,22 +91,22 @@ budget-page-largest = Largest contribution
 budget-page-largest-is = { $name }, { $percent } % of the variance
 budget-page-help = What would help most
 budget-page-help-halved = Half of it: u = { $u } µm
-budget-page-help-part-temperature = The temperature of the part known twice as well: u = { $u } µm
-budget-page-help-scale-temperature = The temperature of the scales known twice as well: u = { $u } µm
-budget-page-help-expansion = Half as far from 20 °C, or the expansion known twice as well: u = { $u } µm
-budget-page-help-full-circle = { $count } contacts evenly round the full circle: u = { $u } µm
-budget-page-help-more-touches = { $count } contacts evenly round the full circle: u = { $u } µm
+budget-page-help-part-temperature = Half the uncertainty of the part temperature: u = { $u } µm
+budget-page-help-scale-temperature = Half the uncertainty of the scale temperature: u = { $u } µm
+budget-page-help-expansion = Half the distance from 20 °C, or half the uncertainty of the expansion: u = { $u } µm
+budget-page-help-full-circle = { $count } contacts evenly spaced around the full circle: u = { $u } µm
+budget-page-help-more-touches = { $count } contacts evenly spaced around the full circle: u = { $u } µm
 
 budget-page-checks = Checks
 budget-page-use = Use for checks
 budget-page-leave = Stop using
 budget-page-uses-none = Checks use no budget
 budget-page-uses-this = In use: { $name }
-budget-page-uses-another = In use: { $name } of { $file }, not as it stands here
+budget-page-uses-another = In use: { $name } from { $file }, which differs from what is shown here
 budget-page-used = Checks use the budget { $name }
-budget-page-not-kept = Save the budget to use it after a restart, too
-budget-page-readings-not-kept = The readings are not in the file of the budget: after a restart it is not used any more
-budget-page-used-unread = { $path }: the budget that checks used cannot be read, so they use none: { $problem }
+budget-page-not-kept = Save the budget to keep using it after a restart
+budget-page-readings-not-kept = The readings are not in the budget file: after a restart, the budget is no longer used
+budget-page-used-unread = { $path }: the budget in use for checks cannot be read, so checks use no budget: { $problem }
 
 budget-page-table = Contributions
 budget-page-column-name = Name
@@ -127,8 +127,8 @@ budget-page-percent = { $percent } %
 budget-page-um = { $um } µm
 budget-page-edition-2011 = U, 2011, corrected
 budget-page-edition-2004 = U, 2004, not corrected
-budget-page-nothing-seen = The table and the shares appear with a budget that can be evaluated
-budget-page-placeholders = Checks cannot use this budget yet. It still has of the template: { $what }. Put your own in their place
+budget-page-nothing-seen = The table and the shares appear once the budget can be evaluated
+budget-page-placeholders = Checks cannot use this budget yet. It still has entries from the template: { $what }. Replace them with your own
 budget-page-placeholder-name = the name
-budget-page-placeholder-by = who made it
+budget-page-placeholder-by = who created it
 budget-page-placeholder-figures = all figures

@@ -31,23 +31,23 @@ cli-what-option = --{ $name }
 cli-what-set = --set { $name }={ $value }
 
 # Errors
-cli-batch-simulated = { $name } is simulated, as its first lines say, and only CSV can say so: write CSV
-cli-dash = - is standard output, which cannot take this: give a name, or ./- for something that is called -
+cli-batch-simulated = the first lines of { $name } say that it is simulated, and only CSV can keep them: write CSV
+cli-dash = - is standard output, which is not possible here: give a name, or ./- for a file or folder named -
 cli-not-above-zero = { $diameter } mm is not above 0
 cli-ratio-of-one-limit = rule asme-simple compares the uncertainty with the tolerance: expected --lower and --upper
-cli-already-corrected = --temperature: the values are at 20 °C already, as their file says
+cli-already-corrected = --temperature: the file says that its values are at 20 °C already
 cli-not-a-multiple = { $given }: expected a number above 0 with at most three decimals
 cli-no-limits = give --lower, --upper or both, with the lower limit below the upper one
 cli-risk-without-uncertainty = the risks of a process need --u or --expanded
 cli-risk-without-process = --consumer-risk needs --process-mean and --process-sd, or --gamma
 cli-not-a-risk = risk { $given }: expected a probability between 0 and 1, such as 0.001
 cli-not-a-gamma = gamma law { $given }: expected its shape and its scale in µm, such as 4,0.25
-cli-no-zone-for-risk = no accepted values have this consumer's risk
+cli-no-zone-for-risk = no zone of accepted values has this consumer's risk
 cli-line-too-long = the line is longer than { $limit } bytes
 cli-not-a-table = { $name } is not a table of deviations
 cli-add-feature = { $error }: add --feature hole or --feature shaft
-cli-add-wide-zone = { $asked }: { $error }; add --wide-zone where this zone is meant
-cli-add-far-temperature = { $what }: { $error }; add --far-temperature where it is meant
+cli-add-wide-zone = { $asked }: { $error }; if this zone is intended, add --wide-zone
+cli-add-far-temperature = { $what }: { $error }; if this temperature is intended, add --far-temperature
 cli-rework-or-scrap = { $asked }: { $measured } mm is outside { $minimum } to { $maximum } mm; whether that is rework or scrap depends on hole or shaft: add --feature hole or --feature shaft
 cli-parts-of-several = measured parts belong to one fit: give one callout
 cli-search-with-parts = a search takes no measured parts, materials or temperatures
@@ -76,15 +76,15 @@ cli-watched-already = another program watches { $path } for this journal
 cli-no-program = { $error }; built-in programs are { $names }
 cli-option-beside-plan = --{ $option } is for a single callout: a plan has a column for it
 cli-option-missing = --{ $option } is missing: a single callout needs --x, --y and --z
-cli-batch-ending = { $path }: the answers are written as .{ $endings }, packed where .gz or .zst follows
+cli-batch-ending = { $path }: the output must end in .{ $endings }, followed by .gz or .zst to compress it
 cli-batch-onto-itself = { $path } is one of the inputs: write the answers to another file
-cli-batch-columns = { $name } has other columns than the first file, which has { $columns }
-cli-batch-separator = { $name } separates its cells by another sign than the first file: write .jsonl, or judge it alone
-cli-batch-types = column { $column } of { $name } is not of the type that it has in the first file: write .csv, or judge it alone
-cli-batch-packed = { $path }: Parquet is packed inside: leave .gz or .zst out
-cli-batch-twice = { $name } has two columns { $column }: write .csv, which can have both
+cli-batch-columns = { $name } has different columns from the first file, which has { $columns }
+cli-batch-separator = { $name } has a different separator from the first file: write .jsonl, or judge this file separately
+cli-batch-types = column { $column } of { $name } has a different type in the first file: write .csv, or judge this file separately
+cli-batch-packed = { $path }: Parquet is already compressed: leave out .gz or .zst
+cli-batch-twice = { $name } has two columns named { $column }: write .csv, which allows both
 cli-batch-input = { $name }: { $error }
-cli-batch-name = { $name } has a column { $column } already: --prefix puts a word before the names of the added columns
+cli-batch-name = { $name } already has a column { $column }: use --prefix to put a word before the names of the added columns
 cli-use-force = { $error }; --force overwrites
 
 # A --check of a report
@@ -96,44 +96,44 @@ cli-check-not-positive = measured value { $measured } mm is not above 0
 cli-remark-wrote = wrote { $path }
 cli-remark-wrote-files = wrote { $path } ({ $count } files)
 cli-remark-simulated = simulated: nothing was measured
-cli-remark-perfect-workpiece = simulated: every cycle measured a perfect workpiece at nominal; --workpiece FILE.toml gives another
+cli-remark-perfect-workpiece = simulated: every cycle measured a perfect workpiece at nominal; for another workpiece, use --workpiece FILE.toml
 cli-remark-corrected = measured { $measured } mm at { $temperature } °C: { $change } µm, so { $at-reference } mm at 20 °C ({ $material ->
     [none] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
 })
-cli-remark-corrected-all = every measured value is brought from { $temperature } °C to 20 °C ({ $material ->
+cli-remark-corrected-all = every measured value is corrected from { $temperature } °C to 20 °C ({ $material ->
     [none] { $expansion } · 10⁻⁶/K
    *[other] { $material }, { $expansion } · 10⁻⁶/K
 })
 cli-remark-scales = scales at { $temperature } °C, { $expansion } · 10⁻⁶/K
-cli-remark-linear-correction = the linear correction is { $off } µm from the exact one
+cli-remark-linear-correction = the linear correction differs from the exact one by { $off } µm
 cli-remark-rule = rule: { $rule }
 cli-remark-rule-by-budget = rule: { $rule }
-cli-remark-budget = uncertainty by the budget { $name }, made { $date }, valid until { $until }
+cli-remark-budget = uncertainty from the budget { $name }, created { $date }, valid until { $until }
 cli-remark-budget-contacts = scatter of { $touches } contacts{ $step }, geometry factor { $factor }
 cli-remark-accepted = accepted: { $least } to { $most } mm
-cli-remark-nothing-accepted = no value is accepted: the rule leaves nothing of this tolerance
+cli-remark-nothing-accepted = no value is accepted: the rule leaves no part of this tolerance
 cli-remark-proven = proven by this rule
 cli-remark-not-proven = not proven by this rule
-cli-remark-conformity = conforms with { $percent } % probability
+cli-remark-conformity = conforms with a probability of { $percent } %
 cli-remark-remove = remove { $limit } mm to the nearest limit, { $middle } mm to the middle of the zone
 cli-remark-refused = { $refused } of { $asked } callouts refused
 cli-remark-no-pair = no pair fits; the nearest is { $nearest }
 cli-remark-trace-ends = the trace ends here, after { $blocks } blocks
 cli-remark-batch-utf16 = { $name } is UTF-16 and is written as UTF-8
-cli-remark-batch-floats = { $name } has floating-point numbers in { $columns }: each is judged as the shortest decimal that stands for it
+cli-remark-batch-floats = { $name } has floating-point numbers in { $columns }: each is judged as the shortest decimal that represents it
 cli-remark-tools-not-written = the tool table is not written: --tools-out FILE.t writes it with these changes
 cli-remark-clearance-height = the clearance height is { $height } mm: --clearance-height changes it
-cli-remark-more-entries = only { $limit } are listed: --limit N lists more
+cli-remark-more-entries = only { $limit } entries are listed: for more, use --limit N
 cli-remark-backed-up = copied up to entry { $number } to { $path } (hash { $hash })
-cli-remark-no-head-known = no entry of this journal is known elsewhere: that its newest entries were cut off would not be found
+cli-remark-no-head-known = no entry of this journal is known elsewhere: missing newest entries would not be found
 
 # Warnings
 cli-warning-stopped-unrecorded = nothing was recorded: rows are recorded together, once all of them are read
 cli-warning-column-not-used = column { $column } is skipped
-cli-warning-expansion-unconfirmed = the expansion of { $expansion } · 10⁻⁶/K is a common value that no document here confirms
+cli-warning-expansion-unconfirmed = the expansion of { $expansion } · 10⁻⁶/K is a common value that no document confirms here
 cli-warning-file-twice = this file is named twice: its rows are counted twice
-cli-warning-position-unused = --position has no effect: cycle { $code } does not begin where the ball is
+cli-warning-position-unused = --position has no effect: cycle { $code } does not start at the position of the ball
 cli-warning-predef-unused = --predef has no effect on { $name }: it is not set to PREDEF
 cli-warning-log-option = --{ $option } has no effect: no log is written or shown
 cli-warning-more-figures = { $count } more such figures are not listed
@@ -141,14 +141,14 @@ cli-warning-tables-not-used = --tables, --source and options of the standard are
 cli-warning-empty-cell = { $class } over { $over } up to { $to } mm is left empty: ISO 286 has no single value for all of it
 cli-warning-budget-option = --{ $option } has no effect: the budget does not depend on it
 cli-warning-contacts-left = the cycle used { $used } of { $count } contacts
-cli-warning-not-in-csv = CSV has no place for { $options }: HTML and JSON have
+cli-warning-not-in-csv = CSV has no place for { $options }: HTML and JSON do
 cli-warning-notes-not-in-csv = { $count ->
-    [one] { $count } note is not in the CSV: HTML and JSON have it
-   *[other] { $count } notes are not in the CSV: HTML and JSON have them
+    [one] { $count } note is not in the CSV: HTML and JSON contain it
+   *[other] { $count } notes are not in the CSV: HTML and JSON contain them
 }
 cli-warning-no-tool-monitored = the tool table is not used: no tool is given in Q330
 cli-warning-log-unknown = no log is written: the log of cycle { $code } is unknown
-cli-warning-limits-alone = the limits alone decide here: the decision rule and the temperature are for diameters
+cli-warning-limits-alone = the limits alone decide here: the decision rule and the temperature apply only to diameters
 cli-warning-log-off = no log is written: Q281 = 0
 cli-warning-log-none = no log is written: the cycle has none
 cli-warning-log-on-screen = no log is written: Q281 = 2 shows it on screen
@@ -201,44 +201,47 @@ cli-recorded-without = { $rows ->
    *[other] { $rows } rows are not recorded
 }: { $places }
 cli-not-recorded = nothing was recorded: { $error }
-cli-journal-is-server = this needs the journal of a station, a file: a server takes what stations have recorded
-cli-no-shop = this program was built without the server of a shop: name a file as the journal
-cli-recorded-not-sent = not sent to the server yet: { $error }; what is recorded here stays, and fitcheck journal send sends it
+cli-journal-is-server = this needs the journal file of a station: a server only receives what stations have recorded
+cli-no-shop = this program was built without support for a shop server: name a file as the journal
+cli-recorded-not-sent = not yet sent to the server: { $error }; the records are kept here, and fitcheck journal send sends them
 cli-no-journal-folder = this system has no folder for your data: name a journal with --journal FILE
 cli-no-entry = there is no entry { $number } in { $path }: the last one is { $last }
 cli-no-check = entry { $number } is not a check
-cli-already-corrected-by = entry { $number } is corrected or withdrawn by entry { $by } already: correct that one, unless it is a withdrawal
+cli-already-corrected-by = entry { $number } was already corrected or withdrawn by entry { $by }: correct that one, unless it is a withdrawal
 cli-not-typed = the value of entry { $number } was not typed: measure again, or withdraw the check
-cli-nothing-corrected = a correction changes something: give --measured, --who, --part, --serial, --feature-name, --remark or --withdraw
+cli-nothing-corrected = a correction must change something: give --measured, --who, --part, --serial, --feature-name, --remark or --withdraw
 cli-remark-sent = { $entries ->
     [0] nothing had to be sent
     [one] 1 entry was sent
    *[other] { $entries } entries were sent
 } to { $server }, which has this journal up to entry { $number }
-cli-remark-nothing-found = no check is found by { $question }
+cli-remark-nothing-found = no check matches { $question }
 cli-remark-unread = { $entries ->
     [one] 1 entry is
    *[other] { $entries } entries are
-} passed over: this version cannot read it
-cli-head-without-chain = a server has several chains: --head CHAIN:NUMBER:HASH
-cli-head-of-other = this journal is the chain { $chain }, and --head names { $other }
+} skipped: this version cannot read { $entries ->
+    [one] it
+   *[other] them
+}
+cli-head-without-chain = a server has several chains: give --head CHAIN:NUMBER:HASH
+cli-head-of-other = this journal is the chain { $chain }, but --head names { $other }
 cli-remark-plan-has = { $count ->
     [one] { $count } feature
    *[other] { $count } features
 }
 cli-remark-plan-example = no callout given: the plan has one feature as an example
 cli-remark-plan-head-left = CSV holds only the features: { $keys } of the part is not written
-cli-warning-neither-stands = entry { $number } corrected entry { $target }: now neither stands. If one of the values holds, record it again
+cli-warning-neither-stands = entry { $number } corrected entry { $target }: now neither of them counts. If one of the values is right, record it again
 cli-warning-plan-missing = not measured: { $names }
 cli-warning-plan-missing-of = { $who }: not measured: { $names }
 cli-warning-contradiction = { $name } has values that contradict each other: { $values }
 cli-warning-contradiction-of = { $who }: { $name } has values that contradict each other: { $values }
-cli-warning-worst-counts = of values that contradict each other the worst one counts until you choose: --repeats last or --repeats worst. Serial numbers tell parts apart, and a time for each value says which one is the last
-cli-warning-plan-more-parts = more than { $most } parts: what the others are missing is not reported
+cli-warning-worst-counts = the worst of several contradicting values counts until you choose: --repeats last or --repeats worst. Serial numbers tell parts apart, and a time for each value shows which one is the last
+cli-warning-plan-more-parts = more than { $most } parts: missing features of the others are not reported
 cli-warning-plan-no-value = missing: no value found
 cli-warning-plan-no-value-of = missing on { $who }: no value found
 cli-remark-watching = watching { $folder }; files imported before: { $known }
-cli-warning-see-note = not everything could be used: the file beside it ending in { $note } says why
+cli-warning-see-note = not everything could be used: the file beside it ending in { $note } gives the reasons
 cli-not-seconds = { $given } is not a time in seconds
 cli-warning-same-content = the same content was imported before as { $known }: nothing is recorded again
 cli-warning-not-alone = cannot tell whether another program watches this folder for the same journal: { $reason }

@@ -58,7 +58,7 @@ cycles-criteria = Criteria side by side
 cycles-word-stopped = Not measured
 cycles-word-no-verdict = No verdict
 cycles-no-limits = no limits were given
-cycles-no-limits-marked = no limits were given; a control says within tolerance then
+cycles-no-limits-marked = no limits were given; a control then reports within tolerance
 cycles-more-out = { $what }, { $count } more below
 cycles-no-window = No limits of size: the control shows no status window
 cycles-results = Result parameters
@@ -192,8 +192,8 @@ tools-more = { $count ->
 tools-row = { $tool }: L { $length }, R { $radius }, DL { $delta-length }, DR { $delta-radius }, LBREAK { $length-breakage }, RBREAK { $radius-breakage } mm
 tools-row-locked = { $tool }: L { $length }, R { $radius }, DL { $delta-length }, DR { $delta-radius }, LBREAK { $length-breakage }, RBREAK { $radius-breakage } mm, locked
 tools-without-name = { $count ->
-    [one] one tool is not listed: its name does not find it
-   *[other] { $count } tools are not listed: their names do not find them
+    [one] one tool is not listed: its name does not identify it
+   *[other] { $count } tools are not listed: their names do not identify them
   }
 tools-not-in-table = Q330 = { $tool }: the tool table has no such tool
 tools-not-monitored = Without a tool table, no tool is monitored (Q330)

@@ -10,18 +10,18 @@ exchange-empty = the file is empty
 exchange-not-recognised = not a file of a known format
 exchange-no-sheet = the workbook has no sheet { $given }; it has { $sheets }
 exchange-other-format = these are { $format }, not measurements as CSV
-exchange-parquet-unknown = this program was built without Parquet: cargo build --release without further options has it
-exchange-parquet-stream = Parquet has its columns at its end and cannot be read from a pipe: give the file by its name
+exchange-parquet-unknown = this program was built without Parquet: cargo build --release without further options includes it
+exchange-parquet-stream = Parquet lists its columns at the end of the file and cannot be read from a pipe: give the name of the file
 exchange-parquet = this Parquet file cannot be read: { $reason }
-exchange-parquet-nested = column { $column } has columns or lists in it: only columns of single values can be judged
+exchange-parquet-nested = column { $column } contains columns or lists: only columns of single values can be judged
 exchange-mask-backwards = { $mask }: { $reason }
 exchange-mask-none = none of the given masks prints such a file: { $masks }
 exchange-mask-several = several masks print such a file; give only the one that wrote it: { $masks }
-exchange-mask-no-measured = { $mask } prints no measured value: recognised are Q153 to Q156 and Q160, and any other number with its callout printed beside it
+exchange-mask-no-measured = { $mask } prints no measured value: Fitcheck recognises Q153 to Q156, Q160, and any other number with its callout printed beside it
 exchange-mask-measured = { $mask }: any of these could be the measured value: { $fields }; print the result of the cycle, such as Q153; otherwise the file needs callouts with different limits
 exchange-print-ambiguous = the mask can read this in several ways
 exchange-print-broken = the record ends too early: expected the output of line { $line } of the mask
-exchange-print-unit = line { $line } states { $unit }, but prints of a control are read in mm: print the values in mm
+exchange-print-unit = line { $line } states { $unit }, but the output of a control is read in mm: print the values in mm
 exchange-no-rows = no row holds a measurement
 exchange-no-measured-column = no column of measured values: name it in the first line, such as id;callout;measured
 exchange-several-columns = columns { $columns } may each be { $role }: choose one with import --columns, such as { $word }=3, or name the columns in the first line so that only one fits, such as id;callout;measured
@@ -42,8 +42,8 @@ exchange-role-quantity = what was measured
 exchange-no-column = { $role } should be in column { $given }, but the file has { $columns }
 exchange-column-twice = column { $column } cannot be both { $first } and { $second }
 exchange-unit = unknown unit { $unit }: use mm, µm or inch
-exchange-unit-stated = line { $line } states the unit { $unit }, which is not read (“{ $text }”): use mm, µm or inch, or choose the unit of sizes (--columns unit=mm)
-exchange-unit-mentioned = line { $line } mentions { $unit } (“{ $text }”), and nothing says whether the values are in it: choose the unit of sizes (--columns unit=mm, um or inch)
+exchange-unit-stated = line { $line } states the unit { $unit }, which is not supported (“{ $text }”): use mm, µm or inch, or choose the unit of sizes (--columns unit=mm)
+exchange-unit-mentioned = line { $line } mentions { $unit } (“{ $text }”), but nothing says whether the values are in this unit: choose the unit of sizes (--columns unit=mm, um or inch)
 exchange-units-differ = “{ $at }” says { $unit }, “{ $other-at }” says { $other }: correct one of them
 exchange-unit-late = line { $line } states { $unit } (“{ $text }”), but the rows above it are read in { $read }: state the unit above the first row, or correct that line
 exchange-unit-stray = this line states { $unit } (“{ $text }”), but all other rows are read in { $read }: state the unit above the first row, or correct this line
@@ -56,16 +56,16 @@ exchange-row-long = expected { $expected } cells, found { $found }: is the separ
 exchange-row-too-long = the row is longer than { $most } KiB
 exchange-open-quote = a quotation mark is not closed on this line
 exchange-header-hides-rows = line { $line }: the header runs over several lines, and one of them looks like a row: close the quotation marks on the line where they open
-exchange-within-quotes = a row or a remark? Quotation marks open on a line above and close here or below: close them where they open
+exchange-within-quotes = this line may be a row or a remark: quotation marks open above it and close here or below; close them on the line where they open
 exchange-callout = callout: { $reason }
 exchange-nominal = nominal size: { $reason }
 exchange-nominal-differs = callout { $callout } does not match nominal size { $nominal } in its own column
 exchange-measured = measured: { $reason }
 exchange-simulated = simulated: { $given } is neither true nor false
-exchange-other-header = this line names other columns than the first one: judge the rows below it as a file of their own
-exchange-below-other-header = not judged: line { $line } names other columns. Judge the rows below it as a file of their own
-exchange-simulated-below = the rows below this line are simulated: judge them as a file of their own, or with fitcheck import
-exchange-origin = origin: { $given } says neither measured nor simulated; write measured, typed or simulated, or set simulated=- where this column says something else
+exchange-other-header = this line names different columns from the first one: judge the rows below it as a separate file
+exchange-below-other-header = not judged: line { $line } names different columns. Judge the rows below it as a separate file
+exchange-simulated-below = the rows below this line are simulated: judge them as a separate file, or with fitcheck import
+exchange-origin = origin: { $given } says neither measured nor simulated; write measured, typed or simulated, or set simulated=- if this column says something else
 exchange-decimal-sign = measured: { $given } has a different decimal sign than the other values: "{ $sign }"
 exchange-not-positive = measured: a diameter of { $given } is not above 0
 exchange-decimal-comma = { $joined } may be one number with a decimal comma: use a decimal point or another separator
@@ -73,17 +73,17 @@ exchange-other-feature = { $given } is { $feature ->
         [hole] a shaft, and these are the holes: are the files swapped?
        *[shaft] a hole, and these are the shafts: are the files swapped?
     }
-exchange-rejected = the file itself rejects this value ({ $given }): leave the row out, or correct it there
-exchange-no-part = { $given } names a figure of several parts, or what a gauge was set by, and no part: leave the row out, or give the part another name
+exchange-rejected = the file itself rejects this value ({ $given }): remove the row, or correct it in the file
+exchange-no-part = { $given } names a figure of several parts or a setting standard of a gauge, not a part: remove the row, or give the part another name
 exchange-other-log = { $feature ->
         [hole] this is the log of a shaft, and these are the holes: are the files swapped?
        *[shaft] this is the log of a hole, and these are the shafts: are the files swapped?
     }
 exchange-not-a-size = { $what }: this is not a size that can be paired
-exchange-no-place-axis = it lies along { $axis }, and cycles 421 and 422 probe along Z
+exchange-no-place-axis = it lies along { $axis }, but cycles 421 and 422 probe along Z
 exchange-no-place-no-axis = the file does not say along which axis it lies
-exchange-no-place-kind = { $kind }: cycles 421 and 422 probe circles and cylinders
-exchange-no-place-system = it is checked in coordinate system { $system }, and the coordinates count in that of the file
+exchange-no-place-kind = { $kind }: cycles 421 and 422 probe only circles and cylinders
+exchange-no-place-system = it is checked in coordinate system { $system }, but the coordinates refer to that of the file
 exchange-contacts-not-sizes = rows of two or three numbers are contacts: name the columns in the first line, such as id;measured
 exchange-too-many-rows = only the first { $most } rows were read: split the file
 exchange-unjudged-no-callout = not judged: no callout given
@@ -96,14 +96,14 @@ exchange-unjudged-point = a surface point of cycle { $cycle }: its deviation alo
 exchange-unjudged-point-without-tolerance = not judged: the point was probed without a tolerance
 exchange-unjudged-contacts = not judged: { $count } contacts without a callout
 exchange-warning-ignored-columns = columns skipped: { $columns }
-exchange-warning-quantity-unknown = column { $column } says nothing known of what was measured ({ $words }): all its values are read as sizes; give import --columns quantity=- where that is right
+exchange-warning-quantity-unknown = column { $column } has no known word for what was measured ({ $words }): all its values are read as sizes; if that is right, give import --columns quantity=-
 exchange-warning-not-used = skipped, not a measurement: { $text }
 exchange-warning-comment = a line that begins with # is a comment, but this one holds a measurement
 exchange-warning-several-lines = the row runs over { $lines } lines within quotation marks
 exchange-warning-time = { $given } is not a date and time: the time of import is used
 exchange-warning-place = { $given } is not a length: the location is skipped
 exchange-warning-no-time = no date and time here: the time of import is used
-exchange-warning-offset = { $given } is kept as local time without its offset from UTC
+exchange-warning-offset = { $given } is stored as local time without its offset from UTC
 exchange-warning-cut-off = the file ends here without a line end, and { $given } has fewer decimals than the other values: it may be cut off
 exchange-warning-open-end = the file ends here without a line end: its last value, { $given }, may be cut off
 
@@ -114,20 +114,20 @@ contacts-twice = columns { $first } and { $second } are both { $name }
 contacts-cells = expected { $wanted } cells, found { $cells }: { $given }
 contacts-not-a-number = { $name } is { $given }, not a number of millimetres
 contacts-row-too-long = the row is longer than { $most } KiB
-contacts-comment = a line that begins with # is a comment, but this one holds coordinates: take the # away, or the whole line
+contacts-comment = a line that begins with # is a comment, but this one holds coordinates: remove the #, or the whole line
 contacts-other-unit = contacts are in mm, but this line states { $given }: convert them to mm
 contacts-too-many = the file has more than { $most } contacts
-contacts-simulated = these contacts are simulated: nothing is measured by them; take a workpiece file instead
-contacts-origin = { $given } says neither measured nor simulated: write measured or simulated, or take the column away
+contacts-simulated = these contacts are simulated and measure nothing: use a workpiece file instead
+contacts-origin = { $given } says neither measured nor simulated: write measured or simulated, or remove the column
 contacts-open-quote = a quotation mark is not closed
 contacts-mixed-signs = { $given } has a different decimal sign than the rows before it
 
 ## Tables of deviations
-table-format-name = { $name } does not begin with a letter: table names on a TNC7 do
-table-format-operator = { $name } contains { $sign }: table names on a TNC7 have no arithmetic operators
-table-format-warning-lower-sign = the PC-DMIS manual shows no lower deviation other than 0: check { $class } in PC-DMIS before you rely on it, above all its signs
+table-format-name = { $name } does not begin with a letter: table names on a TNC7 must
+table-format-operator = { $name } contains { $sign }: table names on a TNC7 cannot have arithmetic operators
+table-format-warning-lower-sign = the PC-DMIS manual shows no lower deviation other than 0: check { $class } in PC-DMIS before you rely on it, especially its signs
 table-format-csv = the CSV cannot be written: { $reason }
-table-format-parquet-unknown = this program was built without Parquet: cargo build --release without further options has it
+table-format-parquet-unknown = this program was built without Parquet: cargo build --release without further options includes it
 table-format-parquet = the Parquet file cannot be written: { $reason }
 table-format-itnc530 = control table for iTNC 530
 table-format-tnc640 = control table for TNC 620 and TNC 640
@@ -140,8 +140,8 @@ table-format-pcdmis = CSV of ISO tolerances for PC-DMIS
 sql-border = table { $table }: a size range ends at { $end } mm; as SQL, ranges must end at whole millimetres
 sql-too-far = table { $table }: a size range ends at { $end } mm; as SQL, ranges must end by { $most } mm
 sql-twice = class { $class } is named twice
-exchange-correction = the value at 20 °C does not follow from the value as measured and its temperatures: expected the columns as Fitcheck writes them
-exchange-warning-corrected = values with an entry in the column as_measured_mm are at 20 °C already
+exchange-correction = the value at 20 °C does not follow from the measured value and its temperatures: expected the columns as Fitcheck writes them
+exchange-warning-corrected = values with an entry in the column as_measured_mm are already at 20 °C
 sizes-warning-named-twice = { $rows ->
         [one] a row has the name of an earlier row
        *[other] { $rows } rows have the name of an earlier row
@@ -150,9 +150,9 @@ sizes-warning-simulated-rows = { $count ->
         [one] 1 row is simulated
        *[other] { $count } rows are simulated
     }: nothing was measured
-exchange-position-out = the centre was out of position, and a file has the size alone
+exchange-position-out = the centre was out of position, but the file has only the size
 exchange-undecided = nothing was decided here: { $given }
-exchange-warning-other-rule = the verdicts of this file may be by another decision rule (column rule_name): its values are judged anew
+exchange-warning-other-rule = the verdicts in this file may come from another decision rule (column rule_name): its values are judged again
 exchange-read = the rest of the file cannot be read: { $reason }
 exchange-too-large = larger than { $most } MiB, the limit for files of this format
 exchange-unjudged-no-feature = not judged: the limits are { $minimum } to { $maximum }, but hole or shaft is not stated, so a value beyond them could be rework or scrap
@@ -164,21 +164,21 @@ exchange-unjudged-not-a-size = { $what }: not a size of a hole or shaft
 exchange-warning-limits-differ = { $callout } has the limits { $minimum } to { $maximum }, but the file has others: the file's limits apply
 exchange-warning-class-unknown = class { $given } has no limits here: the file's limits apply
 exchange-warning-status-differs = the file says { $given }, but the limits say { $status }
-exchange-warning-status-unknown = the file says { $given }, which is no status that is known here: the limits say { $status }
+exchange-warning-status-unknown = the file says { $given }, which is not a known status: the limits say { $status }
 exchange-warning-limit-differs = the file says { $given }, but the limits are { $minimum } to { $maximum }
-exchange-warning-deviation-differs = the file says { $given }, but that is not how far { $measured } is from { $nominal }
+exchange-warning-deviation-differs = the file says { $given }, but that is not the deviation of { $measured } from { $nominal }
 exchange-warning-feature-differs = the file says { $given }, but the limits are those of { $feature ->
         [hole] a hole
        *[shaft] a shaft
     }
 exchange-warning-temperature-differs = the file says { $given }, but the value counts as measured at { $counted } °C: give --temperature and --material
-exchange-warning-speaks-of-temperature = the file speaks of another temperature than { $counted } °C, at which its values count as measured: { $text }
-exchange-warning-speaks-of-unit = a remark states another unit than that of the values: { $text }
-exchange-warning-speaks-of-simulation = this line speaks of a simulation: did anybody measure? { $text }
+exchange-warning-speaks-of-temperature = the file mentions a temperature other than { $counted } °C, at which its values count as measured: { $text }
+exchange-warning-speaks-of-unit = a remark states a different unit from that of the values: { $text }
+exchange-warning-speaks-of-simulation = this line mentions a simulation: check whether the value was measured: { $text }
 exchange-warning-all-nominal = all { $count } values are exactly their nominal sizes: this may be a list of sizes that nobody measured
-exchange-warning-name-of-no-size = { $given } is no name of a size of one part, and the value was judged as one
+exchange-warning-name-of-no-size = { $given } is not the name of a size of one part, but the value was judged as one
 exchange-warning-other-values = columns with other sizes near the measured ones are not judged: { $columns }
-exchange-warning-part-rejected = the file says { $given } of the whole part
+exchange-warning-part-rejected = the file says { $given } about the whole part
 exchange-warning-uncertainty-not-used = the file states an expanded uncertainty of { $expanded } mm: no rule uses it, so give --u instead
 exchange-warning-plan-differs = the file has the limits { $minimum } to { $maximum }: the plan's limits apply
 exchange-warning-plan-differs-below = the file has the lower limit { $minimum }: the plan's lower limit applies
@@ -210,7 +210,7 @@ exchange-unjudged-kind = not measured: { $kind ->
         [6] an error log sheet (K2004 is 6)
        *[other] an unknown kind of characteristic (K2004 is { $kind })
     }
-exchange-unjudged-attribute = not judged: marked with { $given } (K0002), but only 0 is known to be a valid value
+exchange-unjudged-attribute = not judged: marked with { $given } (K0002); only 0 is known to mark a valid value
 exchange-unjudged-not-valid = not judged: the file says { $said }, so there may be no valid value
 exchange-unjudged-declaration = not judged: line { $declaration } of its declaration cannot be used
 exchange-format-qif = QIF 3.0: results of measuring software, and plans
@@ -229,7 +229,7 @@ exchange-qif-reference = { $what } { $id } is not in the file
 exchange-qif-too-many = the file has more than { $most } { $what } elements
 exchange-qif-no-value = no measured value here; status { $status }
 exchange-qif-limit = limits or nominal size: { $reason }
-exchange-qif-other-kind = the measurement is of the kind { $measured }, and its characteristic of the kind { $defined }
+exchange-qif-other-kind = the measurement is of kind { $measured }, but its characteristic is of kind { $defined }
 exchange-qif-several-values = the measurement has several values
 exchange-qif-defined-as-limit = DefinedAsLimit is missing or neither true nor false, so the numbers may be limits or deviations
 exchange-qif-no-nominal = the limits are deviations, but there is no nominal size
@@ -237,10 +237,10 @@ exchange-qif-zone = class { $class } and { $zone } contradict each other: upperc
 exchange-qif-no-results = a QIF file without measured values: a plan can be read as a part plan
 exchange-qif-no-characteristics = the QIF file declares no characteristics
 exchange-warning-standard-uncertainty-not-used = the file states a combined standard uncertainty of { $standard } and a mean error of { $mean-error }: no rule uses them, so give --u instead
-exchange-warning-sheet-hidden = sheet { $sheet } is read, and it is hidden in the workbook
+exchange-warning-sheet-hidden = sheet { $sheet } is read, although it is hidden in the workbook
 exchange-warning-rows-hidden = { $count ->
-    [one] row { $rows } is hidden or filtered out in the workbook, and is read like the others
-   *[other] { $count } rows are hidden or filtered out in the workbook, and are read like the others: { $rows }
+    [one] row { $rows } is hidden or filtered out in the workbook, but is read like the others
+   *[other] { $count } rows are hidden or filtered out in the workbook, but are read like the others: { $rows }
 }
 exchange-warning-columns-hidden = hidden columns are read like the others: { $columns }
 exchange-warning-qif-version = QIF version { $version }: this program is made for version 3.0
@@ -253,7 +253,7 @@ exchange-old-workbook = a workbook in { $format } format, which is not supported
 exchange-workbook-password = the workbook has a password: save it without one
 exchange-zip-cut-off = the end of the workbook is missing: it may be cut off
 exchange-zip-members = the workbook's list of members is damaged or has more than { $most } entries
-exchange-zip-bomb = { $member } unpacks to more than { $most } MiB, or is packed too densely for a workbook: it is not read
+exchange-zip-bomb = { $member } unpacks to more than { $most } MiB, or is compressed too densely for a workbook: it is not read
 exchange-zip-twice = two members of the workbook have the same name, so it has been changed: open it in a spreadsheet program and save it
 exchange-zip-texts = the workbook has more than { $most } different texts
 exchange-sheet-wide = cell { $cell } is beyond the first { $most } columns
@@ -266,7 +266,7 @@ exchange-warning-sheets-left = sheet { $sheet } is read; other sheets are not: {
 gauge-frame = the characters that frame the line were skipped
 gauge-channel = from channel { $channel }
 gauge-inches = { $given } inches
-gauge-error-text = { $given } may be the number of an error of the gauge: where it is a size, write it with its unit, { $given } mm
+gauge-error-text = { $given } may be an error number of the gauge: if it is a size, write it with its unit, { $given } mm
 gauge-opinion = the gauge says { $sign }; the plan's limits decide
 
 mapping-no-value = { $given } assigns no column: write a word, = and a column, such as measured=3
@@ -276,9 +276,9 @@ mapping-twice = { $word } is given twice: give it once
 mapping-toml = not a mapping of columns: { $reason }
 
 # How a value was judged by a plan, and what was given beside it.
-planned-rule = judged by the plan's rule and not by { $given }: { $rule }
-planned-uncertainty = judged with the plan's uncertainty and not with the given one: { $u }
-planned-material = brought to 20 °C with the plan's material and not with the given one: { $name }
-planned-corrected = brought from { $temperature } °C to 20 °C (expansion { $expansion } · 10⁻⁶/K)
-planned-not-corrected = not brought to 20 °C: a place on the part is not a size
-planned-error-already-corrected = the value is at 20 °C already, as its file says: judge it without a temperature
+planned-rule = judged by the plan's rule instead of { $given }: { $rule }
+planned-uncertainty = judged with the plan's uncertainty instead of the given one: { $u }
+planned-material = corrected to 20 °C with the plan's material instead of the given one: { $name }
+planned-corrected = corrected from { $temperature } °C to 20 °C (expansion { $expansion } · 10⁻⁶/K)
+planned-not-corrected = not corrected to 20 °C: a location on the part is not a size
+planned-error-already-corrected = the file says that the value is at 20 °C already: judge it without a temperature

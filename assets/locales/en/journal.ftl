@@ -7,8 +7,8 @@ journal-break-removed = { $count ->
     } missing
 journal-break-inserted = entry { $number } was inserted
 journal-break-reordered = entries { $number } and { $other } have changed places
-journal-break-rewritten = entry { $number } is another one than is known elsewhere: the journal was written anew from there or before
-journal-break-cut-off = the journal ends with entry { $last }, and entry { $known } is known elsewhere: its newest entries were cut off, or an older copy was put back
+journal-break-rewritten = entry { $number } differs from the one that is known elsewhere: the journal was rewritten from there or from an earlier entry
+journal-break-cut-off = the journal ends with entry { $last }, but entry { $known } is known elsewhere: its newest entries were cut off, or an older copy was put back
 
 ## Entries
 journal-body-json = not an entry of a journal: { $reason }
@@ -19,7 +19,7 @@ journal-body-control = { $field } has the control character { $code } as its cha
 journal-body-empty = { $field } is empty
 journal-body-too-many = { $field } has { $count } entries, at most { $most } are allowed
 journal-body-value = { $field } cannot be "{ $given }"
-journal-body-contradiction = { $field } says something else than the fields that it follows from
+journal-body-contradiction = { $field } contradicts the fields from which it follows
 journal-origin-perfect = simulated, a workpiece without faults
 journal-origin-workpiece = simulated, { $file }, seed { $seed }
 journal-origin-contacts = contacts from { $file }
@@ -27,7 +27,7 @@ journal-check-judged-otherwise = decided as { $kept }, which stands; this versio
 
 ## Questions
 journal-ask-at = { $reason } (character { $at })
-journal-ask-unknown-key = { $key }: is not something to ask for; expected { $known }, or quotation marks around a word with a colon
+journal-ask-unknown-key = { $key }: is not a known keyword; expected { $known }, or quotation marks around a word with a colon
 journal-ask-no-value = { $key }: has no value
 journal-ask-empty-word = a word in quotation marks is empty
 journal-ask-twice = { $key } is given twice
@@ -37,46 +37,46 @@ journal-ask-date = "{ $given }" is not a day or a time: expected 2026-11-23 or 2
 journal-ask-verdict = "{ $given }" is not a verdict: expected { $known }
 journal-ask-callout = { $error }; a callout goes in quotation marks: callout:"25 H7"
 journal-ask-class = { $error }
-journal-ask-order = the question ends before it begins: from is not before to
+journal-ask-order = the period ends before it begins: from must be before to
 journal-ask-both-origins = simulated and measured exclude each other
 journal-ask-too-long = the question has { $bytes } bytes, at most { $most } are allowed
 
 ## The journal of a station
 store-missing = there is no journal at { $path }
 store-not-a-file = { $path } is not a file
-store-not-a-journal = { $path } is not a journal of Fitcheck; it was left as it is
-store-newer = { $path } was made by a newer Fitcheck (version { $version }, this one knows { $known }); it was left as it is
-store-older = { $path } was made by an older Fitcheck: it is brought to this version when something is recorded in it
-store-damaged = { $path } is damaged: its pages do not agree
+store-not-a-journal = { $path } is not a journal of Fitcheck; it was left unchanged
+store-newer = { $path } was made by a newer Fitcheck (version { $version }, this one supports { $known }); it was left unchanged
+store-older = { $path } was made by an older Fitcheck: it is upgraded when something is recorded in it
+store-damaged = { $path } is damaged: its pages contradict each other
 store-full = no space is left for { $path }: nothing was recorded
 store-read-only = { $path } may not be written to: nothing was recorded
-store-locked = another program holds { $path }, longer than this one waits: nothing was recorded
-store-disk = the disk of { $path } fails: { $reason }
+store-locked = another program has locked { $path } for too long: nothing was recorded
+store-disk = the disk of { $path } reports an error: { $reason }
 store-cannot-open = { $path } cannot be opened
-store-network-folder = { $path } is in a folder of another machine, where two stations would write over each other: choose a folder of this machine, and a server for the shop
-store-altered = "{ $name }", which keeps entries from being changed, is missing in { $path } or was changed
-store-no-beginning = { $path } does not tell which chain it is
-store-moved = { $path } was moved or set aside meanwhile: nothing was recorded
-store-other-target = entry { $number } is another one than the one that was to be corrected: nothing was recorded
-store-corrected = entry { $number } was corrected or withdrawn by entry { $by } already: correct that one, unless it is a withdrawal
-store-finding-no-beginning = the journal has no first entry that tells its chain
-store-finding-pages = the pages of the journal do not agree, and questions may miss entries that are in it: { $reason }
-store-finding-index = an index of questions does not agree with its table: { $reason }
-store-hidden = entry { $number } of { $path } is not found where it must be: the journal was changed or its file is damaged; run fitcheck journal verify
+store-network-folder = { $path } is in a folder of another machine, where two stations could overwrite each other's entries: choose a folder on this machine, and a server for the shop
+store-altered = "{ $name }", which protects entries from changes, is missing in { $path } or was changed
+store-no-beginning = { $path } does not say which chain it is
+store-moved = { $path } was moved or set aside in the meantime: nothing was recorded
+store-other-target = entry { $number } is not the one that was to be corrected: nothing was recorded
+store-corrected = entry { $number } was already corrected or withdrawn by entry { $by }: correct that one, unless it is a withdrawal
+store-finding-no-beginning = the journal has no first entry that names its chain
+store-finding-pages = the pages of the journal contradict each other, and questions may miss entries that are in it: { $reason }
+store-finding-index = an index for questions does not match its table: { $reason }
+store-hidden = entry { $number } of { $path } is not found in its place: the journal was changed or its file is damaged; run fitcheck journal verify
 store-no-entry = { $path } has no entry { $number }: the last one is { $last }
-store-backup = the copy of { $path } did not come out whole, and was taken away
+store-backup = the copy of { $path } was incomplete and has been removed
 store-interrupted = stopped
 store-database = { $path }: { $reason }
-store-remark-begun = a new journal was begun: { $path }
-store-remark-set-aside = the journal { $path } was damaged: it lies in { $folder } now, unchanged, and a new one was begun in its place
-store-remark-migrated = { $path } was brought to this version; as it was it is { $copy }
-store-remark-behind = { $path } ends with entry { $last } and once had entry { $known }: its newest entries were cut off, or an older copy was put back
-store-remark-other = entry { $number } of { $path } is another one than it was: the journal was written anew from there or before
-store-remark-replaced = { $path } is another journal than the one that was there, which had { $known } entries
-store-remark-waits = another program is writing to { $path }: waiting for its turn to end
-store-remark-no-anchor = the last entry of this journal could not be kept in { $path }: { $reason }
-store-finding-altered = "{ $name }", which keeps entries from being changed, is missing or was changed
+store-remark-begun = a new journal was created: { $path }
+store-remark-set-aside = the journal { $path } was damaged: it is now in { $folder }, unchanged, and a new one was created in its place
+store-remark-migrated = { $path } was upgraded to this version; the file as it was before is { $copy }
+store-remark-behind = { $path } ends with entry { $last }, but once had entry { $known }: its newest entries were cut off, or an older copy was put back
+store-remark-other = entry { $number } of { $path } differs from what it was: the journal was rewritten from there or from an earlier entry
+store-remark-replaced = { $path } is not the journal that was there before, which had { $known } entries
+store-remark-waits = another program is writing to { $path }: waiting for it to finish
+store-remark-no-anchor = the last entry of this journal could not be noted in { $path }: { $reason }
+store-finding-altered = "{ $name }", which protects entries from changes, is missing or was changed
 store-finding-not-found = { $entries ->
-        [one] 1 entry is found by something else than what it says, or is not found
-       *[other] { $entries } entries are found by something else than what they say, or are not found
+        [one] 1 entry is indexed by something other than what it says, or is not indexed
+       *[other] { $entries } entries are indexed by something other than what they say, or are not indexed
     }

@@ -2,7 +2,7 @@
 
 ## Paths and files
 machine-path-empty = the path is empty
-machine-path-too-long = the path has more than { $most } characters, which a control does not take
+machine-path-too-long = the path has more than { $most } characters, which a control does not allow
 machine-path-other-root = { $path } is neither a path on TNC: nor a path from the program's folder
 machine-path-leads-out = { $path } leads out of the folder
 machine-path-no-name = { $name } in { $path } is not a name for a file or folder
@@ -10,7 +10,7 @@ machine-store-missing = file not found: { $path }
 machine-store-outside = { $path } leads out of the given folders
 machine-store-no-file = { $path } is not a file
 machine-store-too-large = { $path } is larger than { $most } MiB
-machine-store-ambiguous = { $path } is there in several spellings, { $names }, and a control has one file of a name: remove or rename the others
+machine-store-ambiguous = { $path } exists in several spellings, { $names }, but a control has only one file of each name: remove or rename the others
 machine-store-read-only = no output folder was chosen
 machine-store-system = { $path }: { $reason }
 
@@ -41,8 +41,8 @@ machine-undefined = { $parameter } is undefined
 machine-lost = { $parameter } is undefined: line { $line }, { $text }, may set it and was not run
 machine-file-unknown = { $path } is not read: line { $line }, { $text }, may write or remove it and was not run
 machine-tools-unknown = the tool is not corrected: line { $line }, { $text }, may change the tool table and was not run
-machine-contacts-unknown = it is not known which recorded contacts are of this cycle: some may be of line { $line }, { $text }, which was not run
-machine-not-skipped = this block decides what runs next or what another program gets: it cannot be skipped
+machine-contacts-unknown = it is not known which recorded contacts belong to this cycle: some may belong to line { $line }, { $text }, which was not run
+machine-not-skipped = this block decides what runs next or what another program receives: it cannot be skipped
 machine-whole-only = { $parameter } holds whole numbers only, not { $value }
 machine-no-answer = INPUT "{ $question }" asks for { $parameter }: give it a value before the run
 machine-no-parameter = parameter { $parameter } does not exist: Q and QS go up to 1999, QL and QR up to 499
@@ -73,17 +73,17 @@ machine-programmed = the program stopped itself with error { $number }
 machine-no-cycle-parameter = cycle { $cycle } has no parameter { $parameter }
 machine-cycle-parameter-twice = cycle { $cycle }: { $parameter } is given twice
 machine-cycle-parameter-for = cycle { $cycle }: { $parameter } is given twice, and { $other } not at all: is the second one meant as { $other }?
-machine-global-not-number = GLOBAL DEF { $number }: { $parameter } is given no number
+machine-global-not-number = GLOBAL DEF { $number }: { $parameter } has no number
 machine-global-twice = GLOBAL DEF { $number }: { $parameter } is given twice
 machine-open-subprogram = the program ends within the subprogram that is called in line { $line }: LBL 0 is missing
-machine-repeat-ahead = REP repeats the part between a label and this block, and the label stands behind it, in line { $line }
+machine-repeat-ahead = REP repeats the part between a label and this block, but the label comes after it, in line { $line }
 machine-cycle = cycle { $cycle }: { $error }
 machine-workpiece = workpiece: { $error }
 machine-no-tool-call = no TOOL CALL with a tool axis comes before this measuring cycle
 machine-mode = the control is in { $mode } mode: measuring cycles run in milling mode only (FUNCTION MODE MILL)
-machine-changed = { $change } is in force since line { $line }, { $text }: nothing is measured under it here
+machine-changed = { $change } has been active since line { $line }, { $text }: Fitcheck does not measure while it is active
 machine-nothing-selected = no SEL PGM comes before CALL SELECTED PGM
-machine-change-not-known = a datum that is not known
+machine-change-not-known = an unknown datum
 machine-change-turning = the turned system of cycle 800
 machine-change-datum-table = a shift from a datum table
 machine-change-rotation = a rotation
@@ -101,15 +101,15 @@ machine-remark-measurement-skipped = this measurement was skipped: its results a
 machine-remark-datum-skipped = this measurement was skipped: its results are undefined from here on, and nothing is measured after it, because it may set a datum
 machine-remark-not-followed = this block is not run and may change the datum: nothing is measured after it
 machine-remark-no-system-data = { $parameter } is undefined from here on: only a control knows the system data of FN 18
-machine-remark-axis-assumed = no TOOL CALL comes before: measured along Z with the first probe
+machine-remark-axis-assumed = no TOOL CALL comes before this cycle: measured along Z with the first probe
 machine-remark-measured-again = measured again after rework: this measurement counts
 machine-remark-spindle-turns = the spindle turns since M{ $function }: a control would not probe
-machine-remark-rotary-moved = { $axes } moved before: the workpiece was measured as if not turned
-machine-remark-other-preset = preset { $number }: the workpiece was taken to lie there, too
+machine-remark-rotary-moved = { $axes } moved before this cycle: the workpiece was measured as if it had not been turned
+machine-remark-other-preset = preset { $number }: the workpiece is assumed to lie there, too
 machine-remark-built-in = { $path } is not among the given files: the built-in one was read
-machine-remark-other-names = { $read } was read, and { $others } is there, too: a control has one file of a name
+machine-remark-other-names = { $read } was read, but { $others } also exists: a control has only one file of each name
 machine-remark-read = { $path }: { $what }
-machine-remark-other-spelling = table { $table } has no column { $column }: { $other } was taken, the other spelling in NC-Solution 8255
+machine-remark-other-spelling = table { $table } has no column { $column }: { $other } was used, the other spelling in NC-Solution 8255
 machine-remark-row-number = table { $table }: NR is { $found } in row { $row }: FN 27 and FN 28 count rows from 0
 machine-remark-length-converted = table { $table }: column { $column } is a LENGTH and was converted between mm and inches
 machine-remark-ended-within = M{ $function } in a called program ended the run: a control does not allow it there
@@ -117,12 +117,12 @@ machine-remark-given-wins = { $parameter } = { $value } was given before the run
 machine-remark-given-without-effect = { $parameter } was given before the run and had no effect: no block read it
 machine-remark-doubted = { $what }
 machine-remark-measured = { $what }
-machine-remark-filled = the block leaves out { $parameters }: these values were taken, while a control may refuse the block
+machine-remark-filled = the block leaves out { $parameters }: these values were used, but a control may refuse the block
 machine-remark-measurement-behind-end = { $count ->
-        [one] a measuring cycle stands
-       *[other] { $count } measuring cycles stand
-    } after this block, where no control reads on: nothing of that was measured
-machine-remark-cycle-skipped = this measuring cycle was skipped at request, because of the / before it
+        [one] a measuring cycle comes
+       *[other] { $count } measuring cycles come
+    } after this block, where a control stops reading: nothing after it was measured
+machine-remark-cycle-skipped = this measuring cycle was skipped as requested, because of the / before it
 machine-remark-rounded = table { $table }, column { $column }: { $value } was rounded to { $written }
 machine-remark-not-judged = no verdict here: nothing was compared with limits
 machine-remark-not-written = { $path } was not written: no output folder was chosen
@@ -131,10 +131,10 @@ machine-remark-full = { $path } has reached its limit of { $kilobytes } kilobyte
 machine-remark-table-written = { $path } was written
 machine-remark-contacts-left = the cycles used { $used } of { $count } recorded contacts
 machine-remark-more = { $count } more remarks are not listed
-machine-remark-empty-spindle = tool 0 was called: a TNC7 has no probe in the spindle then
-machine-remark-no-tool-named = no TOOL CALL before names a tool: measured with the first probe
-machine-remark-tool-call-words = TOOL CALL does not take { $words }: ignored
-machine-remark-no-nominal = the cycle names no nominal size: the perfect workpiece is met half-way along K
+machine-remark-empty-spindle = tool 0 was called: a TNC7 then has no probe in the spindle
+machine-remark-no-tool-named = no TOOL CALL before this cycle names a tool: measured with the first probe
+machine-remark-tool-call-words = TOOL CALL does not take { $words }: skipped
+machine-remark-no-nominal = the cycle has no nominal size: the probe meets the perfect workpiece half-way along K
 machine-remark-other-probe = tool { $tool } is not in the touch-probe table: probe { $probe } was used
 machine-remark-collision = the { $mover } would touch { $feature }, with the centre of the ball at X { $x } Y { $y } Z { $z } mm
 machine-remark-unchecked = moves are not checked in full against { $features }
@@ -146,15 +146,18 @@ machine-remark-no-such-tool = tool { $tool } is not in the tool table
 machine-remark-same-name = { $more ->
     [one] another tool has the name { $tool }
    *[other] { $more } more tools have the name { $tool }
-}: the first one of the tool table was taken
-machine-remark-content-uncertain = { $parameter } is read here: that it holds the diameter is not documented
+}: the first one in the tool table was used
+machine-remark-content-uncertain = { $parameter } is read here, but it is not documented that it holds the diameter
 machine-remark-not-waited = { $parameter } is read without G909 after the cycle: a control reads blocks ahead and may not have measured yet
 machine-remark-position-unknown = the position before the cycle is not known: without D it begins at the nominal center, without WB at height 0
 
 machine-passed-over = { $count } { $count ->
-        [one] block was
-       *[other] blocks were
-    } passed over, on which no measurement depends: { $list }
+        [one] block
+       *[other] blocks
+    } on which no measurement depends { $count ->
+        [one] was
+       *[other] were
+    } passed over: { $list }
 
 ## Pauses
 machine-pause-stop = the program has stopped: STOP or M0
@@ -163,9 +166,9 @@ machine-pause-breakpoint = the next block has a breakpoint
 machine-pause-log = the measuring log is on the screen (Q281 = 2)
 
 ## A block of a measuring cycle without its program
-alone-moved = { $text } moves the probing cycle after it or changes its axes, and the cycle is run as if it did not: run the whole program instead
-alone-called = { $text } runs blocks that may move the probing cycle after it, and they are not read: run the whole program instead
+alone-moved = { $text } moves the probing cycle after it or changes its axes, but the cycle is run as if it did not: run the whole program instead
+alone-called = { $text } runs blocks that may move the probing cycle after it, but they are not read: run the whole program instead
 alone-not-understood = { $text } is not understood and may move the probing cycle after it: check the program, or run it as a whole
 alone-not-run = the program goes no further than { $text } and does not reach the probing cycle after it, so a control does not measure here: check the program
 alone-passed = { $text } can go past the probing cycle, so a control may not measure here: run the whole program instead
-alone-skipped = a control may skip the probing cycle because of the / before it: delete the / if it has to measure
+alone-skipped = a control may skip the probing cycle because of the / before it: if it must be measured, delete the /

@@ -28,13 +28,13 @@ pairing-page-open-holes = Open holes…
 pairing-page-open-shafts = Open shafts…
 pairing-page-history-holes = Holes of the history
 pairing-page-history-shafts = Shafts of the history
-pairing-page-history-hint = Takes the chosen checks, or all where none is chosen
+pairing-page-history-hint = Uses the chosen checks, or all checks if none is chosen
 pairing-page-groups = Groups
 pairing-page-groups-hint = How many groups of equal width the parts are also sorted into. Empty for none.
 pairing-page-do-wanted = Type the wanted clearance or a fit.
 pairing-page-do-holes = Open the measured holes, or take them from the history.
 pairing-page-do-shafts = Open the measured shafts, or take them from the history.
-pairing-page-about = There will be as many pairs as possible within the wanted clearance and, among these, the ones closest to its middle. Names and measured sizes are enough. Files can also be dropped here, the holes first.
+pairing-page-about = Fitcheck makes as many pairs as possible within the wanted clearance and, among these, chooses the ones closest to its middle. Names and measured sizes are enough. Files can also be dropped here, the holes first.
 pairing-page-no-side = { $name } is not opened: there are holes and shafts already. Open it as holes or as shafts.
 pairing-page-none-in-history = The history has no checks of { $feature ->
         [hole] holes
@@ -71,7 +71,7 @@ pairing-page-copy = Copy pairs
 # The picture
 pairing-page-picture = Parts by size
 pairing-page-legend = Ring: hole. Disc: shaft, moved by the middle, { $middle } µm: a pair at the middle is level. Cross: left over.
-pairing-page-part-of = On the left all parts; the frame is what is drawn.
+pairing-page-part-of = Left: all parts; the frame marks those that are drawn.
 pairing-page-thinned = Too close to draw all: 1 of { $step } is drawn.
 pairing-page-left-over = left over
 pairing-page-describe = { $holes ->
@@ -80,13 +80,13 @@ pairing-page-describe = { $holes ->
     } on the left, { $shafts ->
         [one] 1 shaft
        *[other] { $shafts } shafts
-    } on the right, on one scale of size; shafts are moved by { $middle } µm, so that a pair at the middle of the wanted clearance is level. { $pairs ->
-        [one] 1 pair is a line.
-       *[other] { $pairs } pairs are lines.
+    } on the right, on one scale of size; shafts are shifted by { $middle } µm, so that a pair at the middle of the wanted clearance is level. { $pairs ->
+        [one] 1 pair is drawn as a line.
+       *[other] { $pairs } pairs are drawn as lines.
     }
 pairing-page-describe-part = { $pairs ->
-        [one] 1 pair is in sight.
-       *[other] { $pairs } pairs are in sight.
+        [one] 1 pair is visible.
+       *[other] { $pairs } pairs are visible.
     }
 pairing-page-describe-selected = Selected: { $hole } with { $shaft }, clearance { $clearance } µm.
 
@@ -109,7 +109,7 @@ pairing-page-simulated = { $count ->
         [one] 1 pair with a simulated part
        *[other] { $count } pairs with a simulated part
     }
-pairing-page-no-pair = No hole and shaft have a wanted clearance.
+pairing-page-no-pair = No hole and shaft have a clearance in the wanted range.
 pairing-page-smallest = Smallest clearance
 pairing-page-largest = Largest clearance
 pairing-page-middle = Wanted middle
@@ -120,7 +120,7 @@ pairing-page-grind = { $amount } µm off the leftover shafts, or out of the left
        *[other] { $count } more pairs
     }
 pairing-page-grind-means = The smallest amount, in steps of 1 µm, that makes most further pairs. Pairs that are made stay.
-pairing-page-grind-nothing = No amount makes a further pair.
+pairing-page-grind-nothing = No amount gives another pair.
 pairing-page-grind-bounded = Amounts up to { $tried } µm were tried; the farthest parts would need { $reach } µm.
 pairing-page-groups-title = Groups
 pairing-page-group = Group { $number }: { $count ->

@@ -18,7 +18,7 @@ pairing-no-sizes = there are no { $feature ->
 pairing-parts-outside-limits = { $count ->
         [one] 1 part is outside its own limits
        *[other] { $count } parts are outside their own limits
-    }: pairs are made by clearance alone
+    }: pairs are chosen by clearance alone
 pairing-parts-checked-twice = { $rows ->
         [one] a check has the name of an earlier check
        *[other] { $rows } checks have the name of an earlier check

@@ -44,7 +44,7 @@ parts-page-limits = Limits
 parts-page-editing = { $column } of row { $row }
 parts-page-head = Part
 parts-page-no-fault = No faults in the plan
-parts-page-blank = Type the first feature, or paste rows of a spreadsheet
+parts-page-blank = Type the first feature, or paste rows from a spreadsheet
 parts-page-faults = { $count ->
     [one] One fault
    *[other] { $count } faults
@@ -56,13 +56,13 @@ parts-page-features = { $count ->
 parts-page-fault-of = { $row }, { $column }
 parts-page-fault-row = Row { $row }
 parts-page-fault-plan = Plan
-parts-page-lost = Not understood in the file: nothing is measured or saved by this plan until it is corrected there or left out here
+parts-page-lost = Not understood in the file: the plan measures and saves nothing until this is corrected in the file or left out here
 parts-page-take-meant = Use { $meant }
 parts-page-leave-out = Leave these out
-parts-page-leave-out-hint = The plan is then what could be read; what was not understood may be a feature
+parts-page-leave-out-hint = The plan then has only what could be read; what was not understood may be a feature
 parts-page-left-out = { $count ->
-    [one] { $name }: one thing that was not understood is left out of the plan; the file has it until the plan is saved
-   *[other] { $name }: { $count } things that were not understood are left out of the plan; the file has them until the plan is saved
+    [one] { $name }: one entry that was not understood is left out of the plan; the file keeps it until the plan is saved
+   *[other] { $name }: { $count } entries that were not understood are left out of the plan; the file keeps them until the plan is saved
 }
 parts-page-pasted-rows = { $count ->
     [one] One pasted row was skipped: a plan has at most { $most } features
@@ -126,22 +126,22 @@ parts-page-beside-more = and { $count } more
 parts-page-balloon-simulated = { $status }, simulated
 parts-page-more = Rows and cells
 parts-page-picture-heavy = { $name } would take too long to draw: it has filters, large patterns or too many layers; remove them, or save the picture as PNG
-parts-page-csv-copy = The file is a copy: CSV has the features alone, and { $keys } of the part is left out
+parts-page-csv-copy = The file is a copy: CSV has only the features, and { $keys } of the part is left out
 parts-page-opened = { $count ->
-    [one] { $name } is opened, and one thing of it is not taken over
-   *[other] { $name } is opened, and { $count } things of it are not taken over
+    [one] { $name } is open, but the plan leaves out one thing that the file has
+   *[other] { $name } is open, but the plan leaves out { $count } things that the file has
 }
-parts-page-pasted-twice = A pasted column was left out: the first row names { $keys } more than once, and the first one counts
+parts-page-pasted-twice = A pasted column was left out: the first row names { $keys } more than once, and the first column of that name is used
 parts-page-pasted-unknown = Pasted columns that a plan does not have were left out: { $names }
 parts-page-pasted-nameless = { $count ->
     [one] One pasted column was left out: the first row has no name above it
    *[other] { $count } pasted columns were left out: the first row has no names above them
 }
 parts-page-comments = { $count ->
-    [one] Saving loses a comment of the file
-   *[other] Saving loses { $count } comments of the file
+    [one] Saving removes a comment from the file
+   *[other] Saving removes { $count } comments from the file
 }
 parts-page-comments-lost = { $count ->
-    [one] A comment of { $name } is not in the file: a plan is written without comments
-   *[other] { $count } comments of { $name } are not in the file: a plan is written without comments
+    [one] A comment was removed from { $name }: a plan is written without comments
+   *[other] { $count } comments were removed from { $name }: a plan is written without comments
 }

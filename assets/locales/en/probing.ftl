@@ -12,11 +12,11 @@ caveat-three-contacts = 3 contacts: form cannot be measured
 caveat-four-contacts = 4 contacts: no form beyond ovality is detected
 caveat-few-contacts = { $contacts } contacts: form between them is not detected
 caveat-short-arc = contacts cover only { $arc }°: scatter is magnified in diameter and centre
-caveat-two-point = the diameter across contacts { $one } and { $other } is { $size } mm, beyond the limit of { $limit } mm that the mean circle keeps: by default a size holds between any two opposite points
+caveat-two-point = the diameter across contacts { $one } and { $other } is { $size } mm, beyond the limit of { $limit } mm, which the mean circle does not exceed: by default, a size applies between any two opposite points
 caveat-form = the contacts' radii differ by { $form } mm, so diameters across them may differ by more than the zone of { $zone } mm: two opposite points may lie outside the limits
 caveat-heights = the contacts' heights differ by { $spread } mm: on a cone or a tilted axis that changes the diameter
 contact-missed = contact { $number }: the probe met nothing on the probing path
-contact-no-height = contact { $number } has no height: give the file a column z
+contact-no-height = contact { $number } has no height: add a column z to the file
 contact-used-up = contact { $number }: the file has only { $available ->
     [one] { $available } contact
    *[other] { $available } contacts
@@ -42,8 +42,8 @@ workpiece-cannot-be = { $what } = { $given }: at least { $least }, at most { $mo
 # Touches.
 contact-in-material = contact { $number }: the probing path begins inside the material
 contact-in-feature = contact { $number }: the probing path begins inside the material of { $feature }
-contact-behind = contact { $number }: the ball comes to the wall of { $feature } from behind: nothing says how thick the material is there
-contact-ambiguous = contact { $number }: the ball meets { $feature } and { $other } at the same place: which one is measured cannot be told
+contact-behind = contact { $number }: the ball reaches the wall of { $feature } from behind, and the thickness of the material there is unknown
+contact-ambiguous = contact { $number }: the ball meets { $feature } and { $other } at the same place, so it is not known which one is measured
 
 # Circle evaluation.
 circle-too-few = a circle needs at least 3 contacts, found { $contacts }
@@ -64,7 +64,7 @@ circle-no-inscribed = no maximum inscribed circle: the contacts do not surround 
 circle-no-zone = no minimum zone: a straight strip is narrower than any ring
 circle-too-many-contacts = maximum inscribed circle and minimum zone are not computed for { $contacts } contacts: at most { $most }
 circle-short-chord = contacts { $first } and { $second } are opposite each other but off the centre: this size is { $short } µm too small
-circle-more-of-a-kind = the same holds for { $more } more
+circle-more-of-a-kind = the same applies to { $more } more
 circle-apart = contact { $contact } lies { $apart } mm off the circle, far more than the others: dust or a false trigger?
 circle-heights = the contacts' heights differ by { $spread } mm: on a cone or a tilted axis that changes the diameter
 

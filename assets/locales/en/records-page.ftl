@@ -13,7 +13,7 @@ records-page-not-recorded = Not recorded: { $why }
 records-page-nowhere = Checks are not recorded: there is no data folder for them
 records-page-off = Checks are not recorded: recording is turned off in the state file
 records-page-opening = The journal is being opened
-records-page-how-on = The state file, state.toml, says in its part [records] which file is the journal, and whether checks are recorded.
+records-page-how-on = The section [records] of the state file, state.toml, names the journal file and says whether checks are recorded.
 records-page-not-opened = The journal cannot be opened, and checks are not recorded: { $why }
 records-page-not-kept = { $count ->
     [one] 1 check is not recorded: { $why }
@@ -21,10 +21,10 @@ records-page-not-kept = { $count ->
 }
 records-page-refused = { $count ->
     [one] 1 check cannot be recorded: { $why }
-   *[other] { $count } checks cannot be recorded, the first of them because: { $why }
+   *[other] { $count } checks cannot be recorded; the reason for the first one: { $why }
 }
 records-page-not-kept-why = the journal did not answer
-records-page-no-thread = the system gives no thread for the journal
+records-page-no-thread = the system cannot start a thread for the journal
 records-page-interrupted = it was interrupted
 records-page-failed = { $count ->
     [one] 1 check is not recorded
@@ -40,7 +40,7 @@ records-page-leave = { $count ->
 ## Who is measuring
 records-page-who = Measured by
 records-page-nobody = Name…
-records-page-who-nobody = Measured by nobody in particular. Choose a name
+records-page-who-nobody = No name is chosen. Choose a name
 records-page-who-is = Measured by { $name }
 records-page-nobody-named = No name
 records-page-new-name = Another name
@@ -80,10 +80,10 @@ records-page-chosen = { $count ->
 records-page-copy = Copy
 records-page-report = Report…
 records-page-with-simulated = With simulated checks
-records-page-with-simulated-hint = Simulated checks are no evidence; the report says that it has some
+records-page-with-simulated-hint = Simulated checks are not evidence; the report says that it contains some
 records-page-report-simulated = { $count ->
-    [one] 1 of these checks is simulated: it is no evidence
-   *[other] { $count } of these checks are simulated: they are no evidence
+    [one] 1 of these checks is simulated: it is not evidence
+   *[other] { $count } of these checks are simulated: they are not evidence
 }
 records-page-report-from = From the journal { $chain }, records { $numbers }; its newest entry is { $number } ({ $hash })
 records-page-out-simulated = { $count ->
@@ -141,12 +141,12 @@ records-page-hash = Hash
 
 ## A correction
 records-page-correction = Correction
-records-page-correction-hint = A new record stands in place of this one. Both stay in the journal.
+records-page-correction-hint = A new record takes the place of this one. Both stay in the journal.
 records-page-corrector = Corrected by
 records-page-reason = Reason
 records-page-withdraw = Withdraw the record
-records-page-withdraw-hint = Nothing stands in its place
-records-page-withdraw-neither = Record { $number }, which this one corrects, does not stand again
+records-page-withdraw-hint = Nothing takes its place
+records-page-withdraw-neither = Record { $number }, which this one corrects, does not count again
 records-page-typed = Typed value, mm
 records-page-send-correction = Record the correction
 records-page-leave-correction = Cancel
@@ -159,19 +159,19 @@ records-page-not-recording = Checks are not recorded
 records-page-place = { $file } · { $entries } entries
 records-page-unsent = { $count } not yet sent to { $server }
 records-page-all-sent = all sent to { $server }
-records-page-server-unknown = { $server } was not reached yet
+records-page-server-unknown = { $server } has not been reached yet
 records-page-server = Server of the shop
 records-page-server-hint = Sends every record to a PostgreSQL server, in the background; without it everything stays on this computer
 records-page-server-address = Address, such as postgres://mill3@shop.example/checks
-records-page-server-passwords = The password comes from the address, PGPASSWORD, the password file or the system's keyring. One in the address goes to the keyring and is kept nowhere else.
+records-page-server-passwords = The password comes from the address, PGPASSWORD, the password file or the system's keyring. A password in the address goes to the keyring and is stored nowhere else.
 records-page-take-server = Use this server
-records-page-leave-server = Send no more
+records-page-leave-server = Stop sending
 records-page-send-again = Send again
 records-page-not-sent = Not sent: { $why }
 records-page-and = { $one }; { $other }
-records-page-no-shop = this Fitcheck was built without the server of a shop (feature shop)
-records-page-in-keyring = The password of { $server } is in the system's keyring now
-records-page-not-in-keyring = The password of { $server } could not be put into the system's keyring ({ $reason }): it counts until the window is closed, and then has to come from PGPASSWORD or the password file
+records-page-no-shop = this Fitcheck was built without support for a shop server (feature shop)
+records-page-in-keyring = The password of { $server } is now in the system's keyring
+records-page-not-in-keyring = The password of { $server } could not be put into the system's keyring ({ $reason }): it is used until the window is closed, and must then come from PGPASSWORD or the password file
 records-page-verify = Verify
 records-page-verify-hint = Checks every entry against the one before it
 records-page-verify-cancel = Cancel verification
@@ -179,6 +179,6 @@ records-page-verify-cancelled = Verification cancelled
 records-page-verify-progress = Progress of the verification
 records-page-verifying = { $done } of { $of } entries
 records-page-whole = { $time }: { $entries } entries verified, up to { $number } ({ $hash })
-records-page-broken = { $time }: { $entries } entries looked at, and the journal is not as it was written
+records-page-broken = { $time }: { $entries } entries checked; the journal is not as it was written
 records-page-not-verified = { $time }: not verified: { $why }
 records-page-no-anchors = the entries that are known elsewhere cannot be read: { $why }

@@ -40,11 +40,11 @@ report-scales = scales at { $temperature } °C, { $expansion } · 10⁻⁶/K
 report-scales-none = without a correction of the scales
 report-own-uncertainty = u of each value beside its check
 report-accepted-zone = { $least } to { $most } mm
-report-accepted-none = none: the rule leaves nothing of this tolerance
+report-accepted-none = none: the rule leaves no part of this tolerance
 report-proven = proven by this rule
 report-not-proven = not proven by this rule
-report-conformity = conforms with { $percent } % probability
-report-budget-made = { $name }, made { $date } by { $by }, valid until { $until }
+report-conformity = conforms with a probability of { $percent } %
+report-budget-made = { $name }, created { $date } by { $by }, valid until { $until }
 report-budget-expired = EXPIRED on the day of the check
 report-budget-not-yet = NOT YET VALID on the day of the check
 report-guard-undecided = guard band: re-measure
@@ -118,8 +118,8 @@ report-picture-beside = { $count ->
    *[other] { $count } features have no balloon on it
 }
 report-part-older = { $count ->
-    [one] One more value is not listed: of each size the one that counts is
-   *[other] { $count } more values are not listed: of each size the one that counts is
+    [one] One more value is not listed: for each size, only the value that counts is listed
+   *[other] { $count } more values are not listed: for each size, only the value that counts is listed
 }
 report-more-parts = { $count ->
     [one] One more part is not shown in full; its values are in the list

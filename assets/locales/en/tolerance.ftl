@@ -53,12 +53,12 @@ limits-ranges = { $first }, { $rest }
 limits-too-large = the limits of { $nominal } mm are too large
 
 ## Zones out of all proportion
-zone-micrometres = a zone of { $width } mm is out of all proportion to { $nominal } mm, whose IT 18 is { $widest } mm: are the deviations micrometres? Then write { $offer }
+zone-micrometres = a zone of { $width } mm is out of all proportion to { $nominal } mm, whose IT 18 is { $widest } mm: if the deviations are in micrometres, write { $offer }
 zone-wide = a zone of { $width } mm is out of all proportion to { $nominal } mm, whose IT 18 is { $widest } mm: check nominal size and limits
-zone-micrometres-to-zero = minimum limit { $minimum } mm is not above 0: are the deviations micrometres? Then write { $offer }
+zone-micrometres-to-zero = minimum limit { $minimum } mm is not above 0: if the deviations are in micrometres, write { $offer }
 zone-to-zero = minimum limit { $minimum } mm is not above 0: check nominal size and limits
-zone-coordinate-micrometres = a zone of { $width } mm is wider than { $widest } mm, the most for a coordinate: are the deviations micrometres? Then write { $offer }
-zone-coordinate = a zone of { $width } mm is wider than { $widest } mm, the most for a coordinate: check the limits
+zone-coordinate-micrometres = a zone of { $width } mm is wider than { $widest } mm, the maximum for a coordinate: if the deviations are in micrometres, write { $offer }
+zone-coordinate = a zone of { $width } mm is wider than { $widest } mm, the maximum for a coordinate: check the limits
 
 shape-no-ranges = the table has no size range
 shape-not-ascending = size range up to { $end } mm does not end above the one before it, { $before } mm
@@ -94,12 +94,12 @@ rule-no-uncertainty = rule { $rule } needs the uncertainty of the measured value
 rule-no-factor = rule { $rule } has no factor
 rule-no-width = rule { $rule } computes its guard band from the uncertainty
 rule-width-missing = rule { $rule } needs a guard band above 0 µm
-rule-no-prover = rule { $rule } does not depend on who has to prove
+rule-no-prover = rule { $rule } does not depend on the burden of proof
 uncertainty = u = { $u } µm, U = { $expanded } µm (k = { $k })
-uncertainty-not-positive = an uncertainty is above 0 µm
+uncertainty-not-positive = an uncertainty must be above 0 µm
 uncertainty-factor = coverage factor { $given }: expected a number from 1 to 10, with at most three decimals
 uncertainty-by-budget = u of each value by the budget
-undecided-contacts = the { $contacts } contacts make the diameter { $times } times less sure than { $contacts } contacts round the full circle, and the given uncertainty counts up to 3 times: take contacts farther round, or give a budget
+undecided-contacts = the { $contacts } contacts make the diameter { $times } times less certain than { $contacts } contacts around the full circle, but the given uncertainty only applies up to 3 times: spread the contacts over a longer arc, or give a budget
 doubt-times-inch = measured value is 25.4 times the nominal size: was it converted from inch twice?
 doubt-inches = measured value is the nominal size divided by 25.4: is it in inch?
 doubt-double = measured value is twice the nominal size: was a diameter taken for a radius?
@@ -111,7 +111,7 @@ doubt-far = measured value is { $distance } mm outside the limits: is it this pa
 file-is-folder = this is a folder, not a file: { $path }
 file-missing = no such file or folder: { $path }
 file-exists = a file or folder of this name already exists: { $path }
-file-half-set = writing a set of files stopped in the middle, so some files of the folder are old and some are new; writing the set again finishes it, and what is still to be moved is in { $path }
+file-half-set = writing a set of files stopped in the middle, so some files of the folder are old and some are new: write the set again to finish it; what is still to be moved is in { $path }
 file-not-a-file = this is a pipe or a device, not a file: { $path }
 file-changed = the file changed while it was read; read it again: { $path }
 file-stopped = stopped: nothing was written: { $path }
@@ -158,13 +158,13 @@ fit-search-no-classes = the tables have no classes for both hole and shaft at { 
 fit-thermal-too-fine = { $text } has more than three decimals
 fit-thermal-temperature = a temperature of { $text } °C is out of range: from -273.15 to 1000 °C
 fit-thermal-expansion = an expansion of { $text } is out of range: from -20 to 500, in millionths per kelvin, such as 11.5 for steel
-fit-thermal-expansion-unit = an expansion of { $text } is in another unit: it is given in millionths per kelvin; write { $meant }
+fit-thermal-expansion-unit = an expansion of { $text } is in another unit: expansions are in millionths per kelvin; write { $meant }
 
 ## Temperatures that are doubted
-thermal-doubt-fahrenheit = { $given } °C is far from any temperature at which parts are measured: are these degrees Fahrenheit? Then write { $meant }
-thermal-doubt-kelvin = { $given } °C is far from any temperature at which parts are measured: are these kelvin? Then write { $meant }
+thermal-doubt-fahrenheit = { $given } °C is far from any temperature at which parts are measured: if it is in degrees Fahrenheit, write { $meant }
+thermal-doubt-kelvin = { $given } °C is far from any temperature at which parts are measured: if it is in kelvin, write { $meant }
 thermal-doubt-far = { $given } °C is far from any temperature at which parts are measured, { $least } to { $most } °C: check it
-thermal-doubt-beyond = { $given } °C is beyond { $least } to { $most } °C, where an expansion of { $expansion } millionths per kelvin holds: give one for this temperature
+thermal-doubt-beyond = { $given } °C is outside { $least } to { $most } °C, where an expansion of { $expansion } millionths per kelvin applies: give the expansion for this temperature
 
 ## Materials
 material-published = published value
@@ -199,9 +199,9 @@ callout-deviation-order = the lower deviation comes before the upper one: write 
 callout-limits-order = the smaller limit comes before the larger one: write { $offer }
 callout-limits-apart = { $larger } mm is more than twice { $smaller } mm, so these are probably not limits: write deviations, such as 12 +0.2 0
 callout-limits-or-deviation = this is ambiguous: write { $limits } for limits of size or { $deviation } for a lower deviation
-callout-limits-meant = such a deviation would leave nothing: write { $limits } for limits of size
+callout-limits-meant = such a deviation would leave no size: write { $limits } for limits of size
 callout-minimum-not-positive = minimum limit { $minimum } mm is not above 0
-callout-micrometres-meant = minimum limit { $minimum } mm is not above 0: are the deviations micrometres? Then write { $offer }
+callout-micrometres-meant = minimum limit { $minimum } mm is not above 0: if the deviations are in micrometres, write { $offer }
 callout-mixed-decimals = { $number } has a different decimal sign than the number before it: use one kind
 callout-cycle-sign = { $sign } is for the texts of cycles 14xx, not for a callout
 callout-not-in-cycle-text = { $found } cannot stand in a text of cycles 14xx: write a class, a general class or deviations
@@ -210,7 +210,7 @@ callout-too-long = the text is too long: at most { $most } characters
 callout-band-order = the lower deviation comes before the upper one: write QS400 as 0.4-0.1
 callout-lone-order = the lower deviation comes before the upper one: write { $offer }
 general-too-small = nominal size { $nominal } mm is below { $first } mm, where ISO 2768-1 begins: write the deviations next to the size
-general-too-large = nominal size { $nominal } mm is beyond ISO 2768-1, which ends with { $last } mm
+general-too-large = nominal size { $nominal } mm is beyond ISO 2768-1, which ends at { $last } mm
 general-not-defined = ISO 2768-1 does not define class { $class } { $range }; it is defined { $defined }
 general-range-from = from { $over } up to { $to } mm
 

@@ -87,10 +87,10 @@ walk-page-not-judged = line { $line }: { $why }
 walk-page-no-journal = Part { $serial } was restored without its values: there are no records to restore them from
 walk-page-gone = Some sizes are no longer in the plan: their measured values stay in the records
 walk-page-gone-name = { $name }
-walk-page-changed = The plan has changed: values by other limits, by another rule, or of rows without a name stay in the records, and their sizes are open
+walk-page-changed = The plan has changed: values judged by other limits or another rule, and values of rows without a name, stay in the records, and their sizes are open again
 walk-page-changed-size = { $name }: { $measured } mm was measured by { $asked }
-walk-page-given-up = The interrupted part { $serial } does not come back, because another part is begun: its values stay in the records
-walk-page-ended = Left out of the part { $serial }, which is ended
+walk-page-given-up = The interrupted part { $serial } is not restored, because another part has been started: its values stay in the records
+walk-page-ended = Not used for the part { $serial }, which has ended
 walk-page-ended-size = { $name }: { $reason }
 walk-page-taken-back = A value of { $name } was corrected or withdrawn in the records: it no longer applies to this part
 walk-page-put-right = A value of { $name } was corrected in the records: the corrected one applies to this part
@@ -101,15 +101,15 @@ walk-page-came-back = { $count ->
        *[other] The interrupted part { $serial } was restored with { $count } values
     }
 walk-page-watched = Watched folder
-walk-page-part-waits = Part { $serial } comes back once its plan has no faults
+walk-page-part-waits = Part { $serial } is restored once its plan has no faults
 walk-page-watch-waits = Folder { $path } is watched again once the plan has no faults
 walk-page-watch-no-plan = watching a folder needs a plan without faults: open one first
 walk-page-watch-no-journal = the journal cannot be opened: which files were imported before is unknown, so no folder is watched
 walk-page-watch-begins = Checking the journal for files imported before
 walk-page-known = { $count ->
-        [0] The journal has no files from before
-        [one] The journal has one file from before, from any folder: it is not imported again
-       *[other] The journal has { $count } files and parts of files from before, from any folder: they are not imported again
+        [0] The journal has no files that were imported before
+        [one] The journal has one file that was imported before, from any folder: it is not imported again
+       *[other] The journal has { $count } files and parts of files that were imported before, from any folder: they are not imported again
     }
 walk-page-mask = FN 16 output is read back through the mask { $name }
 walk-page-watch-recording = Being recorded
@@ -135,10 +135,10 @@ walk-page-strip-part = The part: { $status }
 walk-page-strip-size = { $name }: { $value } mm, { $status }
 walk-page-by-plan = Measured by the plan { $name }
 walk-page-judged-by-plan = Judged by the plan { $name }
-walk-page-watch-no-mask = Your own mask { $path } cannot be read: the folder is watched once it is chosen again, or another mask is (Menu, Own mask…)
+walk-page-watch-no-mask = Your own mask { $path } cannot be read: the folder is watched once you choose this mask again or another one (Menu, Own mask…)
 walk-page-watch-nobody = { $count ->
         [one] One value is recorded without a serial number: its file names none, and no part is being measured by this plan
        *[other] { $count } values are recorded without a serial number: their file names none, and no part is being measured by this plan
     }
-walk-page-watch-other-plan = The folder is judged by the plan as it was when the watch began. Begin a part, or watch the folder again, to judge by the plan as it is now.
-walk-page-watch-not-saved = The plan has changes that no file holds: the folder is not watched again after a restart.
+walk-page-watch-other-plan = The folder is judged by the plan as it was when the watch began. Start a part, or watch the folder again, to judge by the plan as it is now.
+walk-page-watch-not-saved = The plan has unsaved changes: the folder is not watched again after a restart.

@@ -21,7 +21,7 @@ density-mouse = Mouse
 density-touch = Touch
 limits-from = Limits from
 standard-js-rounded = Round JS half-micrometres down, as in 1988
-standard-1988 = cd, ef, fg to 10 mm only, as in 1988
+standard-1988 = cd, ef and fg only up to 10 mm, as in 1988
 load-tables = Own tables…
 no-own-tables = No own tables
 load-mask = Own mask…
@@ -118,8 +118,8 @@ take-meant = Use { $meant } mm
 take-text = Use { $meant }
 keep-text = Judge by { $given } as it is
 doubted-enter = Enter uses the highlighted button; typing replaces the text
-doubted-type = Nothing is judged before the text is typed again or taken as it is
-question-enter = Enter, half a second later, does what the filled button says; typing replaces the value
+doubted-type = Nothing is judged until the text is typed again or used as it is
+question-enter = After half a second, Enter presses the filled button; typing replaces the value
 doubt-sentence = The { $doubt }
 lot-title = { $rows ->
     [one] { $name }: 1 row
@@ -294,7 +294,7 @@ tables-loaded = { $count ->
 }
 mask-loaded-with-warnings = { $name } was read with warnings
 state-set-aside = The saved state could not be read. It was kept as { $path }, and the window starts with default settings.
-state-set-aside-now = The saved state could not be read any more. It was kept as { $path }, and the state of this window is saved in its place.
+state-set-aside-now = The saved state can no longer be read. It was kept as { $path }, and the state of this window is saved in its place.
 state-not-kept = The state of this window is not saved: { $reason }
 import-contacts-not-judged = The contacts in { $name } were not judged
 import-notice = { $name }: { $good ->
@@ -424,7 +424,7 @@ fit-scope = Among
 fit-scope-all = All classes
 fit-scope-basis = Hole and shaft basis
 fit-scope-preferred = Preferred and named fits
-fit-search-hint = The smallest and the largest clearance; a negative value is an interference. A unit is possible: 7 µm
+fit-search-hint = The smallest and the largest clearance; a negative value is an interference. You can add a unit: 7 µm
 fit-search-size = The search needs a nominal size: type one above
 fit-found = { $count ->
     [one] 1 fit
@@ -586,7 +586,7 @@ cycle-picture-uncertainty = Scatter s of a contact gives { $diameter } s in the 
 
 # The saved state, and the window itself
 saved-broken = the saved state cannot be read: { $reason }
-saved-newer = the saved state has version { $version }, this program knows versions up to { $known }
+saved-newer = the saved state has version { $version }, this program supports versions up to { $known }
 window-no-display = no display: DISPLAY and WAYLAND_DISPLAY are not set. Log in on a desktop, connect with ssh -X, or use the command line, which needs no display: fitcheck check "25 H7" --measured 25.012; see fitcheck --help
 open-unknown = { $name } is not a file that the window opens; it opens measurements, measuring logs and contacts (.csv, .tsv, .txt, .html), NC programs (.h), tables (.tab), tool tables (.t), simulated workpieces (.toml), touch-probe tables (.tp) and masks (.a)
 window-not-opened = the window cannot be opened: { $reason }; the command line works without a display, see fitcheck --help
@@ -608,7 +608,7 @@ rows-done = { $count } rows, all judged in { $seconds } s
 rows-cancelled = INCOMPLETE: cancelled after { $count } rows, { $percent } % of the file
 rows-failed = INCOMPLETE after { $count } rows: { $why }
 rows-why-bytes = { $size } MiB, more than { $limit } MiB: judged row by row, and the rows are not kept in the history
-rows-why-packed = Packed: judged row by row, and the rows are not kept in the history; the unpacked text is in a temporary file until the file is closed
+rows-why-packed = Compressed: judged row by row, and the rows are not kept in the history; the uncompressed text is in a temporary file until the file is closed
 rows-not-judged = NOT JUDGED
 rows-fate = { $fate } { $count }
 rows-fate-hint = Lists these rows; several can be chosen
@@ -625,20 +625,20 @@ rows-refused = { $count ->
    *[other] { $number } rows not judged
 }
 rows-doubted = { $count ->
-    [one] 1 value may be another quantity or another part's
-   *[other] { $number } values may be another quantity or another part's
+    [one] 1 value may be another quantity or belong to another part
+   *[other] { $number } values may be another quantity or belong to another part
 }
 rows-simulated = { $count ->
     [one] 1 row says that nobody measured
    *[other] { $number } rows say that nobody measured
 }
 rows-status-differs = { $count ->
-    [one] 1 row has another status in its file
-   *[other] { $number } rows have another status in their file
+    [one] 1 row has a different status in its file
+   *[other] { $number } rows have a different status in their file
 }
 rows-status-unknown = { $count ->
-    [one] 1 row has a status in its file that is not known
-   *[other] { $number } rows have a status in their file that is not known
+    [one] 1 row has an unknown status in its file
+   *[other] { $number } rows have an unknown status in their file
 }
 rows-claim-differs = { $count ->
     [one] 1 limit, deviation or type of feature contradicts its row
@@ -667,8 +667,8 @@ rows-head-line = Line
 rows-head-what = To do
 rows-changed = the file has changed since it was judged; judge it again
 rows-unread = the rows cannot be read again: { $reason }
-rows-no-copy = the unpacked text cannot be kept: { $reason }
-rows-too-much = the unpacked text is larger than { $most } GiB
+rows-no-copy = the uncompressed text cannot be kept: { $reason }
+rows-too-much = the uncompressed text is larger than { $most } GiB
 rows-panicked = an internal error ended the run
 
 ## A file that is read or written

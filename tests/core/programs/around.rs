@@ -171,8 +171,8 @@ fn a_machining_cycle_and_global_values_keep_lines_whose_tilde_is_missing() {
     assert_eq!(
         warnings,
         [
-            "line 3, column 4: cycle 200 has ended in line 2, which has no ~ at its end: the lines below count as its own",
-            "line 9, column 4: cycle 120 has ended in line 8, which has no ~ at its end: the lines below count as its own",
+            "line 3, column 4: cycle 200 ended in line 2, which has no ~ at its end: the lines below are read as part of it",
+            "line 9, column 4: cycle 120 ended in line 8, which has no ~ at its end: the lines below are read as part of it",
         ]
     );
 }
@@ -181,7 +181,7 @@ fn a_machining_cycle_and_global_values_keep_lines_whose_tilde_is_missing() {
 fn a_measuring_cycle_keeps_none_of_them() {
     let (bodies, warnings) = read("0 BEGIN PGM a MM\n1 TCH PROBE 421 X ~\n   Q273=+2\n   Q275=+25\n2 END PGM a MM\n");
     assert_eq!(bodies[2], Body::Other);
-    assert!(warnings[0].contains("Q275 is no part of it"), "{warnings:?}");
+    assert!(warnings[0].contains("Q275 is not part of it"), "{warnings:?}");
 }
 
 /// Read alone each of these would change what is measured, or be the measurement.

@@ -170,7 +170,7 @@ fn the_sample_gives_its_results() {
         assert_eq!(machine.status(), None);
         assert_eq!(machine.cycles()[0].result.verdict(), None);
         let read = remarks(&machine).into_iter().filter(|remark| remark.starts_with("24: ")).collect::<Vec<_>>();
-        assert_eq!(read, ["24: #i99 is read here: that it holds the diameter is not documented"]);
+        assert_eq!(read, ["24: #i99 is read here, but it is not documented that it holds the diameter"]);
     }
 }
 
@@ -209,8 +209,7 @@ fn the_subprogram_may_stand_before_the_end() {
 fn the_example_of_the_manual_runs() {
     let (program, warnings) = Program::read(b"BEARBEITUNG\nN3 G785 R0 BR0 K2 C0 RC60 I0 J0 Q0 P0 H0\nENDE\n").unwrap();
     let said: Vec<String> = warnings.iter().map(ToString::to_string).collect();
-    let no_unit =
-        "line 1, column 1: the head does not give the unit (#EINHEIT METRISCH / INCH): the program counts as one in mm";
+    let no_unit = "line 1, column 1: the head does not give the unit (#EINHEIT METRISCH / INCH): the program is read as one in mm";
     assert_eq!(said, ["line 1, column 1: %NAME.nc is missing", no_unit]);
     let Body::Probe(cycle) = &program.blocks()[1].body else { panic!("no cycle") };
     let words: Vec<String> = cycle.lines.iter().map(|line| line.parameter.to_string()).collect();
@@ -316,7 +315,7 @@ fn x_is_a_diameter() {
     to_end(&mut machine);
     assert_eq!(machine.position(), [Some(25.4), Some(0.0), Some(25.4)]);
     let twice = read("%T.nc\n#EINHEIT INCH\n#EINHEIT METRISCH\nBEARBEITUNG\nENDE").1;
-    assert_eq!(twice, ["line 3, column 1: not understood: another unit is said before"]);
+    assert_eq!(twice, ["line 3, column 1: not understood: another unit was given before"]);
     // The same in inches.
     let text = "%T.nc\n#EINHEIT INCH\nBEARBEITUNG\nG0 X2 Z1\nENDE";
     let mut machine = machine_with(text.as_bytes(), InMemory::new(), Contacts::Perfect);
@@ -434,7 +433,7 @@ fn a_measurement_that_scatters_more_than_allowed_is_an_error() {
 fn a_result_that_is_read_too_early_is_told() {
     let early = "G785 K30 RC120\n#l1=1\nPRINT(#i99)\nG909\n#l2=#i99";
     let machine = ran(early);
-    let uncertain = "#i99 is read here: that it holds the diameter is not documented";
+    let uncertain = "#i99 is read here, but it is not documented that it holds the diameter";
     let too_early =
         "#i99 is read without G909 after the cycle: a control reads blocks ahead and may not have measured yet";
     let unknown =
@@ -442,7 +441,7 @@ fn a_result_that_is_read_too_early_is_told() {
     let of_cycle = "#i99 is read as the diameter: the manual does not say which value it holds";
     let expected = [
         format!("4: {unknown}"),
-        "4: the cycle names no nominal size: the perfect workpiece is met half-way along K".to_owned(),
+        "4: the cycle has no nominal size: the probe meets the perfect workpiece half-way along K".to_owned(),
         format!("4: {of_cycle}"),
         format!("6: {uncertain}"),
         format!("6: {too_early}"),
@@ -472,7 +471,7 @@ fn errors_have_a_line_and_a_column() {
         ("IF #l1=5\nENDIF", "1, 7: expected ==, <>, <, <=, > / >=, found =5"),
         (
             "IF #l1==1 AND #l1==2 OR #l1==3\nENDIF",
-            "1, 22: AND and OR in one condition need brackets that say which comes first",
+            "1, 22: AND and OR in one condition need brackets that show which comes first",
         ),
         ("#l100=1", "1, 1: #l100=1 is not a parameter: #l goes from 1 to 99"),
         ("#l0=1", "1, 1: #l0=1 is not a parameter: #l goes from 1 to 99"),
@@ -490,12 +489,12 @@ fn errors_have_a_line_and_a_column() {
         ("X20 Z5", "1, 1: G0 / G1 is missing"),
         ("G1 X20 B2", "1, 8: B2 is not known"),
         ("G0 X1 T5", "1, 7: T5 is not known"),
-        ("G0 G1 X5", "1, 4: G0 and G1 do not stand in one block"),
-        ("T8 M30", "1, 1: T8 and M30 do not stand in one block"),
-        ("G785 K2 M30", "1, 1: G785 and M30 do not stand in one block"),
+        ("G0 G1 X5", "1, 4: G0 and G1 cannot be in the same block"),
+        ("T8 M30", "1, 1: T8 and M30 cannot be in the same block"),
+        ("G785 K2 M30", "1, 1: G785 and M30 cannot be in the same block"),
         ("G785 K2 ZZ5", "1, 9: ZZ5 is not known"),
         ("G785 K2 K3", "1, 9: K is given twice"),
-        ("G909 M30", "1, 1: G909 and M30 do not stand in one block"),
+        ("G909 M30", "1, 1: G909 and M30 cannot be in the same block"),
         ("G26 S3000", "1, 1: G26 is not known"),
         ("M99", "1, 1: M99 is not known"),
         ("/N5 G0 X5", "1, 1: /N5 is not known"),
@@ -510,8 +509,7 @@ fn errors_have_a_line_and_a_column() {
 #[test]
 fn what_is_missing_in_a_program_is_told() {
     let said = |text: &str| read(text).1;
-    let unit =
-        "line 1, column 1: the head does not give the unit (#EINHEIT METRISCH / INCH): the program counts as one in mm";
+    let unit = "line 1, column 1: the head does not give the unit (#EINHEIT METRISCH / INCH): the program is read as one in mm";
     assert_eq!(said("%A.nc\nBEARBEITUNG\nN1 M30\nENDE"), [unit]);
     assert_eq!(
         said("%A.nc\n#EINHEIT METRISCH\nN1 M30\nENDE"),

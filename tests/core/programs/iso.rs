@@ -213,7 +213,7 @@ fn g90_g91_and_the_kind_of_path_stay_in_force() {
 #[test]
 fn where_the_way_to_a_block_decides_g90_or_g91_must_be_written() {
     let unknown = |line: usize, column: usize| {
-        format!("line {line}, column {column}: not understood: neither G90 nor G91 is known to be in force here")
+        format!("line {line}, column {column}: not understood: it is not known whether G90 or G91 is active here")
     };
     assert_eq!(read("%A G71 *\nG00 X+1 *\n%A G71 *").1, [unknown(2, 5)]);
     // A program without G91 has no doubt behind its labels.
@@ -338,14 +338,14 @@ fn global_values_are_lines_of_klartext() {
 fn what_is_not_understood_says_what_was_found() {
     let not = |column: usize, what: &str| format!("line 3, column {column}: not understood: {what}");
     for (block, column, what) in [
-        ("G55 *", 1, "how G55 is written in ISO is not known"),
-        ("N10 G39 P01 12 *", 5, "how G39 is written in ISO is not known"),
-        ("D15 P01 +Q1 *", 2, "how D15 is written in ISO is not known"),
-        ("D16 P01 F-PRINT a.a/b.txt *", 2, "how D16 is written in ISO is not known"),
-        ("D26 TABOPEN a.tab *", 2, "how D26 is written in ISO is not known"),
-        ("N7 D28 Q1 *", 5, "how D28 is written in ISO is not known"),
+        ("G55 *", 1, "the ISO form of G55 is not known"),
+        ("N10 G39 P01 12 *", 5, "the ISO form of G39 is not known"),
+        ("D15 P01 +Q1 *", 2, "the ISO form of D15 is not known"),
+        ("D16 P01 F-PRINT a.a/b.txt *", 2, "the ISO form of D16 is not known"),
+        ("D26 TABOPEN a.tab *", 2, "the ISO form of D26 is not known"),
+        ("N7 D28 Q1 *", 5, "the ISO form of D28 is not known"),
         ("G83 P01 5 *", 1, "G83 is not known"),
-        ("N10 G00 X+5 G777 *", 13, "G00 and G777 do not stand in one block"),
+        ("N10 G00 X+5 G777 *", 13, "G00 and G777 cannot be in the same block"),
         ("G120 Q1=5 *", 6, "Q1=5 is not known"),
         ("L1 *", 3, ", is missing"),
         ("L1,Q5 *", 4, "expected a number, found Q5"),
@@ -363,13 +363,13 @@ fn what_is_not_understood_says_what_was_found() {
         ("Q1 = 5 6 *", 8, "unexpected text 6"),
         ("Q2000 = 5 *", 1, "Q2000 is not a parameter: Q goes from 0 to 1999"),
         ("G00 X+5 X+6 *", 9, "an axis is given twice"),
-        ("G01 F5 X+1 F6 *", 12, "F and F do not stand in one block"),
-        ("G00 G01 X+5 *", 5, "G00 and G01 do not stand in one block"),
-        ("G90 G91 X+5 *", 5, "G90 and G91 do not stand in one block"),
+        ("G01 F5 X+1 F6 *", 12, "F and F cannot be in the same block"),
+        ("G00 G01 X+5 *", 5, "G00 and G01 cannot be in the same block"),
+        ("G90 G91 X+5 *", 5, "G90 and G91 cannot be in the same block"),
         ("G01 X+5 G91 Y+6 *", 9, "unexpected text G91"),
-        ("G40 G41 *", 5, "G40 and G41 do not stand in one block"),
-        ("G00 G17 X+5 *", 5, "G00 and G17 do not stand in one block"),
-        ("G54 G40 X+5 *", 5, "G54 and G40 do not stand in one block"),
+        ("G40 G41 *", 5, "G40 and G41 cannot be in the same block"),
+        ("G00 G17 X+5 *", 5, "G00 and G17 cannot be in the same block"),
+        ("G54 G40 X+5 *", 5, "G54 and G40 cannot be in the same block"),
         ("G54 *", 1, "a number or a Q parameter is missing"),
         ("G28 X+5 *", 5, "unexpected text +"),
         ("G72 *", 1, "F is missing"),
@@ -453,16 +453,16 @@ fn a_cycle_that_is_cut_off_is_refused() {
         ["line 3, column 20: the line ends in ~, but nothing follows"]
     );
     // The * comes too early: what follows would be an assignment.
-    let cut = "line 4, column 1: cycle 421 has ended in line 3: Q275 is no part of it and would be assigned instead";
+    let cut = "line 4, column 1: cycle 421 ended in line 3: Q275 is not part of it and would be assigned instead";
     refused("N10 G421 Q273=+40 Q274=+30 *\nQ275=+25.01 *", cut);
     refused("G421 Q273=+40 Q274=+30 *\nQ275=+25.01 *", cut);
-    let comment = "line 5, column 1: cycle 421 has ended in line 3: Q20 is no part of it and would be assigned instead";
+    let comment = "line 5, column 1: cycle 421 ended in line 3: Q20 is not part of it and would be assigned instead";
     refused("N10 G421 Q273=+40 *\n;still here *\nQ20=+25.01 *", comment);
     let (bodies, warnings) = blocks("N10 G421 Q273=+40 *\nN20 Q275=+25.01 *");
     assert!(matches!(bodies[1], Body::Assign { .. }));
     assert_eq!(
         warnings,
-        ["line 4, column 5: cycle 421 has ended in line 3: Q275 is no part of it and would be assigned instead"]
+        ["line 4, column 5: cycle 421 ended in line 3: Q275 is not part of it and would be assigned instead"]
     );
     for block in [
         "N10 G421 Q273=+40 *\nN20 Q40 = Q153 *",
@@ -481,7 +481,7 @@ fn a_cycle_that_is_cut_off_is_refused() {
 #[test]
 fn a_comment_swallows_neither_parameters_nor_blocks() {
     let said = |column: usize, found: &str| {
-        format!("line 3, column {column}: {found} is part of the comment, which ends with its line")
+        format!("line 3, column {column}: {found} is part of the comment, which ends at the end of its line")
     };
     refused("N60 G421 Q273=+40 ;CENTRE Q274=+30 Q275=+25.01 *", &said(18, "Q274=+30"));
     refused("N60 G421 ;HOLE Q274=+30 ~\nQ275=+25.01 *", &said(9, "Q274=+30"));

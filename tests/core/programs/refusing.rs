@@ -128,7 +128,7 @@ fn formulas_are_bounded_in_all() {
     let within = (8 << 20) / (line.len() - 1);
     let text = format!("0 BEGIN PGM t MM\n{}LBL 1\n9 END PGM t MM", line.repeat(within + 1));
     // What is kept as text also counts.
-    let told = "not understood: formulas and long blocks hold more than 8 MiB in all";
+    let told = "not understood: formulas and long blocks take more than 8 MiB in all";
     check(&text, &[&format!("line {}, column 1: {told}", within + 2)]);
     let program = Program::read(text.as_bytes()).unwrap().0;
     assert_eq!(program.blocks()[within + 1].body, Body::Other);
@@ -168,7 +168,7 @@ fn text_transfer_separates_lines_with_byte_0() {
 fn a_line_of_a_cycle_without_its_tilde_is_refused() {
     let cut = |cycle: &str, parameter: &str, line: usize| {
         format!(
-            "line {line}, column 5: cycle {cycle} has ended in line 3, which has no ~ at its end: {parameter} is no part of it and \
+            "line {line}, column 5: cycle {cycle} ended in line 3, which has no ~ at its end: {parameter} is not part of it and \
              would be assigned instead"
         )
     };
@@ -200,7 +200,7 @@ fn an_assignment_behind_a_cycle_is_one_where_it_has_a_number_or_another_paramete
         check(&text(block), &[]);
     }
     let declared = text("2 Q275=+25.01 ;X");
-    let said = "line 4, column 3: cycle 421 has ended in line 3, which has no ~ at its end: Q275 is no part of it and would be assigned instead";
+    let said = "line 4, column 3: cycle 421 ended in line 3, which has no ~ at its end: Q275 is not part of it and would be assigned instead";
     check(&declared, &[said]);
     assert!(matches!(Program::read(declared.as_bytes()).unwrap().0.blocks()[2].body, Body::Assign { .. }));
     check("BEGIN PGM a MM\nTCH PROBE 421 A ~\n Q301=+0 ;X\nQ20 = Q153\nEND PGM a MM\n", &[]);

@@ -144,18 +144,18 @@ fn broken_ranges_and_pairs_are_refused() {
 fn other_columns_are_left_alone() {
     // Names that no class has; TNC7 and others allow more than letters and digits in them.
     let skipped =
-        "cannot be a tolerance class by its name, so it was skipped: a table that is written from this one lacks it";
+        "was skipped, because its name cannot be that of a tolerance class: a table written from this one lacks it";
     for name in ["P_F", "MM", "M", "PRODUCTION"] {
         check(&SOUND.replace("U1", name), &[&format!("column {name} {skipped}: own.tab, line 2, column 20")]);
     }
     check(&SOUND.replace("U1", "P_F").replace("+8\n", "-\n").replace("+3\n", "-\n"), &[]);
-    let texts = "holds texts and no deviations, so it was skipped: a table that is written from this one lacks it";
+    let texts = "was skipped, because it holds texts and no deviations: a table written from this one lacks it";
     for name in ["U1", "NOTE"] {
         let text = SOUND.replace("U1", name).replace("+8\n", "ab\n").replace("+3\n", "cd\n");
         check(&text, &[&format!("column {name} {texts}: own.tab, line 2, column 20")]);
     }
     for name in ["Js7", "Pf"] {
-        let mixed = "mixes upper and lower case, so it is not a tolerance class and was skipped: a table that is written from this one lacks it";
+        let mixed = "was skipped, because a tolerance class does not mix upper and lower case: a table written from this one lacks it";
         check(&SOUND.replace("U1", name), &[&format!("column {name} {mixed}: own.tab, line 2, column 20")]);
     }
     check(&SOUND.replace("BEREICH", "RANGE  "), &["skipped, not a table of deviations (no column BEREICH): own.tab"]);
@@ -194,7 +194,7 @@ fn own_columns_are_read_like_classes() {
         );
         SOUND.replace("U1", name).replace("NR  BER", &block)
     };
-    let texts = "holds texts and no deviations, so it was skipped: a table that is written from this one lacks it";
+    let texts = "was skipped, because it holds texts and no deviations: a table written from this one lacks it";
     check(&described("DOC"), &[&format!("column DOC {texts}: own.tab, line 10, column 20")]);
     check(&described("U1"), &[]);
     // A column without a value is kept.
@@ -211,7 +211,7 @@ fn blocks_are_checked_against_the_line_of_names() {
     check(
         &structure(&names.replace("H7\nWIDTH = 6", "H7\nWIDTH = 5")),
         &[
-            "column H7 is 7 characters wide here but 6 in the description; the line of column names is used: own.tab, line 10, column 13",
+            "column H7 is 7 characters wide here but 6 in the description; the line of column names applies: own.tab, line 10, column 13",
         ],
     );
     check(
@@ -223,7 +223,7 @@ fn blocks_are_checked_against_the_line_of_names() {
     );
     check(
         &structure("NAME = H7\n  WIDTH = six\n"),
-        &["! WIDTH is a whole number up to 10000, not six: own.tab, line 4, column 3"],
+        &["! WIDTH must be a whole number up to 10000, not six: own.tab, line 4, column 3"],
     );
     check(&structure("NAME = H7\nNAME = H7\n"), &["! column H7 occurs twice: own.tab, line 4, column 1"]);
     check(&structure("NAME\n"), &["! expected =, found NAME: own.tab, line 3, column 1"]);

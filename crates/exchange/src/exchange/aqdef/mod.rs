@@ -247,7 +247,7 @@ mod tests {
         assert_eq!(said("K0100 2\nK2002/1 a\n"), Err(cut_off.to_owned()));
         assert_eq!(said("K0100 1\nK2110/1 a\n"), Err("K2110: a is not a number".to_owned()));
         assert_eq!(said("K0100 1\nK2142/1 km\n"), Err("unknown unit km: use mm, µm or inch".to_owned()));
-        let alone = "values without characteristics: a.dfd belongs beside this file";
+        let alone = "values without characteristics: a.dfd is missing beside this file";
         assert_eq!(planned("a.dfx", VALUES, None), Err(alone.to_owned()));
     }
 }
