@@ -145,16 +145,16 @@ fn fields_change_the_answer_and_have_their_errors_beside_them() {
 #[test]
 fn contacts_of_the_shown_check_are_taken() {
     let mut page = with(Window::default(), "station3.toml");
-    let button = page.get_by_role_and_label(Role::Button, "Of the shown check");
+    let button = page.get_by_role_and_label(Role::Button, "From the shown check");
     assert!(button.accesskit_node().is_disabled(), "no check has contacts");
     send(&mut page, Command::OpenPage(Page::Check));
     click(&mut page, Role::RadioButton, "Simulate");
     type_into(&mut page, "Callout", "25 H7");
     press(&mut page, Key::Enter);
     send(&mut page, Command::OpenPage(Page::Budget));
-    click(&mut page, Role::Button, "Of the shown check");
+    click(&mut page, Role::Button, "From the shown check");
     page.get_by_label("4 contacts of the check 25 H7, 10:42:07, simulated");
-    click(&mut page, Role::Button, "Of the budget");
+    click(&mut page, Role::Button, "From the budget");
     assert!(page.query_by_label_contains("contacts of the check").is_none());
 }
 
@@ -233,7 +233,7 @@ fn a_calibrated_piece_takes_readings_from_the_history() {
     click(&mut page, Role::Button, "From the history");
     assert_eq!(page.get_all_by_label("3 readings: all checks of the history").count(), 2);
     page.get_by_label("3 readings of the calibrated piece: ISO 15530-3 asks for at least 20");
-    click(&mut page, Role::Button, "Of the budget");
+    click(&mut page, Role::Button, "From the budget");
     assert_eq!(
         page.get_all_by_label("20 readings in the budget").count(),
         2,

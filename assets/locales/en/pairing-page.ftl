@@ -30,7 +30,7 @@ pairing-page-history-holes = Holes of the history
 pairing-page-history-shafts = Shafts of the history
 pairing-page-history-hint = Uses the chosen checks, or all checks if none is chosen
 pairing-page-groups = Groups
-pairing-page-groups-hint = How many groups of equal width the parts are also sorted into. Empty for none.
+pairing-page-groups-hint = Number of groups of equal width into which the parts are also sorted. Leave empty for none.
 pairing-page-do-wanted = Type the wanted clearance or a fit.
 pairing-page-do-holes = Open the measured holes, or take them from the history.
 pairing-page-do-shafts = Open the measured shafts, or take them from the history.
@@ -70,7 +70,7 @@ pairing-page-copy = Copy pairs
 
 # The picture
 pairing-page-picture = Parts by size
-pairing-page-legend = Ring: hole. Disc: shaft, moved by the middle, { $middle } µm: a pair at the middle is level. Cross: left over.
+pairing-page-legend = Ring: hole. Disc: shaft, shifted by the middle, { $middle } µm: a pair at the middle is level. Cross: leftover.
 pairing-page-part-of = Left: all parts; the frame marks those that are drawn.
 pairing-page-thinned = Too close to draw all: 1 of { $step } is drawn.
 pairing-page-left-over = left over
@@ -119,7 +119,7 @@ pairing-page-grind = { $amount } µm off the leftover shafts, or out of the left
         [one] 1 more pair
        *[other] { $count } more pairs
     }
-pairing-page-grind-means = The smallest amount, in steps of 1 µm, that makes most further pairs. Pairs that are made stay.
+pairing-page-grind-means = The smallest amount, in steps of 1 µm, that gives the most additional pairs. Existing pairs are kept.
 pairing-page-grind-nothing = No amount gives another pair.
 pairing-page-grind-bounded = Amounts up to { $tried } µm were tried; the farthest parts would need { $reach } µm.
 pairing-page-groups-title = Groups

@@ -1,4 +1,4 @@
-page-records = Journaal
+page-records = Logboek
 
 ## Wat bij een controle wordt vastgelegd
 records-page-fold = Vastleggen

@@ -2,7 +2,7 @@
 
 walk-page-begin = Onderdeel beginnen
 walk-page-count-up = Volgend nummer
-walk-page-take = Waarde nemen
+walk-page-take = Waarde gebruiken
 walk-page-take-meant = { $meant } mm gebruiken
 walk-page-simulate = Simuleren
 walk-page-simulate-hint = Voert de cyclus van het element uit op een perfect onderdeel; niemand meet de waarde, en ze blijft gemerkt als gesimuleerd
@@ -59,8 +59,8 @@ walk-page-simulate-measured = { $name } is gemeten: een gesimuleerde waarde komt
 walk-page-part-status = Het onderdeel
 walk-page-not-complete = Nog geen oordeel
 walk-page-simulated = { $count ->
-        [one] Eén waarde is gesimuleerd: niemand heeft gemeten, en het onderdeel is er niet goed door.
-       *[other] { $count } waarden zijn gesimuleerd: niemand heeft gemeten, en het onderdeel is er niet goed door.
+        [one] Eén waarde is gesimuleerd: niemand heeft die gemeten, dus het onderdeel kan er niet goed door zijn.
+       *[other] { $count } waarden zijn gesimuleerd: niemand heeft die gemeten, dus het onderdeel kan er niet goed door zijn.
     }
 walk-page-missing = Ontbreekt: { $names }
 walk-page-off = Vastleggen staat uit: een onderbroken onderdeel kan na een herstart niet worden hersteld.
