@@ -7,8 +7,8 @@ use std::collections::BTreeMap;
 use std::sync::Arc;
 
 use super::class::ToleranceClass;
+use super::deviations::Deviations;
 use super::iso286::{self, Undefined};
-use super::limits::Deviations;
 use super::table::{Column, DeviationTable};
 use crate::length::Length;
 use crate::message::Say;

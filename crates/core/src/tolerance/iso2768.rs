@@ -5,7 +5,7 @@
 
 use std::fmt;
 
-use super::limits::Deviations;
+use super::deviations::Deviations;
 use crate::length::Length;
 use crate::message::{Message, Say, as_text};
 

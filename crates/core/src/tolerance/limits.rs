@@ -1,66 +1,12 @@
-//! Deviations, limits of size, and where they come from.
+//! Limits of size, and where the deviations come from.
 
 use std::sync::Arc;
 
 use super::class::Feature;
+use super::deviations::Deviations;
 use super::iso2768::GeneralClass;
 use crate::length::Length;
 use crate::message::{Message, Say, display};
-
-/// Upper and lower limit deviation from the nominal size; upper is never below lower.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub struct Deviations {
-    upper: Length,
-    lower: Length,
-}
-
-/// The upper deviation is below the lower one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
-#[say(id = "deviations-order", error)]
-pub struct DeviationsError {
-    /// The upper deviation that was given.
-    pub upper: Length,
-    /// The lower deviation that was given.
-    pub lower: Length,
-}
-
-impl Deviations {
-    /// A pair of deviations.
-    ///
-    /// # Errors
-    /// [`DeviationsError`] when `upper` is below `lower`; they are not swapped.
-    pub fn new(upper: Length, lower: Length) -> Result<Self, DeviationsError> {
-        if upper < lower {
-            return Err(DeviationsError { upper, lower });
-        }
-        Ok(Self { upper, lower })
-    }
-
-    /// The deviations between two values, whichever is the upper one: for trusted values, never for given texts.
-    pub(super) fn spanning(one: Length, other: Length) -> Self {
-        Self { upper: one.max(other), lower: one.min(other) }
-    }
-
-    /// Upper limit deviation (ES or es).
-    pub const fn upper(&self) -> Length {
-        self.upper
-    }
-
-    /// Lower limit deviation (EI or ei).
-    pub const fn lower(&self) -> Length {
-        self.lower
-    }
-
-    /// How far both deviations, upper and lower, lie above those of another pair.
-    pub fn minus(&self, other: &Self) -> (Length, Length) {
-        (self.upper.saturating_sub(other.upper), self.lower.saturating_sub(other.lower))
-    }
-
-    /// Width of the tolerance zone, zero or more.
-    pub fn width(&self) -> Length {
-        self.upper.saturating_sub(self.lower)
-    }
-}
 
 /// Where deviations come from. Every number that is shown comes with this.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -140,8 +86,8 @@ impl Source {
             Self::Table { instead_of: Some(standard), .. } => {
                 format!(
                     "{self}, instead of {} / {} µm in ISO 286",
-                    standard.lower.signed_um(),
-                    standard.upper.signed_um()
+                    standard.lower().signed_um(),
+                    standard.upper().signed_um()
                 )
             }
             _ => self.to_string(),
@@ -185,8 +131,8 @@ impl Bounds {
     /// Bounds from a nominal size and deviations. `None` where a limit would lie beyond [`Length::MAX`].
     #[inline]
     pub fn new(feature: Feature, nominal: Length, deviations: Deviations) -> Option<Self> {
-        let maximum = nominal.checked_add(deviations.upper)?;
-        let minimum = nominal.checked_add(deviations.lower)?;
+        let maximum = nominal.checked_add(deviations.upper())?;
+        let minimum = nominal.checked_add(deviations.lower())?;
         Some(Self { feature, nominal, maximum, minimum })
     }
 

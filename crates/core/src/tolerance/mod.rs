@@ -5,7 +5,8 @@
 //! | `class` | tolerance classes such as `H7`, hole or shaft by the letter's case |
 //! | `callout` | what people type: `25 H7`, `25 H7/g6`, `10m`, `12 +0.01 -0.015`, `12.01/11.985` |
 //! | `iso2768` | general tolerances: `10m` |
-//! | `limits` | deviations and limits of size, and where they come from |
+//! | `deviations` | the two deviations from a size |
+//! | `limits` | limits of size, and where the deviations come from |
 //! | `figure` | figures to check: contested ones, and those of own tables that differ from the standard |
 //! | `proportion` | zones that are out of all proportion to their size |
 //! | `table` | size ranges and deviations as a control's table holds them |
@@ -20,6 +21,7 @@
 pub mod callout;
 pub mod class;
 pub mod compare;
+mod deviations;
 mod figure;
 pub mod fit;
 pub mod iso2768;
@@ -33,9 +35,10 @@ pub mod table_edit;
 
 pub use callout::{Callout, CalloutError, CalloutErrorKind, CycleText, Tolerance};
 pub use class::{ClassError, Feature, ToleranceClass};
+pub use deviations::{Deviations, DeviationsError};
 pub use figure::FigureWarning;
 pub use iso2768::GeneralClass;
-pub use limits::{Bounds, Deviations, DeviationsError, Limits, Source};
+pub use limits::{Bounds, Limits, Source};
 pub use proportion::ZoneDoubt;
 pub use sources::{Absent, Base, LimitsError, Sources};
 pub use table::DeviationTable;

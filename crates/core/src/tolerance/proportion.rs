@@ -5,8 +5,9 @@
 //! until somebody says that it is meant. A zone of ISO 286 or ISO 2768 itself is never doubted.
 
 use super::callout::{Callout, signed};
+use super::deviations::Deviations;
 use super::iso286::{Grade, standard_tolerance, step_ends};
-use super::limits::{Bounds, Deviations};
+use super::limits::Bounds;
 use crate::length::Length;
 use crate::message::Say;
 

@@ -12,9 +12,10 @@ use std::sync::Arc;
 
 use super::callout::{Callout, Tolerance};
 use super::class::{Feature, ToleranceClass};
+use super::deviations::Deviations;
 use super::iso286;
 use super::iso2768;
-use super::limits::{Bounds, Deviations, Limits, Source};
+use super::limits::{Bounds, Limits, Source};
 use super::proportion::{self, ZoneDoubt};
 use super::ranges;
 use super::table::DeviationTable;

@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use super::class::ToleranceClass;
-use super::limits::Deviations;
+use super::deviations::Deviations;
 use crate::length::Length;
 use crate::message::Say;
 

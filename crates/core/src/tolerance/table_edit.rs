@@ -5,7 +5,7 @@ mod making;
 pub use making::{MakeError, standard_column, standard_table, table_of_standard};
 
 use super::class::ToleranceClass;
-use super::limits::Deviations;
+use super::deviations::Deviations;
 use super::table::{Column, DeviationTable, TableShapeError};
 
 /// How many steps can be undone.

@@ -44,8 +44,8 @@ pub use qs400::qs400;
 pub use reading::halves;
 
 use super::class::{Feature, ToleranceClass};
+use super::deviations::Deviations;
 use super::iso2768::GeneralClass;
-use super::limits::Deviations;
 use super::proportion::as_micrometres;
 use crate::length::{Length, Unit};
 use crate::message::{Arg, IntoArg};

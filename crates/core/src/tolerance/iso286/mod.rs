@@ -25,7 +25,7 @@ use serde::{Deserialize, Serialize};
 use self::figures::Steps;
 use self::zone::{Place, Zone};
 use super::class::{Feature, ToleranceClass};
-use super::limits::Deviations;
+use super::deviations::Deviations;
 use crate::length::Length;
 
 /// Which edition defines cd, ef and fg.

@@ -3,7 +3,7 @@
 use super::{Grade, JsHalves, Letter, Options, millimetres};
 use crate::length::Length;
 use crate::message::Say;
-use crate::tolerance::limits::Deviations;
+use crate::tolerance::deviations::Deviations;
 
 /// Something that a reader should know about a figure. The numbers of the rules are those of `docs/SOURCES.md`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]

@@ -17,8 +17,9 @@ use serde::{Deserialize, Serialize};
 use super::LimitsError;
 use crate::length::Length;
 use crate::tolerance::class::{Feature, ToleranceClass};
+use crate::tolerance::deviations::Deviations;
 use crate::tolerance::iso286::Options;
-use crate::tolerance::limits::{Deviations, Source};
+use crate::tolerance::limits::Source;
 
 /// The source that is asked after the user's own tables. A state file keeps it by its name in kebab case.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]

@@ -6,9 +6,9 @@ use super::{Candidate, Miss, Scope, Wanted};
 use crate::length::Length;
 use crate::tolerance::callout::Callout;
 use crate::tolerance::class::{Feature, ToleranceClass};
+use crate::tolerance::deviations::Deviations;
 use crate::tolerance::fit::preferred::{Function, Preference};
 use crate::tolerance::iso286::{self, Grade, Letter};
-use crate::tolerance::limits::Deviations;
 use crate::tolerance::sources::Sources;
 
 /// A class at the size that is asked for, in nanometres.

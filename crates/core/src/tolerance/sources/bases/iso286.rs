@@ -6,8 +6,9 @@ use super::{Declaration, Standard};
 use crate::length::Length;
 use crate::message::{Message, Say as _};
 use crate::tolerance::ToleranceClass;
+use crate::tolerance::deviations::Deviations;
 use crate::tolerance::iso286::{self, Cell, Options};
-use crate::tolerance::limits::{Deviations, Source};
+use crate::tolerance::limits::Source;
 use crate::tolerance::sources::LimitsError;
 
 pub(super) const DECLARATION: Declaration = Declaration {
