@@ -8,6 +8,7 @@
 //! | `deviations` | the two deviations from a size |
 //! | `limits` | limits of size, and where the deviations come from |
 //! | `figure` | figures to check: contested ones, and those of own tables that differ from the standard |
+//! | `coarsest` | the widest zone that a size has |
 //! | `proportion` | zones that are out of all proportion to their size |
 //! | `table` | size ranges and deviations as a control's table holds them |
 //! | `table_edit` | a table that is being edited, and tables made from the standard |
@@ -20,6 +21,7 @@
 
 pub mod callout;
 pub mod class;
+mod coarsest;
 pub mod compare;
 mod deviations;
 mod figure;

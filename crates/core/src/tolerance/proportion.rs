@@ -4,9 +4,9 @@
 //! says what a zone can be: one that is wider than IT 18 of its size, or that reaches to zero, is doubted, and nothing is judged by it
 //! until somebody says that it is meant. A zone of ISO 286 or ISO 2768 itself is never doubted.
 
-use super::callout::{Callout, signed};
+use super::callout::{Callout, as_micrometres, signed, thousandths};
+pub use super::coarsest::widest;
 use super::deviations::Deviations;
-use super::iso286::{Grade, standard_tolerance, step_ends};
 use super::limits::Bounds;
 use crate::length::Length;
 use crate::message::Say;
@@ -103,31 +103,6 @@ impl ZoneDoubt {
 /// What a coordinate counts as where it is smaller: its zero is wherever somebody put it, so it says nothing of the zone.
 const COORDINATE: Length = Length::from_micrometres(500_000);
 
-/// A micrometre is a thousandth of a millimetre.
-const THOUSAND: i64 = 1_000;
-
-/// The finest deviation that anybody writes in micrometres, in nanometres: half of one.
-const FINEST: i64 = 500;
-
-/// The widest zone of a size that is not doubted: its IT 18. Up to 1 mm and beyond 3150 mm there is no such grade; there it is that of the
-/// nearest size that has one, 1.4 mm and 33 mm.
-///
-/// ```
-/// use fitcheck_core::tolerance::proportion::widest;
-///
-/// let of = |size: &str| widest(size.parse().unwrap()).to_string();
-/// assert_eq!([of("25"), of("0.5"), of("5000")], ["3.3", "1.4", "33"]);
-/// ```
-pub fn widest(nominal: Length) -> Length {
-    let of = |size| standard_tolerance(Grade::COARSEST, size);
-    let has_it = |size: &Length| of(*size).is_some();
-    let nearest = || {
-        let mut ends = step_ends().filter(has_it);
-        if Length::from_micrometres(1_000) < nominal { ends.last() } else { ends.next() }
-    };
-    of(nominal).or_else(|| of(nearest()?)).unwrap_or(Length::ZERO)
-}
-
 /// What is doubtful about the zone of a size; nothing where it is inside IT 18 and above zero.
 pub fn doubt(bounds: &Bounds) -> Option<ZoneDoubt> {
     let Bounds { nominal, .. } = *bounds;
@@ -158,24 +133,4 @@ pub fn doubt_of_coordinate(nominal: Length, deviations: Deviations) -> Option<Zo
         }
         None => ZoneDoubt::Coordinate { width, widest },
     })
-}
-
-/// The callout whose deviations are as many micrometres, where that is a zone that nobody doubts.
-pub(super) fn as_micrometres(nominal: Length, deviations: Deviations) -> Option<Callout> {
-    let meant = thousandths(deviations)?;
-    if nominal <= Length::ZERO || nominal.checked_add(meant.lower())? <= Length::ZERO || widest(nominal) < meant.width()
-    {
-        return None;
-    }
-    Callout::with_deviations(nominal, meant).ok()
-}
-
-/// A thousandth of both deviations, where that is what somebody may have written in micrometres.
-fn thousandths(deviations: Deviations) -> Option<Deviations> {
-    let of = |deviation: Length| {
-        let nm = deviation.nanometres();
-        let is_whole = nm % THOUSAND == 0 && (nm == 0 || FINEST <= nm.abs() / THOUSAND);
-        is_whole.then(|| Length::from_nanometres(nm / THOUSAND).ok()).flatten()
-    };
-    Some(Deviations::spanning(of(deviations.upper())?, of(deviations.lower())?))
 }

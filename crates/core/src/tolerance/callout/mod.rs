@@ -7,6 +7,7 @@
 //! | `band` | the grammar's deviations, with sign and unit; also without a size |
 //! | `error` | why a text is not a callout, and at which character |
 //! | `kind` | the reasons |
+//! | `micrometres` | deviations that were written in micrometres where millimetres are read |
 //! | `cycle_text` | the texts of cycles 14xx: a callout, or less, or more |
 //! | `qs400` | the tolerance texts of cycle 444 |
 //!
@@ -29,6 +30,7 @@ mod band;
 mod cycle_text;
 mod error;
 mod kind;
+mod micrometres;
 mod qs400;
 mod reading;
 mod scanner;
@@ -40,13 +42,13 @@ pub use band::band;
 pub use cycle_text::{CycleSize, CycleText};
 pub use error::CalloutError;
 pub use kind::{CalloutErrorKind, Part};
+pub(super) use micrometres::{as_micrometres, thousandths};
 pub use qs400::qs400;
 pub use reading::halves;
 
 use super::class::{Feature, ToleranceClass};
 use super::deviations::Deviations;
 use super::iso2768::GeneralClass;
-use super::proportion::as_micrometres;
 use crate::length::{Length, Unit};
 use crate::message::{Arg, IntoArg};
 
