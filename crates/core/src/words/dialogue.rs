@@ -95,6 +95,13 @@ impl Dialogue {
     }
 }
 
+impl Language {
+    /// The control's dialogue for a person of this language; English where the control has no such dialogue.
+    pub fn dialogue(self) -> Dialogue {
+        Dialogue::from_code(self.code()).unwrap_or_default()
+    }
+}
+
 /// One value per dialogue language, all made at the first use.
 pub struct PerDialogue<T> {
     made: OnceLock<[(Dialogue, T); Dialogue::ALL.len()]>,

@@ -6,13 +6,12 @@ use std::sync::LazyLock;
 use fitcheck_shipped::{self as shipped, Files};
 use serde::{Deserialize, Deserializer, Serialize, Serializer};
 
-use super::Dialogue;
 use crate::message::TextFile;
 
 /// A language of the window and of reports: the language of the person at Fitcheck.
 ///
 /// Each folder of `assets/locales` is one language and has its own name and decimal sign in `language.ftl`. The texts
-/// on a control are in a [`Dialogue`] of the control.
+/// on a control are in a [`Dialogue`](super::Dialogue) of the control.
 ///
 /// A saved state keeps the code; a code without a folder is read as English.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -78,11 +77,6 @@ impl Language {
     pub fn from_code(code: &str) -> Option<Self> {
         let code = code.split(['-', '_', '.']).next().unwrap_or(code);
         Self::all().find(|language| language.0.eq_ignore_ascii_case(code))
-    }
-
-    /// The control's dialogue for a person of this language; English where the control has no such dialogue.
-    pub fn dialogue(self) -> Dialogue {
-        Dialogue::from_code(self.0).unwrap_or_default()
     }
 }
 
