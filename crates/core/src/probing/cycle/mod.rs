@@ -10,6 +10,7 @@
 //! | `name` | a parameter's name as errors say it |
 //! | `note` | what to know of a cycle before it is used on a control |
 //! | `parameter`, `range` | one parameter: key, name, question, default; which values it may have |
+//! | `texts` | words of the control by dialogue language |
 //! | `meaning` | what a parameter means: its drawing and its sentence |
 //! | `shared` | parameters that several cycles have |
 //! | `value` | values of parameters and results: lengths, angles, numbers, texts |
@@ -36,6 +37,7 @@ mod remark;
 mod result;
 pub(in crate::probing) mod shared;
 mod shown;
+mod texts;
 mod value;
 
 pub use correction::{Corrected, Correction, Corrects};
@@ -47,13 +49,14 @@ pub use key::Key;
 pub use meaning::{Axis, Meaning};
 pub use name::ParameterName;
 pub use note::Note;
-use parameter::in_language;
 pub use parameter::number;
-pub use parameter::{Parameter, Texts, Unset, UnsetWhere};
+pub use parameter::{Parameter, Unset, UnsetWhere};
 pub use range::Range;
 pub use remark::Remark;
 pub use result::{Check, CircleFound, CycleResult, Found, FoundName, LogTarget, Plane, Stop};
 pub use shown::{FigureKind, Log, LogFigure, TextLog, Window};
+pub use texts::Texts;
+use texts::in_language;
 pub(in crate::probing) use value::QUARTER_TURN;
 pub use value::{Angle, Value};
 

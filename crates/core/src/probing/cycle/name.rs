@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use super::parameter::Texts;
+use super::texts::Texts;
 use crate::message::{Arg, IntoArg};
 
 /// The name of a parameter in every dialogue language that has one.

@@ -6,14 +6,12 @@ use super::key::Key;
 use super::meaning::Meaning;
 use super::name::ParameterName;
 use super::range::{HIGHEST_TOOL, LONGEST_TEXT, Range};
+use super::texts::{Texts, in_language};
 use super::value::{Angle, PREDEF, Value};
 use crate::length::{Length, LengthError};
 use crate::message::{Arg, Say};
 use crate::tolerance::callout::qs400;
 use crate::words::Dialogue;
-
-/// Words of the control by dialogue language.
-pub type Texts = &'static [(Dialogue, &'static str)];
 
 /// One parameter of a cycle.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -280,10 +278,6 @@ impl Parameter {
         let given = Box::new(Arg::Message(value.with_unit()));
         CycleError::OutOfRange { key: self.key, name: self.called(), given, range: self.range }
     }
-}
-
-pub(super) fn in_language(texts: Texts, language: Dialogue) -> Option<&'static str> {
-    texts.iter().find(|(known, _)| *known == language).map(|(_, text)| *text)
 }
 
 /// Whether a text may be the name of a tool. One that begins like a number has only letters, figures and the signs that a control

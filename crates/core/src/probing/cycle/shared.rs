@@ -5,7 +5,8 @@
 
 use super::key::Key;
 use super::meaning::{Axis, Meaning};
-use super::parameter::{Parameter, Texts};
+use super::parameter::Parameter;
+use super::texts::Texts;
 use crate::words::Dialogue::{En, It, Nl};
 
 const CHOSEN: &[i64] = &[0, 1];
