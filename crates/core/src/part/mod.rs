@@ -14,6 +14,7 @@
 //! | `csv`, `file` | plans as CSV, and as TOML |
 //! | `find` | which feature a value is of |
 //! | `walk` | one part on its way through a plan |
+//! | `taken` | a value of a size |
 //! | `repeats` | which of several values of a size counts |
 //! | `standing` | what that makes of each feature |
 //! | `workpiece` | a plan as a simulated part |
@@ -47,6 +48,7 @@ mod plan;
 mod repeats;
 mod simulated;
 mod standing;
+mod taken;
 mod values;
 mod walk;
 mod workpiece;
@@ -62,7 +64,8 @@ pub use kind::{Direction, Kind, Towards, WidthAxis};
 pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, Head, MOST_FEATURES, Material, Plan, PlanFeature, Size};
 pub use repeats::Repeats;
 pub use standing::{FeatureStanding, standings};
-pub use walk::{Standing, Step, Taken, Walk};
+pub use taken::Taken;
+pub use walk::{Standing, Step, Walk};
 
 use crate::message::Located;
 use crate::tolerance::Sources;

@@ -4,7 +4,7 @@
 //! machined, or of a doubt. It never takes the place of scrap by itself: what was too large a hole does not become smaller, so that one of the
 //! two is of another part, of another feature or wrong. Where nothing decides, the worst one counts until somebody chooses.
 
-use super::walk::Taken;
+use super::taken::Taken;
 use crate::verdict::Status;
 
 /// Which of several values of a size counts that contradict each other.

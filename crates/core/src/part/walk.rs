@@ -1,24 +1,10 @@
 //! The walk through a part: which feature is next, what was measured, what was left out and why, and what that makes of the part.
 
-use jiff::civil::DateTime;
-
 use super::plan::Plan;
 use super::repeats::{Counting, Repeats, counting};
+use super::taken::Taken;
 use crate::message::Say;
 use crate::verdict::Status;
-
-/// A value of a size.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Taken {
-    /// Its verdict.
-    pub status: Status,
-    /// Whether nobody measured it.
-    pub is_simulated: bool,
-    /// When it was measured, where that is known.
-    pub when: Option<DateTime>,
-    /// Whether it counts no more, because somebody measured again or chose another one.
-    pub is_settled: bool,
-}
 
 /// One size of a part: its values in the order in which they came, or why it was left out.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
