@@ -72,110 +72,16 @@
 use serde::Deserialize;
 use toml::Spanned;
 
+use super::error::{BudgetError, MOST};
 use super::kinds::{Keys, KindName};
 use super::numbers::{ALPHA, DEGREES, FAR, Number, Numbers, Refusal, refused};
 use super::piece::{Piece, calibrated};
-use super::{Basis, Budget, Contribution, Evaluated, Geometry, GeometryError, Kind, Law, brief};
-use crate::length::LengthError;
-use crate::message::{Located, Place, Say, shortened};
+use super::{Basis, Budget, Contribution, Evaluated, Geometry, Kind, Law};
+use crate::message::{Located, Place, shortened};
 use crate::probing::simulated::{LARGEST, bounded, plain};
-
-/// The most contributions of a budget.
-const MOST: usize = 1_000;
 
 /// The most characters of a list of keys.
 const LONGEST_LIST: usize = 600;
-
-/// Why a file is not a budget.
-#[derive(Debug, Clone, PartialEq, Say)]
-#[say(prefix = "budget", error)]
-pub enum BudgetError {
-    /// It is not TOML, or has other keys.
-    Toml {
-        /// The TOML reader's message, in English.
-        said: String,
-    },
-    /// Larger than any such file.
-    #[say(args(most = LARGEST >> 10))]
-    TooLarge,
-    /// Neither contributions nor a calibrated piece, or both.
-    NotOne,
-    /// More contributions than a budget can have.
-    #[say(args(most = MOST))]
-    TooMany {
-        /// How many there are.
-        count: usize,
-    },
-    /// A text that says nothing.
-    Empty {
-        /// Its key.
-        key: &'static str,
-    },
-    /// Not a day.
-    Day {
-        /// The key.
-        key: &'static str,
-        /// What was given.
-        given: String,
-    },
-    /// The last valid day is before the day on which it was made.
-    Days {
-        /// The day on which it was made.
-        date: String,
-        /// The last valid day.
-        until: String,
-    },
-    /// A key that this table cannot have with the others that it has.
-    Key {
-        /// The table.
-        table: String,
-        /// The key.
-        key: &'static str,
-        /// The keys that it can have.
-        allowed: String,
-    },
-    /// A key without which the table says nothing.
-    Missing {
-        /// The table.
-        table: String,
-        /// The key, or the keys of which one is needed.
-        keys: &'static str,
-    },
-    /// A number out of its range.
-    Range {
-        /// The table.
-        table: String,
-        /// The key.
-        key: &'static str,
-        /// What was given.
-        given: f64,
-        /// The smallest allowed number.
-        #[say(with = brief)]
-        least: f64,
-        /// The largest.
-        #[say(with = brief)]
-        most: f64,
-    },
-    /// A law that a display does not have.
-    ResolutionLaw {
-        /// The contribution.
-        table: String,
-    },
-    /// Touches that are not on a circle.
-    Geometry {
-        /// The contribution.
-        table: String,
-        /// What is wrong.
-        error: GeometryError,
-    },
-    /// A length that is none.
-    Length {
-        /// The key.
-        key: &'static str,
-        /// What is wrong.
-        error: LengthError,
-    },
-}
 
 #[derive(Debug, Deserialize)]
 #[serde(deny_unknown_fields)]

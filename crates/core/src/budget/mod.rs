@@ -5,6 +5,7 @@
 //! |---|---|
 //! | here | a budget, its contributions, and on which days it is valid |
 //! | `file` | a budget as TOML: its keys and what is allowed |
+//! | `error` | why a file is not a budget |
 //! | `piece` | its table `[calibrated]` |
 //! | `kinds` | the kinds of contributions, and the keys that each has |
 //! | `numbers` | which keys a contribution has, and their ranges |
@@ -23,6 +24,7 @@ mod assessment;
 mod calibrated;
 mod coverage;
 mod doubts;
+mod error;
 mod evaluation;
 mod file;
 mod geometry;
@@ -34,8 +36,8 @@ pub mod template;
 pub use assessment::{Answer, Assessment, AssessmentError, BudgetWarning, Provenance};
 pub use calibrated::{Calibrated, CalibratedError, FEWEST_READINGS, Repeated};
 pub use coverage::{PROBABILITY, factor, student};
+pub use error::BudgetError;
 pub use evaluation::{Conditions, Evaluation, EvaluationError, Help, Row};
-pub use file::BudgetError;
 pub use geometry::{Geometry, GeometryError};
 
 use jiff::civil::Date;

@@ -2,7 +2,7 @@
 
 use toml::Spanned;
 
-use super::BudgetError;
+use super::error::BudgetError;
 use crate::message::{Located, Place};
 use crate::probing::simulated::{column_at, line_at};
 

@@ -3,8 +3,9 @@
 use serde::Deserialize;
 use toml::Spanned;
 
+use super::Calibrated;
+use super::error::BudgetError;
 use super::numbers::{ALPHA, COLDEST, FAR, Number, Numbers, Refusal, WARMEST, refused};
-use super::{BudgetError, Calibrated};
 use crate::length::Length;
 use crate::tolerance::Feature;
 
