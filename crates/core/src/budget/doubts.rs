@@ -1,6 +1,7 @@
 //! Whether a budget is about what is judged with it: its size, its side, its temperature and its material.
 
-use super::{Basis, Budget, BudgetWarning, Calibrated, Conditions, Contribution, Kind, brief_of};
+use super::warning::BudgetWarning;
+use super::{Basis, Budget, Calibrated, Conditions, Contribution, Kind, brief_of};
 use crate::length::Length;
 use crate::tolerance::fit::thermal::{Correction, Warm};
 

@@ -15,7 +15,8 @@
 //! | `doubts` | whether a budget is about what is judged with it |
 //! | `template` | what a new budget begins with, and what of it still stands in another one |
 //! | `calibrated` | a calibrated piece, measured again and again |
-//! | `assessment` | a budget evaluated for a day, what to check about it, and what is kept of it beside a verdict |
+//! | `warning` | what to check about a budget |
+//! | `assessment` | a budget evaluated for a day, and what is kept of it beside a verdict |
 //!
 //! Uncertainties are binary fractions of micrometres here; a rule gets them rounded up to the picometre. The day, the size and
 //! the contacts are given: nothing here asks a clock or a file.
@@ -32,13 +33,15 @@ mod kinds;
 mod numbers;
 mod piece;
 pub mod template;
+mod warning;
 
-pub use assessment::{Answer, Assessment, AssessmentError, BudgetWarning, Provenance};
+pub use assessment::{Answer, Assessment, AssessmentError, Provenance};
 pub use calibrated::{Calibrated, CalibratedError, FEWEST_READINGS, Repeated};
 pub use coverage::{PROBABILITY, factor, student};
 pub use error::BudgetError;
 pub use evaluation::{Conditions, Evaluation, EvaluationError, Help, Row};
 pub use geometry::{Geometry, GeometryError};
+pub use warning::BudgetWarning;
 
 use jiff::civil::Date;
 use serde::Deserialize;
