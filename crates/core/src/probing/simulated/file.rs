@@ -53,26 +53,12 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::figure::Table;
-use super::part::{FeatureFault, has_features};
-use super::{
-    Face, Figure, FreePoint, Lobes, Machine, Probe, Shape, Surface, Walls, Workpiece, WorkpieceError, in_range,
-};
-use crate::message::Say;
-use crate::probing::cycle::Plane;
+use super::error::SimulationError;
+use super::expansion::{REFERENCE, STEEL, growth};
+use super::reading::{LARGEST, bounded, has_features, line_at, line_of, plain};
+use super::tables::{Pair, Rectangle, Round, first_seed, reference, steel};
+use super::{Face, Figure, FreePoint, Machine, Probe, Surface, Walls, WorkpieceError, in_range};
 use crate::tolerance::Feature;
-
-/// Steel, millionths per kelvin.
-pub(super) const STEEL: f64 = 11.5;
-
-/// The temperature that sizes refer to (ISO 1), °C.
-pub(super) const REFERENCE: f64 = 20.0;
-
-/// The largest file in bytes: a real one has some hundred, and the TOML reader takes fifty times as many.
-pub const LARGEST: usize = 1 << 20;
-
-/// The most characters of the TOML reader's message.
-const LONGEST: usize = 300;
 
 /// A simulated machine before it is switched on.
 #[derive(Debug, Clone, Copy, PartialEq)]
@@ -87,58 +73,6 @@ pub struct Simulation {
     pub temperature: f64,
     /// Thermal expansion of the workpiece, millionths per kelvin.
     pub expansion: f64,
-}
-
-/// Why a file is not a machine.
-#[derive(Debug, Clone, PartialEq, Say)]
-#[say(prefix = "workpiece-file", error)]
-pub enum SimulationError {
-    /// It is not TOML, or has other keys.
-    Toml {
-        /// The line.
-        line: usize,
-        /// The TOML reader's message, in English.
-        said: String,
-    },
-    /// Larger than any such file.
-    #[say(args(most = LARGEST >> 10))]
-    TooLarge,
-    /// No surface, or more than one.
-    #[say(args(tables = tables()))]
-    NotOne {
-        /// How many there are.
-        found: usize,
-    },
-    /// A file with `[[feature]]` tables, where one surface is wanted.
-    Several,
-    /// More features than a part can have.
-    TooMany {
-        /// What is allowed.
-        most: usize,
-    },
-    /// Something is wrong with a feature.
-    Feature {
-        /// The line.
-        line: usize,
-        /// The character in it.
-        column: usize,
-        /// The feature's name.
-        feature: String,
-        /// What is wrong.
-        fault: FeatureFault,
-    },
-    /// An impossible figure.
-    CannotBe {
-        /// The line.
-        line: usize,
-        /// Which figure, and what is allowed.
-        error: WorkpieceError,
-    },
-}
-
-/// The tables of which a file has exactly one: `[bore], [stud], …`.
-fn tables() -> String {
-    Shape::ALL.map(|shape| format!("[{}]", shape.table())).join(", ")
 }
 
 /// The file as it is written.
@@ -161,87 +95,6 @@ struct File {
     boss: Option<Rectangle>,
     #[serde(default)]
     probe: Probe,
-}
-
-pub(super) const fn first_seed() -> u64 {
-    1
-}
-
-pub(super) const fn reference() -> f64 {
-    REFERENCE
-}
-
-pub(super) const fn steel() -> f64 {
-    STEEL
-}
-
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Round {
-    #[serde(deserialize_with = "exactly")]
-    pub(super) centre: [f64; 2],
-    pub(super) diameter: f64,
-    #[serde(default)]
-    pub(super) plane: Plane,
-    #[serde(default)]
-    pub(super) ovality: Lobes,
-    #[serde(default)]
-    pub(super) lobes: Lobes,
-    #[serde(default)]
-    pub(super) surface_scatter: f64,
-}
-
-impl Round {
-    const fn of(workpiece: &Workpiece, plane: Plane) -> Self {
-        let Workpiece { centre, diameter, ovality, lobes, surface_scatter, .. } = *workpiece;
-        Self { centre, diameter, plane, ovality, lobes, surface_scatter }
-    }
-
-    pub(super) const fn surface(&self, feature: Feature) -> Surface {
-        let Self { centre, diameter, plane, ovality, lobes, surface_scatter } = *self;
-        Surface::Round(Workpiece { feature, centre, diameter, ovality, lobes, surface_scatter }, plane)
-    }
-}
-
-/// Two walls.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Pair {
-    #[serde(deserialize_with = "exactly")]
-    pub(super) centre: [f64; 2],
-    pub(super) width: f64,
-    #[serde(default)]
-    pub(super) angle: f64,
-    #[serde(default)]
-    pub(super) surface_scatter: f64,
-}
-
-/// Four walls.
-#[derive(Debug, Clone, Copy, Serialize, Deserialize)]
-#[serde(deny_unknown_fields)]
-pub(super) struct Rectangle {
-    #[serde(deserialize_with = "exactly")]
-    pub(super) centre: [f64; 2],
-    #[serde(deserialize_with = "exactly")]
-    pub(super) lengths: [f64; 2],
-    #[serde(default)]
-    pub(super) angle: f64,
-    #[serde(default)]
-    pub(super) surface_scatter: f64,
-}
-
-impl Pair {
-    pub(super) const fn surface(&self, feature: Feature) -> Surface {
-        let Self { centre, width, angle, surface_scatter } = *self;
-        Surface::Walls(Walls { feature, centre, lengths: (width, None), angle, surface_scatter })
-    }
-}
-
-impl Rectangle {
-    pub(super) const fn surface(&self, feature: Feature) -> Surface {
-        let Self { centre, lengths: [first, second], angle, surface_scatter } = *self;
-        Surface::Walls(Walls { feature, centre, lengths: (first, Some(second)), angle, surface_scatter })
-    }
 }
 
 impl Simulation {
@@ -335,86 +188,10 @@ impl Simulation {
     }
 }
 
-/// An array of as many numbers as are wanted: the TOML reader passes over further ones, which a decimal comma makes.
-pub(super) fn exactly<'de, D: serde::Deserializer<'de>, const N: usize>(reader: D) -> Result<[f64; N], D::Error> {
-    let numbers = Vec::<f64>::deserialize(reader)?;
-    let refused =
-        |numbers: Vec<f64>| serde::de::Error::custom(format_args!("expected {N} numbers, found {}", numbers.len()));
-    numbers.try_into().map_err(refused)
-}
-
-/// The same where nothing may be given.
-pub(super) fn exactly_or_none<'de, D: serde::Deserializer<'de>, const N: usize>(
-    reader: D,
-) -> Result<Option<[f64; N]>, D::Error> {
-    exactly(reader).map(Some)
-}
-
 /// A table of a file, either as a hole's or as a shaft's.
 const fn hole_or_shaft<T: Copy>(feature: Feature, table: T) -> (Option<T>, Option<T>) {
     match feature {
         Feature::Hole => (Some(table), None),
         Feature::Shaft => (None, Some(table)),
     }
-}
-
-/// The TOML reader's message, cut off where a key is very long.
-pub fn bounded(said: &str) -> String {
-    match said.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}…", said.get(..end).unwrap_or_default()),
-        None => said.to_owned(),
-    }
-}
-
-/// The TOML reader's message in a user's words: numbers instead of their types, and which key is there twice.
-pub fn plain(error: &toml::de::Error, text: &str) -> String {
-    let said = error.message().replace("expected f64", "expected a number");
-    let said = said.replace("expected u64", "expected a whole number from 0 to 9223372036854775807");
-    let said = said.replace(" as i128", "").replace("expected u32", "expected a whole number from 0");
-    let key = error
-        .span()
-        .and_then(|span| text.get(..span.start)?.trim_end().strip_suffix('=')?.split_whitespace().next_back());
-    if let Some(key) = key.filter(|_| error.message().contains(" numbers, found ")) {
-        return format!("{key}: {said}");
-    }
-    match error.span().and_then(|span| text.get(span)) {
-        Some(key) if said == "duplicate key" => format!("{said} {key}"),
-        _ => said,
-    }
-}
-
-/// The line of a place in a text, from 1.
-pub fn line_at(text: &str, offset: usize) -> usize {
-    1 + text.bytes().take(offset).filter(|byte| *byte == b'\n').count()
-}
-
-/// The character in its line of a place in a text, from 1.
-pub fn column_at(text: &str, offset: usize) -> usize {
-    let before = text.get(..offset).unwrap_or_default();
-    1 + before.chars().rev().take_while(|character| *character != '\n').count()
-}
-
-/// By which factor a workpiece of this temperature and expansion is larger than at 20 °C.
-pub(super) fn growth(temperature: f64, expansion: f64) -> f64 {
-    1.0 + expansion * 1e-6 * (temperature - REFERENCE)
-}
-
-/// The line of the key that gave a figure; the first line of the table if the figure was not given.
-pub(super) fn line_of(text: &str, kind: &str, what: Figure) -> usize {
-    let (table, key) = what.place();
-    let table = match table {
-        Table::Top => None,
-        Table::Probe => Some("probe"),
-        Table::Shape => Some(kind),
-    };
-    let Ok(root) = toml::de::DeTable::parse(text) else { return 1 };
-    let root = root.get_ref();
-    let place = match table {
-        None => root.get(key).map(|value| value.span().start),
-        Some(table) => root.get(table).map(|value| {
-            let own = value.get_ref().as_table().and_then(|table| table.get(key)).map(|value| value.span().start);
-            own.unwrap_or_else(|| value.span().start)
-        }),
-    };
-    line_at(text, place.unwrap_or_default())
 }

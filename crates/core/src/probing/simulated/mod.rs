@@ -3,6 +3,10 @@
 //! | file | what |
 //! |---|---|
 //! | `file` | all of it as one TOML file |
+//! | `tables` | the tables of surfaces in such a file |
+//! | `reading` | what such files are read with: bounds, places, the reader's message |
+//! | `error` | why a file is not a machine or a part |
+//! | `expansion` | how a workpiece grows with its temperature |
 //! | `figure` | the figures, as errors name them and as a file has them |
 //! | `shape` | what can be probed, by its shape |
 //! | `surface` | round features, plane faces, points of free surfaces |
@@ -14,13 +18,17 @@
 //!
 //! The same seed gives the same contacts, on every machine and in every version.
 
+mod error;
+mod expansion;
 mod figure;
 mod file;
 mod nearest;
 mod part;
 mod probe;
+mod reading;
 mod shape;
 mod surface;
+mod tables;
 mod walls;
 mod workpiece;
 
@@ -30,17 +38,17 @@ use rand_chacha::ChaCha8Rng;
 use rand_chacha::rand_core::SeedableRng as _;
 use rand_distr::{Distribution as _, StandardNormal};
 
+pub use error::{FeatureFault, SimulationError};
 pub use figure::Figure;
-pub use file::{LARGEST, bounded, column_at, line_at, plain};
-pub use file::{Simulation, SimulationError};
-pub use part::{Collision, Extent, FeatureFault, Mover, Part, PartFeature};
+pub use file::Simulation;
+pub use part::{Collision, Extent, Mover, Part, PartFeature};
 pub use probe::Probe;
+pub use reading::{LARGEST, bounded, column_at, line_at, plain};
 pub use shape::Shape;
 pub use surface::{Face, FreePoint, Outline, Surface, Wave};
 pub use walls::Walls;
 pub use workpiece::{Lobes, Workpiece};
 
-use file::{REFERENCE, STEEL, growth};
 use part::{Obstacle, Space};
 
 use super::contact::{Contact, NoContact, Prober, Touch};

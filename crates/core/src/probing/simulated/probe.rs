@@ -21,7 +21,7 @@ pub struct Probe {
     #[serde(default)]
     pub calibration_error: f64,
     /// How far the ball really lies off the spindle's axis, millimetres; if not given, calibration found it exactly.
-    #[serde(default, deserialize_with = "super::file::exactly_or_none")]
+    #[serde(default, deserialize_with = "super::reading::exactly_or_none")]
     pub offset: Option<[f64; 2]>,
     /// Pre-travel by direction in the plane X/Y: the contact is reported this much later, millimetres.
     #[serde(default)]

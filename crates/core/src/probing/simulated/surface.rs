@@ -2,8 +2,8 @@
 
 use serde::{Deserialize, Serialize};
 
-use super::file::exactly;
 use super::nearest::{least, trace};
+use super::reading::exactly;
 use super::{FARTHEST, Figure, Shape, Walls, Workpiece, WorkpieceError, in_range};
 use crate::probing::cycle::Plane;
 use crate::probing::vector::{along, dot, norm, unit};

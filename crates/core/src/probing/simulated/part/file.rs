@@ -2,15 +2,12 @@
 
 use serde::{Deserialize, Serialize};
 
+use super::super::error::{FeatureFault, SimulationError};
 use super::super::figure::Table;
-use super::super::file::{
-    LARGEST, Pair, Rectangle, Round, bounded, column_at, exactly_or_none, first_seed, line_at, plain, reference, steel,
-};
-use super::super::{
-    Face, FreePoint, Lobes, Probe, Shape, Simulation, SimulationError, Surface, Walls, Wave, WorkpieceError,
-};
+use super::super::reading::{LARGEST, bounded, column_at, exactly_or_none, has_features, line_at, line_of, plain};
+use super::super::tables::{Pair, Rectangle, Round, first_seed, reference, steel};
+use super::super::{Face, FreePoint, Lobes, Probe, Shape, Simulation, Surface, Walls, Wave, WorkpieceError};
 use super::{Extent, Part, PartFeature};
-use crate::message::Say;
 use crate::probing::cycle::Plane;
 
 /// The most features of a part: as many as a plan of `fitcheck nc` can have.
@@ -18,48 +15,6 @@ const MOST_FEATURES: usize = 1_000;
 
 /// The most characters of a feature's name.
 const LONGEST_NAME: usize = 40;
-
-/// What is wrong with a feature of a file.
-#[derive(Debug, Clone, PartialEq, Say)]
-#[say(prefix = "feature-fault", error)]
-pub enum FeatureFault {
-    /// A key or value that TOML or the table does not have.
-    Toml {
-        /// The TOML reader's message, in English.
-        said: String,
-    },
-    /// There is no such kind.
-    Kind {
-        /// What was given.
-        given: String,
-        /// The kinds.
-        known: String,
-    },
-    /// A key that the kind needs.
-    NoKey {
-        /// The kind.
-        kind: &'static str,
-        /// The key.
-        key: &'static str,
-    },
-    /// A key that the kind does not have.
-    OtherKey {
-        /// The kind.
-        kind: &'static str,
-        /// The key.
-        key: &'static str,
-    },
-    /// An empty or too long name.
-    Name {
-        /// The most characters.
-        most: usize,
-    },
-    /// Another feature has the same name.
-    SameName,
-    /// An impossible figure.
-    #[say(transparent)]
-    Figure(WorkpieceError),
-}
 
 /// The file as it is written.
 #[derive(Debug, Serialize, Deserialize)]
@@ -332,11 +287,6 @@ fn usual_name(number: usize) -> String {
     format!("F{number}")
 }
 
-/// Whether a text is a file of several features.
-pub(in super::super) fn has_features(text: &str) -> bool {
-    toml::de::DeTable::parse_recoverable(text).0.get_ref().contains_key("feature")
-}
-
 impl Part {
     /// Whether a text, or the beginning of one, is a file of several features: one with `[[feature]]` tables.
     pub fn is_file(text: &str) -> bool {
@@ -424,5 +374,5 @@ fn read_feature(number: usize, table: FeatureTable) -> Result<PartFeature, (&'st
 
 /// The error of a figure that all features share.
 fn of_file(text: &str, error: WorkpieceError) -> SimulationError {
-    SimulationError::CannotBe { line: super::super::file::line_of(text, "", error.what), error }
+    SimulationError::CannotBe { line: line_of(text, "", error.what), error }
 }

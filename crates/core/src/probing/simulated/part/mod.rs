@@ -37,12 +37,11 @@ mod space;
 
 pub use collision::{Collision, Mover};
 pub use extent::Extent;
-pub use file::FeatureFault;
-pub(super) use file::has_features;
 pub(super) use meeting::Obstacle;
 pub(super) use space::Space;
 
-use super::{Figure, Machine, Probe, REFERENCE, Simulation, Surface, WorkpieceError, growth, in_range};
+use super::expansion::{REFERENCE, STEEL, growth};
+use super::{Figure, Machine, Probe, Simulation, Surface, WorkpieceError, in_range};
 
 /// The largest ball and stylus, mm.
 const THICKEST: f64 = 100.0;
@@ -111,7 +110,7 @@ impl Part {
     /// A perfect part at 20 °C, with a point as the probe.
     pub const fn perfect(features: Vec<PartFeature>) -> Self {
         let probe = Probe::STILL;
-        Self { features, probe, stylus_radius: None, seed: 1, temperature: REFERENCE, expansion: super::STEEL }
+        Self { features, probe, stylus_radius: None, seed: 1, temperature: REFERENCE, expansion: STEEL }
     }
 
     /// What all features share.
