@@ -2,7 +2,8 @@
 //!
 //! Forms and effects: manuals and public programs, see `docs/SOURCES.md`, "Around a measurement".
 
-use super::block::{Axis, AxisWord, MachineFunction, Operand};
+use super::movement::{Axis, AxisWord, MachineFunction};
+use super::operand::Operand;
 
 /// A block that is understood and changes nothing that a measurement depends on: machining, graphics, the machine's own
 /// functions. A run passes it over and counts it.

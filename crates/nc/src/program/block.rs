@@ -3,11 +3,13 @@
 use std::fmt;
 use std::ops::Range;
 
-use fitcheck_core::message::{self, as_text};
+use fitcheck_core::message::as_text;
 
 use super::around::{Frame, Mode, PassedOver};
 use super::cycle_block::{CycleBlock, CycleName};
-use super::expression::{Expression, Test, TextExpression};
+use super::expression::{Expression, Relation, Test, TextExpression};
+use super::movement::{Axis, MachineFunction, Movement};
+use super::operand::{Operand, TextOperand};
 use crate::control::variables::Parameter;
 
 /// One block: a line of the program, or several where a line ends in `~`.
@@ -21,21 +23,6 @@ pub struct Block {
     pub may_be_skipped: bool,
     /// What it says.
     pub body: Body,
-}
-
-/// A place in the text: line and column, both from 1; columns count characters.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-pub struct Place {
-    /// Line.
-    pub line: usize,
-    /// Column.
-    pub column: usize,
-}
-
-impl From<Place> for message::Place {
-    fn from(Place { line, column }: Place) -> Self {
-        Self { file: None, line: Some(line), column: Some(column) }
-    }
 }
 
 /// The unit of a program.
@@ -211,29 +198,6 @@ pub enum Body {
     Other,
 }
 
-/// A number or a number parameter, with a sign: `+Q1`, `-5`, `2,5`.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Operand {
-    /// A number, sign included.
-    Number(f64),
-    /// A Q, QL or QR parameter.
-    Parameter {
-        /// The parameter.
-        parameter: Parameter,
-        /// Whether a minus sign precedes it.
-        is_negative: bool,
-    },
-}
-
-/// A text or a text parameter.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub enum TextOperand {
-    /// As written, without quotation marks.
-    Text(String),
-    /// A QS parameter (also written `:'QS1'` in paths of FN 16).
-    Parameter(Parameter),
-}
-
 /// A label.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Target {
@@ -269,19 +233,6 @@ pub enum Condition {
     IsUndefined(Parameter),
 }
 
-/// How two values are compared.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Relation {
-    /// `EQU`
-    Equal,
-    /// `NE`
-    NotEqual,
-    /// `GT`
-    Greater,
-    /// `LT`
-    Less,
-}
-
 /// Columns of a table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub enum Columns {
@@ -298,63 +249,4 @@ pub enum Tool {
     Number(Operand),
     /// By name, or by the name in a QS parameter.
     Name(TextOperand),
-}
-
-/// A linear or rotary axis.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
-#[expect(missing_docs, reason = "the names say it")]
-pub enum Axis {
-    X,
-    Y,
-    Z,
-    A,
-    B,
-    C,
-    U,
-    V,
-    W,
-}
-
-/// A straight line.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Movement {
-    /// The axes that move.
-    pub axes: Vec<AxisWord>,
-    /// `R0`, `RL`, `RR`, as written.
-    pub compensation: Option<String>,
-    /// The feed.
-    pub feed: Option<Feed>,
-    /// M functions.
-    pub machine: Vec<MachineFunction>,
-}
-
-/// `IX+2,5`
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub struct AxisWord {
-    /// The axis.
-    pub axis: Axis,
-    /// Whether an `I` precedes it: the value counts from where the axis is.
-    pub is_incremental: bool,
-    /// The destination.
-    pub value: Operand,
-}
-
-/// A feed.
-#[derive(Debug, Clone, Copy, PartialEq)]
-pub enum Feed {
-    /// `FMAX`
-    Rapid,
-    /// `FAUTO`
-    Auto,
-    /// `F200`, `FQ1822`: mm per minute, or a tenth of an inch per minute.
-    Value(Operand),
-}
-
-/// An M function: `M30`, `M140 MB MAX`.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct MachineFunction {
-    /// Its number.
-    pub number: u32,
-    /// The text after it, as written.
-    pub rest: String,
 }

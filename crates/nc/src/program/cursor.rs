@@ -3,9 +3,9 @@
 //! Klartext is not read word by word: blanks may occur within a word (`X + 0`, `FN0 :`) and be missing between words
 //! (`SIN-Q5`, `IX-QR4`). So every reader asks the cursor for what it expects, and the cursor skips blanks.
 
-use super::block::{Operand, TextOperand};
 use super::fault::{BlockFault, Wanted};
 use super::notation::Notation;
+use super::operand::{Operand, TextOperand};
 use crate::control::variables::{Family, Parameter};
 
 /// What was read, or why reading stopped.

@@ -2,7 +2,8 @@
 
 use std::fmt;
 
-use super::block::{Operand, Place, TextOperand};
+use super::operand::{Operand, TextOperand};
+use super::place::Place;
 use crate::control::variables::Parameter;
 
 /// A cycle with its lines, in the order of the program.

@@ -1,6 +1,6 @@
 //! Formulas for numbers and texts, as a tree.
 
-use super::block::{Operand, Relation, TextOperand};
+use super::operand::{Operand, TextOperand};
 use crate::control::variables::Parameter;
 
 /// A formula that gives a number. FN 0 to FN 8 and FN 13 are other notations of formulas.
@@ -34,6 +34,19 @@ pub enum Expression {
         /// The second.
         other: Parameter,
     },
+}
+
+/// How two values are compared.
+#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+pub enum Relation {
+    /// `EQU`
+    Equal,
+    /// `NE`
+    NotEqual,
+    /// `GT`
+    Greater,
+    /// `LT`
+    Less,
 }
 
 /// What `IF` and `WHILE` of lathe controls ask: always answered by yes or no.

@@ -2,10 +2,10 @@
 //!
 //! A sign binds like a function. Operations of the same rank go from left to right, powers too.
 
-use super::block::Operand;
 use super::cursor::{Cursor, Read};
 use super::expression::{Expression, NumberFunction, Operation};
 use super::fault::{BlockFault, Wanted};
+use super::operand::Operand;
 use super::words::{FUNCTIONS, LATHE_FUNCTIONS, meaning};
 use crate::control::variables::Parameter;
 

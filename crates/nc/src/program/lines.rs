@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use super::block::Place;
+use super::place::Place;
 
 /// Where lines begin and end in a text: LF, CRLF, CR or byte 0 ends one (as in [`fitcheck_core::text::lines`]).
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

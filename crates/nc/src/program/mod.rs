@@ -3,7 +3,9 @@
 //! | file | what |
 //! |---|---|
 //! | `block`, `cycle_block`, `around` | what a block says, that of a cycle; blocks around a measurement |
-//! | `expression` | formulas for numbers and texts |
+//! | `movement` | a straight line: axes, feed, M functions |
+//! | `operand`, `expression` | numbers and texts, or what holds them; formulas |
+//! | `place` | a place in the text |
 //! | `read`, `warnings` | bytes to blocks, with warnings |
 //! | `notation`, `klartext`, `iso`, `din_plus` | which notation it is; the readers |
 //! | `source`, `lines`, `cursor` | the text while it is read; parts of lines; the place in a block's text that moves forward |
@@ -55,8 +57,11 @@ mod iso;
 mod klartext;
 mod labels;
 mod lines;
+mod movement;
 mod notation;
 mod numbering;
+mod operand;
+mod place;
 mod read;
 mod source;
 mod text_formula;
@@ -68,16 +73,16 @@ pub mod write;
 mod write_formula;
 
 pub use around::{Frame, Goes, Mode, PassedOver};
-pub use block::{
-    Axis, AxisWord, Block, Body, Columns, Condition, Feed, MachineFunction, Movement, Operand, Place, Relation, Target,
-    TextOperand, Tool, Unit,
-};
+pub use block::{Block, Body, Columns, Condition, Target, Tool, Unit};
 pub use course::Course;
 pub use cycle_block::{CycleBlock, CycleLine, CycleName, CycleValue};
 pub use error::{LabelFault, ProgramError, ProgramWarning, ProgramWarningKind};
-pub use expression::{Expression, NumberFunction, Operation, Test, TextExpression};
+pub use expression::{Expression, NumberFunction, Operation, Relation, Test, TextExpression};
 pub use fault::{BlockFault, Wanted};
+pub use movement::{Axis, AxisWord, Feed, MachineFunction, Movement};
 pub use notation::Notation;
+pub use operand::{Operand, TextOperand};
+pub use place::Place;
 pub use unread::Unread;
 
 use fitcheck_core::text;

@@ -1,10 +1,10 @@
 //! From bytes to blocks, with warnings: text, notation, labels. The notations read the blocks.
 
-use super::block::Place;
 use super::error::{ProgramError, ProgramWarning, ProgramWarningKind};
 use super::labels::Labels;
 use super::lines::Lines;
 use super::notation::Notation;
+use super::place::Place;
 use super::source::Source;
 use super::warnings::Warnings;
 use super::{Encoding, Program, din_plus, iso, klartext};

@@ -1,8 +1,8 @@
 //! The text of a program while it is read.
 
-use super::block::Place;
 use super::error::ProgramWarningKind;
 use super::lines::Lines;
+use super::place::Place;
 use super::warnings::Warnings;
 
 /// The lines of a program, and what is odd about them.

@@ -1,10 +1,10 @@
 //! Formulas for texts: items with `||` between them.
 
-use super::block::TextOperand;
 use super::cursor::{Cursor, Read};
 use super::expression::TextExpression;
 use super::fault::{BlockFault, Wanted};
 use super::formula::{MOST_OPERANDS, text_word, value_word};
+use super::operand::TextOperand;
 use crate::control::variables::Family;
 
 /// Reads a text formula as far as it goes.

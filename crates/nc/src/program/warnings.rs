@@ -1,7 +1,7 @@
 //! The warnings of a program while it is read: only the first are kept, the others counted.
 
-use super::block::Place;
 use super::error::{ProgramWarning, ProgramWarningKind};
+use super::place::Place;
 
 /// How many warnings are listed one by one.
 const MOST_WARNINGS: usize = 500;

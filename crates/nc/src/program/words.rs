@@ -1,7 +1,7 @@
 //! Words of the language and their meanings, each only once: reading and writing use the same lists.
 
-use super::block::{Axis, Relation};
-use super::expression::{NumberFunction, Operation};
+use super::expression::{NumberFunction, Operation, Relation};
+use super::movement::Axis;
 
 /// Functions of formulas.
 pub(super) const FUNCTIONS: [(&str, NumberFunction); 16] = [

@@ -4,9 +4,11 @@
 //! signs, blanks in formulas, cycle lines indented by four, parameter and value padded to ten characters. The text
 //! reads back as the same body. A program that was read is not written here: it keeps its text.
 
-use super::block::{AxisWord, Body, Columns, Condition, Feed, MachineFunction, Movement, Operand, TextOperand, Tool};
+use super::block::{Body, Columns, Condition, Tool};
 use super::cycle_block::{CycleBlock, CycleValue};
 use super::expression::TextExpression;
+use super::movement::{AxisWord, Feed, MachineFunction, Movement};
+use super::operand::{Operand, TextOperand};
 use super::words::{AXES, DEEPEST, RELATIONS, word};
 use super::write_formula::{formula, quoted, signed, text_formula, word_value};
 use crate::control::variables::{Family, Parameter};

@@ -1,7 +1,7 @@
 //! Formulas to text, with blanks around operators and brackets, and no more brackets than needed.
 
-use super::block::{Operand, TextOperand};
 use super::expression::{Expression, NumberFunction, Operation, TextExpression};
+use super::operand::{Operand, TextOperand};
 use super::words::{FUNCTIONS, OPERATIONS, word};
 use crate::control::variables::Parameter;
 

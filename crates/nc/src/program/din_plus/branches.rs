@@ -1,7 +1,7 @@
 //! IF, WHILE, SWITCH and subprograms: each block knows the block that comes next when its condition does not hold.
 
-use super::super::block::{Block, Body, Relation, Target};
-use super::super::expression::{Expression, Test};
+use super::super::block::{Block, Body, Target};
+use super::super::expression::{Expression, Relation, Test};
 use super::super::fault::BlockFault;
 use super::language::RETURN;
 use super::statement::Said;

@@ -1,8 +1,7 @@
 //! Conditions of IF and WHILE.
 
-use super::super::block::Relation;
 use super::super::cursor::{Cursor, Read};
-use super::super::expression::Test;
+use super::super::expression::{Relation, Test};
 use super::super::fault::{BlockFault, Wanted};
 use super::super::formula::{MOST_DEPTH, MOST_OPERANDS, expression};
 

@@ -1,9 +1,10 @@
 //! G functions: motion, feed and speed.
 
 use super::super::around::{Goes, PassedOver};
-use super::super::block::{AxisWord, Body, Feed, MachineFunction, Movement};
+use super::super::block::Body;
 use super::super::cursor::{Read, Stop};
 use super::super::fault::BlockFault;
+use super::super::movement::{AxisWord, Feed, MachineFunction, Movement};
 use super::language::{Function, function};
 use super::words::{Words, tool};
 

@@ -1,11 +1,12 @@
 //! Blocks that begin with a word of the language or a variable.
 
 use super::super::around::{Goes, PassedOver};
-use super::super::block::{Body, Operand, Target, TextOperand};
+use super::super::block::{Body, Target};
 use super::super::cursor::{Cursor, Read};
 use super::super::expression::{Expression, Test, TextExpression};
 use super::super::fault::{BlockFault, Wanted};
 use super::super::formula::expression;
+use super::super::operand::{Operand, TextOperand};
 use super::condition::condition;
 use super::language::SUBPROGRAM;
 use super::words;

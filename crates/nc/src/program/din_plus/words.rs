@@ -3,10 +3,13 @@
 use fitcheck_core::probing::cycle::{Control, Cycle};
 use fitcheck_core::probing::cycles::cycles_of;
 
-use super::super::block::{Axis, AxisWord, Body, MachineFunction, Operand, Place, TextOperand, Tool};
+use super::super::block::{Body, Tool};
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::cycle_block::{CycleBlock, CycleLine, CycleName, CycleValue};
 use super::super::fault::{BlockFault, Wanted};
+use super::super::movement::{Axis, AxisWord, MachineFunction};
+use super::super::operand::{Operand, TextOperand};
+use super::super::place::Place;
 use super::language::{MOST, STARTS_AGAIN, STOPS};
 use super::motion;
 

@@ -1,10 +1,11 @@
 //! From lines to blocks. A block goes on to its `*`, at the latest to the next block number.
 
-use super::super::block::{Block, Body, Place, Unit};
+use super::super::block::{Block, Body, Unit};
 use super::super::error::ProgramWarningKind;
 use super::super::klartext::{Before, assigned};
 use super::super::lines::{Piece, trimmed};
 use super::super::numbering::Numbering;
+use super::super::place::Place;
 use super::super::source::Source;
 use super::super::warnings::Odd;
 use super::super::weight::Weight;

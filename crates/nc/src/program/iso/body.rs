@@ -1,9 +1,10 @@
 //! What a block of one line says: its first sign decides which function reads the rest.
 
-use super::super::block::{Body, Operand, Target, Unit};
+use super::super::block::{Body, Target, Unit};
 use super::super::cursor::{Cursor, Read};
 use super::super::fault::Wanted;
 use super::super::klartext::{MOST_LABEL, MOST_REPEATS, assignment};
+use super::super::operand::Operand;
 use super::codes;
 use super::functions::function;
 use super::modes::Modes;

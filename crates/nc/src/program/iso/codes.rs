@@ -1,9 +1,11 @@
 //! G functions and blocks of words without one.
 
 use super::super::around::{Goes, PassedOver};
-use super::super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement, Operand};
+use super::super::block::Body;
 use super::super::cursor::{Read, Stop};
 use super::super::fault::{BlockFault, Wanted};
+use super::super::movement::{Axis, AxisWord, Feed, MachineFunction, Movement};
+use super::super::operand::Operand;
 use super::frames;
 use super::modes::{Measure, Modes};
 use super::words::{AxisAt, Function, Words, name};

@@ -1,12 +1,13 @@
 //! D functions: those of Klartext's FN, by the same numbers, with their operands behind `P01`, `P02` and `P03`.
 
 use super::super::around::{Goes, PassedOver};
-use super::super::block::{Body, Condition, Operand, Target};
+use super::super::block::{Body, Condition, Target};
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::expression::{Expression, NumberFunction, Operation};
 use super::super::fault::{BlockFault, Wanted};
 use super::super::formula::binary;
 use super::super::klartext::MOST_LABEL;
+use super::super::operand::Operand;
 use super::super::words::RELATIONS;
 
 /// `D01 Q1 P01 -Q2 P02 -5`, after the `D`.

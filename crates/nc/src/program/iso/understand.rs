@@ -1,12 +1,13 @@
 //! From the lines of one block to what it says.
 
-use super::super::block::{Body, Place};
+use super::super::block::Body;
 use super::super::cursor::{Cursor, Stop};
 use super::super::cycle_block::CycleBlock;
 use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::klartext::{cycle_head, cycle_line, defined, first_parameter, heading};
 use super::super::lines::Piece;
+use super::super::place::Place;
 use super::super::warnings::{LONGEST, Odd};
 use super::body::{body, frame};
 use super::modes::Modes;

@@ -1,9 +1,11 @@
 //! The words of a block: letters with a number, in any order, with or without blanks between them.
 
-use super::super::block::{Axis, MachineFunction, Operand, Tool};
+use super::super::block::Tool;
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::fault::{BlockFault, Wanted};
 use super::super::klartext::{MOST_M, tool};
+use super::super::movement::{Axis, MachineFunction};
+use super::super::operand::Operand;
 use super::super::words::{AXES, meaning};
 
 /// The words of a block that begins with neither of the signs that have readers of their own.

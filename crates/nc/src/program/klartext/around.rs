@@ -6,10 +6,12 @@ use fitcheck_core::probing::cycle::Control;
 use fitcheck_core::probing::cycles::cycles_of;
 
 use super::super::around::{Frame, Goes, Mode, PassedOver};
-use super::super::block::{Axis, AxisWord, Body, MachineFunction, Operand};
+use super::super::block::Body;
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::cycle_block::{CycleBlock, CycleLine, CycleValue};
 use super::super::fault::{BlockFault, Wanted};
+use super::super::movement::{Axis, AxisWord, MachineFunction};
+use super::super::operand::Operand;
 use super::super::words::AXES;
 use super::moves::{axis_letter, axis_word, is_machine_function, machine_functions};
 use crate::control::variables::Parameter;

@@ -1,8 +1,9 @@
 //! What a block says: its first words decide which function reads the rest.
 
-use super::super::block::{Body, Operand, Target, Unit};
+use super::super::block::{Body, Target, Unit};
 use super::super::cursor::{Cursor, Read};
 use super::super::fault::{BlockFault, Wanted};
+use super::super::operand::Operand;
 use super::around::{around, is_axis_word};
 use super::functions::{assignment, declaration, function};
 use super::moves::{is_machine_function, line, machine_functions, tool_call};

@@ -1,10 +1,11 @@
 //! Cycles: `TCH PROBE` and `CYCL DEF` with the lines after them.
 
-use super::super::block::{Place, TextOperand};
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::cycle_block::{CycleBlock, CycleLine, CycleName, CycleValue};
 use super::super::fault::{BlockFault, Wanted};
 use super::super::lines::Piece;
+use super::super::operand::TextOperand;
+use super::super::place::Place;
 use crate::control::variables::Family;
 
 /// The number and the name, after `TCH PROBE` or `CYCL DEF`.

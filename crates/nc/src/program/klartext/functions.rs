@@ -1,11 +1,12 @@
 //! Blocks that begin with `FN`, and assignments.
 
 use super::super::around::Frame;
-use super::super::block::{Body, Columns, Condition, Operand};
+use super::super::block::{Body, Columns, Condition};
 use super::super::cursor::{Cursor, Read};
 use super::super::expression::{Expression, NumberFunction, Operation};
 use super::super::fault::{BlockFault, Wanted};
 use super::super::formula::{binary, expression};
+use super::super::operand::Operand;
 use super::super::text_formula::text_expression;
 use super::super::words::{OPERATIONS, RELATIONS, word};
 use super::around::still;

@@ -1,8 +1,10 @@
 //! Straight lines, tool calls and M functions.
 
-use super::super::block::{Axis, AxisWord, Body, Feed, MachineFunction, Movement, Operand, TextOperand, Tool};
+use super::super::block::{Body, Tool};
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::fault::BlockFault;
+use super::super::movement::{Axis, AxisWord, Feed, MachineFunction, Movement};
+use super::super::operand::{Operand, TextOperand};
 use super::super::words::{AXES, COMPENSATIONS, meaning};
 use super::around::is_axis_word;
 use crate::control::variables::Family;

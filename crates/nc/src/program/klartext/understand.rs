@@ -1,11 +1,12 @@
 //! From the lines of one block to what it says.
 
-use super::super::block::{Body, Place};
+use super::super::block::Body;
 use super::super::cursor::{Cursor, Stop};
 use super::super::cycle_block::CycleBlock;
 use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::lines::Piece;
+use super::super::place::Place;
 use super::super::warnings::{LONGEST, Odd};
 use super::super::words::DEEPEST;
 use super::around;

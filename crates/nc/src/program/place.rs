@@ -1,0 +1,18 @@
+//! A place in the text of a program.
+
+use fitcheck_core::message;
+
+/// A place in the text: line and column, both from 1; columns count characters.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub struct Place {
+    /// Line.
+    pub line: usize,
+    /// Column.
+    pub column: usize,
+}
+
+impl From<Place> for message::Place {
+    fn from(Place { line, column }: Place) -> Self {
+        Self { file: None, line: Some(line), column: Some(column) }
+    }
+}
