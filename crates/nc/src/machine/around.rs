@@ -5,9 +5,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use fitcheck_core::message::Say;
 use fitcheck_core::probing::cycle::Plane;
 
+use super::change::Change;
 use super::fault::FaultKind;
 use super::path::NcPath;
 use super::placement::{Placement, plane};
@@ -25,28 +25,6 @@ pub(super) const INCH: f64 = 25.4;
 /// Millimetres in one unit of a program.
 pub(super) fn millimetres(unit: Option<Unit>) -> f64 {
     if unit == Some(Unit::Inch) { INCH } else { 1.0 }
-}
-
-/// A change of the system under which nothing is measured here.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Say)]
-#[say(prefix = "machine-change")]
-pub enum Change {
-    /// Whatever a block has made of it that was not run.
-    NotKnown,
-    /// A row of a datum table, which only the control has.
-    DatumTable,
-    /// Cycle 10.
-    Rotation,
-    /// Cycle 8.
-    Mirror,
-    /// Cycle 11.
-    Scaling,
-    /// Cycle 26.
-    AxisScaling,
-    /// PLANE, cycle 19.
-    Tilt,
-    /// Cycle 800, until cycle 801.
-    Turning,
 }
 
 /// What a program has set up.

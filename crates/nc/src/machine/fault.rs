@@ -5,8 +5,8 @@ use fitcheck_core::probing::cycle::CycleError;
 use fitcheck_core::probing::simulated::WorkpieceError;
 use fitcheck_core::text::cut;
 
-use super::around::Change;
 use super::budget::UsedUp;
+use super::change::Change;
 use super::path::{NcPath, PathError};
 use super::store::StoreError;
 use crate::control::mask::{MaskError, RenderError};

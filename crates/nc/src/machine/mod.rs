@@ -8,6 +8,7 @@
 //! | `tables` | FN 26, FN 27, FN 28 |
 //! | `prints`, `logs` | FN 16: windows and files; the measuring logs of cycles (Q281) |
 //! | `around`, `placement` | what is set up around measurements: tool axis, mode, global values, zero; where a cycle measures |
+//! | `change` | changes of the system under which nothing is measured here |
 //! | `alone` | what a measuring block loses where it is taken out of its program |
 //! | `cycles`, `contacts` | `TCH PROBE`, and what the probe touches |
 //! | `tool_call` | the tool in the spindle, as TOOL CALL says |
@@ -25,6 +26,7 @@
 mod alone;
 mod around;
 mod budget;
+mod change;
 mod contacts;
 mod cycles;
 mod fault;
@@ -45,8 +47,8 @@ mod tools;
 mod values;
 
 pub use alone::{Alone, alone};
-pub use around::Change;
 pub use budget::{Budget, Settings, UsedUp};
+pub use change::Change;
 pub use contacts::Contacts;
 pub use cycles::CycleRun;
 pub use fault::{BlockPlace, Counted, Fault, FaultKind};
