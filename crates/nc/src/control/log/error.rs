@@ -7,7 +7,11 @@ use fitcheck_core::message::{Located, Say};
 use fitcheck_core::probing::cycle::Log;
 use fitcheck_core::probing::cycles::CYCLES;
 
-use super::lines::{LONGEST_LINE, MOST_LINES};
+/// The most lines of a log that are not blank; a control writes some thirty.
+pub(super) const MOST_LINES: usize = 1_000;
+
+/// The longest line of a log in bytes; a control's has some hundred.
+pub(super) const LONGEST_LINE: usize = 4 << 10;
 
 /// Why a log cannot be used, and where: with a column if the error is about a single figure.
 pub type LogError = Located<LogFault>;

@@ -9,17 +9,11 @@ use fitcheck_core::length::Unit;
 use fitcheck_core::message::{Located, Place};
 use jiff::civil::{Date, Time};
 
-use super::error::{LogError, LogFault, LogWarning, LogWarningKind};
+use super::error::{LONGEST_LINE, LogError, LogFault, LogWarning, LogWarningKind, MOST_LINES};
 use crate::control::simulated::is_mark;
 
 /// The measuring cycles whose number marks a title line.
 const CYCLES: std::ops::RangeInclusive<u16> = 420..=431;
-
-/// The most lines of a log that are not blank; a control writes some thirty.
-pub(super) const MOST_LINES: usize = 1_000;
-
-/// The longest line of a log in bytes; a control's has some hundred.
-pub(super) const LONGEST_LINE: usize = 4 << 10;
 
 /// The first line of a log.
 #[derive(Debug)]

@@ -3,7 +3,8 @@
 use fitcheck_core::message::{Located, Say};
 use fitcheck_core::probing::cycle::{CycleError, Key};
 
-use super::read::MOST_PARTS;
+/// The most parts between `~` on a line: each takes memory, also an empty one.
+pub(super) const MOST_PARTS: usize = 1_000;
 
 /// Why a block cannot be read or written, and on which line.
 pub type ProbeBlockError = Located<ProbeBlockFault>;

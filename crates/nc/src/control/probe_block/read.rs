@@ -4,14 +4,11 @@ use fitcheck_core::probing::cycle::{Control, Cycle, Inputs, Range};
 use fitcheck_core::probing::cycles::{cycle_named, cycles_of};
 use fitcheck_core::text::lines;
 
-use super::fault::{ProbeBlockError, ProbeBlockFault};
+use super::fault::{MOST_PARTS, ProbeBlockError, ProbeBlockFault};
 use super::{ProbeBlock, Setting, Unused, shown};
 
 /// How a parameter of a milling control is written, for errors.
 const EXAMPLE: &str = "Q263=+35";
-
-/// The most parts between `~` on a line: each takes memory, also an empty one.
-pub(super) const MOST_PARTS: usize = 1_000;
 
 /// Reads the one block of a probing cycle in a text: the block alone, or a program with one.
 ///
