@@ -7,7 +7,7 @@
 use fitcheck_core::text::beginning;
 
 use super::fault::{TableError, TableFault, TableWarningKind};
-use super::read::{MOST_COLUMNS, Reader, WIDEST};
+use super::reader::{MOST_COLUMNS, Reader, WIDEST};
 use super::{Column, CommentPlace, ControlTable};
 
 /// Reads the lines after `#STRUCTBEGIN` up to and including `#STRUCTEND`.

@@ -3,6 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `read` | bytes to a table: BEGIN line, names of the columns, rows, `[END]` |
+//! | `reader` | the pass over its lines |
 //! | `file` | a table as it is in a file, with the places of its parts |
 //! | `block` | the two blocks that describe columns: `#STRUCTBEGIN` and `TableDescription` |
 //! | `write` | a table to bytes |
@@ -17,6 +18,7 @@ mod fault;
 mod file;
 mod patch;
 mod read;
+mod reader;
 mod write;
 
 pub use fault::{TableError, TableFault, TableWarning, TableWarningKind};

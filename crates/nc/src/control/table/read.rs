@@ -3,24 +3,14 @@
 //! One pass over the lines, which reads each line once; the amount of kept data is limited. Rules: `docs/SOURCES.md`.
 
 use std::borrow::Cow;
-use std::sync::Arc;
 
-use fitcheck_core::message::{Located, Place};
-use fitcheck_core::text::{beginning, decode, lines};
+use fitcheck_core::text::{beginning, decode};
 
 use super::block::{read_description, read_structure};
-use super::fault::{TableError, TableFault, TableWarning, TableWarningKind};
+use super::fault::{TableError, TableFault, TableWarningKind};
 use super::file::TableFile;
-use super::{Column, Comment, CommentPlace, ControlTable, Generation, TableUnit};
-
-/// The longest line in bytes. iTNC 530 has 200 characters, a TNC7 a few thousand.
-pub(super) const LONGEST_LINE: usize = 1 << 16;
-/// The most columns. iTNC 530 has 30.
-pub(super) const MOST_COLUMNS: usize = 1_000;
-/// The most cells and other kept parts: 30 columns and 30 000 rows fit, and memory stays within about 100 MB.
-pub(super) const MOST_CELLS: usize = 1_000_000;
-/// The widest column that a block may describe.
-pub(super) const WIDEST: usize = 10_000;
+use super::reader::{MOST_COLUMNS, Reader};
+use super::{Column, CommentPlace, ControlTable, Generation, TableUnit};
 
 impl ControlTable {
     /// Reads a table of any of the three generations: UTF-8 or Windows-1252, any line ends.
@@ -68,68 +58,7 @@ struct Body {
     short: Option<TableError>,
 }
 
-/// The pass over the lines.
-pub(super) struct Reader<'a> {
-    lines: Box<dyn Iterator<Item = (usize, &'a str)> + 'a>,
-    file: Arc<str>,
-    /// The number of the line that was read last.
-    pub(super) line: usize,
-    pub(super) warnings: Vec<TableWarning>,
-    /// How many more parts may be kept.
-    budget: usize,
-    /// Whether rows may end before the last column.
-    may_be_short: bool,
-}
-
 impl<'a> Reader<'a> {
-    fn new(text: &'a str, file: &str) -> Self {
-        let lines = Box::new(lines(text));
-        Self { lines, file: file.into(), line: 0, warnings: Vec::new(), budget: MOST_CELLS, may_be_short: false }
-    }
-
-    /// An error at a character (from 0) of the line that was read last.
-    pub(super) fn fault(&self, what: TableFault, character: usize) -> TableError {
-        self.fault_at(what, self.line.max(1), character)
-    }
-
-    fn fault_at(&self, what: TableFault, line: usize, character: usize) -> TableError {
-        Located { what, place: Place::in_file(&self.file, line, character + 1) }
-    }
-
-    pub(super) fn warn(&mut self, what: TableWarningKind, character: usize) {
-        let place = Place::in_file(&self.file, self.line.max(1), character + 1);
-        self.warnings.push(Located { what, place });
-    }
-
-    /// Counts kept parts; one too many is an error.
-    pub(super) fn keep(&mut self, parts: usize) -> Result<(), TableError> {
-        let too_large = || self.fault(TableFault::TooLarge { limit: MOST_CELLS }, 0);
-        self.budget = self.budget.checked_sub(parts).ok_or_else(too_large)?;
-        Ok(())
-    }
-
-    /// The next line that is not blank.
-    pub(super) fn next_line(&mut self) -> Result<Option<&'a str>, TableError> {
-        for (number, line) in self.lines.by_ref() {
-            self.line = number;
-            if LONGEST_LINE < line.len() {
-                return Err(self.fault(TableFault::LineTooLong { limit: LONGEST_LINE }, 0));
-            }
-            if let Some((at, control)) = line.chars().enumerate().find(|(_, c)| c.is_control() && *c != '\t') {
-                return Err(self.fault(TableFault::NotText { code: control.into() }, at));
-            }
-            if !line.trim().is_empty() {
-                return Ok(Some(line));
-            }
-        }
-        Ok(None)
-    }
-
-    pub(super) fn comment(&mut self, place: CommentPlace, text: &str) -> Result<Comment, TableError> {
-        self.keep(1)?;
-        Ok(Comment { place, text: text.to_owned() })
-    }
-
     /// `BEGIN name[.suffix][ MM| INCH][ Version: '…'][ U]`
     fn begin_line(&mut self) -> Result<ControlTable, TableError> {
         let line = self.next_line()?.ok_or_else(|| self.fault_at(TableFault::Empty, 1, 0))?;
