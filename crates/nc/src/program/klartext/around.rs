@@ -13,7 +13,7 @@ use super::super::fault::{BlockFault, Wanted};
 use super::super::movement::{Axis, AxisWord, MachineFunction};
 use super::super::operand::Operand;
 use super::super::words::AXES;
-use super::moves::{axis_letter, axis_word, is_machine_function, machine_functions};
+use super::path_words::{axis_letter, axis_word, is_machine_function, machine_functions};
 use crate::control::variables::Parameter;
 
 /// Where the words of a path end up.
@@ -157,14 +157,6 @@ pub(super) fn around(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
 /// A block that is passed over and moves nothing.
 pub(super) fn still(words: &str) -> Body {
     Body::PassedOver(PassedOver { words: words.to_owned(), goes: Goes::default(), machine: Vec::new() })
-}
-
-/// Whether an axis with its value comes next: paraxial positioning begins with it (`X+37.8 R0 FMAX`).
-pub(super) fn is_axis_word(cursor: &Cursor<'_>) -> bool {
-    let mut ahead = cursor.clone();
-    ahead.take_prefix("I");
-    axis_letter(&mut ahead).is_some()
-        && ahead.rest().starts_with(|c: char| c.is_ascii_digit() || matches!(c, '+' | '-' | 'Q' | 'q'))
 }
 
 /// The rest of a path: axes and M functions are read, everything else is left.

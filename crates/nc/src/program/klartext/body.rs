@@ -4,9 +4,10 @@ use super::super::block::{Body, Target, Unit};
 use super::super::cursor::{Cursor, Read};
 use super::super::fault::{BlockFault, Wanted};
 use super::super::operand::Operand;
-use super::around::{around, is_axis_word};
+use super::around::around;
 use super::functions::{assignment, declaration, function};
-use super::moves::{is_machine_function, line, machine_functions, tool_call};
+use super::moves::{line, tool_call};
+use super::path_words::{is_axis_word, is_machine_function, machine_functions};
 use crate::control::variables::Family;
 
 /// The largest number of a label.

@@ -6,6 +6,7 @@
 //! | `cut_off` | lines that a missing or a surplus `~` has put into the wrong block |
 //! | `understand` | from the lines of one block to what it says |
 //! | `body`, `functions`, `moves`, `cycle`, `around` | the kinds of blocks, read |
+//! | `path_words` | axes with their values, and M functions |
 //!
 //! Grammar: manuals and public programs, see `docs/SOURCES.md`.
 
@@ -16,6 +17,7 @@ mod cut_off;
 mod cycle;
 mod functions;
 mod moves;
+mod path_words;
 mod understand;
 
 use super::block::Block;
@@ -27,7 +29,8 @@ pub(super) use body::{MOST_LABEL, MOST_REPEATS};
 pub(super) use cut_off::{Before, assigned};
 pub(super) use cycle::{first_parameter, head as cycle_head, line as cycle_line};
 pub(super) use functions::assignment;
-pub(super) use moves::{MOST_M, tool};
+pub(super) use moves::tool;
+pub(super) use path_words::MOST_M;
 pub(super) use understand::heading;
 
 /// Reads the blocks of a program.

@@ -1,16 +1,13 @@
-//! Straight lines, tool calls and M functions.
+//! Straight lines and tool calls.
 
 use super::super::block::{Body, Tool};
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::fault::BlockFault;
-use super::super::movement::{Axis, AxisWord, Feed, MachineFunction, Movement};
+use super::super::movement::{Feed, Movement};
 use super::super::operand::{Operand, TextOperand};
-use super::super::words::{AXES, COMPENSATIONS, meaning};
-use super::around::is_axis_word;
+use super::super::words::{AXES, COMPENSATIONS};
+use super::path_words::{axis_letter, axis_word, machine_functions};
 use crate::control::variables::Family;
-
-/// The largest number of an M function.
-pub(in super::super) const MOST_M: u32 = 9999;
 
 /// `L …`, after the word.
 pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
@@ -36,23 +33,6 @@ pub(super) fn line(cursor: &mut Cursor<'_>) -> Read<Body> {
     }
 }
 
-/// `IX+2,5`; blanks may occur anywhere in it.
-pub(super) fn axis_word(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
-    let mut ahead = cursor.clone();
-    let is_incremental = ahead.take_prefix("I");
-    let Some(axis) = axis_letter(&mut ahead) else { return Ok(None) };
-    let value = ahead.operand()?;
-    *cursor = ahead;
-    Ok(Some(AxisWord { axis, is_incremental, value }))
-}
-
-pub(super) fn axis_letter(cursor: &mut Cursor<'_>) -> Option<Axis> {
-    let letter = cursor.next().filter(char::is_ascii_alphabetic)?;
-    let axis = meaning(&AXES, letter.encode_utf8(&mut [0; 4]))?;
-    cursor.take(letter);
-    Some(axis)
-}
-
 /// The value after the F.
 fn feed(cursor: &mut Cursor<'_>) -> Read<Feed> {
     if cursor.take_word("MAX") {
@@ -62,35 +42,6 @@ fn feed(cursor: &mut Cursor<'_>) -> Read<Feed> {
         return Ok(Feed::Auto);
     }
     Ok(Feed::Value(cursor.operand()?))
-}
-
-/// M functions up to the end, or to an axis with its value; other text after a number belongs to it.
-pub(super) fn machine_functions(cursor: &mut Cursor<'_>) -> Read<Vec<MachineFunction>> {
-    let mut found = Vec::new();
-    while !cursor.is_at_end() {
-        if found.is_empty() && !is_machine_function(cursor) {
-            cursor.end()?;
-        }
-        cursor.take_prefix("M");
-        let number = cursor.expect_whole(MOST_M)?;
-        let at = cursor.at();
-        cursor.blanks();
-        while !cursor.is_at_end() && !is_machine_function(cursor) && !is_axis_word(cursor) {
-            cursor.take_while(|c| !c.is_whitespace());
-        }
-        found.push(MachineFunction { number, rest: cursor.since(at).to_owned() });
-        // `L X+0 M8 C+90`: the axis moves.
-        if is_axis_word(cursor) {
-            break;
-        }
-    }
-    Ok(found)
-}
-
-/// Whether `M` and a digit come next.
-pub(super) fn is_machine_function(cursor: &Cursor<'_>) -> bool {
-    let mut ahead = cursor.clone();
-    ahead.take_prefix("M") && ahead.rest().trim_start().starts_with(|c: char| c.is_ascii_digit())
 }
 
 /// `TOOL CALL …`, after the two words.
