@@ -10,7 +10,7 @@ use super::super::operand::Operand;
 use super::super::text_formula::text_expression;
 use super::super::words::{OPERATIONS, RELATIONS, word};
 use super::around::still;
-use super::body::target;
+use super::label::target;
 use crate::control::variables::Family;
 
 /// `FN n: …`, after the word `FN`. Functions that Fitcheck does not run are [`Body::Other`].

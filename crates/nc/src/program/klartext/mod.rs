@@ -5,7 +5,7 @@
 //! | `blocks` | from lines to blocks |
 //! | `cut_off` | lines that a missing or a surplus `~` has put into the wrong block |
 //! | `understand` | from the lines of one block to what it says |
-//! | `body`, `functions`, `moves`, `cycle`, `around` | the kinds of blocks, read |
+//! | `body`, `functions`, `label`, `moves`, `cycle`, `around` | the kinds of blocks, read |
 //! | `path_words` | axes with their values, and M functions |
 //!
 //! Grammar: manuals and public programs, see `docs/SOURCES.md`.
@@ -16,6 +16,7 @@ mod body;
 mod cut_off;
 mod cycle;
 mod functions;
+mod label;
 mod moves;
 mod path_words;
 mod understand;
@@ -25,10 +26,10 @@ use super::source::Source;
 
 // What other notations have in common with Klartext.
 pub(super) use around::defined;
-pub(super) use body::{MOST_LABEL, MOST_REPEATS};
 pub(super) use cut_off::{Before, assigned};
 pub(super) use cycle::{first_parameter, head as cycle_head, line as cycle_line};
 pub(super) use functions::assignment;
+pub(super) use label::{MOST_LABEL, MOST_REPEATS};
 pub(super) use moves::tool;
 pub(super) use path_words::MOST_M;
 pub(super) use understand::heading;
