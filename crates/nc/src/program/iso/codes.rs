@@ -3,15 +3,12 @@
 use super::super::around::{Goes, PassedOver};
 use super::super::block::Body;
 use super::super::cursor::{Read, Stop};
-use super::super::fault::{BlockFault, Wanted};
-use super::super::movement::{Axis, AxisWord, Feed, MachineFunction, Movement};
-use super::super::operand::Operand;
+use super::super::fault::BlockFault;
+use super::super::movement::{Axis, Feed, MachineFunction, Movement};
 use super::frames;
+use super::g_block::{ALL_AXES, Block};
 use super::modes::{Measure, Modes};
-use super::words::{AxisAt, Function, Words, name};
-
-/// Letters of axes.
-pub(super) const ALL_AXES: &str = "XYZABCUVW";
+use super::words::{Words, name};
 
 /// Planes: each has its tool axis.
 const PLANES: [(u32, Axis); 3] = [(17, Axis::Z), (18, Axis::Y), (19, Axis::X)];
@@ -55,21 +52,7 @@ const fn is_polar(number: u32) -> bool {
     matches!(number, 10..=16)
 }
 
-/// A block with its G functions by what they are about.
-pub(super) struct Block<'w, 'a> {
-    pub words: &'w Words<'a>,
-    pub main: Option<Function>,
-    pub plane: Option<Function>,
-    pub compensation: Option<Function>,
-    pub measure: Option<Function>,
-}
-
 impl Block<'_, '_> {
-    /// G90 or G91 in this block.
-    pub(super) fn stated(&self) -> Option<Measure> {
-        self.measure.map(|measure| if measure.number == 90 { Measure::Absolute } else { Measure::Incremental })
-    }
-
     fn body(&self, modes: &mut Modes) -> Read<Body> {
         let Some(main) = self.main else { return self.without_main(modes) };
         if main.number != 30 && main.number != 31 {
@@ -154,22 +137,6 @@ impl Block<'_, '_> {
         Ok(passed_over(shown, goes, &words.machine))
     }
 
-    /// The axes with their values, as they count in this block.
-    pub(super) fn axes(&self, modes: &Modes) -> Read<Vec<AxisWord>> {
-        let Some(first) = self.words.axes.first() else { return Ok(Vec::new()) };
-        // Whether it counts for the axes before it is on no page that we found.
-        if let Some(late) = self.measure.filter(|measure| first.at < measure.at) {
-            return Err(Stop { at: late.at, reason: BlockFault::LeftOver { found: name(late.number) } });
-        }
-        let Some(measure) = modes.measure else { return Err(measure_unknown(first.at)) };
-        let is_incremental = measure == Measure::Incremental;
-        let word = |AxisAt { axis, value, at }: AxisAt| match value {
-            Some(value) => Ok(AxisWord { axis, is_incremental, value }),
-            None => Err(Stop { at, reason: BlockFault::Missing(Wanted::Value) }),
-        };
-        self.words.axes.iter().copied().map(word).collect()
-    }
-
     fn passed_over(&self, letters: &str, goes: Goes) -> Read<Body> {
         self.words.only(letters)?;
         let shown = match self.words.functions.first() {
@@ -178,31 +145,8 @@ impl Block<'_, '_> {
         };
         Ok(passed_over(shown, goes, &self.words.machine))
     }
-
-    /// An error if a G function is there that means nothing here.
-    fn refuse(&self, function: Option<Function>) -> Read<()> {
-        match (function, self.main) {
-            (None, _) => Ok(()),
-            (Some(Function { number, at }), None) => {
-                Err(Stop { at, reason: BlockFault::LeftOver { found: name(number) } })
-            }
-            (Some(Function { number, at }), Some(main)) => {
-                Err(Stop { at, reason: BlockFault::NotTogether { one: name(main.number), other: name(number) } })
-            }
-        }
-    }
 }
 
 fn passed_over(words: String, goes: Goes, machine: &[MachineFunction]) -> Body {
     Body::PassedOver(PassedOver { words, goes, machine: machine.to_vec() })
-}
-
-/// The reason that a value could count from either place.
-pub(super) const fn measure_unknown(at: usize) -> Stop {
-    Stop { at, reason: BlockFault::MeasureUnknown }
-}
-
-/// The value of a word that a G function needs.
-pub(super) fn needed(block: &Block<'_, '_>, main: Function, word: &'static str) -> Read<Operand> {
-    block.words.value(word).ok_or(Stop { at: main.at, reason: BlockFault::Missing(Wanted::Word(word)) })
 }

@@ -5,7 +5,7 @@
 use super::super::around::Frame;
 use super::super::cursor::{Read, Stop};
 use super::super::fault::{BlockFault, Wanted};
-use super::codes::{ALL_AXES, Block, measure_unknown, needed};
+use super::g_block::{ALL_AXES, Block, measure_unknown, needed};
 use super::modes::{Measure, Modes};
 use super::words::Function;
 

@@ -8,6 +8,7 @@
 //! | `body` | the kinds of blocks by their first sign: programs, labels, formulas |
 //! | `functions` | D functions |
 //! | `words`, `codes`, `frames` | words of a block; G functions; changes of the system of coordinates |
+//! | `g_block` | a block with its G functions by what they are about |
 //! | `modes` | what stays in force from block to block: G90, G91 and the kind of path |
 //!
 //! Forms and how sure each of them is: `docs/SOURCES.md`, "ISO programs".
@@ -17,6 +18,7 @@ mod body;
 mod codes;
 mod frames;
 mod functions;
+mod g_block;
 mod modes;
 mod pieces;
 mod understand;
