@@ -7,7 +7,7 @@
 //! | `blocks` | from lines to blocks, section by section |
 //! | `branches` | IF, WHILE, SWITCH and subprograms: which block comes next |
 //! | `statement`, `condition` | blocks that begin with a word of the language or a variable |
-//! | `words`, `motion` | blocks of address letters: `G1 X40 Z-30 F0.2` |
+//! | `letters`, `words`, `motion` | blocks of address letters, `G1 X40 Z-30 F0.2`; their words; their G functions and tools |
 //!
 //! Only a part of the language is documented in public; what is ours in it is in `docs/SOURCES.md`, "DIN PLUS". Anything beyond
 //! is kept as text with a warning, so that no run goes past it in silence.
@@ -16,6 +16,7 @@ mod blocks;
 mod branches;
 mod condition;
 mod language;
+mod letters;
 mod line;
 mod motion;
 mod statement;

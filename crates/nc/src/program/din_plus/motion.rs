@@ -1,16 +1,29 @@
-//! G functions: motion, feed and speed.
+//! G functions: motion, feed and speed; and tools.
 
 use super::super::around::{Goes, PassedOver};
-use super::super::block::Body;
+use super::super::block::{Body, Tool};
 use super::super::cursor::{Read, Stop};
 use super::super::fault::BlockFault;
 use super::super::movement::{AxisWord, Feed, MachineFunction, Movement};
-use super::language::{Function, function};
-use super::words::{Words, tool};
+use super::language::{Function, STOPS, function};
+use super::words::{Word, Words};
 
 /// A block that changes nothing that a measurement depends on.
 pub(super) fn passed_over(words: String, machine: Vec<MachineFunction>) -> Body {
     Body::PassedOver(PassedOver { words, goes: Goes::default(), machine })
+}
+
+/// `T8 M5`: the tool. A tool call has no M functions here, so those that stop or end are refused beside it.
+pub(super) fn tool(words: &Words<'_>) -> Read<Body> {
+    let Some(word) = words.named("T") else { return Ok(Body::Nothing) };
+    if let Some(stop) = words.machine.iter().find(|function| STOPS.contains(&function.number)) {
+        return Err(word.fail(BlockFault::NotTogether { one: word.shown(), other: format!("M{}", stop.number) }));
+    }
+    let others = words.others.iter().filter(|word| word.letters != "T").map(Word::shown);
+    let functions = words.functions.iter().map(|(_, number)| format!("G{number}"));
+    let machine = words.machine.iter().map(|function| format!("M{}", function.number));
+    let rest: Vec<String> = functions.chain(others).chain(machine).collect();
+    Ok(Body::ToolCall { tool: Some(Tool::Number(word.operand()?)), axis: None, rest: rest.join(" ") })
 }
 
 /// A block with G functions; `None` without any.

@@ -9,7 +9,7 @@ use super::super::formula::expression;
 use super::super::operand::{Operand, TextOperand};
 use super::condition::condition;
 use super::language::SUBPROGRAM;
-use super::words;
+use super::letters;
 
 /// What a block says; where the next block lies is found for branches when all blocks are read.
 #[derive(Debug)]
@@ -58,7 +58,7 @@ pub(super) fn said(cursor: &mut Cursor<'_>) -> Read<Said> {
         Some('#') => Said::Body(assignment(cursor)?),
         Some(_) => match word(cursor)? {
             Some(said) => said,
-            None => Said::Body(words::body(cursor)?),
+            None => Said::Body(letters::body(cursor)?),
         },
     };
     cursor.end()?;
