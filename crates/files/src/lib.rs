@@ -4,6 +4,7 @@
 
 mod beside;
 mod folder;
+mod hearing;
 mod listing;
 mod stopping;
 mod straight;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use std::sync::{Mutex, PoisonError};
 
 #[cfg(unix)]
-use super::stopping;
+use super::hearing;
 
 /// Everything unfinished at this moment.
 static UNFINISHED: Mutex<BTreeSet<PathBuf>> = Mutex::new(BTreeSet::new());
@@ -77,7 +77,7 @@ pub(super) fn remove_at_signals() {
         let Ok(mut signals) = Signals::new(wanted) else { return };
         let handle = move || {
             for signal in signals.forever() {
-                if signal == SIGINT && stopping::ask() {
+                if signal == SIGINT && hearing::ask() {
                     end_later(signal);
                 } else {
                     end_by(signal);
@@ -105,7 +105,7 @@ fn end_later(signal: i32) {
         for _ in 0..TIMES {
             let before = worked();
             std::thread::sleep(PATIENCE);
-            if !stopping::is_awaited() {
+            if !hearing::is_awaited() {
                 return;
             }
             if worked() == before {
