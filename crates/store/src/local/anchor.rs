@@ -12,7 +12,7 @@ use fitcheck_exchange::journal::chain::{ChainId, Hash, Head};
 use fitcheck_files::{self as files, FileError};
 use rusqlite::{Connection, OptionalExtension as _};
 
-use super::reader::integer;
+use super::number::integer;
 use crate::error::StoreRemark;
 
 /// The first line of the file.

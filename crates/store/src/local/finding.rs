@@ -6,7 +6,7 @@ use fitcheck_exchange::journal::found::{Found, Kind, folded};
 use rusqlite::types::Value;
 use rusqlite::{Connection, Row, params};
 
-use super::reader::integer;
+use super::number::integer;
 
 /// Adds the row of an entry.
 pub(super) fn add(connection: &Connection, number: i64, found: &Found<'_>) -> rusqlite::Result<()> {

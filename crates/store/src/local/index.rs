@@ -9,7 +9,7 @@ use fitcheck_exchange::journal::body;
 use rusqlite::{Connection, Transaction, TransactionBehavior, params};
 
 use super::finding;
-use super::reader::{integer, natural};
+use super::number::{integer, natural};
 
 /// So many entries wait to be indexed.
 const WAIT: i64 = 512;

@@ -12,6 +12,7 @@
 //! | `schema` | the tables, and what keeps entries as they are |
 //! | `finding` | what an entry is found by, and questions as conditions on it |
 //! | `index` | what entries are found by, some hundreds of entries later |
+//! | `number` | numbers of entries as SQLite keeps them |
 //! | `words` | questions for words |
 //! | `reader` | reading, beside the writer |
 //! | `verify` | whether every entry is the one that was written |
@@ -24,6 +25,7 @@ mod aside;
 mod backup;
 mod finding;
 mod index;
+mod number;
 mod opening;
 mod reader;
 mod schema;
@@ -161,7 +163,7 @@ impl Journal {
         }
         let chain = reader::chain_of(&connection, path)?;
         let head = head_of(&connection).map_err(failed)?;
-        if reader::integer(head.number) < index::indexed(&connection).map_err(failed)? {
+        if number::integer(head.number) < index::indexed(&connection).map_err(failed)? {
             // Entries were cut off: what is added now has numbers that were indexed already.
             schema::rebuild(&mut connection).map_err(failed)?;
         }
@@ -221,7 +223,7 @@ impl Journal {
         let is_due = self.anchored + ANCHOR_EVERY <= head.number;
         self.head = head;
         // What was added stays added where this fails; the next entry tries it again.
-        let _later = index::bring_up(&self.connection, reader::integer(head.number));
+        let _later = index::bring_up(&self.connection, number::integer(head.number));
         if is_due {
             self.keep_head();
         }
@@ -234,7 +236,7 @@ impl Journal {
     /// [`StoreError`] where the file cannot be written to; nothing is lost.
     pub fn tidy(&self) -> Result<(), StoreError> {
         let _turn = Turn::of(&self.path, &self.opening)?;
-        let all = || index::bring_all_up(&self.connection, reader::integer(head_of(&self.connection)?.number));
+        let all = || index::bring_all_up(&self.connection, number::integer(head_of(&self.connection)?.number));
         all().map_err(|error: rusqlite::Error| StoreError::of(&self.path, &error))
     }
 
@@ -326,7 +328,7 @@ fn may_correct(connection: &Connection, path: &Path, correction: &Correction) ->
     let Head { number, hash } = correction.target;
     let mut there = connection.prepare_cached("SELECT hash FROM entry WHERE number = ?1").map_err(failed)?;
     let found: Option<[u8; 32]> =
-        there.query_row([reader::integer(number)], |row| row.get(0)).optional().map_err(failed)?;
+        there.query_row([number::integer(number)], |row| row.get(0)).optional().map_err(failed)?;
     if found != Some(hash.0) {
         return Err(StoreError::OtherTarget { number });
     }

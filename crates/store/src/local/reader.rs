@@ -13,6 +13,7 @@ use rusqlite::{Connection, InterruptHandle, OptionalExtension as _, params_from_
 
 use super::finding::Conditions;
 use super::index::{self, Corrections, Waiting};
+use super::number::{integer, natural};
 use super::{head_of, opening, words};
 use crate::error::StoreError;
 
@@ -237,15 +238,6 @@ pub(super) fn chain_of(connection: &Connection, path: &Path) -> Result<ChainId, 
 pub(super) fn kept(row: &rusqlite::Row<'_>) -> rusqlite::Result<Kept> {
     let body: Arc<[u8]> = row.get_ref(1)?.as_blob()?.into();
     Ok(Kept { head: Head { number: natural(row.get(0)?), hash: Hash(row.get(2)?) }, body })
-}
-
-/// A number of an entry as SQLite keeps it.
-pub(super) fn integer(number: u64) -> i64 {
-    i64::try_from(number).unwrap_or(i64::MAX)
-}
-
-pub(super) fn natural(number: i64) -> u64 {
-    u64::try_from(number).unwrap_or_default()
 }
 
 fn size(most: usize) -> i64 {

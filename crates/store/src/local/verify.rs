@@ -20,7 +20,7 @@ use fitcheck_exchange::journal::found::Found;
 use fitcheck_exchange::journal::inspection::{Inspected, Inspection};
 use rusqlite::{Connection, InterruptHandle, OptionalExtension as _};
 
-use super::{finding, index, opening, reader, schema};
+use super::{finding, index, number, opening, reader, schema};
 use crate::error::StoreError;
 
 /// After how many entries the progress is told.
@@ -129,7 +129,7 @@ fn walk(
     sender: &SyncSender<Vec<Kept>>,
     progress: &mut dyn FnMut(u64, u64) -> ControlFlow<()>,
 ) -> rusqlite::Result<ControlFlow<()>> {
-    let all = connection.query_row("SELECT count(*) FROM entry", [], |row| row.get(0).map(reader::natural))?;
+    let all = connection.query_row("SELECT count(*) FROM entry", [], |row| row.get(0).map(number::natural))?;
     let mut entries = connection.prepare("SELECT number, body, hash FROM entry ORDER BY number")?;
     let mut rows = entries.query([])?;
     let (mut done, mut block) = (0_u64, Vec::with_capacity(BLOCK));
@@ -161,7 +161,7 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
     let mut classes = Classes::default();
     while let Ok(block) = entries.recv() {
         for kept in block {
-            last = reader::integer(kept.head.number);
+            last = number::integer(kept.head.number);
             // Rows without an entry.
             while row.is_some_and(|row| row.get_ref(0).is_ok_and(|number| number.as_i64().is_ok_and(|row| row < last)))
             {
@@ -189,7 +189,7 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
         [last],
         |row| row.get(0),
     )?;
-    Ok(wrong.saturating_add(reader::natural(more)))
+    Ok(wrong.saturating_add(number::natural(more)))
 }
 
 /// What is wrong with the table of questions and its indexes, and with the pages of the words, by the database's own look at them.

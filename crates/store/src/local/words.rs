@@ -8,7 +8,7 @@ use rusqlite::types::Value;
 use rusqlite::{Connection, params_from_iter};
 
 use super::finding::Conditions;
-use super::reader::natural;
+use super::number::natural;
 
 /// So many entries are looked at before the index is asked.
 const LOOK: i64 = 2_000;
