@@ -13,12 +13,14 @@
 //! | `source`, `send`, `sender` | a journal, sent once or in the background |
 //! | `verify`, `clock` | whether the chains on the server are whole; how clocks differ |
 //! | `structure` | whether functions, policies, grants and the like are what `init` makes |
+//! | `finding` | what is wrong on a server, besides its chains |
 //! | `reading` | questions about the checks of all stations |
 //! | `error` | why the server could not be asked |
 
 mod address;
 mod clock;
 mod error;
+mod finding;
 mod password;
 pub mod pgpass;
 mod reading;
@@ -34,6 +36,7 @@ mod verify;
 pub use address::{AddressError, ShopAddress};
 pub use clock::{Clock, clocks};
 pub use error::{CertificateFault, ShopError};
+pub use finding::{ShopFinding, Thing};
 pub use password::{Access, Password, PasswordRemark, Places, keep_in_keyring};
 pub use reading::{Page, Place, ShopReader, ShopRow};
 pub use schema::{Made, SCHEMA, Schema, init, init_as};
@@ -41,5 +44,4 @@ pub use send::{LONGEST_BODY, Sent, send_once};
 pub use sender::{Doing, Sender, Sending, Status};
 pub use server::{Patience, Stop};
 pub use source::Source;
-pub use structure::Thing;
-pub use verify::{Elsewhere, ShopChain, ShopFinding, ShopVerified, verify, verify_beside};
+pub use verify::{Elsewhere, ShopChain, ShopVerified, verify, verify_beside};

@@ -6,42 +6,14 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
-use fitcheck_core::message::Say;
-
 use super::error::ShopError;
+use super::finding::{ShopFinding, Thing};
 use super::password::Access;
 use super::schema::{SCHEMA, value, version};
 use super::server::{Patience, Server, Stop};
-use super::verify::ShopFinding;
 
 /// What a thing is called, and what it says; several may have one name.
 type Things = BTreeMap<(String, String), BTreeSet<String>>;
-
-/// A kind of thing in a schema.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
-#[say(prefix = "shop-thing")]
-pub enum Thing {
-    /// A function.
-    Function,
-    /// Who may do what.
-    Grant,
-    /// An index.
-    Index,
-    /// Whose it is.
-    Owner,
-    /// Which rows may be read and added.
-    Policy,
-    /// A role.
-    Role,
-    /// What is done in place of a statement.
-    Rule,
-    /// A table, one of its columns or of its conditions.
-    Table,
-    /// A trigger.
-    Trigger,
-    /// A view.
-    View,
-}
 
 impl Thing {
     /// By its word in `structure.sql`.

@@ -3,18 +3,18 @@
 
 use std::ops::ControlFlow;
 
-use fitcheck_core::message::Say;
 use fitcheck_exchange::journal::body;
 use fitcheck_exchange::journal::chain::{ChainId, Hash, Head};
 use fitcheck_exchange::journal::inspection::{Inspected, Inspection};
 
 use super::clock::{self, Clock};
 use super::error::{ShopError, hash_of};
+use super::finding::ShopFinding;
 use super::password::Access;
 use super::schema::{self, value};
 use super::send::{count, head, natural};
 use super::server::{Patience, Server, Stop};
-use super::structure::{self, Compared, Thing};
+use super::structure::{self, Compared};
 
 /// How many entries are fetched at once.
 const PAGE: usize = 2_000;
@@ -79,48 +79,6 @@ impl ShopVerified {
             && self.findings.is_empty()
             && self.chains.iter().all(|chain| chain.inspected.breaks.is_empty())
     }
-}
-
-/// What is wrong on a server, besides its chains.
-#[derive(Debug, Clone, PartialEq, Eq, Say)]
-#[say(prefix = "shop-finding")]
-pub enum ShopFinding {
-    /// What keeps entries from being changed is missing or switched off.
-    Altered {
-        /// The trigger.
-        name: String,
-    },
-    /// Stations are no longer kept to their own chains.
-    RowSecurity {
-        /// The table.
-        name: String,
-    },
-    /// Something is not what `init` makes.
-    Changed {
-        /// What it is.
-        kind: Thing,
-        /// Its name.
-        name: String,
-    },
-    /// Something that `init` makes is not there.
-    Gone {
-        /// What it is.
-        kind: Thing,
-        /// Its name.
-        name: String,
-    },
-    /// Something is there that `init` does not make.
-    Strange {
-        /// What it is.
-        kind: Thing,
-        /// Its name.
-        name: String,
-    },
-    /// A chain has a name of another length.
-    ChainName {
-        /// The name in hexadecimal digits.
-        name: String,
-    },
 }
 
 /// Looks at every entry of every chain as they are at one moment, and compares them with heads that are known elsewhere. `progress` gets
