@@ -2,8 +2,8 @@
 
 use fitcheck_exchange::journal::chain::ChainId;
 
+use super::access::Access;
 use super::error::{ShopError, chain_of};
-use super::password::Access;
 use super::schema::value;
 use super::server::{Patience, Server, Stop};
 

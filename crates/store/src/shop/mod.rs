@@ -6,7 +6,8 @@
 //! | file | what |
 //! |---|---|
 //! | `address` | where the server is, without the password |
-//! | `password`, `pgpass` | the password, from the places where PostgreSQL's own programs look for it |
+//! | `password` | the password, which nothing prints |
+//! | `access`, `pgpass` | an address with its password, from the places where PostgreSQL's own programs look for it |
 //! | `tls` | certificates are always checked |
 //! | `server` | a connection that waits for nothing for ever |
 //! | `schema`, `roles.sql`, `tables.sql`, `view.sql` | what the database has, and how it comes to a newer version |
@@ -17,6 +18,7 @@
 //! | `reading` | questions about the checks of all stations |
 //! | `error` | why the server could not be asked |
 
+mod access;
 mod address;
 mod clock;
 mod error;
@@ -33,11 +35,12 @@ mod structure;
 mod tls;
 mod verify;
 
+pub use access::{Access, PasswordRemark, Places, keep_in_keyring};
 pub use address::{AddressError, ShopAddress};
 pub use clock::{Clock, clocks};
 pub use error::{CertificateFault, ShopError};
 pub use finding::{ShopFinding, Thing};
-pub use password::{Access, Password, PasswordRemark, Places, keep_in_keyring};
+pub use password::Password;
 pub use reading::{Page, Place, ShopReader, ShopRow};
 pub use schema::{Made, SCHEMA, Schema, init, init_as};
 pub use send::{LONGEST_BODY, Sent, send_once};

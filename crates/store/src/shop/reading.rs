@@ -6,8 +6,8 @@ use fitcheck_exchange::journal::chain::{ChainId, Head};
 use fitcheck_exchange::journal::entry::Kept;
 use fitcheck_exchange::journal::found::words_of;
 
+use super::access::Access;
 use super::error::{ShopError, chain_of, hash_of};
-use super::password::Access;
 use super::schema::{self, value};
 use super::send::{count, integer, natural};
 use super::server::{Patience, Server, Stop};

@@ -3,8 +3,8 @@
 use fitcheck_core::message::Say;
 use tokio_postgres::Row;
 
+use super::access::Access;
 use super::error::ShopError;
-use super::password::Access;
 use super::server::{Patience, Server, Stop};
 
 /// What a schema is made of.

@@ -8,8 +8,8 @@ use fitcheck_exchange::journal::body;
 use fitcheck_exchange::journal::chain::{ChainId, Head};
 use fitcheck_exchange::journal::entry::Kept;
 
+use super::access::Access;
 use super::error::{ShopError, hash_of};
-use super::password::Access;
 use super::schema::{self, value};
 use super::server::{Patience, Server, Stop};
 use super::source::Source;

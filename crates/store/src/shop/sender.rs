@@ -9,9 +9,10 @@ use std::time::{Duration, Instant};
 
 use fitcheck_exchange::journal::chain::Head;
 
+use super::access::{Access, PasswordRemark, Places};
 use super::address::ShopAddress;
 use super::error::ShopError;
-use super::password::{Access, Password, PasswordRemark, Places};
+use super::password::Password;
 use super::send::{Sent, send};
 use super::server::{Patience, Stop};
 use super::source::Source;

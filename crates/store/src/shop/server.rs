@@ -10,9 +10,9 @@ use std::time::{Duration, Instant};
 use tokio::runtime::{Builder, Runtime};
 use tokio_postgres::Client;
 
+use super::access::Access;
 use super::address::ShopAddress;
 use super::error::ShopError;
-use super::password::Access;
 use super::tls;
 
 /// How often a call that waits looks whether it was stopped.

@@ -6,9 +6,9 @@
 
 use std::collections::{BTreeMap, BTreeSet};
 
+use super::access::Access;
 use super::error::ShopError;
 use super::finding::{ShopFinding, Thing};
-use super::password::Access;
 use super::schema::{SCHEMA, value, version};
 use super::server::{Patience, Server, Stop};
 

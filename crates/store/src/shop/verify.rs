@@ -7,10 +7,10 @@ use fitcheck_exchange::journal::body;
 use fitcheck_exchange::journal::chain::{ChainId, Hash, Head};
 use fitcheck_exchange::journal::inspection::{Inspected, Inspection};
 
+use super::access::Access;
 use super::clock::{self, Clock};
 use super::error::{ShopError, hash_of};
 use super::finding::ShopFinding;
-use super::password::Access;
 use super::schema::{self, value};
 use super::send::{count, head, natural};
 use super::server::{Patience, Server, Stop};
