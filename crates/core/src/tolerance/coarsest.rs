@@ -7,7 +7,7 @@ use crate::length::Length;
 /// nearest size that has one, 1.4 mm and 33 mm.
 ///
 /// ```
-/// use fitcheck::tolerance::proportion::widest;
+/// use fitcheck_core::tolerance::proportion::widest;
 ///
 /// let of = |size: &str| widest(size.parse().unwrap()).to_string();
 /// assert_eq!([of("25"), of("0.5"), of("5000")], ["3.3", "1.4", "33"]);
