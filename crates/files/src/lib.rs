@@ -32,51 +32,29 @@ pub const LARGEST: u64 = 64 << 20;
 #[say(prefix = "file", error)]
 pub enum FileError {
     /// The path is a folder.
-    IsFolder {
-        /// The path.
-        path: PathBuf,
-    },
+    IsFolder { path: PathBuf },
     /// There is nothing at the path.
-    Missing {
-        /// The path.
-        path: PathBuf,
-    },
+    Missing { path: PathBuf },
     /// There is already something at the path.
-    Exists {
-        /// The path.
-        path: PathBuf,
-    },
+    Exists { path: PathBuf },
     /// A pipe or a device, where only a file will do.
-    NotAFile {
-        /// The path.
-        path: PathBuf,
-    },
+    NotAFile { path: PathBuf },
     /// A set of files was written only in part: some files of the folder above are old and some are new.
     HalfSet {
         /// The folder with the files that still have to be moved.
         path: PathBuf,
     },
     /// A file that is read several times is another one than at first.
-    Changed {
-        /// The path.
-        path: PathBuf,
-    },
+    Changed { path: PathBuf },
     /// It was written no further, as somebody wished.
-    Stopped {
-        /// The path.
-        path: PathBuf,
-    },
+    Stopped { path: PathBuf },
     /// The file is larger than [`LARGEST`].
     #[say(args(limit = LARGEST >> 20))]
-    TooLarge {
-        /// The path.
-        path: PathBuf,
-    },
+    TooLarge { path: PathBuf },
     /// The system reports an error.
     System {
         /// What the system says.
         reason: String,
-        /// The path.
         path: PathBuf,
     },
 }
@@ -198,7 +176,6 @@ pub fn save_with(
     whole::write_new(path, fill).map_err(|error| system(path, &error))
 }
 
-/// The folder of a path.
 fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."))
 }

@@ -13,7 +13,6 @@ pub const MOST_ENTRIES: usize = 5000;
 /// A file or folder in a folder.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Entry {
-    /// Its path.
     pub path: PathBuf,
     /// Its name as it can be shown; a name that is not text has signs of replacement.
     pub name: String,

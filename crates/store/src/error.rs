@@ -17,10 +17,7 @@ pub enum StoreError {
         path: PathBuf,
     },
     /// A folder, a pipe or a device.
-    NotAFile {
-        /// The path.
-        path: PathBuf,
-    },
+    NotAFile { path: PathBuf },
     /// A file that is something else: no database, or the database of another program.
     NotAJournal {
         /// The file.
@@ -30,7 +27,6 @@ pub enum StoreError {
     Newer {
         /// The journal.
         path: PathBuf,
-        /// Its version.
         #[say(with = printed)]
         version: i64,
         /// The newest that this program knows.
@@ -69,7 +65,6 @@ pub enum StoreError {
         /// What the system says.
         reason: String,
     },
-    /// It cannot be opened.
     CannotOpen {
         /// The journal.
         path: PathBuf,
@@ -98,27 +93,23 @@ pub enum StoreError {
     },
     /// The entry that is corrected is not the one that was meant.
     OtherTarget {
-        /// Its number.
         #[say(with = printed)]
         number: u64,
     },
     /// The entry was corrected or taken back already.
     Corrected {
-        /// Its number.
         #[say(with = printed)]
         number: u64,
         /// The entry that did.
         #[say(with = printed)]
         by: u64,
     },
-    /// There is no such entry.
     NoEntry {
         /// The journal.
         path: PathBuf,
         /// The number that was asked for.
         #[say(with = printed)]
         number: u64,
-        /// The last one.
         #[say(with = printed)]
         last: u64,
     },
@@ -207,7 +198,6 @@ pub enum StoreRemark {
     Migrated {
         /// The journal.
         path: PathBuf,
-        /// The copy.
         copy: PathBuf,
     },
     /// It ends before an entry that it once had.

@@ -169,7 +169,6 @@ impl Search<'_> {
     }
 }
 
-/// Names in one text.
 fn listed(names: &[OsString]) -> String {
     let names: Vec<_> = names.iter().map(|name| name.to_string_lossy()).collect();
     names.join(", ")

@@ -32,10 +32,7 @@ pub enum OwnTablesError {
     Contradiction(#[from] Contradiction),
     /// There is no table of deviations in the folder.
     #[say(id = "deviations-no-tables")]
-    NoTables {
-        /// The folder.
-        folder: PathBuf,
-    },
+    NoTables { folder: PathBuf },
 }
 
 /// Reads every `.tab` file of a folder, in the order of their names.

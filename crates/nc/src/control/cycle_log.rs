@@ -21,9 +21,7 @@ use super::point_log::{self, Band, PointLog, PointLogError};
 /// The log of a cycle's result.
 #[derive(Debug, Clone, PartialEq)]
 pub enum CycleLog {
-    /// A text.
     Text(Log),
-    /// A page of points.
     Page(PointLog),
 }
 
@@ -44,10 +42,8 @@ pub struct Heading {
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(error)]
 pub enum CycleLogError {
-    /// A text.
     #[say(transparent)]
     Text(#[from] LogWriteError),
-    /// A page of points.
     #[say(transparent)]
     Page(#[from] PointLogError),
 }

@@ -27,7 +27,6 @@ use fitcheck_core::text::cut;
 pub struct ProbeBlock {
     /// The line that it begins on, from 1.
     pub line: usize,
-    /// The cycle.
     pub cycle: &'static Cycle,
     /// Its parameters in the order of the block.
     pub settings: Vec<Setting>,
@@ -51,7 +50,6 @@ pub struct Setting {
 pub struct Unused {
     /// The first of them, from 1.
     pub line: usize,
-    /// Its text.
     pub text: String,
     /// How many more there are.
     pub more: usize,

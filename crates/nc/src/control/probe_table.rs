@@ -61,7 +61,6 @@ pub enum ProbeFault {
     TooSmall {
         /// The column's name.
         column: &'static str,
-        /// What was given.
         given: Length,
         /// What is allowed.
         least: Least,
@@ -74,10 +73,7 @@ pub enum ProbeFault {
         given: String,
     },
     /// A number occurs twice.
-    Twice {
-        /// The number.
-        number: u32,
-    },
+    Twice { number: u32 },
 }
 
 /// The smallest allowed length.

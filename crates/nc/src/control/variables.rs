@@ -18,7 +18,6 @@ pub enum Family {
     Ql,
     /// Numbers that survive power-off.
     Qr,
-    /// Texts.
     Qs,
     /// `#l1`: numbers of a lathe control, local to a program.
     LatheLocal,
@@ -92,7 +91,6 @@ impl Family {
 /// The name of a parameter: `Q153`, `QS3`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Parameter {
-    /// The family.
     pub family: Family,
     /// The number within the family.
     pub number: u16,
@@ -141,18 +139,14 @@ impl std::str::FromStr for Parameter {
     }
 }
 
-/// The value of a parameter.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Value {
     /// A number that is a length in millimetres, exact.
     Length(fitcheck_core::length::Length),
-    /// Any other number.
     Number(f64),
-    /// A text.
     Text(String),
 }
 
-/// All parameters that have a value.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub struct Variables(BTreeMap<Parameter, Value>);
 

@@ -76,7 +76,6 @@ impl Moment {
 pub(super) struct Made {
     /// Its line in its program, from 1.
     pub line: usize,
-    /// Its text.
     pub text: String,
 }
 

@@ -10,7 +10,6 @@ use crate::control::tool_table::ToolTable;
 /// What a run may use; each limit has a fault of its own that ends the run.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Budget {
-    /// Blocks.
     pub blocks: u64,
     /// Nested calls of labels.
     pub label_calls: usize,
@@ -115,17 +114,12 @@ impl Settings {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(prefix = "machine-used", error)]
 pub enum UsedUp {
-    /// Blocks.
     Blocks(#[say(name = "most")] u64),
-    /// Calls of labels.
     LabelCalls(#[say(name = "most")] usize),
-    /// Calls of programs.
     ProgramCalls(#[say(name = "most")] usize),
-    /// Windows.
     Windows(#[say(name = "most")] usize),
     /// Outputs to files.
     Outputs(#[say(name = "most")] usize),
-    /// Files of outputs.
     OutputFiles(#[say(name = "most")] usize),
     /// Folders that files are written into.
     Folders(#[say(name = "most")] usize),
@@ -133,7 +127,6 @@ pub enum UsedUp {
     TableWrites(#[say(name = "most")] usize),
     /// Bytes of output.
     Output(#[say(name = "most")] usize),
-    /// Cycles.
     Cycles(#[say(name = "most")] usize),
     /// Moves.
     Path(#[say(name = "most")] usize),

@@ -18,12 +18,9 @@ use crate::control::probe_table::ProbeTable;
 use crate::control::variables::{Parameter, Value};
 use crate::program::{CycleBlock, CycleName, CycleValue, Operand, Tool, Unit};
 
-/// A cycle that was run.
 #[derive(Debug, Clone)]
 pub struct CycleRun {
-    /// The block.
     pub place: BlockPlace,
-    /// Which cycle.
     pub cycle: &'static Cycle,
     /// What it found.
     pub result: CycleResult,
@@ -180,7 +177,6 @@ impl Cycles {
 
 /// What a block asks of a cycle.
 pub(super) struct Asked<'a> {
-    /// The block.
     pub block: &'a CycleBlock,
     /// The unit of its program.
     pub unit: Option<Unit>,

@@ -18,7 +18,6 @@ use crate::program::{CycleName, LabelFault, Mode, Program, ProgramError};
 /// A block of a program.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct BlockPlace {
-    /// The program.
     pub program: NcPath,
     /// The block, counted from 0.
     pub block: usize,
@@ -27,7 +26,6 @@ pub struct BlockPlace {
 /// Why a run stopped, and where.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Fault {
-    /// The block.
     pub place: BlockPlace,
     /// Its number in the program, if it has one.
     pub number: Option<u32>,
@@ -99,7 +97,6 @@ pub enum FaultKind {
     UnknownBlock,
     /// A cycle that Fitcheck does not run.
     UnknownCycle {
-        /// Its number.
         cycle: String,
         /// The cycles that it runs.
         known: String,
@@ -121,7 +118,6 @@ pub enum FaultKind {
     Label(#[from] LabelFault),
     /// A parameter does not hold the number of a label.
     NoLabel {
-        /// The parameter.
         parameter: Parameter,
         /// What it holds.
         value: f64,
@@ -130,11 +126,9 @@ pub enum FaultKind {
     Undefined(#[say(name = "parameter")] Parameter),
     /// A parameter that a block may have set which was not run.
     Lost {
-        /// The parameter.
         parameter: Parameter,
         /// The line of the block, from 1.
         line: usize,
-        /// Its text.
         text: String,
     },
     /// A file that a block may have written or removed which was not run.
@@ -143,21 +137,18 @@ pub enum FaultKind {
         path: NcPath,
         /// The line of the block, from 1.
         line: usize,
-        /// Its text.
         text: String,
     },
     /// A tool whose values a block may have changed which was not run.
     ToolsUnknown {
         /// The line of the block, from 1.
         line: usize,
-        /// Its text.
         text: String,
     },
     /// Recorded contacts behind a measurement that was not run: some of them may be of it.
     ContactsUnknown {
         /// The line of its block, from 1.
         line: usize,
-        /// Its text.
         text: String,
     },
     /// An unknown block that decides what runs next, or hands values to another program.
@@ -166,9 +157,7 @@ pub enum FaultKind {
     NoParameter(#[say(name = "parameter")] Parameter),
     /// A variable that does not exist on a lathe control.
     NoVariable {
-        /// The variable.
         variable: Parameter,
-        /// Its family.
         family: &'static str,
         /// The first number of the family.
         least: u16,
@@ -186,7 +175,6 @@ pub enum FaultKind {
     NoAnswer {
         /// Where it goes.
         parameter: Parameter,
-        /// The question.
         question: String,
     },
     /// A text where a number is needed.
@@ -198,17 +186,11 @@ pub enum FaultKind {
     /// A root of a number below zero.
     NegativeRoot(f64),
     /// A function without a result for its number.
-    NoResult {
-        /// The function.
-        function: &'static str,
-        /// The number.
-        value: f64,
-    },
+    NoResult { function: &'static str, value: f64 },
     /// A result that no parameter can hold.
     BeyondRange(f64),
     /// A number with decimals, or below zero, where a count is needed.
     NotWhole {
-        /// What is counted.
         what: Counted,
         /// What was given.
         value: f64,
@@ -222,12 +204,10 @@ pub enum FaultKind {
     },
     /// A text that is not a number.
     NoNumberInText {
-        /// The parameter.
         parameter: Parameter,
         /// What it holds.
         text: String,
     },
-    /// An unknown system text.
     UnknownSystemText {
         /// The group.
         id: f64,
@@ -243,27 +223,19 @@ pub enum FaultKind {
     /// FN 27 or FN 28 without FN 26.
     NoTable,
     /// A text parameter with the names of several columns, where a class is one.
-    SeveralColumns {
-        /// The parameter.
-        parameter: Parameter,
-        /// Its text.
-        text: String,
-    },
+    SeveralColumns { parameter: Parameter, text: String },
     /// The table is broken.
     #[say(transparent)]
     Table(Box<TableError>),
     /// A column that the table does not have; names are case-sensitive.
     NoColumn {
-        /// The table.
         table: String,
         /// The column requested.
         column: String,
-        /// The columns that it has.
         columns: String,
     },
     /// A row after the table's end.
     NoRow {
-        /// The table.
         table: String,
         /// The row requested.
         row: usize,
@@ -273,44 +245,25 @@ pub enum FaultKind {
     /// A table without rows.
     NoRows(#[say(name = "table")] String),
     /// A cell without a value.
-    EmptyCell {
-        /// The table.
-        table: String,
-        /// The row.
-        row: usize,
-        /// The column.
-        column: String,
-    },
+    EmptyCell { table: String, row: usize, column: String },
     /// A cell that is not a number, where a number is needed.
     NoNumberInCell {
-        /// The table.
         table: String,
-        /// The row.
         row: usize,
-        /// The column.
         column: String,
         /// The text found.
         cell: String,
     },
     /// A cell without a blank between it and its neighbour.
-    Touches {
-        /// The table.
-        table: String,
-        /// The row.
-        row: usize,
-        /// The column.
-        column: String,
-    },
+    Touches { table: String, row: usize, column: String },
     /// A table that FN 27 has changed, but that cannot be written.
     TableWrite {
-        /// The table.
         table: String,
         /// Why.
         error: WriteError,
     },
     /// The mask cannot be read.
     Mask {
-        /// The mask.
         mask: NcPath,
         /// Why.
         error: Box<MaskError>,
@@ -318,7 +271,6 @@ pub enum FaultKind {
     /// The mask cannot be printed.
     #[say(id = "machine-mask")]
     Render {
-        /// The mask.
         mask: NcPath,
         /// Why.
         error: Box<RenderError>,
@@ -326,24 +278,12 @@ pub enum FaultKind {
     /// FN 14.
     Programmed(#[say(name = "number")] u32),
     /// A parameter that the cycle does not have.
-    NoCycleParameter {
-        /// The cycle.
-        cycle: &'static str,
-        /// The parameter.
-        parameter: CycleName,
-    },
+    NoCycleParameter { cycle: &'static str, parameter: CycleName },
     /// A parameter that is given twice.
-    CycleParameterTwice {
-        /// The cycle.
-        cycle: &'static str,
-        /// The parameter.
-        parameter: CycleName,
-    },
+    CycleParameterTwice { cycle: &'static str, parameter: CycleName },
     /// A parameter that is given twice, while the one behind it in the cycle is not given.
     CycleParameterFor {
-        /// The cycle.
         cycle: &'static str,
-        /// The parameter.
         parameter: CycleName,
         /// The one that is missing.
         other: String,
@@ -362,19 +302,16 @@ pub enum FaultKind {
     GlobalNotNumber {
         /// The number of the GLOBAL DEF.
         number: String,
-        /// The parameter.
         parameter: CycleName,
     },
     /// A parameter that stands twice in one GLOBAL DEF.
     GlobalTwice {
         /// The number of the GLOBAL DEF.
         number: String,
-        /// The parameter.
         parameter: CycleName,
     },
     /// The cycle did not finish.
     Cycle {
-        /// The cycle.
         cycle: &'static str,
         /// Why.
         error: Box<CycleError>,
@@ -390,11 +327,9 @@ pub enum FaultKind {
     Mode(#[say(name = "mode")] Mode),
     /// A measuring cycle under a change of the system that is not followed here.
     Changed {
-        /// The change.
         change: Change,
         /// The line that made it, from 1.
         line: usize,
-        /// Its text.
         text: String,
     },
     /// `CALL SELECTED PGM` without `SEL PGM`.

@@ -39,7 +39,6 @@ impl Frame {
 /// A call that has not returned.
 #[derive(Debug)]
 pub struct Call {
-    /// The block that called.
     pub from: BlockPlace,
     /// The program that called, if another one was called.
     caller: Option<Box<Frame>>,

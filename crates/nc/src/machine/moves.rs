@@ -11,7 +11,6 @@ use crate::program::{Axis, AxisWord, Feed, Goes, Movement, Notation, Unit};
 /// A move of the ball's centre, mm.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Travel {
-    /// The block.
     pub place: BlockPlace,
     /// Where it begins.
     pub from: [f64; 3],
@@ -19,7 +18,6 @@ pub struct Travel {
     pub to: [f64; 3],
     /// For an arc, its centre; the arc takes the shorter way round.
     pub about: Option<[f64; 3]>,
-    /// What it is.
     pub kind: TravelKind,
 }
 

@@ -24,7 +24,6 @@ as_text!(NcPath);
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "machine-path", error)]
 pub enum PathError {
-    /// The path is empty.
     Empty,
     /// Longer than a control takes.
     TooLong {

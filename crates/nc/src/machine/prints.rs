@@ -14,7 +14,6 @@ use crate::control::simulated::MARK;
 /// A window that FN 16 has opened.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Window {
-    /// The block.
     pub place: BlockPlace,
     /// The mask; the program itself for `PRINT` of a lathe control, which has none.
     pub mask: NcPath,
@@ -27,7 +26,6 @@ pub struct Window {
 /// What FN 16 has printed to a file.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Written {
-    /// The block.
     pub place: BlockPlace,
     /// The file.
     pub path: NcPath,
@@ -86,7 +84,6 @@ impl Prints {
         self.windows.iter_mut().for_each(|window| window.is_open = false);
     }
 
-    /// Counts a text that is printed.
     fn count(&mut self, text: &str) -> Result<(), UsedUp> {
         self.bytes += text.len();
         let most = self.budget.output_bytes;

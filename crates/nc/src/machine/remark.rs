@@ -27,10 +27,7 @@ pub enum Remark {
     /// A block that may change the system of coordinates was not run: nothing is measured behind it.
     NotFollowed,
     /// FN 18 asks for what only a control knows; its parameter is undefined from here on.
-    NoSystemData {
-        /// The parameter.
-        parameter: Parameter,
-    },
+    NoSystemData { parameter: Parameter },
     /// A cycle without a TOOL CALL before it measured along Z, because the settings of the run say so.
     AxisAssumed,
     /// A cycle has measured a feature again that an earlier run of its block had found to need rework: this run counts.
@@ -41,27 +38,16 @@ pub enum Remark {
         function: u32,
     },
     /// Rotary axes have moved, and the workpiece was taken as if they had not.
-    RotaryMoved {
-        /// The axes.
-        axes: String,
-    },
+    RotaryMoved { axes: String },
     /// Another preset became the zero; the workpiece was taken to lie there, too.
-    OtherPreset {
-        /// Its number.
-        number: String,
-    },
+    OtherPreset { number: String },
     /// A file is not among those that were given, and the built-in one of that name was read.
     BuiltIn {
         /// The file.
         path: NcPath,
     },
     /// A file was read, and another one has its name in another spelling.
-    OtherNames {
-        /// The one that was read.
-        read: String,
-        /// The others.
-        others: String,
-    },
+    OtherNames { read: String, others: String },
     /// A called program or a mask can be read, but not all of it means what it seems to.
     Read {
         /// The file.
@@ -91,7 +77,6 @@ pub enum Remark {
     LengthConverted {
         /// The table's file name.
         table: String,
-        /// The column.
         column: String,
     },
     /// M2 or M30 in a called program ended the whole run.
@@ -100,17 +85,9 @@ pub enum Remark {
         function: u32,
     },
     /// A value that was given before the run takes the place of the block's value.
-    GivenWins {
-        /// The parameter.
-        parameter: Parameter,
-        /// Its value.
-        value: Arg,
-    },
+    GivenWins { parameter: Parameter, value: Arg },
     /// A value that was given before the run was not used: no block read it before another value took its place.
-    GivenWithoutEffect {
-        /// The parameter.
-        parameter: Parameter,
-    },
+    GivenWithoutEffect { parameter: Parameter },
     /// What a measuring cycle has to say of its inputs, or its contacts of the circle through them.
     Measured {
         /// What it says.
@@ -140,11 +117,8 @@ pub enum Remark {
     Rounded {
         /// The table's file name.
         table: String,
-        /// The column.
         column: String,
-        /// The value.
         value: Arg,
-        /// What was written.
         written: Arg,
     },
     /// A measuring cycle has compared nothing with limits.
@@ -200,9 +174,7 @@ pub enum Remark {
         feature: String,
         /// Where the centre of the ball is then, X.
         x: Length,
-        /// Y.
         y: Length,
-        /// Z.
         z: Length,
     },
     /// Moves, or the stylus, are not looked at with some features of the simulated part. Told once for a run.
@@ -229,20 +201,11 @@ pub enum Remark {
         words: String,
     },
     /// The tool is not in the touch-probe table; the first probe was used.
-    OtherProbe {
-        /// The tool.
-        tool: String,
-        /// The probe.
-        probe: u32,
-    },
+    OtherProbe { tool: String, probe: u32 },
     /// The tool that was called before a measuring cycle is locked (TL).
-    ToolLocked {
-        /// The tool.
-        tool: ToolNumber,
-    },
+    ToolLocked { tool: ToolNumber },
     /// The tool that was called before a measuring cycle is something else than a touch probe.
     NoProbeTool {
-        /// The tool.
         tool: ToolNumber,
         /// Its TYP.
         kind: u32,

@@ -53,9 +53,7 @@ pub enum Origin {
 /// A file or folder that was read, and others beside it whose names differ only by case.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct OtherNames {
-    /// The one that was read.
     pub read: String,
-    /// The others.
     pub others: String,
 }
 
@@ -75,7 +73,6 @@ pub enum FileRead {
         /// Its path on the control.
         path: NcPath,
     },
-    /// A built-in file.
     BuiltIn {
         /// Its path on the control.
         path: NcPath,
@@ -99,39 +96,23 @@ impl FileRead {
 #[say(prefix = "machine-store", error)]
 pub enum StoreError {
     /// The file does not exist.
-    Missing {
-        /// Its path.
-        path: NcPath,
-    },
+    Missing { path: NcPath },
     /// A link leads out of the given folders.
-    Outside {
-        /// Its path.
-        path: NcPath,
-    },
+    Outside { path: NcPath },
     /// A folder, a pipe or a device.
-    NoFile {
-        /// Its path.
-        path: NcPath,
-    },
+    NoFile { path: NcPath },
     /// It is larger than any file of a control.
     TooLarge {
-        /// Its path.
         path: NcPath,
         /// What is allowed, MiB.
         most: u64,
     },
     /// Several files or folders have the name in different spellings, and none has exactly it.
-    Ambiguous {
-        /// The path.
-        path: NcPath,
-        /// What is there.
-        names: String,
-    },
+    Ambiguous { path: NcPath, names: String },
     /// No folder was chosen for outputs.
     ReadOnly,
     /// The system reported an error.
     System {
-        /// Its path.
         path: NcPath,
         /// What the system reports.
         reason: String,

@@ -6,7 +6,6 @@ use super::remark::Remark;
 /// What a TOOL CALL names.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Named {
-    /// A tool, by number or name.
     Tool,
     /// Tool 0: the spindle is empty then (nc-programs, section 1).
     Empty,

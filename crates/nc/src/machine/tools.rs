@@ -17,9 +17,7 @@ use crate::program::Tool;
 /// A change of the tool table, and the block of the cycle that made it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ToolChanged {
-    /// The block.
     pub place: BlockPlace,
-    /// The change.
     pub change: ToolChange,
 }
 

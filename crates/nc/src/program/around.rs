@@ -65,7 +65,6 @@ pub enum Frame {
     Preset(Option<Operand>),
     /// `CYCL DEF 10.1 ROT+30`, `G73`: degrees; 0 ends it.
     Rotation {
-        /// The angle.
         angle: Operand,
         /// Whether it is added to the present one.
         is_incremental: bool,

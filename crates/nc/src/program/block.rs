@@ -30,7 +30,6 @@ pub struct Block {
 pub enum Unit {
     /// Millimetres.
     Mm,
-    /// Inches.
     Inch,
 }
 
@@ -51,14 +50,12 @@ pub enum Body {
     Begin {
         /// The program's name.
         name: String,
-        /// Its unit.
         unit: Unit,
     },
     /// `END PGM name MM`
     End {
         /// The program's name.
         name: String,
-        /// Its unit.
         unit: Unit,
     },
     /// Only a comment, or only a number.
@@ -74,7 +71,6 @@ pub enum Body {
     Label(Target),
     /// `CALL LBL 7`, `CALL LBL 5 REP 3`
     CallLabel {
-        /// The label.
         label: Target,
         /// How often the part from the label to this block is repeated.
         repeat: Option<Operand>,
@@ -89,7 +85,6 @@ pub enum Body {
     Assign {
         /// Q, QL or QR.
         to: Parameter,
-        /// The value.
         value: Expression,
     },
     /// `FN 0: Q5 SET UNDEFINED`
@@ -98,12 +93,10 @@ pub enum Body {
     AssignText {
         /// A QS parameter.
         to: Parameter,
-        /// The value.
         value: TextExpression,
     },
     /// FN 9 to FN 12
     Jump {
-        /// The condition.
         condition: Condition,
         /// The destination.
         label: Target,
@@ -117,7 +110,6 @@ pub enum Body {
     },
     /// `SUBPROGRAM "NAME"` of lathe controls: a label for the block behind it. Whoever comes from above goes past its end.
     Subprogram {
-        /// The label.
         label: Target,
         /// The block behind its end, counted from 0.
         behind: usize,
@@ -126,7 +118,6 @@ pub enum Body {
     Show(TextExpression),
     /// `INPUT("text",#l1)` of lathe controls: asks for a value.
     Input {
-        /// The question.
         question: String,
         /// The variable that it goes to.
         to: Parameter,
@@ -150,14 +141,12 @@ pub enum Body {
         to: Parameter,
         /// The row, from 0.
         row: Operand,
-        /// The columns.
         columns: Columns,
     },
     /// `FN 27: TABWRITE 40/"NAME" = QS10`
     TableWrite {
         /// The row, from 0.
         row: Operand,
-        /// The columns.
         columns: Columns,
         /// The first parameter that is written.
         from: Parameter,
@@ -203,7 +192,6 @@ pub enum Body {
 pub enum Target {
     /// By number; 0 ends a subprogram.
     Number(u32),
-    /// By name.
     Name(String),
     /// The name is in a QS parameter, or the number in a Q parameter.
     Parameter(Parameter),
@@ -227,9 +215,7 @@ as_text!(Unit, Target, CycleName);
 pub enum Condition {
     /// FN 9 to FN 12 with two values.
     Compare(Operand, Relation, Operand),
-    /// `IS DEFINED`
     IsDefined(Parameter),
-    /// `IS UNDEFINED`
     IsUndefined(Parameter),
 }
 
@@ -242,7 +228,6 @@ pub enum Columns {
     Parameter(Parameter),
 }
 
-/// A tool.
 #[derive(Debug, Clone, PartialEq)]
 pub enum Tool {
     /// By number, or by the number in a Q parameter.

@@ -50,7 +50,6 @@ impl<'a> Cursor<'a> {
         self.at
     }
 
-    /// The rest of the text.
     pub(super) fn rest(&self) -> &'a str {
         self.text.get(self.at..).unwrap_or_default()
     }
@@ -163,7 +162,6 @@ impl<'a> Cursor<'a> {
         self.fail(reason)
     }
 
-    /// Stops here.
     pub(super) const fn fail(&self, reason: BlockFault) -> Stop {
         Stop { at: self.at, reason }
     }

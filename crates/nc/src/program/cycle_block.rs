@@ -46,7 +46,6 @@ impl From<Parameter> for CycleName {
 pub struct CycleLine {
     /// Q, QS or a word.
     pub parameter: CycleName,
-    /// The value.
     pub value: CycleValue,
     /// The place of the parameter.
     pub place: Place,
@@ -59,7 +58,6 @@ pub struct CycleLine {
 pub enum CycleValue {
     /// A number or a parameter; `text` is the original text, so that decimals reach the cycle exactly.
     Number {
-        /// The value.
         value: Operand,
         /// As written.
         text: String,

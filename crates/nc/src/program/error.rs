@@ -75,7 +75,6 @@ pub enum ProgramWarningKind {
     },
     /// A label is defined again; using it is an error.
     LabelAgain {
-        /// The label.
         label: Target,
         /// Where it is defined first.
         first: usize,
@@ -86,7 +85,6 @@ pub enum ProgramWarningKind {
     OpenEnd,
     /// A line of a cycle that does not belong to it, because the line before has no `~`.
     CycleCut {
-        /// The cycle.
         cycle: String,
         /// The cycle's last line.
         line: usize,
@@ -108,7 +106,6 @@ pub enum ProgramWarningKind {
     IsoAfterEnd,
     /// An assignment where a line of a cycle in ISO would stand, after its `*`.
     IsoCycleCut {
-        /// The cycle.
         cycle: String,
         /// The cycle's last line.
         line: usize,
@@ -122,7 +119,6 @@ pub enum ProgramWarningKind {
     },
     /// Lines of a machining cycle or of global values without the `~` before them; they count as its lines.
     CycleWithoutTilde {
-        /// The cycle.
         cycle: String,
         /// The cycle's last line before it.
         line: usize,
@@ -145,13 +141,9 @@ pub enum ProgramWarningKind {
 #[say(prefix = "program-label", error)]
 pub enum LabelFault {
     /// It does not occur.
-    Missing {
-        /// The label.
-        label: Target,
-    },
+    Missing { label: Target },
     /// It occurs more than once.
     Twice {
-        /// The label.
         label: Target,
         /// The line where it occurs first.
         first: usize,

@@ -65,15 +65,11 @@ pub enum Test {
 /// The operation between two operands.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Operation {
-    /// `+`
     Add,
-    /// `-`
     Subtract,
-    /// `*`
     Multiply,
     /// `/`, and `DIV` of FN 4.
     Divide,
-    /// `^`
     Power,
     /// `%`: the remainder.
     Remainder,
@@ -86,23 +82,14 @@ pub enum Operation {
 /// Functions before their operand; angles in degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum NumberFunction {
-    /// Square.
     Square,
-    /// Square root.
     SquareRoot,
-    /// Sine.
     Sine,
-    /// Cosine.
     Cosine,
-    /// Tangent.
     Tangent,
-    /// Arc sine.
     ArcSine,
-    /// Arc cosine.
     ArcCosine,
-    /// Arc tangent.
     ArcTangent,
-    /// Natural logarithm.
     NaturalLogarithm,
     /// Logarithm to the base 10.
     Logarithm,
@@ -129,14 +116,12 @@ pub enum TextExpression {
     Join(Vec<Self>),
     /// `TOCHAR ( DAT+Q50 DECIMALS3 )`; if decimals are not given, as many as the value has.
     FromNumber {
-        /// The number.
         number: Operand,
         /// Digits after the point.
         decimals: Option<Operand>,
     },
     /// `SUBSTR ( SRC_QS10 BEG2 LEN4 )`.
     Part {
-        /// The text.
         source: Parameter,
         /// From which character, counted from 0.
         from: Operand,

@@ -14,27 +14,19 @@ pub enum BlockFault {
     Unexpected {
         /// What is allowed.
         wanted: Wanted,
-        /// The text found.
         found: String,
     },
     /// The block is complete, but text follows.
-    LeftOver {
-        /// The text found.
-        found: String,
-    },
+    LeftOver { found: String },
     /// A word in a formula that is not one of its functions.
     UnknownFunction {
         /// The word.
         found: String,
     },
     /// A number that is not a finite number.
-    NumberSize {
-        /// The text found.
-        found: String,
-    },
+    NumberSize { found: String },
     /// A parameter number that its family does not have.
     ParameterRange {
-        /// The text found.
         found: String,
         /// Q, QL, QR or QS, or that of a lathe control.
         family: &'static str,
@@ -46,10 +38,7 @@ pub enum BlockFault {
     /// `AND` and `OR` in one condition, without brackets that say which comes first.
     AndWithOr,
     /// An address letter occurs twice.
-    LetterTwice {
-        /// The letters.
-        letters: String,
-    },
+    LetterTwice { letters: String },
     /// Another unit than the one that was said before.
     SecondUnit,
     /// A measurement or an assignment among the blocks of a unit, which are passed over.
@@ -65,7 +54,6 @@ pub enum BlockFault {
     },
     /// A whole number beyond its range.
     Range {
-        /// The text found.
         found: String,
         /// The largest.
         most: u32,
@@ -85,17 +73,9 @@ pub enum BlockFault {
         found: &'static str,
     },
     /// Functions that do not stand in one block.
-    NotTogether {
-        /// One of them.
-        one: String,
-        /// Another.
-        other: String,
-    },
+    NotTogether { one: String, other: String },
     /// A function of which it is not known what it does.
-    UnknownWord {
-        /// The text found.
-        found: String,
-    },
+    UnknownWord { found: String },
     /// A function whose form in ISO is not known.
     NoForm {
         /// The function.
@@ -115,7 +95,6 @@ pub enum BlockFault {
         /// What is allowed.
         most: usize,
     },
-    /// A block that is too long.
     TooLong {
         /// What is allowed.
         most: usize,
@@ -133,11 +112,9 @@ pub enum BlockFault {
 pub enum Wanted {
     /// A word or sign of the language.
     Word(#[say(name = "word")] &'static str),
-    /// A number.
     Number,
     /// A number or a Q parameter.
     Value,
-    /// A parameter.
     Parameter,
     /// A number or a variable of a lathe control.
     ValueOrVariable,
@@ -149,13 +126,10 @@ pub enum Wanted {
     TextParameter,
     /// A quoted text or a QS parameter.
     Text,
-    /// A label.
     Label,
-    /// A path.
     Path,
     /// A comparison.
     Relation,
-    /// A unit.
     Unit,
     /// A value of a cycle's parameter.
     CycleValue,

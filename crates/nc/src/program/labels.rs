@@ -53,7 +53,6 @@ impl Labels {
         (labels, twice)
     }
 
-    /// The block of a label.
     pub(super) fn block(&self, label: &Target) -> Result<usize, LabelFault> {
         match label {
             Target::Parameter(_) => return Err(LabelFault::Parameter { label: label.clone() }),

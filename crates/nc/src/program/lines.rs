@@ -26,7 +26,6 @@ impl Lines {
         Some(Self(found))
     }
 
-    /// The number of lines.
     pub(super) const fn count(&self) -> usize {
         self.0.len()
     }
@@ -131,7 +130,6 @@ fn comment_begins(text: &str) -> (usize, Option<usize>) {
 pub(super) struct Front {
     /// The block number.
     pub number: Option<u32>,
-    /// Whether there is a `/`.
     pub may_be_skipped: bool,
     /// Where the rest begins, in bytes.
     pub end: usize,

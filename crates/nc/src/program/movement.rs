@@ -24,7 +24,6 @@ pub struct Movement {
     pub axes: Vec<AxisWord>,
     /// `R0`, `RL`, `RR`, as written.
     pub compensation: Option<String>,
-    /// The feed.
     pub feed: Option<Feed>,
     /// M functions.
     pub machine: Vec<MachineFunction>,
@@ -33,7 +32,6 @@ pub struct Movement {
 /// `IX+2,5`
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub struct AxisWord {
-    /// The axis.
     pub axis: Axis,
     /// Whether an `I` precedes it: the value counts from where the axis is.
     pub is_incremental: bool,
@@ -41,7 +39,6 @@ pub struct AxisWord {
     pub value: Operand,
 }
 
-/// A feed.
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub enum Feed {
     /// `FMAX`
@@ -55,7 +52,6 @@ pub enum Feed {
 /// An M function: `M30`, `M140 MB MAX`.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct MachineFunction {
-    /// Its number.
     pub number: u32,
     /// The text after it, as written.
     pub rest: String,

@@ -17,7 +17,6 @@ pub enum Notation {
 }
 
 impl Notation {
-    /// The notation of a text.
     pub(super) fn of(text: &str, lines: &Lines) -> Self {
         if iso::begins(text, lines) {
             Self::Iso
@@ -37,7 +36,6 @@ impl Notation {
         }
     }
 
-    /// How it ends.
     pub const fn end(self) -> &'static str {
         match self {
             Self::Klartext => "END PGM",

@@ -9,7 +9,6 @@ pub enum Operand {
     Number(f64),
     /// A Q, QL or QR parameter.
     Parameter {
-        /// The parameter.
         parameter: Parameter,
         /// Whether a minus sign precedes it.
         is_negative: bool,

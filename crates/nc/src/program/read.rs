@@ -11,7 +11,6 @@ use super::{Encoding, Program, din_plus, iso, klartext};
 
 /// The largest file, 64 MiB: a program of about two million blocks.
 const LARGEST: usize = 64 << 20;
-/// The most lines.
 const MOST_LINES: usize = 2_000_000;
 
 impl Program {

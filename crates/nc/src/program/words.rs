@@ -52,7 +52,6 @@ pub(super) const RELATIONS: [(u32, &str, Relation); 4] = [
     (12, "LT", Relation::Less),
 ];
 
-/// Axes.
 pub(super) const AXES: [(&str, Axis); 9] = [
     ("X", Axis::X),
     ("Y", Axis::Y),
@@ -76,7 +75,6 @@ pub(super) fn meaning<T: Copy>(list: &[(&str, T)], word: &str) -> Option<T> {
     list.iter().find(|(name, _)| name.eq_ignore_ascii_case(word)).map(|&(_, meaning)| meaning)
 }
 
-/// The word for a meaning.
 pub(super) fn word<T: Copy + PartialEq>(list: &[(&'static str, T)], meaning: T) -> &'static str {
     list.iter().find(|(_, known)| *known == meaning).map_or("", |&(name, _)| name)
 }

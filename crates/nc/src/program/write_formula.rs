@@ -76,7 +76,6 @@ fn expression(value: &Expression, least: Rank) -> String {
     }
 }
 
-/// A text formula.
 pub(super) fn text_formula(value: &TextExpression) -> String {
     match value {
         TextExpression::Value(TextOperand::Text(text)) => quoted(text),

@@ -69,7 +69,6 @@ impl Called {
         }
     }
 
-    /// The shape that a feature has.
     const fn shape(self, feature: Feature) -> Shape {
         match (self, feature) {
             (Self::Diameter, Feature::Hole) => Shape::Hole,

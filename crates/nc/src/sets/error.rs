@@ -18,29 +18,16 @@ pub type FeatureError = Located<FeatureFault>;
 #[say(prefix = "nc", error)]
 pub enum FeatureFault {
     /// A coordinate is missing.
-    NoPlace {
-        /// Its name.
-        name: String,
-    },
+    NoPlace { name: String },
     /// No class: the called program finds limits only by class.
     NoClass {
         /// What was given.
         callout: Callout,
     },
     /// A cycle or parameters of its own: the called programs have no place for them.
-    OwnCycle {
-        /// Its name.
-        name: String,
-    },
+    OwnCycle { name: String },
     /// The control does not have the cycle that measures a kind.
-    NotOnControl {
-        /// The kind.
-        kind: &'static str,
-        /// The cycle.
-        cycle: &'static str,
-        /// The control.
-        control: &'static str,
-    },
+    NotOnControl { kind: &'static str, cycle: &'static str, control: &'static str },
     /// A name that is not possible for a file.
     Name {
         /// What was given.
@@ -59,7 +46,6 @@ pub enum SetError {
     Feature(#[from] FeatureError),
     /// It cannot measure several, or one for several reasons.
     Features {
-        /// The first of them.
         first: Box<FeatureError>,
         /// All others, in the order of the plan.
         #[say(name = "more", with = Vec::len)]
@@ -73,7 +59,6 @@ pub enum SetError {
     /// The parts of a table do not fit together.
     #[say(id = "nc-value")]
     Shape {
-        /// The table.
         #[say(name = "what")]
         table: &'static str,
         /// Why.
@@ -82,17 +67,13 @@ pub enum SetError {
     /// The control could not read a table.
     #[say(id = "nc-value")]
     Table {
-        /// The table.
         #[say(name = "what")]
         table: &'static str,
         /// Why.
         error: WriteError,
     },
     /// A program or a mask that does not read back correctly.
-    ReadsOtherwise {
-        /// The file.
-        file: String,
-    },
+    ReadsOtherwise { file: String },
     /// The set does not run as it should.
     Proof(#[say(name = "reason")] ProofFault),
     /// The simulated workpiece cannot be written.
@@ -127,10 +108,7 @@ pub enum ProofFault {
         expected: usize,
     },
     /// A feature in the middle of its zone is not good, or has other limits.
-    OtherVerdict {
-        /// Its name.
-        name: String,
-    },
+    OtherVerdict { name: String },
 }
 
 /// What is worth knowing about a set before it is used.
@@ -138,19 +116,9 @@ pub enum ProofFault {
 #[say(prefix = "nc")]
 pub enum SetRemark {
     /// A class that is not one of the 47 of NC-Solution 8255 has a column.
-    OwnColumn {
-        /// The class.
-        class: ToleranceClass,
-        /// The table.
-        table: &'static str,
-    },
+    OwnColumn { class: ToleranceClass, table: &'static str },
     /// The table is full with its own classes, so it has only those of the plan.
-    FewerColumns {
-        /// The table.
-        table: &'static str,
-        /// The classes in it.
-        classes: String,
-    },
+    FewerColumns { table: &'static str, classes: String },
     /// A figure behind the limits is contested, for trial use, or not that of ISO 286.
     Figure {
         /// What it says.
@@ -167,7 +135,6 @@ pub enum SetRemark {
     MovedNominal {
         /// The feature's name.
         name: String,
-        /// Its callout.
         callout: Callout,
         /// The value that the cycle gets.
         value: Length,

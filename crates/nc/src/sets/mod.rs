@@ -62,12 +62,10 @@ impl Target {
     }
 }
 
-/// A file of a set.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct SetFile {
     /// Its name, without folders.
     pub name: String,
-    /// Its bytes.
     pub bytes: Vec<u8>,
 }
 
@@ -84,7 +82,6 @@ pub struct NcSet {
 #[derive(Debug, Clone, Copy)]
 struct Planned<'a> {
     feature: &'a PlanFeature,
-    /// Where it is.
     place: [Length; 3],
     /// One of every size, or that of a point about its nominal place.
     limits: &'a [Limits],

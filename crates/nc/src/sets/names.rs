@@ -79,7 +79,6 @@ impl Control {
         matches!(self, Self::Tnc7)
     }
 
-    /// Whether it has a cycle.
     pub(super) fn has(self, cycle: &Cycle) -> bool {
         self != Self::Itnc530 || !cycle.notes.contains(&Note::NotOnItnc530)
     }
@@ -183,7 +182,6 @@ impl<'a> Names<'a> {
         of(called, &self.checks)
     }
 
-    /// Its mask.
     pub(super) const fn mask(&self, called: Called) -> &String {
         of(called, &self.masks)
     }

@@ -23,7 +23,6 @@ const HEADER: &str = "# The last entry of each journal of Fitcheck: chain, numbe
 pub struct Anchor {
     /// Where the journal was.
     pub file: PathBuf,
-    /// Its chain.
     pub chain: ChainId,
     /// Its last entry.
     pub head: Head,

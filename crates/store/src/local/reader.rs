@@ -44,7 +44,6 @@ impl std::fmt::Debug for Interrupt {
 /// An entry of a list.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Row {
-    /// As it is kept.
     pub kept: Kept,
     /// What it says.
     pub entry: Result<Entry, BodyError>,

@@ -85,7 +85,6 @@ pub enum PasswordRemark {
 /// An address with its password: all that a connection needs. It prints as the address.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Access {
-    /// The address.
     pub address: ShopAddress,
     pub(super) password: Option<Password>,
     /// What is said of places that had none to give.

@@ -31,7 +31,6 @@ pub struct ShopAddress {
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "shop-address", error)]
 pub enum AddressError {
-    /// Another scheme.
     Scheme,
     /// No host is named.
     NoHost,
@@ -51,7 +50,6 @@ pub enum AddressError {
     },
     /// Plain text to another machine.
     Plain {
-        /// The host.
         host: String,
     },
 }
@@ -96,12 +94,10 @@ impl ShopAddress {
         self.authority.as_deref()
     }
 
-    /// The user.
     pub fn user(&self) -> &str {
         &self.user
     }
 
-    /// The database.
     pub fn database(&self) -> &str {
         &self.database
     }

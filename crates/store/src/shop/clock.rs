@@ -14,7 +14,6 @@ const NEWEST: i64 = 500;
 /// says that it wrote it: the way there, the time offline, and the difference of the clocks together.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Clock {
-    /// The chain.
     pub chain: ChainId,
     /// The station that wrote its newest entry.
     pub station: String,

@@ -32,10 +32,7 @@ pub enum ShopError {
         reason: String,
     },
     /// It asks for a password, and there is none.
-    NoPassword {
-        /// The user.
-        user: String,
-    },
+    NoPassword { user: String },
     /// The server does not let this user in.
     Refused {
         /// What the server says.
@@ -58,10 +55,7 @@ pub enum ShopError {
     /// The system trusts no authority at all.
     NoAuthorities,
     /// The database has no journal of a shop.
-    NotMade {
-        /// The database.
-        database: String,
-    },
+    NotMade { database: String },
     /// The user may not do this there.
     NoRight {
         /// What the server says.
@@ -71,23 +65,18 @@ pub enum ShopError {
     Foreign,
     /// A newer Fitcheck made it.
     Newer {
-        /// Its version.
         version: i32,
         /// The newest that is known here.
         known: i32,
     },
     /// The server is older than any that can be used.
     OldServer {
-        /// Its version.
         version: i32,
         /// The oldest that can.
         oldest: i32,
     },
     /// The texts of the database are in another encoding.
-    Encoding {
-        /// The encoding.
-        encoding: String,
-    },
+    Encoding { encoding: String },
     /// The chain belongs to another login.
     OtherLogin {
         /// The login that began it.
@@ -103,7 +92,6 @@ pub enum ShopError {
         /// Its hash here; its first digits are said.
         #[say(with = first_digits)]
         ours: Hash,
-        /// Its hash there.
         #[say(with = first_digits)]
         theirs: Hash,
     },
@@ -127,7 +115,6 @@ pub enum ShopError {
         /// The entry's number.
         #[say(with = printed)]
         number: u64,
-        /// Its bytes.
         #[say(with = printed)]
         bytes: usize,
     },
@@ -135,7 +122,6 @@ pub enum ShopError {
     Server {
         /// What it says.
         reason: String,
-        /// Its code.
         code: String,
     },
     /// The journal here cannot be read.

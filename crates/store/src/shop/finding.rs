@@ -17,26 +17,11 @@ pub enum ShopFinding {
         name: String,
     },
     /// Something is not what `init` makes.
-    Changed {
-        /// What it is.
-        kind: Thing,
-        /// Its name.
-        name: String,
-    },
+    Changed { kind: Thing, name: String },
     /// Something that `init` makes is not there.
-    Gone {
-        /// What it is.
-        kind: Thing,
-        /// Its name.
-        name: String,
-    },
+    Gone { kind: Thing, name: String },
     /// Something is there that `init` does not make.
-    Strange {
-        /// What it is.
-        kind: Thing,
-        /// Its name.
-        name: String,
-    },
+    Strange { kind: Thing, name: String },
     /// A chain has a name of another length.
     ChainName {
         /// The name in hexadecimal digits.
@@ -48,24 +33,19 @@ pub enum ShopFinding {
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(prefix = "shop-thing")]
 pub enum Thing {
-    /// A function.
     Function,
     /// Who may do what.
     Grant,
-    /// An index.
     Index,
     /// Whose it is.
     Owner,
     /// Which rows may be read and added.
     Policy,
-    /// A role.
     Role,
     /// What is done in place of a statement.
     Rule,
     /// A table, one of its columns or of its conditions.
     Table,
-    /// A trigger.
     Trigger,
-    /// A view.
     View,
 }

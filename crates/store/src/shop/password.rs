@@ -7,7 +7,6 @@ use std::fmt;
 pub struct Password(String);
 
 impl Password {
-    /// A password.
     pub const fn new(password: String) -> Self {
         Self(password)
     }

@@ -21,9 +21,7 @@ const PAGE: i64 = 1_000;
 pub struct Place {
     /// When the server got the entry, microseconds since 1970 in UTC.
     pub received_us: i64,
-    /// Its chain.
     pub chain: ChainId,
-    /// Its number.
     pub number: u64,
 }
 

@@ -27,10 +27,7 @@ const OLDEST_SERVER: i32 = 13;
 #[say(prefix = "shop-made")]
 pub enum Made {
     /// There was none.
-    New {
-        /// Its version.
-        version: i32,
-    },
+    New { version: i32 },
     /// There was an older one.
     Upgraded {
         /// Its version before.
@@ -39,14 +36,10 @@ pub enum Made {
         version: i32,
     },
     /// There was one of this version.
-    Already {
-        /// Its version.
-        version: i32,
-    },
+    Already { version: i32 },
 }
 
 impl Schema {
-    /// Its version.
     pub fn version(&self) -> i32 {
         i32::try_from(self.steps.len()).unwrap_or(i32::MAX)
     }
@@ -134,7 +127,6 @@ pub(super) fn version(server: &Server) -> Result<i32, ShopError> {
     row.map_or(Err(ShopError::Foreign), |row| value(&row, 0))
 }
 
-/// A value of a row.
 pub(super) fn value<'a, T: tokio_postgres::types::FromSql<'a>>(row: &'a Row, at: usize) -> Result<T, ShopError> {
     row.try_get(at).map_err(|error| ShopError::asking(&error))
 }

@@ -23,7 +23,6 @@ const LOOKS: Duration = Duration::from_millis(50);
 pub struct Patience {
     /// For a connection.
     pub connecting: Duration,
-    /// For an answer.
     pub answer: Duration,
     /// After the first failure, before the next attempt; it doubles with each.
     pub first_pause: Duration,
@@ -47,12 +46,10 @@ impl Default for Patience {
 pub struct Stop(Arc<AtomicBool>);
 
 impl Stop {
-    /// Stops it.
     pub fn stop(&self) {
         self.0.store(true, Ordering::Relaxed);
     }
 
-    /// Whether it was stopped.
     pub fn is_stopped(&self) -> bool {
         self.0.load(Ordering::Relaxed)
     }
@@ -69,7 +66,6 @@ pub(super) struct Server {
 }
 
 impl Server {
-    /// Connects.
     pub(super) fn connect(access: &Access, patience: Patience, stop: &Stop) -> Result<Self, ShopError> {
         let address = &access.address;
         let runtime = Builder::new_current_thread().enable_all().build();

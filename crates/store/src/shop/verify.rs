@@ -50,7 +50,6 @@ pub struct Elsewhere<'a> {
 /// What was found on a server.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ShopVerified {
-    /// Every chain.
     pub chains: Vec<ShopChain>,
     /// Chains that are known elsewhere and not there at all, with their heads.
     pub missing: Vec<(ChainId, Head)>,

@@ -41,7 +41,6 @@ pub(super) struct Mark {
 #[expect(clippy::struct_excessive_bools, reason = "each answers another question about the file")]
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Extent {
-    /// All of it.
     pub(super) whole: Mark,
     /// Its whole lines.
     pub(super) lines: Mark,

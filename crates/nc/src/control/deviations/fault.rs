@@ -46,14 +46,12 @@ pub enum DeviationFault {
     /// A cell does not hold a number.
     #[say(id = "deviations-column")]
     Number {
-        /// The column.
         column: String,
         /// What is wrong with it.
         error: LengthError,
     },
     /// A range has only one of its two deviations.
     Half {
-        /// The class.
         class: ToleranceClass,
         /// The range.
         end: Length,
@@ -61,17 +59,13 @@ pub enum DeviationFault {
     /// Upper deviation below the lower one.
     #[say(id = "deviations-column")]
     Order {
-        /// The class.
         #[say(name = "column")]
         class: ToleranceClass,
         /// The two deviations.
         error: DeviationsError,
     },
     /// Two cells without a blank between them: a digit may belong to either.
-    Touches {
-        /// The column.
-        column: String,
-    },
+    Touches { column: String },
     /// The parts do not fit together.
     #[say(transparent)]
     Shape(TableShapeError),
@@ -88,10 +82,7 @@ pub enum DeviationWarning {
     #[say(transparent)]
     Content(#[from] Located<DeviationWarningKind>),
     /// The table does not hold deviations.
-    NoDeviations {
-        /// The file.
-        file: String,
-    },
+    NoDeviations { file: String },
 }
 
 /// A warning about a table of deviations that could still be read.

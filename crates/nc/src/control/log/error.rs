@@ -34,16 +34,12 @@ pub enum LogFault {
         known: String,
     },
     /// The unit is neither 0 nor 1.
-    Unit {
-        /// What was given.
-        given: String,
-    },
+    Unit { given: String },
     /// A figure cannot be read.
     #[say(transparent)]
     Number(LengthError),
     /// A section has too few or too many figures.
     Count {
-        /// The section.
         section: Section,
         /// How many it has.
         found: usize,
@@ -51,66 +47,36 @@ pub enum LogFault {
         expected: usize,
     },
     /// A section is missing.
-    Missing {
-        /// The section.
-        section: Section,
-    },
+    Missing { section: Section },
     /// A figure without a label.
-    NoLabel {
-        /// What was given.
-        given: String,
-    },
+    NoLabel { given: String },
     /// The file ends within a figure.
-    CutFigure {
-        /// What was given.
-        given: String,
-    },
+    CutFigure { given: String },
     /// A maximum below its minimum.
-    Swapped {
-        /// The maximum.
-        maximum: String,
-        /// The minimum.
-        minimum: String,
-    },
+    Swapped { maximum: String, minimum: String },
     /// The permitted positions of the centre are not symmetrical about the nominal one.
-    Uneven {
-        /// The minimum.
-        minimum: String,
-        /// The maximum.
-        maximum: String,
-        /// The nominal value.
-        nominal: Arc<str>,
-    },
+    Uneven { minimum: String, maximum: String, nominal: Arc<str> },
     /// The log's deviation is not the actual minus the nominal value.
     Deviation {
         /// The deviation of the log.
         given: String,
-        /// The actual value.
         actual: String,
-        /// The nominal value.
         nominal: Arc<str>,
     },
     /// A diameter of zero or less.
-    NotPositive {
-        /// What was given.
-        given: String,
-    },
+    NotPositive { given: String },
     /// More lines than any log has, or a longer one.
     #[say(args(lines = MOST_LINES, bytes = LONGEST_LINE))]
     TooLong,
 }
 
-/// A section of a log.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Say)]
 #[say(prefix = "log-section")]
 pub enum Section {
-    /// Nominal values.
     Nominal,
     /// Given limit values.
     Limits,
-    /// Actual values.
     Actual,
-    /// Deviations.
     Deviations,
 }
 
@@ -166,10 +132,7 @@ pub enum LogWarningKind {
     /// Some or all deviations are missing: located at the last line of the log.
     NoDeviations,
     /// A line that could not be read and is not needed.
-    Ignored {
-        /// Its text.
-        text: String,
-    },
+    Ignored { text: String },
     /// There is text before the first title.
     TextBefore,
 }

@@ -50,7 +50,6 @@ pub(super) struct Pair<'a> {
 }
 
 impl Pair<'_> {
-    /// What is wrong with the value.
     pub(super) fn wrong(&self, what: LogFault) -> LogError {
         Located { what, place: Place::in_line(self.line, self.column) }
     }
@@ -77,7 +76,6 @@ pub(super) struct Header {
     pub(super) unit: Option<Unit>,
 }
 
-/// One line.
 enum Line<'a> {
     Title(u16),
     Label { label: &'a str, value: &'a str },

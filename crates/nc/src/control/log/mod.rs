@@ -117,7 +117,6 @@ pub struct Logs {
     before: Option<LogWarning>,
     /// Whether the mark of a simulation stood there.
     is_simulated: bool,
-    /// Whether there was a log.
     is_found: bool,
     /// Whether there was anything.
     has_text: bool,

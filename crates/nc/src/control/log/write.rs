@@ -54,10 +54,7 @@ pub enum LogWriteError {
         code: String,
     },
     /// The program would not be read back as one.
-    Program {
-        /// What was given.
-        given: String,
-    },
+    Program { given: String },
     /// The log contradicts itself.
     #[say(transparent)]
     Contradiction(LogFault),

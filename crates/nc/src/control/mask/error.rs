@@ -23,20 +23,13 @@ pub enum MaskFault {
         most: usize,
     },
     /// A line is neither record, keyword nor comment.
-    Unknown {
-        /// The text found.
-        found: String,
-    },
+    Unknown { found: String },
     /// A quoted format does not end.
     UnclosedQuote,
     /// A letter that is not a format.
-    UnknownFormat {
-        /// The text found.
-        found: String,
-    },
+    UnknownFormat { found: String },
     /// A width or a number of digits that is too large.
     TooWide {
-        /// The text found.
         found: String,
         /// What is allowed.
         most: usize,
@@ -49,10 +42,7 @@ pub enum MaskFault {
         parameters: usize,
     },
     /// A word that is not a parameter.
-    UnknownParameter {
-        /// The text found.
-        found: String,
-    },
+    UnknownParameter { found: String },
 }
 
 /// A warning about a mask that can still be read.
@@ -62,15 +52,9 @@ pub enum MaskWarningKind {
     /// The record or keyword does not end in `;`, as in the first line of the mask of NC-Solution 8255.
     NoSemicolon,
     /// An unknown `M_` or `L_` word; it has no effect.
-    UnknownWord {
-        /// The word.
-        word: String,
-    },
+    UnknownWord { word: String },
     /// Text after the `;` that is not a comment.
-    BehindSemicolon {
-        /// The text found.
-        found: String,
-    },
+    BehindSemicolon { found: String },
 }
 
 /// Why a mask cannot be rendered.

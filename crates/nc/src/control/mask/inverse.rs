@@ -23,14 +23,12 @@ pub type InverseError = Located<InverseFault>;
 pub enum InverseFault {
     /// Two fields with nothing between them.
     Touching {
-        /// The first one.
         first: String,
         /// The second one.
         second: String,
     },
     /// Two texts with nothing but blanks between them: a text may have blanks, too.
     Blanks {
-        /// The first one.
         first: String,
         /// The second one.
         second: String,
@@ -49,7 +47,6 @@ pub enum InverseFault {
 /// What a field of a mask prints.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Of {
-    /// A parameter.
     Parameter(Parameter),
     /// A part of date and time, and the path of the program, by their words: `DAY`, `CALL_PATH`.
     Word(&'static str),
@@ -110,7 +107,6 @@ struct Step {
     line: usize,
     /// Whether it is left out where a text parameter is empty.
     hides: bool,
-    /// What its lines have.
     lines: Vec<Vec<Piece>>,
 }
 

@@ -39,10 +39,7 @@ pub enum PointFault {
     #[say(transparent)]
     Number(#[from] LengthError),
     /// The normal does not have a direction.
-    Normal {
-        /// What was given.
-        given: String,
-    },
+    Normal { given: String },
     /// The control has only millimetres and inches.
     #[say(id = "log-write-unit")]
     Unit,
@@ -63,12 +60,7 @@ pub enum PointFault {
         along: Length,
     },
     /// The largest permitted deviation is below the smallest.
-    Band {
-        /// The upper one.
-        upper: Length,
-        /// The lower one.
-        lower: Length,
-    },
+    Band { upper: Length, lower: Length },
     /// The status does not follow from deviation and tolerance.
     #[say(args(given = word(*given), status = word(*status)))]
     Status {

@@ -38,7 +38,6 @@ struct Row {
     class: &'static str,
     time: String,
     program: String,
-    /// Where it is simulated.
     simulated: Option<&'static str>,
     axes: [Axis; 3],
     along: String,

@@ -38,7 +38,6 @@ struct Stored {
     upper_mm: Option<String>,
     lower_mm: Option<String>,
     status: Option<Status>,
-    /// Only where it is one.
     #[serde(default, skip_serializing_if = "std::ops::Not::not")]
     simulated: bool,
 }

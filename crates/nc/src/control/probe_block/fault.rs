@@ -77,7 +77,6 @@ pub enum ProbeBlockFault {
     NotWritable {
         /// The parameter.
         key: Key,
-        /// Its text.
         given: String,
     },
 }

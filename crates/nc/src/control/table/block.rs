@@ -70,7 +70,6 @@ fn unclosed(reader: &Reader<'_>, block: &'static str, line: usize) -> TableError
 /// The smallest parts of a description block.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 enum Token<'a> {
-    /// A word or a number.
     Word(&'a str),
     /// A text with its quotation marks.
     Quoted(&'a str),

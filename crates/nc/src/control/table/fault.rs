@@ -25,17 +25,14 @@ pub enum TableFault {
     },
     /// A line longer than the reader accepts.
     LineTooLong {
-        /// The limit.
         limit: usize,
     },
     /// More cells than the reader keeps.
     TooLarge {
-        /// The limit.
         limit: usize,
     },
     /// More columns than the reader keeps.
     TooManyColumns {
-        /// The limit.
         limit: usize,
     },
     /// The first line is not a BEGIN line.
@@ -60,7 +57,6 @@ pub enum TableFault {
     Unexpected {
         /// What is expected: a sign or a word of the format, the same in every language.
         expected: &'static str,
-        /// What was found.
         found: String,
     },
     /// A width or a number of decimals that is not usable.
@@ -78,7 +74,6 @@ pub enum TableFault {
     Tab,
     /// Two columns with the same name.
     ColumnTwice {
-        /// The name.
         name: String,
     },
     /// A row does not reach the last column.
@@ -88,9 +83,7 @@ pub enum TableFault {
     },
     /// No `[END]`, and neither a line end nor a blank after the last row: its last number may be cut off.
     Truncated,
-    /// Text after the end.
     TextAfterEnd {
-        /// What was found.
         found: String,
     },
 }

@@ -10,7 +10,6 @@ use super::fault::TableWarning;
 /// A table as it is in a file: with the warnings, and the places of its parts.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct TableFile {
-    /// The table.
     pub table: ControlTable,
     /// Warnings about a table that could still be read.
     pub warnings: Vec<TableWarning>,
@@ -19,7 +18,6 @@ pub struct TableFile {
     pub(super) names_line: usize,
     /// Where the columns start, in characters from 0.
     pub(super) starts: Vec<usize>,
-    /// The line of each row.
     pub(super) row_lines: Vec<usize>,
     /// Row and column of the cells that begin directly after their neighbour, in order.
     pub(super) touching: Vec<(usize, usize)>,

@@ -63,7 +63,6 @@ pub struct ControlTable {
 pub enum TableUnit {
     /// `MM`.
     Millimetre,
-    /// `INCH`.
     Inch,
 }
 
@@ -88,7 +87,6 @@ pub enum Generation {
     Description,
 }
 
-/// A column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Column {
     /// The name: a run of characters without blanks, compared with its case.
@@ -123,18 +121,14 @@ impl Column {
 /// A comment, without the sign that marks it.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Comment {
-    /// Its place.
     pub place: CommentPlace,
-    /// Its text.
     pub text: String,
 }
 
-/// The place of a comment.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum CommentPlace {
     /// Between the BEGIN line and the names of the columns, outside a block.
     Header,
-    /// In the block.
     Block,
     /// Before the row of this number, counted from 0; after the last row it is the number of rows.
     Row(usize),

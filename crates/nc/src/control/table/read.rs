@@ -52,7 +52,6 @@ impl ControlTable {
 struct Body {
     row_lines: Vec<usize>,
     touching: Vec<(usize, usize)>,
-    /// Whether `[END]` was there.
     has_end: bool,
     /// The first row that ends before the last column.
     short: Option<TableError>,

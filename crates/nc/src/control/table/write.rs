@@ -21,9 +21,7 @@ pub enum WriteError {
     TooWide {
         /// The row, from 0.
         row: usize,
-        /// The column.
         column: String,
-        /// The text.
         text: String,
         /// The column's width.
         width: usize,

@@ -41,10 +41,7 @@ pub enum ToolTableFault {
         given: String,
     },
     /// A number occurs twice.
-    Twice {
-        /// The number.
-        number: super::ToolNumber,
-    },
+    Twice { number: super::ToolNumber },
     /// A name is longer than a control takes.
     NameTooLong {
         /// The text found.
@@ -63,7 +60,6 @@ pub enum ToolTableFault {
     OutOfRange {
         /// The column's name.
         column: &'static str,
-        /// What was given.
         given: Length,
         /// The smallest that is allowed.
         least: Length,

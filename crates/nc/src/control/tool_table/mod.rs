@@ -80,7 +80,6 @@ impl DeltaColumn {
     /// The largest value, 999.9999 mm either way.
     pub const MOST: Length = Length::constant(999_999_900);
 
-    /// Its name.
     pub const fn name(self) -> &'static str {
         match self {
             Self::Length => "DL",
@@ -217,7 +216,6 @@ impl ToolTable {
         Some(value)
     }
 
-    /// Locks a tool.
     fn lock(&mut self, row: usize) {
         let Some(tool) = self.tools.get_mut(row) else { return };
         if !tool.is_locked {

@@ -15,7 +15,6 @@ const MOST_LISTED: usize = 20;
 /// A changed cell of the tool table.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct ToolChange {
-    /// The tool.
     pub tool: ToolNumber,
     /// Its name; empty if it has none.
     pub name: String,
@@ -25,16 +24,13 @@ pub struct ToolChange {
     pub from: String,
     /// Its text now.
     pub to: String,
-    /// What was changed.
     pub what: Changed,
 }
 
-/// What was changed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Changed {
     /// DL or DR.
     Delta {
-        /// Which one.
         column: DeltaColumn,
         /// The value before.
         from: Length,
@@ -48,7 +44,6 @@ pub enum Changed {
 /// A tool whose value would change by more than its breakage tolerance: error 1065 of a control.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Breakage {
-    /// The tool.
     pub tool: ToolNumber,
     /// The value that would change.
     pub column: DeltaColumn,
@@ -84,14 +79,11 @@ pub enum ToolFault {
     NoDeviation {
         /// The number or name in Q330.
         tool: String,
-        /// The cycle.
         cycle: &'static str,
     },
     /// The new value is beyond its range.
     OutOfRange {
-        /// The tool.
         tool: ToolNumber,
-        /// The column.
         column: &'static str,
         /// The value now.
         from: Length,
@@ -100,7 +92,6 @@ pub enum ToolFault {
         /// The largest value, either way.
         most: Length,
     },
-    /// The tool is broken.
     #[say(transparent)]
     Broken(Breakage),
 }

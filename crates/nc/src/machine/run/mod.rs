@@ -205,7 +205,6 @@ impl Machine {
         }
     }
 
-    /// The blocks that have a breakpoint.
     pub const fn breakpoints(&self) -> &BTreeSet<BlockPlace> {
         &self.breakpoints
     }

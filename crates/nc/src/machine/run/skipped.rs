@@ -29,7 +29,6 @@ enum Touched {
     Named(String),
     /// The one with this path, in small letters.
     Path(String),
-    /// Any table.
     AnyTable,
 }
 
@@ -37,7 +36,6 @@ enum Touched {
 #[derive(Debug, Default)]
 pub(super) struct UnknownFiles(BTreeMap<Touched, Made>);
 
-/// What a file is read as.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum ReadAs {
     Table,

@@ -9,7 +9,6 @@ use crate::control::variables::Parameter;
 use crate::program::{Condition, Expression, NumberFunction, Operand, Operation, Relation, Test};
 
 impl Values {
-    /// The value of a formula.
     pub(super) fn evaluate(&self, formula: &Expression) -> Result<f64, FaultKind> {
         match formula {
             Expression::Value(operand) => self.operand(*operand),

@@ -88,7 +88,6 @@ impl Values {
         self.given.without_effect()
     }
 
-    /// A new block begins.
     pub(super) fn begin_block(&mut self) {
         self.changed.clear();
     }
@@ -157,7 +156,6 @@ impl Values {
         }
     }
 
-    /// The number of an operand.
     pub(super) fn operand(&self, operand: Operand) -> Result<f64, FaultKind> {
         match operand {
             Operand::Number(number) => Ok(number),
@@ -211,7 +209,6 @@ impl Values {
         whole(value).ok_or(FaultKind::NotWhole { what, value })
     }
 
-    /// The text of an operand.
     pub(super) fn text_operand<'a>(&'a self, operand: &'a TextOperand) -> Result<&'a str, FaultKind> {
         match operand {
             TextOperand::Text(text) => Ok(text),

@@ -33,7 +33,6 @@ const FORMATS: [&str; 17] = [
 const MOST_DECIMALS: usize = 9;
 
 impl Values {
-    /// The value of a text formula.
     pub(in crate::machine) fn evaluate_text(&self, formula: &TextExpression) -> Result<String, FaultKind> {
         match formula {
             TextExpression::Value(operand) => Ok(self.text_operand(operand)?.to_owned()),

@@ -15,7 +15,6 @@ pub(super) enum Section {
     Data,
     /// Where the program runs.
     Machining,
-    /// Its end.
     End,
 }
 
@@ -49,7 +48,6 @@ pub(super) const MACHINING: &str = "BEARBEITUNG / MACHINING";
 pub(super) const END: &str = "ENDE / END";
 /// What a subprogram ends with.
 pub(super) const RETURN: &str = "RETURN";
-/// What a unit ends with.
 pub(super) const END_OF_UNIT: &str = "END_OF_UNIT";
 
 /// The section that a line begins, with its word: alone, or with a number behind it (`REVOLVER 1`).

@@ -31,7 +31,6 @@ pub(super) enum Said {
     /// `SUBPROGRAM "NAME"`
     Subprogram(Target),
     Return,
-    /// `UNIT …`
     Unit,
     EndOfUnit,
 }

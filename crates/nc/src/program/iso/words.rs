@@ -17,7 +17,6 @@ pub(super) struct Words<'a> {
     pub axes: Vec<AxisAt>,
     /// The tool behind `T`.
     pub tool: Option<Tool>,
-    /// Words of one number.
     pub values: Vec<Word<'a>>,
     /// M functions.
     pub machine: Vec<MachineFunction>,
