@@ -3,7 +3,7 @@
 use std::fmt;
 use std::sync::Arc;
 
-use super::{Message, Say};
+use super::{Message, Say, message};
 
 /// A place in a file, as far as it is known. Lines and columns count from 1; a column counts characters, not bytes.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
@@ -55,19 +55,19 @@ impl<T: Say> Say for Located<T> {
         let what = self.what.message();
         let Place { file, line, column } = &self.place;
         match (file, line, column) {
-            (Some(file), Some(line), Some(column)) => Message::new("located-in-file")
+            (Some(file), Some(line), Some(column)) => message!("located-in-file")
                 .message("what", what)
                 .with("file", file)
                 .with("line", line)
                 .with("column", column),
             (Some(file), Some(line), None) => {
-                Message::new("located-in-line-of-file").message("what", what).with("file", file).with("line", line)
+                message!("located-in-line-of-file").message("what", what).with("file", file).with("line", line)
             }
-            (Some(file), None, _) => Message::new("located-at-file").message("what", what).with("file", file),
+            (Some(file), None, _) => message!("located-at-file").message("what", what).with("file", file),
             (None, Some(line), Some(column)) => {
-                Message::new("located-at-column").message("what", what).with("line", line).with("column", column)
+                message!("located-at-column").message("what", what).with("line", line).with("column", column)
             }
-            (None, Some(line), None) => Message::new("located-at-line").message("what", what).with("line", line),
+            (None, Some(line), None) => message!("located-at-line").message("what", what).with("line", line),
             (None, None, _) => what,
         }
     }

@@ -3,7 +3,7 @@
 use super::kind::{Kind, Towards, WidthAxis};
 use super::plan::PlanFeature;
 use crate::length::Length;
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::probing::cycle::{Axis, Cycle, Inputs, Meaning, Parameter};
 use crate::probing::simulated::Part;
 use crate::probing::{Measurement, Origin};
@@ -16,8 +16,8 @@ impl PlanFeature {
     /// Why it cannot be: without a place or a cycle, or what the cycle says.
     pub fn simulated(&self, seed: u64) -> Result<Vec<Measurement>, Message> {
         let name = || self.name.clone();
-        let on_part = self.on_part().ok_or_else(|| Message::new("plan-simulated-no-place").text("name", name()))?;
-        let cycle = self.cycle.ok_or_else(|| Message::new("plan-simulated-no-cycle").text("name", name()))?;
+        let on_part = self.on_part().ok_or_else(|| message!("plan-simulated-no-place").text("name", name()))?;
+        let cycle = self.cycle.ok_or_else(|| message!("plan-simulated-no-cycle").text("name", name()))?;
         let mut part = Part::perfect(vec![on_part]);
         part.seed = seed;
         let mut machine = part.machine().map_err(|error| error.message())?;
@@ -33,7 +33,7 @@ impl PlanFeature {
         if measured.len() == self.limits.len() {
             Ok(measured)
         } else {
-            Err(Message::new("plan-simulated-no-cycle").text("name", name()))
+            Err(message!("plan-simulated-no-cycle").text("name", name()))
         }
     }
 

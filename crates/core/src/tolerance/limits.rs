@@ -6,7 +6,7 @@ use super::class::Feature;
 use super::deviations::Deviations;
 use super::iso2768::GeneralClass;
 use crate::length::Length;
-use crate::message::{Message, Say, display};
+use crate::message::{Message, Say, display, message};
 
 /// Where deviations come from. Every number that is shown comes with this.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -100,18 +100,18 @@ impl Say for Source {
         match self {
             Self::Standard { said, .. } => said.as_ref().clone(),
             Self::Iso2768 { class, over, to } => {
-                Message::new("source-iso2768").with("class", class).with("over", over).with("to", to)
+                message!("source-iso2768").with("class", class).with("over", over).with("to", to)
             }
-            Self::Callout => Message::new("source-callout"),
+            Self::Callout => message!("source-callout"),
             Self::Table { name, shipped, over, to, .. } => {
                 let id = if *shipped { "source-shipped-table" } else { "source-table" };
                 Message::new(id).with("name", name).with("over", over).with("to", to)
             }
-            Self::File(name) => Message::new("source-file").with("name", name),
+            Self::File(name) => message!("source-file").with("name", name),
             Self::WithoutOwn { folder, source } => {
-                Message::new("source-without-own").message("source", source.message()).with("folder", folder)
+                message!("source-without-own").message("source", source.message()).with("folder", folder)
             }
-            Self::Recorded { text, .. } => Message::new("source-recorded").with("text", text),
+            Self::Recorded { text, .. } => message!("source-recorded").with("text", text),
         }
     }
 }

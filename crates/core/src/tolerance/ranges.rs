@@ -1,13 +1,13 @@
 //! Size ranges in words: where something is defined.
 
 use crate::length::Length;
-use crate::message::Message;
+use crate::message::{Message, message};
 
 /// `it is defined over 24 up to 3150 mm`, or that it is not defined at any size. Ranges are above and up to, ascending.
 pub(super) fn message(ranges: &[(Length, Length)]) -> Message {
     match ranges {
-        [] => Message::new("limits-defined-nowhere"),
-        _ => Message::new("limits-defined").with("ranges", &joined(ranges)),
+        [] => message!("limits-defined-nowhere"),
+        _ => message!("limits-defined").with("ranges", &joined(ranges)),
     }
 }
 
@@ -29,8 +29,8 @@ pub(super) fn where_defined(ends: impl Iterator<Item = (Length, bool)>) -> Vec<(
 /// The ranges one after the other; the list is halved each time, so that many ranges do not nest deeply.
 fn joined(ranges: &[(Length, Length)]) -> Message {
     if let Some((first @ [_, ..], rest)) = ranges.split_at_checked(ranges.len() / 2) {
-        return Message::new("limits-ranges").with("first", &joined(first)).with("rest", &joined(rest));
+        return message!("limits-ranges").with("first", &joined(first)).with("rest", &joined(rest));
     }
     let (over, to) = ranges.first().copied().unwrap_or_default();
-    Message::new("limits-range").with("over", &over).with("to", &to)
+    message!("limits-range").with("over", &over).with("to", &to)
 }

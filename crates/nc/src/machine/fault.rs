@@ -1,6 +1,6 @@
 //! What stops a run early: the block and the reason, as a control shows them.
 
-use fitcheck_core::message::{Message, Say, display};
+use fitcheck_core::message::{Message, Say, display, message};
 use fitcheck_core::probing::cycle::CycleError;
 use fitcheck_core::probing::simulated::WorkpieceError;
 use fitcheck_core::text::cut;
@@ -58,8 +58,8 @@ impl Fault {
 impl Say for Fault {
     fn message(&self) -> Message {
         let message = match self.number {
-            Some(number) => Message::new("machine-fault-in-block").with("number", &number),
-            None => Message::new("machine-fault-in-line").with("line", &self.line),
+            Some(number) => message!("machine-fault-in-block").with("number", &number),
+            None => message!("machine-fault-in-line").with("line", &self.line),
         };
         message.with("program", &self.place.program).with("text", &self.text).with("fault", &self.kind)
     }

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 use std::time::SystemTime;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_files::{self as files, FileError};
 
 /// What a note's name has after that of its file.
@@ -63,7 +63,7 @@ pub(super) fn write(path: &Path, problems: &[Message], words: &dyn Fn(&Message) 
         };
     }
     let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
-    let head = words(&Message::new("watch-note").text("name", name));
+    let head = words(&message!("watch-note").text("name", name));
     let more = (MOST < problems.len()).then(|| format!("… {}", problems.len()));
     let lines = problems.iter().take(MOST).map(words).chain(more);
     let text: Vec<String> = std::iter::once(head).chain(lines).collect();

@@ -9,7 +9,7 @@ use std::collections::BTreeMap;
 use std::fs::File;
 use std::io::{Read as _, Seek as _};
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_exchange::exchange::{ByPlan, FirstRows, Given, Item, MOST_ROWS, Mapping, WHOLE, import_from, recognised};
 use fitcheck_files::{self as files, FileError};
 
@@ -61,7 +61,7 @@ pub(super) fn read(
     let masks = format.map_or(&[][..], |format| format.masks_of(judging.masks));
     let masked = Judging { masks, ..judging };
     if has_beginning(&file, VERDICTS).map_err(locked)? {
-        told.notes.push((found.path.clone(), vec![Message::new("watch-verdicts")]));
+        told.notes.push((found.path.clone(), vec![message!("watch-verdicts")]));
         return Ok(None);
     }
     // What shows nothing of its end may be cut off anywhere, also where it can be read.
@@ -80,7 +80,7 @@ pub(super) fn read(
         match other {
             Some(other) if other != found.name => {
                 told.same.push((found.name.clone(), other.to_owned()));
-                told.notes.push((found.path.clone(), vec![Message::new("watch-copy").text("known", other)]));
+                told.notes.push((found.path.clone(), vec![message!("watch-copy").text("known", other)]));
             }
             _ => {
                 told.same.extend(found.was_done.then(|| (found.name.clone(), found.name.clone())));
@@ -216,7 +216,7 @@ impl Reading<'_> {
         // A note tells of the whole file, also of what was taken before.
         let mut problems: Vec<Message> = all.items.iter().filter_map(problem).collect();
         let late = if self.shows_end { None } else { all.late(known_lines) };
-        let late = late.map(|(first, last)| Message::new("watch-late").text("first", first).text("last", last));
+        let late = late.map(|(first, last)| message!("watch-late").text("first", first).text("last", last));
         let late = late.filter(|late| !self.late.contains(late));
         let all_late: Vec<Message> = self.late.iter().chain(&late).cloned().collect();
         problems.extend(all_late.iter().cloned());
@@ -225,15 +225,15 @@ impl Reading<'_> {
         let counted = |id: &'static str, count: usize| (0 < count).then(|| Message::new(id).count("count", count));
         let again = if known_lines == 0 { counted("watch-again", new.count(*same_lines)) } else { None };
         let other = self.is_another && new.items.iter().any(is_value);
-        let other = other.then(|| Message::new("watch-other"));
+        let other = other.then(|| message!("watch-other"));
         let older = if *is_older { counted("watch-older", before) } else { None };
         let as_other =
             begins_as.as_ref().map(|(known, lines)| (known, new.count(*lines))).filter(|(_, count)| 0 < *count);
         let as_other =
-            as_other.map(|(known, count)| Message::new("watch-begins-as").text("known", known).count("count", count));
+            as_other.map(|(known, count)| message!("watch-begins-as").text("known", known).count("count", count));
         let is_within_line = !self.line_ends.is_empty() && self.extent.is_within_line(&mark);
         let no_end = is_within_line && !self.found.is_moved() && new.has_value_at(mark.lines);
-        let no_end = no_end.then(|| Message::new("watch-no-line-end"));
+        let no_end = no_end.then(|| message!("watch-no-line-end"));
         let remarks = [again, other, older, as_other, late, no_end].into_iter().flatten().collect();
         Batch {
             path: self.found.path.clone(),

@@ -2,7 +2,7 @@
 
 use super::value::Angle;
 use crate::length::Length;
-use crate::message::{Message, Say, display};
+use crate::message::{Message, Say, display, message};
 
 /// The values that a parameter may have; both ends of a range are allowed.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -46,17 +46,17 @@ display!(Range);
 impl Say for Range {
     fn message(&self) -> Message {
         match self {
-            Self::Length { least, most } => Message::new("cycle-length-range").mm("least", least).mm("most", most),
+            Self::Length { least, most } => message!("cycle-length-range").mm("least", least).mm("most", most),
             Self::Angle { most, smallest } if *smallest == Angle::default() => {
-                Message::new("cycle-angle-range").mm("most", most)
+                message!("cycle-angle-range").mm("most", most)
             }
             Self::Angle { most, smallest } => {
-                Message::new("cycle-angle-size-range").mm("smallest", smallest).mm("most", most)
+                message!("cycle-angle-size-range").mm("smallest", smallest).mm("most", most)
             }
-            Self::OneOf(allowed) => Message::new("cycle-one-of").mm("allowed", listed(allowed)),
-            Self::Number { most } => Message::new("cycle-number-range").text("most", most),
-            Self::Tool => Message::new("cycle-tool-range"),
-            Self::Band => Message::new("cycle-band-range"),
+            Self::OneOf(allowed) => message!("cycle-one-of").mm("allowed", listed(allowed)),
+            Self::Number { most } => message!("cycle-number-range").text("most", most),
+            Self::Tool => message!("cycle-tool-range"),
+            Self::Band => message!("cycle-band-range"),
         }
     }
 }
@@ -73,7 +73,7 @@ impl Range {
 
     /// The range as a table shows it: `-99999.9999 … 99999.9999`, `0, 1, 2`.
     pub fn short(&self) -> Message {
-        let figures = |text: String| Message::new("cycle-range").mm("range", text);
+        let figures = |text: String| message!("cycle-range").mm("range", text);
         match self {
             Self::Length { least, most } => figures(format!("{least} … {most}")),
             Self::Angle { most, smallest } => {
@@ -86,8 +86,8 @@ impl Range {
             }
             Self::OneOf(allowed) => figures(listed(allowed)),
             Self::Number { most } => figures(format!("-{most} … {most}")),
-            Self::Tool => Message::new("cycle-range-tool").mm("highest", HIGHEST_TOOL).text("longest", LONGEST_TEXT),
-            Self::Band => Message::new("cycle-range-band"),
+            Self::Tool => message!("cycle-range-tool").mm("highest", HIGHEST_TOOL).text("longest", LONGEST_TEXT),
+            Self::Band => message!("cycle-range-band"),
         }
     }
 }

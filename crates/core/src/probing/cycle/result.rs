@@ -6,7 +6,7 @@ use super::key::Key;
 use super::remark::Remark;
 use super::value::Value;
 use crate::length::Length;
-use crate::message::{Message, Say, display};
+use crate::message::{Message, Say, display, message};
 use crate::probing::Caveat;
 use crate::probing::circle::{Circle, CircleWarning, Evaluation, evaluate};
 use crate::probing::contact::Contact;
@@ -344,9 +344,9 @@ impl Stop {
 
 impl Say for Stop {
     fn message(&self) -> Message {
-        let both = |one: Message, other: Message| Message::new("check-and").message("one", one).message("other", other);
+        let both = |one: Message, other: Message| message!("check-and").message("one", one).message("other", other);
         let out = self.more.iter().fold(self.out.message(), |out, check| both(out, check.message()));
-        Message::new("cycle-stop").text("setting", self.setting).message("out", out)
+        message!("cycle-stop").text("setting", self.setting).message("out", out)
     }
 }
 

@@ -4,7 +4,7 @@ use std::fmt;
 use std::str::FromStr;
 
 use crate::length::{Length, LengthError};
-use crate::message::Message;
+use crate::message::{Message, message};
 use crate::tolerance::Deviations;
 
 /// A quarter turn in ten-thousandths of a degree.
@@ -134,10 +134,10 @@ impl Value {
     /// The value with its unit. A text stays as it is; numbers are printed as each language prints them.
     pub fn with_unit(&self) -> Message {
         match self {
-            Self::Length(length) => Message::new("cycle-value-length").mm("value", length),
-            Self::Band(None) => Message::new("cycle-value-no-tolerance"),
-            Self::Text(text) => Message::new("cycle-value").text("value", text),
-            _ => Message::new("cycle-value").mm("value", self),
+            Self::Length(length) => message!("cycle-value-length").mm("value", length),
+            Self::Band(None) => message!("cycle-value-no-tolerance"),
+            Self::Text(text) => message!("cycle-value").text("value", text),
+            _ => message!("cycle-value").mm("value", self),
         }
     }
 }

@@ -5,7 +5,7 @@ use std::ops::Range;
 use super::kind::CalloutErrorKind;
 use super::scanner::Place;
 use crate::length::LengthError;
-use crate::message::{Message, Say, display, shortened};
+use crate::message::{Message, Say, display, message, shortened};
 use crate::tolerance::ClassError;
 
 /// The most characters of a given text that an error repeats.
@@ -77,7 +77,7 @@ display!(CalloutError);
 impl Say for CalloutError {
     fn message(&self) -> Message {
         match self.told_place() {
-            Some(at) => Message::new("callout-at").with("reason", &self.kind).with("at", &at),
+            Some(at) => message!("callout-at").with("reason", &self.kind).with("at", &at),
             None => self.kind.message(),
         }
     }

@@ -5,7 +5,7 @@ use super::super::ranges;
 use super::zone::{self, Place};
 use super::{Grade, Letter, Options, parts, step_ends};
 use crate::length::Length;
-use crate::message::{Message, Say, display};
+use crate::message::{Message, Say, display, message};
 
 /// A class that the standard does not define at a size.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -75,18 +75,18 @@ impl Say for Undefined {
         let Self { class, nominal, .. } = self;
         match self.reason {
             Reason::NoClass if self.knows_letter() && !class.has_grade() => {
-                Message::new("iso286-grade-missing").with("class", class)
+                message!("iso286-grade-missing").with("class", class)
             }
             Reason::NoClass if self.knows_letter() => {
-                Message::new("iso286-no-grade").with("class", class).with("grades", &all_grades())
+                message!("iso286-no-grade").with("class", class).with("grades", &all_grades())
             }
-            Reason::NoClass => Message::new("iso286-no-letter")
+            Reason::NoClass => message!("iso286-no-letter")
                 .with("class", class)
                 .with("letters", class.letters())
                 .with("known", &all_letters(*class)),
-            Reason::NotPositive => Message::new("callout-not-positive").with("nominal", nominal),
-            Reason::TooLarge => Message::new("iso286-too-large").with("nominal", nominal),
-            Reason::NotHere => Message::new("iso286-not-here")
+            Reason::NotPositive => message!("callout-not-positive").with("nominal", nominal),
+            Reason::TooLarge => message!("iso286-too-large").with("nominal", nominal),
+            Reason::NotHere => message!("iso286-not-here")
                 .with("class", class)
                 .with("nominal", nominal)
                 .with("where", &ranges::message(&self.defined())),

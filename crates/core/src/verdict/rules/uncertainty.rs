@@ -2,7 +2,7 @@
 
 use super::{Bands, Given, thousandths};
 use crate::length::{Length, LengthError, Unit};
-use crate::message::{Message, Say};
+use crate::message::{Message, Say, message};
 use crate::tolerance::Bounds;
 
 /// The largest coverage factor.
@@ -119,7 +119,7 @@ impl Uncertainty {
 
 impl Say for Uncertainty {
     fn message(&self) -> Message {
-        Message::new("uncertainty").mm("u", self.um()).mm("expanded", self.expanded_um()).mm("k", self.k())
+        message!("uncertainty").mm("u", self.um()).mm("expanded", self.expanded_um()).mm("k", self.k())
     }
 }
 

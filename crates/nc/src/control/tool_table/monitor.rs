@@ -4,7 +4,7 @@
 //! tolerance too. Sources, and what is ours: `docs/SOURCES.md`.
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say, display};
+use fitcheck_core::message::{Message, Say, display, message};
 use fitcheck_core::probing::cycle::{Corrected, Correction, Cycle, CycleResult, Meaning, Value};
 
 use super::{DeltaColumn, LOCKED, Tool, ToolNumber, ToolTable};
@@ -126,7 +126,7 @@ impl Say for ToolChange {
                 .mm("from", from)
                 .mm("to", to)
                 .mm("by", self.correction.by),
-            Changed::Locked(_) => Message::new("tool-locked").text("tool", self.label()).text("to", &self.to),
+            Changed::Locked(_) => message!("tool-locked").text("tool", self.label()).text("to", &self.to),
         }
     }
 }

@@ -31,7 +31,7 @@ use super::values::Values;
 use crate::control::tool_table::ToolTable;
 use crate::control::variables::{Parameter, Value, Variables};
 use crate::program::{Notation, Program, Unit, Unread};
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use fitcheck_core::verdict::Status;
 use skipped::UnknownFiles;
 
@@ -290,7 +290,7 @@ impl Machine {
         let passed = || self.passed_over().iter().filter(|(words, _)| *words != "BLK FORM");
         let listed: Vec<String> = passed().map(|(words, count)| format!("{count} {words}")).collect();
         let count: usize = passed().map(|(_, count)| count).sum();
-        let message = || Message::new("machine-passed-over").count("count", count).text("list", listed.join(", "));
+        let message = || message!("machine-passed-over").count("count", count).text("list", listed.join(", "));
         (0 < count).then(message)
     }
 

@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use super::{Declaration, Standard};
 use crate::length::Length;
-use crate::message::{Message, Say as _};
+use crate::message::{Say as _, message};
 use crate::tolerance::ToleranceClass;
 use crate::tolerance::deviations::Deviations;
 use crate::tolerance::iso286::{self, Cell, Options};
@@ -27,8 +27,8 @@ fn deviations(class: ToleranceClass, nominal: Length, options: Options) -> Resul
     let cell = iso286::deviations(class, nominal, options).map_err(|why| LimitsError::Standard(why.message()))?;
     let Cell { deviations, over, to, remark } = cell;
     let said = match remark {
-        None => Message::new("source-iso286"),
-        Some(remark) => Message::new("source-iso286-remark").with("remark", &remark),
+        None => message!("source-iso286"),
+        Some(remark) => message!("source-iso286-remark").with("remark", &remark),
     };
     let doubt = remark.filter(|remark| remark.is_doubt()).map(|remark| remark.message());
     let said = Arc::new(said.with("over", &over).with("to", &to));
