@@ -10,13 +10,10 @@ use super::parts::PlanParts;
 use super::record::{Stream, StreamArgs};
 use super::said::{CliWarning, about, warning};
 use super::{CliError, CliRemark, Format, Io, Outcome, TableArgs};
-use crate::control::mask::Mask;
 use crate::journal::body;
 use crate::journal::entry::{Checked, Content, Entry, FileRole, UsedFile};
 use crate::journal::found::Found;
 use crate::message::{Located, Message, Say as _};
-use crate::part::Plan;
-use crate::tolerance::Sources;
 use crate::verdict::Status;
 use crate::watch::{Alone, Batch, EVERY, Judging, Known, Look, Waiting, Watcher};
 
@@ -74,9 +71,7 @@ pub(super) struct Args {
 
 /// What a run of it has.
 struct Run<'a> {
-    plan: Option<&'a Plan>,
-    sources: &'a Sources,
-    masks: &'a [(String, Mask)],
+    judging: Judging<'a>,
     judge: &'a Judge,
     journal: Stream,
     printer: Printer,
@@ -90,13 +85,10 @@ struct Run<'a> {
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
-        let idle = match self.until_idle {
-            Some(seconds) => {
-                let idle = Duration::try_from_secs_f64(seconds);
-                Some(idle.map_err(|_range| CliError::NotSeconds { given: seconds.to_string() })?)
-            }
-            None => None,
+        let duration = |seconds: f64| {
+            Duration::try_from_secs_f64(seconds).map_err(|_range| CliError::NotSeconds { given: seconds.to_string() })
         };
+        let idle = self.until_idle.map(duration).transpose()?;
         let sources = self.tables.load(io)?;
         let plan = self.plan.as_ref().map(|path| super::plan::read_plan(path, &sources, io)).transpose()?;
         let masks = self.masks.iter().map(|path| super::import::mask(path, io)).collect::<Result<Vec<_>, _>>()?;
@@ -117,12 +109,12 @@ impl Args {
         }
         let mut parts = plan.as_ref().map(PlanParts::of_stream);
         let known = before(&journal, parts.as_mut())?;
-        io.tell(CliRemark::Watching { folder: self.folder.display().to_string(), known: known.len() });
+        io.tell(CliRemark::Watching { folder: self.folder.display().to_string(), known: known.count() });
         let printer = Printer::new(self.format, judge.more_of(plan.as_ref()), io)?;
-        let (plan, is_bad) = (plan.as_ref(), false);
-        let (sources, masks, judge) = (&sources, masks.as_slice(), &judge);
-        let (worst, contradictions) = (None, BTreeSet::new());
-        let mut run = Run { plan, sources, masks, judge, journal, printer, worst, is_bad, parts, contradictions };
+        let (plan, sources, masks, now) = (plan.as_ref(), &sources, masks.as_slice(), super::now());
+        let judging = Judging { plan, sources, masks, columns: None, now, temperature: None };
+        let (judge, worst, is_bad, contradictions) = (&judge, None, false, BTreeSet::new());
+        let mut run = Run { judging, judge, journal, printer, worst, is_bad, parts, contradictions };
         let mut watcher = Watcher::new(&self.folder, known);
         leave_own(&mut watcher, run.journal.file(), alone.as_ref().ok().and_then(Option::as_ref));
         run.watch(&mut watcher, idle, io)?;
@@ -179,14 +171,7 @@ impl Run<'_> {
         let begun = Instant::now();
         let (mut last, mut told, mut refused) = (begun, None, BTreeSet::new());
         loop {
-            let judging = Judging {
-                plan: self.plan,
-                sources: self.sources,
-                masks: self.masks,
-                columns: None,
-                now: super::now(),
-                temperature: None,
-            };
+            let judging = Judging { now: super::now(), ..self.judging };
             match watcher.look(judging, begun.elapsed()) {
                 Ok(look) => {
                     if !look.is_idle() {
@@ -209,16 +194,14 @@ impl Run<'_> {
                             self.tell_once(&error.to_string(), &mut told, io);
                             std::thread::sleep(LATER);
                         }
-                        result => {
+                        taken => {
                             told = None;
-                            result?;
+                            taken?;
                         }
                     }
                 }
                 // A share may be gone for a while: it is told once.
-                Err(error) => {
-                    self.tell_once(&error.to_string(), &mut told, io);
-                }
+                Err(error) => self.tell_once(&error.to_string(), &mut told, io),
             }
             if Duration::from_secs(1) <= last.elapsed() {
                 self.journal.rest(io);
@@ -275,7 +258,7 @@ impl Run<'_> {
     fn take(&mut self, watcher: &mut Watcher, mut ready: Vec<Batch>, io: &mut Io<'_>) -> Result<(), CliError> {
         let mut all: Vec<Vec<Row>> = Vec::new();
         for batch in &mut ready {
-            let mut rows = Rows::of(Path::new(&batch.name), self.judge, true).by(self.plan);
+            let mut rows = Rows::of(Path::new(&batch.name), self.judge, true).by(self.judging.plan);
             let mut rows: Vec<Row> = batch.items.iter().cloned().filter_map(|item| rows.row(item)).collect();
             let file =
                 UsedFile { role: FileRole::Measurements, name: batch.name.as_str().into(), sha256: batch.sha256 };

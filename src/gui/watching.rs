@@ -93,7 +93,7 @@ impl Watch {
             Ok(known) => known,
             Err(why) => return self.say(WatchNews::Trouble(Some(why))),
         };
-        self.say(WatchNews::Begun(known.len()));
+        self.say(WatchNews::Begun(known.count()));
         let words = Words::new(self.language);
         let (mut watcher, begun) = (Watcher::new(&self.folder, known), Instant::now());
         // What this program itself writes is no measurement.

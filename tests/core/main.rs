@@ -154,6 +154,8 @@ mod verdicts;
 mod wall_cycles;
 mod warm;
 mod watch_cli;
+#[cfg(target_os = "linux")]
+mod watch_table;
 mod watching;
 mod watching_again;
 mod workpieces;

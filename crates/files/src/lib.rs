@@ -176,7 +176,8 @@ pub fn save_with(
     whole::write_new(path, fill).map_err(|error| system(path, &error))
 }
 
-fn folder_of(path: &Path) -> &Path {
+/// The folder of a path; for a bare name, the current folder.
+pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."))
 }
 

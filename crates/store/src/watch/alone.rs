@@ -1,10 +1,13 @@
 //! That a folder is watched for a journal by one program alone: two of them would take every file twice.
 
 use std::fs::{File, OpenOptions, TryLockError};
+use std::io;
 use std::path::{Path, PathBuf};
 
 use fitcheck_exchange::journal::chain::Hash;
-use fitcheck_files::{FileError, system};
+use fitcheck_files::{FileError, folder_of, system};
+
+use super::note::with_ending;
 
 /// As long as it lives nobody else watches the folder for the journal; the system gives it back whatever ends the program.
 #[derive(Debug)]
@@ -20,18 +23,16 @@ impl Alone {
     /// # Errors
     /// [`FileError`] where that file cannot be made, or where locks are not to be had.
     pub fn take(folder: &Path, journal: &Path) -> Result<Option<Self>, FileError> {
-        let whole = folder.canonicalize().map_err(|error| system(folder, &error))?;
+        let failed = |error: io::Error| system(folder, &error);
+        let whole = folder.canonicalize().map_err(failed)?;
         let folder_hash = Hash::of_file(whole.as_os_str().as_encoded_bytes()).short();
         // A journal has one lock, whatever links lead to it.
         let journal = journal.canonicalize().or_else(|_not_yet| {
-            let folder = parent(journal).canonicalize()?;
-            Ok::<_, std::io::Error>(folder.join(journal.file_name().unwrap_or_default()))
-        });
-        let journal = journal.map_err(|error| system(folder, &error))?;
-        let mut name = journal.file_name().unwrap_or_default().to_owned();
-        name.push(format!(".watch-{folder_hash}"));
-        let path = journal.with_file_name(name);
-        let failed = |error: std::io::Error| system(&path, &error);
+            let folder = folder_of(journal).canonicalize().map_err(failed)?;
+            Ok(folder.join(journal.file_name().unwrap_or_default()))
+        })?;
+        let path = with_ending(&journal, &format!(".watch-{folder_hash}"));
+        let failed = |error: io::Error| system(&path, &error);
         let file = OpenOptions::new().create(true).truncate(false).write(true).open(&path).map_err(failed)?;
         match file.try_lock() {
             Ok(()) => Ok(Some(Self { locked: file, path })),
@@ -44,9 +45,4 @@ impl Alone {
     pub fn file(&self) -> &Path {
         &self.path
     }
-}
-
-/// The folder of a file.
-pub(super) fn parent(file: &Path) -> &Path {
-    file.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or(Path::new("."))
 }

@@ -7,34 +7,30 @@ use std::collections::{BTreeMap, BTreeSet};
 use std::path::{Path, PathBuf};
 
 /// What is known of who writes a file.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) enum Writer {
+    /// Nothing: another machine may write it, or somebody has since before it was listened to.
+    #[default]
+    Unknown,
     /// It was written and not closed since.
     Writes,
     /// It was closed, and not written since.
     Closed,
     /// It got its name when it was written.
     Moved,
-    /// Nothing: another machine may write it, or somebody has since before it was listened to.
-    Unknown,
 }
 
 /// Hears who writes the files of a folder.
 #[derive(Debug)]
-pub(super) struct Closed {
+pub(super) struct Ear {
     #[cfg(target_os = "linux")]
     events: Option<std::os::fd::OwnedFd>,
-    #[cfg(target_os = "linux")]
-    folder: PathBuf,
-    writers: BTreeMap<PathBuf, Writer>,
-    /// The files that were written since the last look.
-    heard: BTreeSet<PathBuf>,
-    /// The files that got another name since: the one before, and the new one.
-    moves: Vec<(PathBuf, PathBuf)>,
+    /// What was heard last of each file.
+    pub(super) writers: BTreeMap<PathBuf, Writer>,
 }
 
 #[cfg(target_os = "linux")]
-impl Closed {
+impl Ear {
     pub(super) fn new(folder: &Path) -> Self {
         use rustix::fs::inotify::{CreateFlags, WatchFlags, add_watch, init};
         let begin = || {
@@ -44,62 +40,70 @@ impl Closed {
             rustix::io::Result::Ok(events)
         };
         // Where there are too many of them already, files have to be unchanged for a while.
-        let events = begin().ok();
-        Self { events, folder: folder.to_owned(), writers: BTreeMap::new(), heard: BTreeSet::new(), moves: Vec::new() }
+        Self { events: begin().ok(), writers: BTreeMap::new() }
     }
 
-    /// Hears what has happened since the last time.
-    pub(super) fn hear(&mut self) {
+    /// Hears which files were written since the last time. `renamed` is told which got another name: the one before, and the new one.
+    pub(super) fn hear(&mut self, folder: &Path, renamed: &mut dyn FnMut(&Path, &Path)) -> BTreeSet<PathBuf> {
         use std::os::unix::ffi::OsStrExt as _;
 
         use rustix::fs::inotify::{ReadFlags, Reader};
-        self.heard.clear();
-        let Some(events) = &self.events else { return };
+        let mut written = BTreeSet::new();
+        let Some(events) = &self.events else { return written };
         let mut buffer = [std::mem::MaybeUninit::uninit(); 8 << 10];
         let mut reader = Reader::new(events, &mut buffer);
         // What had its name before: whoever writes it may go on under the new one.
         let mut moved = None;
         while let Ok(event) = reader.next() {
-            if event.events().contains(ReadFlags::QUEUE_OVERFLOW) {
+            let what = event.events();
+            if what.contains(ReadFlags::QUEUE_OVERFLOW) {
                 self.writers.clear();
             }
             let Some(name) = event.file_name() else { continue };
-            let path = self.folder.join(std::ffi::OsStr::from_bytes(name.to_bytes()));
-            if event.events().contains(ReadFlags::MOVED_FROM) {
-                let writer = self.writers.remove(&path);
-                moved = Some((event.cookie(), path, writer));
+            let path = folder.join(std::ffi::OsStr::from_bytes(name.to_bytes()));
+            let writer = if what.contains(ReadFlags::MOVED_FROM) {
+                let before = self.writers.remove(&path);
+                moved = Some((event.cookie(), path, before));
                 continue;
-            }
-            let writer = if event.events().contains(ReadFlags::MOVED_TO) {
-                let before = moved.take().filter(|(cookie, ..)| *cookie == event.cookie());
-                let is_written = before.as_ref().is_some_and(|(.., writer)| *writer == Some(Writer::Writes));
-                self.moves.extend(before.map(|(_, before, _)| (before, path.clone())));
-                if is_written { Writer::Writes } else { Writer::Moved }
-            } else if event.events().contains(ReadFlags::CLOSE_WRITE) {
+            } else if what.contains(ReadFlags::MOVED_TO) {
+                match moved.take().filter(|(cookie, ..)| *cookie == event.cookie()) {
+                    Some((_, before, writer)) => {
+                        renamed(&before, &path);
+                        writer.filter(|writer| *writer == Writer::Writes).unwrap_or(Writer::Moved)
+                    }
+                    None => Writer::Moved,
+                }
+            } else if what.contains(ReadFlags::CLOSE_WRITE) {
                 self.writers.insert(path, Writer::Closed);
                 continue;
             } else {
                 Writer::Writes
             };
-            self.heard.insert(path.clone());
-            self.writers.insert(path, writer);
+            self.writers.insert(path.clone(), writer);
+            written.insert(path);
         }
-    }
-
-    /// Who writes a file.
-    pub(super) fn writer(&self, path: &Path) -> Writer {
-        self.writers.get(path).copied().unwrap_or(Writer::Unknown)
+        written
     }
 }
 
 #[cfg(not(target_os = "linux"))]
-impl Closed {
+impl Ear {
     pub(super) fn new(_folder: &Path) -> Self {
-        Self { writers: BTreeMap::new(), heard: BTreeSet::new(), moves: Vec::new() }
+        Self { writers: BTreeMap::new() }
     }
 
     /// Nothing is told by itself.
-    pub(super) fn hear(&mut self) {}
+    pub(super) fn hear(&mut self, _folder: &Path, _renamed: &mut dyn FnMut(&Path, &Path)) -> BTreeSet<PathBuf> {
+        BTreeSet::new()
+    }
+}
+
+impl Ear {
+    /// Who writes a file, by what was heard.
+    #[cfg(not(windows))]
+    pub(super) fn writer(&self, path: &Path) -> Writer {
+        self.writers.get(path).copied().unwrap_or_default()
+    }
 
     /// Whether somebody has a file open to write.
     #[cfg(windows)]
@@ -109,33 +113,5 @@ impl Closed {
         const READERS: u32 = 1;
         let opened = std::fs::OpenOptions::new().read(true).share_mode(READERS).open(path);
         if opened.is_ok() { Writer::Closed } else { Writer::Writes }
-    }
-
-    /// Not known here.
-    #[cfg(not(windows))]
-    pub(super) fn writer(&self, _path: &Path) -> Writer {
-        Writer::Unknown
-    }
-}
-
-impl Closed {
-    /// Whether it was heard that a file was written since the last look.
-    pub(super) fn is_heard(&self, path: &Path) -> bool {
-        self.heard.contains(path)
-    }
-
-    /// The files that got another name since this was asked: the one before, and the new one.
-    pub(super) fn moves(&mut self) -> Vec<(PathBuf, PathBuf)> {
-        std::mem::take(&mut self.moves)
-    }
-
-    /// What was heard of a file is no longer so.
-    pub(super) fn forget(&mut self, path: &Path) {
-        self.writers.remove(path);
-    }
-
-    /// Forgets the files that are gone.
-    pub(super) fn forget_all_but(&mut self, there: &BTreeSet<PathBuf>) {
-        self.writers.retain(|path, _| there.contains(path));
     }
 }

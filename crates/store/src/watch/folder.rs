@@ -7,29 +7,32 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
 use fitcheck_exchange::journal::natural::Natural;
-use fitcheck_files::{FileError, beside_path, system};
+use fitcheck_files::{FileError, beside_path, folder_of, system};
 
 use super::PATIENCE;
-use super::alone::parent;
-use super::closed::{Closed, Writer};
+use super::closed::{Ear, Writer};
 use super::note::is_note;
 
 /// How long a file has to be unchanged before the last value of a format that shows nothing of its end counts as complete, where its writer
 /// has closed it: some close a file after each line.
 const SETTLED: Duration = Duration::from_secs(1);
 
-/// The same for all that may be unfinished, where the system does not say whether anybody writes a file.
+/// How long a file has to be unchanged before all of it counts as complete, where the system does not say whether anybody writes it.
 const LONG: Duration = Duration::from_secs(10);
 
-/// What tells one state of a file from another, and of the file that is read with it.
-type Stamp = [Sight; 2];
+/// What shows that a file was changed, or the file that is read together with it.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+struct Stamp {
+    own: Sight,
+    beside: Sight,
+}
 
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 struct Sight {
     length: u64,
     changed: Option<SystemTime>,
-    /// Its number in the file system; 0 where it has none.
-    number: u64,
+    /// Its device and its number there; zeros where it has none.
+    number: (u64, u64),
     /// When anything about it was changed, in seconds and nanoseconds: a time of change can be set, this one not.
     touched: (i64, i64),
 }
@@ -38,7 +41,7 @@ impl Sight {
     #[cfg(unix)]
     fn of(about: &Metadata) -> Self {
         use std::os::unix::fs::MetadataExt as _;
-        let (number, touched) = (about.ino(), (about.ctime(), about.ctime_nsec()));
+        let (number, touched) = ((about.dev(), about.ino()), (about.ctime(), about.ctime_nsec()));
         Self { length: about.len(), changed: about.modified().ok(), number, touched }
     }
 
@@ -47,10 +50,34 @@ impl Sight {
         Self { length: about.len(), changed: about.modified().ok(), ..Self::default() }
     }
 
-    /// Whether it is another one but for rights and names.
+    /// Whether the content may be another one: after a change of rights or names alone it is not.
     fn is_written(&self, before: &Self) -> bool {
         Self { touched: before.touched, ..*self } != *before
     }
+}
+
+/// What is to be done with a file; the machine is drawn in `mod.rs`.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) enum State {
+    /// There may be something to take.
+    #[default]
+    Open,
+    /// Nothing of it could be taken at this stage; and whether it was told then, and unchanged for [`PATIENCE`]. It is read again when one
+    /// of these has changed.
+    Waits(Stage, [bool; 2]),
+    /// Nothing is left to take of it as it is.
+    Done,
+}
+
+/// What is known of a file.
+#[derive(Debug, Clone, Default, PartialEq, Eq)]
+struct Seen {
+    stamp: Stamp,
+    /// When it was seen with this stamp first.
+    since: Duration,
+    state: State,
+    was_done: bool,
+    writer: Writer,
 }
 
 /// A file as it was found.
@@ -61,170 +88,151 @@ pub(super) struct Found {
     pub(super) name: String,
     /// Since when it is unchanged.
     pub(super) quiet: Duration,
-    writer: Writer,
     /// Whether all of it was taken already, before it was changed.
     pub(super) was_done: bool,
-    /// Whether nothing of it could be taken when it was looked into last, and nothing has changed.
-    pub(super) waits: bool,
-    stamp: Stamp,
+    seen: Seen,
 }
 
 #[derive(Debug)]
 pub(super) struct Folder {
     path: PathBuf,
     seen: BTreeMap<PathBuf, Seen>,
-    closed: Closed,
+    ear: Ear,
     /// Names of files that are left alone, and the files that are, by device and number.
     left_names: BTreeSet<OsString>,
     left_files: BTreeSet<(u64, u64)>,
 }
 
-#[derive(Debug, Clone)]
-struct Seen {
-    stamp: Stamp,
-    /// When it was seen with this stamp first.
-    since: Duration,
-    /// Whether nothing is left to take of it as it is, and whether that was so before.
-    is_done: bool,
-    was_done: bool,
-    writer: Writer,
-    /// How far it has come on the way to being final when nothing of it could be taken.
-    waits: Option<[bool; 4]>,
-}
-
 impl Folder {
     pub(super) fn new(path: &Path) -> Self {
         let (left_names, left_files) = (BTreeSet::new(), BTreeSet::new());
-        Self { path: path.to_owned(), seen: BTreeMap::new(), closed: Closed::new(path), left_names, left_files }
+        Self { path: path.to_owned(), seen: BTreeMap::new(), ear: Ear::new(path), left_names, left_files }
     }
 
     /// Leaves a file alone, by its name where it is in the folder, and whatever it is called where the system numbers files.
     pub(super) fn leave(&mut self, path: &Path) {
         let whole = |folder: &Path| folder.canonicalize().ok();
-        let is_inside = whole(parent(path)).is_some_and(|folder| whole(&self.path) == Some(folder));
+        let is_inside = whole(folder_of(path)).is_some_and(|folder| whole(&self.path) == Some(folder));
         self.left_names.extend(path.file_name().filter(|_| is_inside).map(OsStr::to_owned));
         let about = std::fs::metadata(path).ok().filter(Metadata::is_file);
-        self.left_files.extend(about.as_ref().and_then(number_of));
+        self.left_files.extend(about.map(|about| Sight::of(&about).number).filter(|number| *number != (0, 0)));
     }
 
-    fn is_left(&self, name: &OsStr, about: &Metadata) -> bool {
-        self.left_names.contains(name)
-            || !self.left_files.is_empty() && number_of(about).is_some_and(|number| self.left_files.contains(&number))
+    fn is_left(&self, path: &Path, stamp: &Stamp) -> bool {
+        let is_named = path.file_name().is_some_and(|name| self.left_names.contains(name));
+        is_named || self.left_files.contains(&stamp.own.number)
     }
 
-    /// The files that got another name since this was asked: the one before, and the new one.
-    pub(super) fn moves(&mut self) -> Vec<(String, String)> {
-        let name = |path: &Path| path.file_name().map(text_of).unwrap_or_default();
-        self.closed.moves().into_iter().map(|(before, now)| (name(&before), name(&now))).collect()
-    }
-
-    /// Nothing can be taken of a file until it is changed, or unchanged for longer.
-    pub(super) fn wait(&mut self, found: &Found) {
-        if let Some(seen) = self.seen.get_mut(&found.path).filter(|seen| seen.stamp == found.stamp) {
-            seen.waits = Some(found.reached());
-        }
-    }
-
-    /// The files that may have something to take, in the order in which they were written, and by name where that is the same.
-    pub(super) fn look(&mut self, clock: Duration) -> Result<Vec<Found>, FileError> {
+    /// The files that may have something to take, in the order in which they were written, and by name where that is the same. `renamed`
+    /// hears which files got another name: the one before, and the new one.
+    pub(super) fn look(
+        &mut self,
+        clock: Duration,
+        renamed: &mut dyn FnMut(&str, &str),
+    ) -> Result<Vec<Found>, FileError> {
         let failed = |error: std::io::Error| system(&self.path, &error);
         let (mut there, mut found) = (BTreeSet::new(), Vec::new());
         // What was closed before the folder is looked at was closed as it is seen now, or is written again.
-        self.closed.hear();
+        let written = self.ear.hear(&self.path, &mut |before, now| renamed(&name_of(before), &name_of(now)));
         for entry in std::fs::read_dir(&self.path).map_err(failed)? {
-            let entry = entry.map_err(failed)?;
-            let path = entry.path();
-            let name = text_of(&entry.file_name());
+            let path = entry.map_err(failed)?.path();
             // A file that goes while the folder is read is gone.
             let Ok(about) = std::fs::metadata(&path) else { continue };
             there.insert(path.clone());
-            if !about.is_file() || is_passing(&name) || self.is_left(&entry.file_name(), &about) {
+            let (name, stamp) = (name_of(&path), stamp(&path, &about));
+            if !about.is_file() || is_passing(&name) || self.is_left(&path, &stamp) {
                 continue;
             }
-            let stamp = stamp(&path, &about);
-            let new =
-                Seen { stamp, since: clock, is_done: false, was_done: false, writer: Writer::Unknown, waits: None };
+            let new = Seen { stamp, since: clock, ..Seen::default() };
             let seen = self.seen.entry(path.clone()).or_insert_with(|| new.clone());
-            let is_heard = self.closed.is_heard(&path);
-            if seen.stamp != stamp {
-                let is_written = is_heard || stamp.iter().zip(&seen.stamp).any(|(now, before)| now.is_written(before));
-                let was_done = is_written && (seen.is_done || seen.was_done);
-                // Another machine has written it: nobody says whether it is done. That of the file beside it is known or not as before.
-                let ([own, _], [before, _]) = (&stamp, &seen.stamp);
-                if own.is_written(before) && !is_heard {
-                    self.closed.forget(&path);
+            let (is_heard, is_done) = (written.contains(&path), seen.state == State::Done);
+            // A file that is written within the same moment keeps its stamp.
+            if seen.stamp != stamp || is_heard && is_done {
+                let is_own = stamp.own.is_written(&seen.stamp.own);
+                // Another machine has written it: nobody says whether it is done. Who writes the file beside it does not matter.
+                if is_own && !is_heard {
+                    self.ear.writers.remove(&path);
                 }
-                *seen = Seen { was_done, ..new };
-            } else if is_heard && seen.is_done {
-                // It was written within the same moment.
-                *seen = Seen { was_done: true, ..new };
+                let is_written = is_heard || is_own || stamp.beside.is_written(&seen.stamp.beside);
+                *seen = Seen { was_done: is_written && (is_done || seen.was_done), ..new };
             }
-            let writer = self.closed.writer(&path);
+            let writer = self.ear.writer(&path);
             // What was left of it while somebody wrote it is taken when it is closed.
-            seen.is_done &= writer == seen.writer || seen.writer != Writer::Writes;
+            if seen.state == State::Done && seen.writer == Writer::Writes && writer != Writer::Writes {
+                seen.state = State::Open;
+            }
             seen.writer = writer;
-            if !seen.is_done {
-                let was_done = seen.was_done;
-                let quiet = clock.saturating_sub(seen.since);
-                let mut file = Found { path, name, quiet, writer, was_done, stamp, waits: false };
-                file.waits = seen.waits == Some(file.reached());
-                found.push(file);
+            if seen.state != State::Done {
+                let (quiet, was_done, seen) = (clock.saturating_sub(seen.since), seen.was_done, seen.clone());
+                found.push(Found { path, name, quiet, was_done, seen });
             }
         }
         self.seen.retain(|path, _| there.contains(path));
-        self.closed.forget_all_but(&there);
-        found.sort_by_cached_key(|found| (changed(found), Natural(found.name.clone())));
+        self.ear.writers.retain(|path, _| there.contains(path));
+        found.sort_by_cached_key(|found| (found.changed(), Natural(found.name.clone())));
         Ok(found)
     }
 
-    /// Nothing is left to take of a file as it was found.
-    pub(super) fn done(&mut self, found: &Found) {
-        if let Some(seen) = self.seen.get_mut(&found.path).filter(|seen| seen.stamp == found.stamp) {
-            seen.is_done = true;
+    /// Sets the state of a file, unless it was changed since it was found.
+    pub(super) fn set(&mut self, found: &Found, state: State) {
+        if let Some(seen) = self.seen.get_mut(&found.path).filter(|seen| seen.stamp == found.seen.stamp) {
+            seen.state = state;
         }
     }
 }
 
+/// How much of a file counts as it is.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
+pub(super) enum Stage {
+    /// Whole lines that are followed by more, or whose format shows that they are complete.
+    Begun,
+    /// All its whole lines.
+    Settled,
+    /// All of it, a last line without its end, too.
+    Final,
+}
+
 impl Found {
-    /// Whether all of it counts as it is, a last line without its end, too: it came under its name as a whole, or was closed and is unchanged
-    /// for a while.
-    pub(super) fn is_final(&self) -> bool {
-        match self.writer {
-            Writer::Writes => false,
-            Writer::Moved => true,
-            Writer::Closed => PATIENCE <= self.quiet,
-            Writer::Unknown => LONG <= self.quiet,
+    /// How much of it counts.
+    pub(super) fn stage(&self) -> Stage {
+        match self.seen.writer {
+            // It came under its name as a whole.
+            Writer::Moved => Stage::Final,
+            Writer::Closed if PATIENCE <= self.quiet => Stage::Final,
+            Writer::Closed if SETTLED <= self.quiet => Stage::Settled,
+            Writer::Unknown if LONG <= self.quiet => Stage::Final,
+            _ => Stage::Begun,
         }
     }
 
-    /// Whether its whole lines count as they are, also where they show nothing of their end.
-    pub(super) fn is_settled(&self) -> bool {
-        self.is_final() || self.writer == Writer::Closed && SETTLED <= self.quiet
-    }
-
-    /// Whether it is said what of it cannot be read.
+    /// Whether people are told what of it cannot be read.
     pub(super) fn is_told(&self) -> bool {
-        self.is_final() || LONG <= self.quiet
+        self.stage() == Stage::Final || LONG <= self.quiet
     }
 
-    /// What it has reached of all that may change what is taken of it.
-    fn reached(&self) -> [bool; 4] {
-        [self.is_settled(), self.is_final(), self.is_told(), PATIENCE <= self.quiet]
+    /// The state of a file of which nothing could be taken.
+    pub(super) fn waits(&self) -> State {
+        State::Waits(self.stage(), [self.is_told(), PATIENCE <= self.quiet])
+    }
+
+    /// Whether nothing of it could be taken, and nothing has changed since.
+    pub(super) fn is_waiting(&self) -> bool {
+        self.seen.state == self.waits()
     }
 
     /// Whether it got its name when it was complete.
     pub(super) fn is_moved(&self) -> bool {
-        self.writer == Writer::Moved
+        self.seen.writer == Writer::Moved
     }
 
-    /// Whether it was changed after a time.
-    pub(super) fn is_changed_since(&self, time: SystemTime) -> bool {
-        changed(self).is_some_and(|changed| time < changed)
+    /// When it was changed last.
+    pub(super) fn changed(&self) -> Option<SystemTime> {
+        self.seen.stamp.own.changed
     }
 
     /// Whether it is still as it was found.
     pub(super) fn is_unchanged(&self) -> bool {
-        std::fs::metadata(&self.path).is_ok_and(|about| stamp(&self.path, &about) == self.stamp)
+        std::fs::metadata(&self.path).is_ok_and(|about| stamp(&self.path, &about) == self.seen.stamp)
     }
 }
 
@@ -232,13 +240,13 @@ fn stamp(path: &Path, about: &Metadata) -> Stamp {
     // The values of an AQDEF file are read with their description, which may come later than they do.
     let is_dfx = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("dfx"));
     let beside = is_dfx.then(|| beside_path(path, "dfd").metadata()).and_then(Result::ok);
-    [Sight::of(about), beside.as_ref().map(Sight::of).unwrap_or_default()]
+    Stamp { own: Sight::of(about), beside: beside.as_ref().map(Sight::of).unwrap_or_default() }
 }
 
-/// A name as text; bytes that are none are written as such, so that no two names are the same.
-fn text_of(name: &OsStr) -> String {
+/// A file's name as text; bytes that are none are written as such, so that no two names are the same.
+fn name_of(path: &Path) -> String {
     let mut text = String::new();
-    for chunk in name.as_encoded_bytes().utf8_chunks() {
+    for chunk in path.file_name().unwrap_or_default().as_encoded_bytes().utf8_chunks() {
         text.push_str(chunk.valid());
         text.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02X}")));
     }
@@ -254,24 +262,4 @@ fn is_passing(name: &str) -> bool {
         || name.starts_with('.')
         || name.starts_with("~$")
         || unfinished.iter().any(|ending| lower.ends_with(ending))
-}
-
-/// The device of a file and its number there.
-#[cfg(unix)]
-#[expect(clippy::unnecessary_wraps, reason = "not known on other systems")]
-fn number_of(about: &Metadata) -> Option<(u64, u64)> {
-    use std::os::unix::fs::MetadataExt as _;
-    Some((about.dev(), about.ino()))
-}
-
-/// Not known here.
-#[cfg(not(unix))]
-fn number_of(_about: &Metadata) -> Option<(u64, u64)> {
-    None
-}
-
-/// When it was changed last.
-fn changed(found: &Found) -> Option<SystemTime> {
-    let [Sight { changed, .. }, _] = found.stamp;
-    changed
 }

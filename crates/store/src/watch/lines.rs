@@ -1,101 +1,118 @@
-//! Where the lines of a file end, in its bytes.
+//! Where the lines of a file end, and the hash of everything up to there.
 
 use std::io::{self, Read as _};
 
 use fitcheck_exchange::exchange::Body;
 use fitcheck_exchange::exchange::pieces::utf16;
+use fitcheck_exchange::journal::chain::{FileHash, Hash};
 
 /// How much is read at a time: whole characters of UTF-16.
-const READ: usize = 1 << 16;
+const READ: u64 = 1 << 16;
 
-/// The end of a line.
+/// A place in a file, how many lines come before it, and the hash of all of that.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
+pub(super) struct Mark {
+    pub(super) end: u64,
+    pub(super) lines: usize,
+    pub(super) hash: Hash,
+}
+
+/// On which side of a line end a mark is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct End {
-    /// Where the line ends, and where the next one begins.
-    pub(super) before: usize,
-    pub(super) after: usize,
-    /// Whether it is the LF that belongs to the CR before it.
-    pub(super) is_rest: bool,
+pub(super) enum Side {
+    Before,
+    /// CR LF has two such marks, one after each of its bytes.
+    After,
 }
 
-/// Finds the ends of lines in a file that is given piece by piece.
-#[derive(Debug)]
-pub(super) struct Lines {
-    ends: &'static [u8],
-    /// Whether the file is UTF-16, and whether its larger byte comes first.
-    wide: Option<bool>,
-    /// The last character, where it is a CR.
-    was_return: bool,
-}
-
-impl Lines {
-    /// Those of a file with this beginning, that end with one of these bytes.
-    pub(super) fn new(head: &[u8], ends: &'static [u8]) -> Self {
-        let wide = utf16(head).map(|encoding| encoding == encoding_rs::UTF_16BE);
-        Self { ends, wide, was_return: false }
-    }
-
-    /// The ends in the next piece, which begins with a whole character.
-    pub(super) fn ends(&mut self, piece: &[u8]) -> Vec<End> {
-        if self.ends.is_empty() {
-            return Vec::new();
+/// Shows a mark before and after each line end of a file; lines end with one of these bytes. Returns the mark of the whole file: a last line
+/// without a line end is not counted.
+pub(super) fn each_mark(body: &mut dyn Body, line_ends: &[u8], see: &mut dyn FnMut(Side, Mark)) -> io::Result<Mark> {
+    let (mut hash, mut so_far, mut piece) = (FileHash::default(), Mark::default(), Vec::new());
+    // Of UTF-16, whether the larger byte of a character comes first.
+    let (mut is_big_first, mut was_return) = (None, false);
+    body.rewind()?;
+    while 0 < body.take(READ).read_to_end(&mut piece)? {
+        if so_far.end == 0 {
+            is_big_first = utf16(&piece).map(|encoding| encoding == encoding_rs::UTF_16BE);
         }
-        let size = if self.wide.is_some() { 2 } else { 1 };
-        let mut found = Vec::new();
+        let size = if is_big_first.is_some() { 2 } else { 1 };
+        let mut from = 0;
         for (at, character) in piece.chunks(size).enumerate() {
-            let byte = match (self.wide, character) {
+            let byte = match (is_big_first, character) {
                 (None, [byte]) | (Some(true), [0, byte]) | (Some(false), [byte, 0]) => Some(*byte),
                 _ => None,
             };
-            let end = byte.filter(|byte| self.ends.contains(byte));
-            if end.is_some() {
-                let (before, after) = (at * size, (at + 1) * size);
-                found.push(End { before, after, is_rest: self.was_return && end == Some(b'\n') });
+            let line_end = byte.filter(|byte| line_ends.contains(byte));
+            // The LF of CR LF ends no line of its own.
+            let is_rest = was_return && line_end == Some(b'\n');
+            was_return = line_end == Some(b'\r');
+            if line_end.is_none() {
+                continue;
             }
-            self.was_return = end == Some(b'\r');
+            let sides = [(Side::Before, at * size), (Side::After, (at + 1) * size)];
+            for (side, to) in sides.into_iter().skip(usize::from(is_rest)) {
+                hash.see(piece.get(from..to).unwrap_or_default());
+                from = to;
+                so_far.lines += usize::from(side == Side::Before);
+                see(side, Mark { end: so_far.end + wide(to), hash: hash.clone().hash(), ..so_far });
+            }
         }
-        found
+        hash.see(piece.get(from..).unwrap_or_default());
+        so_far.end += wide(piece.len());
+        piece.clear();
     }
+    body.rewind()?;
+    Ok(Mark { hash: hash.hash(), ..so_far })
 }
 
-/// Gives out a file from its beginning in pieces of whole characters.
-///
-/// # Errors
-/// What the system says.
-pub(super) fn each_piece(body: &mut dyn Body, see: &mut dyn FnMut(&[u8])) -> io::Result<()> {
-    body.rewind()?;
-    let mut piece = Vec::with_capacity(READ);
-    loop {
-        piece.clear();
-        let most = u64::try_from(READ).unwrap_or(u64::MAX);
-        body.take(most).read_to_end(&mut piece)?;
-        if piece.is_empty() {
-            return body.rewind();
+/// A length as a place in a file.
+fn wide(length: usize) -> u64 {
+    u64::try_from(length).unwrap_or(u64::MAX)
+}
+
+/// Everything up to and with the line of this number, from 1; `None` where no such line has an end.
+pub(super) fn until(body: &mut dyn Body, line_ends: &[u8], line: usize) -> io::Result<Option<Mark>> {
+    let mut found = None;
+    each_mark(body, line_ends, &mut |side, mark| {
+        if side == Side::After && mark.lines == line {
+            found = Some(mark);
         }
-        see(&piece);
-    }
+    })?;
+    Ok(found)
 }
 
 #[cfg(test)]
 mod tests {
+    use std::io::Cursor;
+
     use super::*;
 
-    fn ends(text: &[u8]) -> Vec<(usize, usize, bool)> {
-        let ends = Lines::new(text, b"\n\r").ends(text);
-        ends.iter().map(|end| (end.before, end.after, end.is_rest)).collect()
+    /// Where each line ends and the next one begins.
+    fn ends(text: &[u8]) -> Vec<(Side, u64)> {
+        let mut ends = Vec::new();
+        each_mark(&mut Cursor::new(text), b"\n\r", &mut |side, mark| {
+            ends.push((side, mark.end));
+            let before = &text[..usize::try_from(mark.end).unwrap()];
+            assert_eq!(mark.hash, Hash::of_file(before), "of everything before");
+        })
+        .unwrap();
+        ends
     }
 
     #[test]
     fn lines_end_with_lf_cr_or_both() {
-        assert_eq!(ends(b"a\nb"), [(1, 2, false)]);
-        assert_eq!(ends(b"a\r\nb\r"), [(1, 2, false), (2, 3, true), (4, 5, false)]);
-        assert_eq!(ends(b"\n\n"), [(0, 1, false), (1, 2, false)]);
+        use Side::{After, Before};
+        assert_eq!(ends(b"a\nb"), [(Before, 1), (After, 2)]);
+        assert_eq!(ends(b"a\r\nb\r"), [(Before, 1), (After, 2), (After, 3), (Before, 4), (After, 5)]);
+        assert_eq!(ends(b"\n\n"), [(Before, 0), (After, 1), (Before, 1), (After, 2)]);
     }
 
     #[test]
     fn in_utf_16_a_byte_of_a_character_is_no_end() {
+        use Side::{After, Before};
         // U+0A0D is a letter of Gurmukhi.
-        assert_eq!(ends(b"\xff\xfe\x0d\x0a\x0a\x00"), [(4, 6, false)]);
-        assert_eq!(ends(b"\xfe\xff\x0a\x0d\x00\x0a"), [(4, 6, false)]);
+        assert_eq!(ends(b"\xff\xfe\x0d\x0a\x0a\x00"), [(Before, 4), (After, 6)]);
+        assert_eq!(ends(b"\xfe\xff\x0a\x0d\x00\x0a"), [(Before, 4), (After, 6)]);
     }
 }

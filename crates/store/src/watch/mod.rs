@@ -6,7 +6,6 @@
 //! | `folder`, `closed` | what lies in the folder, since when it is unchanged, and whether anybody still writes it |
 //! | `reading`, `units` | what of a file is taken now: what is complete and new; the lines of each thing in it |
 //! | `known`, `lines` | what was taken already, by content; how much of a file that has grown |
-//! | `part` | the first bytes of a file as a file of their own |
 //! | `note` | what is written beside a file that could not be taken whole |
 //! | `alone` | that one program watches a folder for a journal |
 //!
@@ -14,10 +13,39 @@
 //! remembered by the SHA-256 of its bytes, which the journal keeps with every entry, so that a restart needs no other memory and a renamed
 //! file is not taken twice.
 //!
+//! Each file is in one of three states ([`folder::State`]):
+//!
+//! ```text
+//!                    nothing of it is complete
+//!          ┌──────┐ ──────────────────────────▶ ┌───────┐
+//!  new ──▶ │ Open │                             │ Waits │
+//!          └──────┘ ◀────────────────────────── └───────┘
+//!           │    ▲   unchanged for longer, closed, written
+//!           │    │
+//!           │    └─ written again, or closed by the writer that had it open
+//!           ▼
+//!          ┌──────┐
+//!          │ Done │  all of it was taken before, is recorded now, or cannot be used
+//!          └──────┘
+//! ```
+//!
+//! A file that is open and unchanged for [`QUIET`] is read. What of it is taken depends on how it stands to what was taken from files of its
+//! name ([`known::Standing`]), by the hash of all that comes before each line end:
+//!
+//! | it | then |
+//! |---|---|
+//! | is `New`, or `Another` than what was taken before this program began | all of it is taken |
+//! | is `Known` | nothing is taken; it is done |
+//! | has `Grown`, or has an `Older` beginning | the lines behind that are taken |
+//! | was `Replaced` | all of it is taken; it is said how many of its first lines were there before |
+//! | was `Cut`: only the first of its lines are left | its writer may not be done; after [`PATIENCE`] nothing is taken, and it is done |
+//! | was `CutWithinLine` | its writer may not be done; once it is final, it counts as replaced |
+//!
 //! A file of lines (a log, a CSV, prints, AQDEF) may grow: of such a file the whole lines are taken, and when it has grown, the lines that are
 //! new. Its last line without a line end may be cut off in the middle of a number, so it waits until nothing was written for a while. A file
 //! of another form (XML, a workbook) is taken when it can be read to its end. What shows nothing of its end (AQDEF, CALYPSO, contacts) is taken
-//! when its writer has closed it, or where that is not known, when it was unchanged for a while.
+//! when its writer has closed it, or where that is not known, when it was unchanged for a while: these are the stages of a file
+//! ([`folder::Stage`]).
 
 mod alone;
 mod closed;
@@ -25,7 +53,6 @@ mod folder;
 mod known;
 mod lines;
 mod note;
-mod part;
 mod reading;
 mod units;
 
@@ -44,9 +71,12 @@ use fitcheck_exchange::exchange::{Item, Remembered};
 use fitcheck_exchange::journal::chain::Hash;
 use fitcheck_files::FileError;
 use fitcheck_nc::control::mask::Mask;
-use folder::{Folder, Found};
+use folder::{Folder, Found, State};
 pub use known::Known;
+use known::TakenLines;
 pub use note::{NOTE_ENDING, note_of};
+use reading::Nothing;
+use units::is_value;
 
 /// How long a file has to be unchanged before it is looked into.
 const QUIET: Duration = Duration::from_millis(100);
@@ -93,17 +123,21 @@ pub struct Batch {
     pub problems: Vec<Message>,
     /// What else is to be said: values that were taken before from another file, or from the same one before it was replaced.
     pub remarks: Vec<Message>,
-    /// Whether anything was measured.
-    has_values: bool,
     /// How it was when it was read.
     found: Found,
     /// Whether there is, or may be, more of it.
     is_open: bool,
-    /// A mark of each line that is known once it is taken, and whether the last one has no end.
-    marks: Vec<u64>,
-    is_within_line: bool,
+    /// The lines that are known once it is taken.
+    lines: TakenLines,
     /// What is said of values that were taken too early.
     late: Vec<Message>,
+}
+
+impl Batch {
+    /// Whether anything was measured.
+    fn has_values(&self) -> bool {
+        self.items.iter().any(is_value)
+    }
 }
 
 /// Why a file is waited for.
@@ -143,21 +177,13 @@ impl Look {
     }
 }
 
-/// What is to be said of files of which nothing is taken.
-#[derive(Debug, Default)]
-struct Told {
-    /// As in [`Look`].
-    same: Vec<(String, String)>,
-    /// What a note says now; nothing where it goes.
-    notes: Vec<(PathBuf, Vec<Message>)>,
-}
-
 /// Looks at a folder again and again.
 #[derive(Debug)]
 pub struct Watcher {
     folder: Folder,
     known: Known,
-    told: Told,
+    /// What notes are to say now; nothing where one goes.
+    notes: Vec<(PathBuf, Vec<Message>)>,
     /// The files whose note says that they cannot be read.
     refused: BTreeSet<PathBuf>,
     /// The clock at the first look.
@@ -167,8 +193,8 @@ pub struct Watcher {
 impl Watcher {
     /// A folder, and what was taken from it or elsewhere before.
     pub fn new(folder: &Path, known: Known) -> Self {
-        let (told, refused) = (Told::default(), BTreeSet::new());
-        Self { folder: Folder::new(folder), known, told, refused, begun: None }
+        let (notes, refused) = (Vec::new(), BTreeSet::new());
+        Self { folder: Folder::new(folder), known, notes, refused, begun: None }
     }
 
     /// Leaves a file alone, such as the one that the verdicts go to, or the journal.
@@ -179,9 +205,7 @@ impl Watcher {
     /// Leaves a journal alone, with all that belongs to it.
     pub fn leave_journal(&mut self, journal: &Path) {
         for ending in ["", "-wal", "-shm", "-journal", "-lock"] {
-            let mut name = journal.file_name().unwrap_or_default().to_owned();
-            name.push(ending);
-            self.leave(&journal.with_file_name(name));
+            self.leave(&note::with_ending(journal, ending));
         }
     }
 
@@ -192,42 +216,47 @@ impl Watcher {
     pub fn look(&mut self, judging: Judging<'_>, clock: Duration) -> Result<Look, FileError> {
         let mut look = Look::default();
         let is_young = clock.saturating_sub(*self.begun.get_or_insert(clock)) < PATIENCE;
-        let found = self.folder.look(clock)?;
-        for (before, now) in self.folder.moves() {
-            self.known.rename(&before, &now);
-        }
-        for found in found {
-            if found.waits || found.quiet < QUIET || MOST_FILES <= look.ready.len() {
+        let known = &mut self.known;
+        for found in self.folder.look(clock, &mut |before, now| known.rename(before, now))? {
+            if found.is_waiting() || found.quiet < QUIET || MOST_FILES <= look.ready.len() {
                 look.waiting.push((found.name, Waiting::Written));
                 continue;
             }
-            let read = reading::read(&found, judging, &mut self.known, is_young, &mut self.told);
-            if !matches!(read, Err(Waiting::Locked { .. })) {
+            let read = reading::read(&found, judging, &mut self.known, is_young);
+            if !matches!(read, Err(Nothing::Yet(Waiting::Locked { .. }))) {
                 self.refused.remove(&found.path);
             }
-            match read {
+            let waiting = match read {
                 // A copy of what is ready now is told when that is taken.
-                Ok(Some(batch)) if look.ready.iter().any(|ready| ready.sha256 == batch.sha256 && ready.has_values) => {
-                    look.waiting.push((found.name, Waiting::Written));
+                Ok(batch) if look.ready.iter().any(|ready| ready.sha256 == batch.sha256 && ready.has_values()) => {
+                    Waiting::Written
                 }
-                Ok(Some(batch)) => look.ready.push(batch),
-                Ok(None) => self.folder.done(&found),
-                Err(Waiting::Locked { reason }) if PATIENCE <= found.quiet => {
+                Ok(batch) => {
+                    look.ready.push(batch);
+                    continue;
+                }
+                Err(Nothing::Left { same, note }) => {
+                    self.folder.set(&found, State::Done);
+                    self.notes.extend(note.map(|note| (found.path, note)));
+                    look.same.extend(same.map(|same| (found.name, same)));
+                    continue;
+                }
+                Err(Nothing::Yet(Waiting::Locked { reason })) if PATIENCE <= found.quiet => {
                     let waiting = Waiting::Refused { reason };
                     if self.refused.insert(found.path.clone()) {
-                        self.told.notes.push((found.path, vec![waiting.message()]));
+                        self.notes.push((found.path, vec![waiting.message()]));
                     }
-                    look.waiting.push((found.name, waiting));
+                    waiting
                 }
-                Err(waiting) => {
+                Err(Nothing::Yet(waiting)) => {
                     if waiting == Waiting::Written {
-                        self.folder.wait(&found);
+                        self.folder.set(&found, found.waits());
                     }
-                    look.waiting.push((found.name, waiting));
+                    waiting
                 }
-            }
+            };
+            look.waiting.push((found.name, waiting));
         }
-        look.same = std::mem::take(&mut self.told.same);
         Ok(look)
     }
 
@@ -237,7 +266,7 @@ impl Watcher {
     /// # Errors
     /// The first [`FileError`] where a note cannot be written: it is not tried again.
     pub fn tell(&mut self, words: &dyn Fn(&Message) -> String) -> Result<(), FileError> {
-        let notes = std::mem::take(&mut self.told.notes);
+        let notes = std::mem::take(&mut self.notes);
         notes.iter().map(|(path, problems)| note::write(path, problems, words)).fold(Ok(()), Result::and)
     }
 
@@ -249,13 +278,14 @@ impl Watcher {
     pub fn taken(&mut self, batch: &Batch, words: &dyn Fn(&Message) -> String) -> Result<(), FileError> {
         // What could not be read may be read another time: with the file beside it, with another mask, when there is more of it. Lines
         // without a value, such as an empty one, are not looked at again when there is more behind them.
-        if batch.has_values || batch.is_open {
+        let past = self.known.past(&batch.name);
+        past.late.clone_from(&batch.late);
+        if batch.has_values() || batch.is_open {
+            past.lines = Some(batch.lines.clone());
             self.known.add(batch.sha256, &batch.name);
-            self.known.add_lines(&batch.name, batch.marks.clone(), batch.is_within_line);
         }
-        self.known.set_late(&batch.name, batch.late.clone());
         if !batch.is_open {
-            self.folder.done(&batch.found);
+            self.folder.set(&batch.found, State::Done);
         }
         note::write(&batch.path, &batch.problems, words)
     }

@@ -10,15 +10,20 @@ use fitcheck_files::{self as files, FileError};
 pub const NOTE_ENDING: &str = ".why.txt";
 
 /// How a note begins in every language: what does not begin so is somebody else's file.
-pub(super) const HEAD: &str = "Fitcheck";
+const HEAD: &str = "Fitcheck";
 
 /// The most lines of a note; more problems are counted.
 const MOST: usize = 200;
 
 /// The note of a file.
 pub fn note_of(path: &Path) -> PathBuf {
+    with_ending(path, NOTE_ENDING)
+}
+
+/// A file beside another one, whose name goes on like this.
+pub(super) fn with_ending(path: &Path, ending: &str) -> PathBuf {
     let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(NOTE_ENDING);
+    name.push(ending);
     path.with_file_name(name)
 }
 
@@ -28,10 +33,7 @@ pub(super) fn is_note(name: &str) -> bool {
 }
 
 /// Whether a file has a note of ours: somebody else's file, a link or a folder of that name is none. Nothing but a file is opened: a pipe
-/// would be waited for.
-///
-/// # Errors
-/// [`FileError`] where it cannot be read, [`FileError::Exists`] where it is something else.
+/// would be waited for. [`FileError::Exists`] where it is something else.
 fn is_ours(note: &Path) -> Result<bool, FileError> {
     match note.symlink_metadata() {
         Ok(about) if about.is_file() && files::read_head(note, HEAD.len())? == HEAD.as_bytes() => Ok(true),

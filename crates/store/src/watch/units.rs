@@ -2,22 +2,18 @@
 
 use std::collections::BTreeMap;
 
-use fitcheck_core::message::{Located, Message, Say as _};
+use fitcheck_core::message::{Located, Message, Say as _, message};
 use fitcheck_exchange::exchange::{ImportWarningKind, Item};
 
 /// What was read, and the lines of it.
-#[derive(Debug, Default)]
+#[derive(Debug)]
 pub(super) struct Units {
     pub(super) items: Vec<Item>,
     /// The last line of what has several lines, by the first one.
-    lasts: BTreeMap<usize, usize>,
+    pub(super) lasts: BTreeMap<usize, usize>,
 }
 
 impl Units {
-    pub(super) const fn new(items: Vec<Item>, lasts: BTreeMap<usize, usize>) -> Self {
-        Self { items, lasts }
-    }
-
     /// The first and the last line of a thing.
     fn lines(&self, item: &Item) -> (usize, usize) {
         let line = line_of(item);
@@ -25,18 +21,23 @@ impl Units {
         unit.map_or((line, line), |(first, last)| (*first, *last))
     }
 
-    /// The last line of what was measured.
-    pub(super) fn end(&self) -> usize {
-        let values = self.items.iter().filter(|item| is_value(item));
-        values.map(|item| self.lines(item).1).max().unwrap_or_default()
+    /// The first and the last line of each thing that was measured.
+    fn values(&self) -> impl Iterator<Item = (usize, usize)> {
+        self.items.iter().filter(|item| is_value(item)).map(|item| self.lines(item))
     }
 
-    /// Leaves out the last values, which another line may say more of; whether there were any.
+    /// The last line of what was measured.
+    pub(super) fn end(&self) -> usize {
+        self.values().map(|(_, last)| last).max().unwrap_or(0)
+    }
+
+    /// Leaves out the last values, of which the next line may say more. Returns whether there were any.
     pub(super) fn hold_last(&mut self) -> bool {
-        let last = self.end();
-        let values = self.items.iter().filter(|item| is_value(item)).map(|item| self.lines(item));
-        let Some(first) = values.filter(|(_, end)| *end == last).map(|(first, _)| first).min() else { return false };
-        self.items.retain(|item| line_of(item) < first);
+        let end = self.end();
+        let Some(begin) = self.values().filter(|(_, last)| *last == end).map(|(first, _)| first).min() else {
+            return false;
+        };
+        self.items.retain(|item| line_of(item) < begin);
         true
     }
 
@@ -46,11 +47,14 @@ impl Units {
         self.items.iter().any(|item| end < self.lines(item).0 && is_not_read(item))
     }
 
-    /// Leaves what stands up to a line.
-    pub(super) fn up_to(&mut self, end: usize) {
-        let Self { items, lasts } = std::mem::take(self);
-        let kept: Vec<Item> = items.into_iter().filter(|item| line_of(item) <= end).collect();
-        *self = Self { items: kept, lasts };
+    /// Keeps only what stands up to a line.
+    pub(super) fn up_to(&mut self, line: usize) {
+        self.items.retain(|item| line_of(item) <= line);
+    }
+
+    /// Keeps only what stands behind a line.
+    pub(super) fn behind(&mut self, line: usize) {
+        self.items.retain(|item| line < line_of(item));
     }
 
     /// Whether a thing of several lines begins with a line: nothing can have been taken from that line alone.
@@ -60,25 +64,31 @@ impl Units {
 
     /// How many values end in the first lines.
     pub(super) fn count(&self, lines: usize) -> usize {
-        self.items.iter().filter(|item| is_value(item) && self.lines(item).1 <= lines).count()
-    }
-
-    /// The values that were taken from the first lines, and of which later ones say more: the first and the last line.
-    pub(super) fn late(&self, lines: usize) -> Option<(usize, usize)> {
-        let mut late = self.lasts.range(..=lines).filter(|(_, last)| lines < **last);
-        let (first, last) = late.next()?;
-        Some((*first, *last))
-    }
-
-    /// Leaves what begins behind the first lines.
-    pub(super) fn behind(mut self, lines: usize) -> Self {
-        self.items.retain(|item| lines < line_of(item));
-        self
+        self.values().filter(|(_, last)| *last <= lines).count()
     }
 
     /// Whether one of the values ends in a line.
     pub(super) fn has_value_at(&self, line: usize) -> bool {
-        self.items.iter().any(|item| is_value(item) && self.lines(item).1 == line)
+        self.values().any(|(_, last)| last == line)
+    }
+
+    /// That lines behind the first ones add to values which end there: those were taken too early.
+    pub(super) fn late(&self, lines: usize) -> Option<Message> {
+        let (first, last) = self.lasts.range(..=lines).find(|(_, last)| lines < **last)?;
+        Some(message!("watch-late").text("first", first).text("last", last))
+    }
+
+    /// What is to be said of the things that are no checks.
+    pub(super) fn problems(&self) -> Vec<Message> {
+        let problem = |item: &Item| match item {
+            Item::Record { .. } | Item::Contacts(_) => None,
+            Item::Warning(warning) => {
+                (warning.what.row.is_none() && warning.what.kind.is_loss()).then(|| warning.message())
+            }
+            Item::Error(error) => Some(error.message()),
+            Item::Unjudged(unjudged) => Some(Located::in_line(unjudged.line, unjudged.why.clone()).message()),
+        };
+        self.items.iter().filter_map(problem).collect()
     }
 }
 
@@ -104,17 +114,5 @@ fn line_of(item: &Item) -> usize {
         Item::Error(error) => error.place.line.unwrap_or(usize::MAX),
         Item::Warning(warning) => warning.what.row.or(warning.place.line).unwrap_or(usize::MAX),
         Item::Contacts(_) => usize::MAX,
-    }
-}
-
-/// What is to be said of a thing that is no check.
-pub(super) fn problem(item: &Item) -> Option<Message> {
-    match item {
-        Item::Record { .. } | Item::Contacts(_) => None,
-        Item::Warning(warning) => {
-            (warning.what.row.is_none() && warning.what.kind.is_loss()).then(|| warning.message())
-        }
-        Item::Error(error) => Some(error.message()),
-        Item::Unjudged(unjudged) => Some(Located::in_line(unjudged.line, unjudged.why.clone()).message()),
     }
 }
