@@ -4,7 +4,7 @@ use std::sync::Arc;
 
 use fitcheck_core::verdict::Status;
 
-use super::texts::{bounded, length, long, name, of_contacts, printed, some_length, two_lengths, whole};
+use super::texts::{bounded, length, long, name, of_contacts, printed, seed, some_length, two_lengths, whole};
 use super::{BodyError, size, wire};
 use crate::journal::chain::Head;
 use crate::journal::entry::{
@@ -107,11 +107,6 @@ fn check(check: wire::Check) -> Result<Check, BodyError> {
         return Err(BodyError::Contradiction { field: "check.simulated" });
     }
     Ok(found)
-}
-
-/// A seed: it is a text, for it has up to 20 figures.
-pub(super) fn seed(field: &'static str, text: &str) -> Result<u64, BodyError> {
-    printed(field, text)
 }
 
 fn cycle(cycle: &wire::Cycle, status: Option<Status>) -> Result<CycleCheck, BodyError> {

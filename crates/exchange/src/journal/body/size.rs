@@ -13,8 +13,9 @@ use fitcheck_core::verdict::{
 };
 use fitcheck_nc::control::shipped_tables;
 
-use super::read::seed;
-use super::texts::{bounded, length, long, name, of_contacts, of_three, printed, some_length, two_lengths, whole};
+use super::texts::{
+    bounded, length, long, name, of_contacts, of_three, printed, seed, some_length, two_lengths, whole,
+};
 use super::{BodyError, wire};
 use crate::journal::Record;
 

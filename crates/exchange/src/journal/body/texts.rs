@@ -42,6 +42,11 @@ pub(super) fn printed<T: FromStr + Display>(field: &'static str, text: &str) -> 
     read.filter(|read| read.to_string() == text).ok_or_else(|| BodyError::value(field, text))
 }
 
+/// A seed: it is a text, for it has up to 20 figures.
+pub(super) fn seed(field: &'static str, text: &str) -> Result<u64, BodyError> {
+    printed(field, text)
+}
+
 /// A length of so many nanometres.
 pub(super) fn length(field: &'static str, nm: i64) -> Result<Length, BodyError> {
     Length::from_nanometres(nm).map_err(|_range| BodyError::value(field, nm))
