@@ -235,15 +235,3 @@ fn class(asked: &Asked<'_>) -> String {
 fn first<'a>(asked: &Asked<'a>, keys: &[u16]) -> Option<&'a str> {
     keys.iter().find_map(|&key| asked.get(key)).map(|(_, text)| text)
 }
-
-/// Whether values are judged by an entry of a characteristic.
-pub(super) const fn is_judged_by(key: Key) -> bool {
-    matches!(key.0, 2004 | 2009 | 2101 | 2103 | 2104 | 2110..=2115 | 2120 | 2121 | 2142 | 2151)
-}
-
-/// Whether an entry of parts or characteristics is used; the others are told.
-pub(super) const fn is_used(key: Key) -> bool {
-    // K1000 and K2000 are the numbers that the file itself counts with.
-    matches!(key.0, 1000..=1002 | 1222 | 2000..=2002 | 2004 | 2009 | 2022 | 2101 | 2103 | 2104 | 2106)
-        || matches!(key.0, 2110..=2115 | 2120 | 2121 | 2142 | 2151)
-}

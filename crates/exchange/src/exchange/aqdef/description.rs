@@ -2,7 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use super::declared::is_judged_by;
 use super::error::AqdefFault;
 use super::keys::{Entry, Key, Level};
 use crate::exchange::error::ImportErrorKind;
@@ -72,7 +71,7 @@ impl Description {
         };
         let before = entries.insert(entry.key, (line, entry.text.to_owned()));
         if let Some((_, text)) = before.as_ref().filter(|(_, text)| text != entry.text)
-            && is_judged_by(entry.key)
+            && entry.key.is_judged_by()
         {
             self.twice.entry((entry.index, entry.key)).or_insert_with(|| (line, text.clone()));
         }

@@ -40,6 +40,18 @@ impl Key {
             _ => Level::Other,
         }
     }
+
+    /// Whether values are judged by an entry of a characteristic.
+    pub(super) const fn is_judged_by(self) -> bool {
+        matches!(self.0, 2004 | 2009 | 2101 | 2103 | 2104 | 2110..=2115 | 2120 | 2121 | 2142 | 2151)
+    }
+
+    /// Whether an entry of parts or characteristics is used; the others are told.
+    pub(super) const fn is_used(self) -> bool {
+        // K1000 and K2000 are the numbers that the file itself counts with.
+        matches!(self.0, 1000..=1002 | 1222 | 2000..=2002 | 2004 | 2009 | 2022 | 2101 | 2103 | 2104 | 2106)
+            || matches!(self.0, 2110..=2115 | 2120 | 2121 | 2142 | 2151)
+    }
 }
 
 /// A line.

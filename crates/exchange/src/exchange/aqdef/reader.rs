@@ -5,7 +5,7 @@ use std::rc::Rc;
 
 use fitcheck_core::text::{PLAIN_LINE_ENDS, plain_lines_from};
 
-use super::declared::{self, Declared};
+use super::declared::Declared;
 use super::description::Description;
 use super::error::{AqdefFault, AqdefWarning};
 use super::keys::{BETWEEN_FIELDS, Entry, Key, Level, Line, line};
@@ -177,9 +177,9 @@ impl<'a, 's> Reader<'a, 's> {
 
     fn declare(&mut self, line: usize, entry: &Entry<'_>) -> Result<(), ImportErrorKind> {
         self.flush();
-        let is_used = declared::is_used(entry.key);
+        let is_used = entry.key.is_used();
         let kept = if is_used { *entry } else { Entry { text: "", ..*entry } };
-        if self.description.keep(line, &kept)?.is_some() && !declared::is_judged_by(entry.key) {
+        if self.description.keep(line, &kept)?.is_some() && !entry.key.is_judged_by() {
             self.told.declared(line, AqdefWarning::Repeated { key: entry.key.to_string() }.into());
         }
         if !is_used {
