@@ -5,7 +5,7 @@
 //! the side on which a hole opens, so a bore along −Z is one along Z. Coordinates count in the common system of the file, whatever
 //! system a feature is checked in; where that is another one, it is not known which of the two is the machine's.
 
-use super::characteristics::in_words;
+use super::kinds::in_words;
 use super::units::Number;
 use crate::exchange::error::shorten;
 use crate::exchange::no_place::NoPlace;

@@ -4,76 +4,13 @@ use fitcheck_core::length::Length;
 use fitcheck_core::tolerance::{Feature, ToleranceClass};
 
 use super::definitions::{Definition, Definitions, Item, Nominal, Tolerance};
+use super::kinds::{in_words, is_size};
 use super::units::{NotALength, Number, Of, Units};
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, What};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::no_place::NoPlace;
 use crate::exchange::quantity::Quantity;
-
-/// Kinds whose values are lengths, besides diameters and widths. Those of others are angles, temperatures or worse.
-const LENGTHS: &[&str] = &[
-    "Angularity",
-    "Chord",
-    "Circularity",
-    "CircularRunout",
-    "Coaxiality",
-    "Concentricity",
-    "ConicalTaper",
-    "Conicity",
-    "CurveLength",
-    "Cylindricity",
-    "Depth",
-    "DistanceBetween",
-    "DistanceFrom",
-    "Ellipticity",
-    "FlatTaper",
-    "Flatness",
-    "Height",
-    "Length",
-    "LinearCoordinate",
-    "LineProfile",
-    "OtherForm",
-    "Parallelism",
-    "Perpendicularity",
-    "PointProfile",
-    "Position",
-    "Radius",
-    "SphericalDiameter",
-    "SphericalRadius",
-    "Sphericity",
-    "Square",
-    "Straightness",
-    "SurfaceProfile",
-    "SurfaceProfileNonUniform",
-    "Symmetry",
-    "Thickness",
-    "Toroidicity",
-    "TotalRunout",
-    "UserDefinedLinear",
-];
-
-/// Whether the values of a kind are lengths.
-pub(super) fn has_lengths(kind: &str) -> bool {
-    is_size(kind) || LENGTHS.contains(&kind)
-}
-
-/// Whether a kind is a size of a hole or shaft: a diameter or a width.
-pub(super) fn is_size(kind: &str) -> bool {
-    matches!(kind, "Diameter" | "Width")
-}
-
-/// A kind in words: `CircularRunout` is `circular runout`.
-pub(super) fn in_words(kind: &str) -> String {
-    let mut words = String::new();
-    for c in kind.chars() {
-        if c.is_uppercase() && !words.is_empty() {
-            words.push(' ');
-        }
-        words.extend(c.to_lowercase());
-    }
-    words
-}
 
 /// A characteristic, and what else there is to say of it.
 pub(super) struct Resolved {

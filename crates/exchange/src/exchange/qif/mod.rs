@@ -2,7 +2,8 @@
 //!
 //! A file is read twice: first what is declared in it, which is kept (`definitions`), then its values, which are not
 //! (`results`). What stands behind the values, such as serial numbers, belongs to them all the same. `characteristics` puts
-//! together what the definitions say of a value, `units` makes lengths of its numbers, `axis` says which features have a place to probe.
+//! together what the definitions say of a value, `units` makes lengths of its numbers, `axis` says which features have a place to probe,
+//! `kinds` which values are lengths.
 //!
 //! Names of elements count without their prefix, whatever namespace that stands for. The numbers of things are taken as they
 //! are: whether they go beyond `idMax` changes nothing. The status of a whole part is not compared, because it is also that of
@@ -11,6 +12,7 @@
 mod axis;
 mod characteristics;
 mod definitions;
+mod kinds;
 mod results;
 mod units;
 
@@ -27,12 +29,12 @@ use super::imported::{Asked, Sink, Unjudged, WhyUnjudged};
 use super::source::{Beginning, Context, Source};
 use super::xml::{self, Fault, Xml};
 use super::{Format, Labels};
-use characteristics::{has_lengths, in_words};
 use definitions::Definitions;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Located, Place};
 use fitcheck_core::probing::Origin;
 use fitcheck_core::verdict::Status;
+use kinds::{has_lengths, in_words, is_size};
 use results::{End, Found, Measured};
 use units::{NotALength, Number, Of};
 
@@ -176,7 +178,7 @@ impl Reader<'_, '_> {
         let own = element.text_at(&["Status", "CharacteristicStatusEnum"]);
         let status = if own.is_empty() { element.text_at(&["Status", "OtherCharacteristicStatus"]) } else { own };
         // A radius is half a diameter.
-        if characteristics::is_size(&resolved.kind) && resolved.kind != measured.kind {
+        if is_size(&resolved.kind) && resolved.kind != measured.kind {
             let (measured, defined) = (in_words(measured.kind), in_words(&resolved.kind));
             return Err(nothing_given(ImportErrorKind::QifOtherKind { measured, defined }));
         }
@@ -212,7 +214,7 @@ impl Reader<'_, '_> {
             NotALength::Unit(kind) => kind,
         });
         let (length, is_exact) = read.map_err(|kind| (kind, shorten(&number.text)))?;
-        if characteristics::is_size(measured.kind) {
+        if is_size(measured.kind) {
             if length <= Length::ZERO {
                 let given = shorten(&number.text);
                 return Err((ImportErrorKind::NotPositive { given: given.clone() }, given));
