@@ -4,7 +4,8 @@ use std::io;
 
 use fitcheck_core::verdict::Status;
 
-use super::judge::{Judged, Take};
+use super::judge::Take;
+use super::judged::Judged;
 use super::layout::Layout;
 use super::row::{Row, unquoted};
 use super::typed::Typed;

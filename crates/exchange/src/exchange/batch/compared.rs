@@ -3,7 +3,7 @@
 use fitcheck_core::length::Unit;
 use fitcheck_core::message::Say as _;
 
-use super::judge::Judged;
+use super::judged::Judged;
 use super::layout::utf8;
 use super::row::Row;
 use super::tally::{Kind, Tally};

@@ -4,7 +4,8 @@ use fitcheck_core::length::Line;
 use fitcheck_core::message::guarded;
 use fitcheck_core::verdict::Status;
 
-use super::judge::{Judged, Take};
+use super::judge::Take;
+use super::judged::Judged;
 use super::layout::Layout;
 use super::row::Row;
 use super::{ADDED, index};

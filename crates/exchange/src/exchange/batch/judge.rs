@@ -2,16 +2,17 @@
 
 use std::fmt;
 
-use fitcheck_core::length::{Length, Unit, Window};
+use fitcheck_core::length::{Length, Unit};
 use fitcheck_core::message::Say;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 use fitcheck_core::tolerance::{Bounds, Sources, ToleranceClass};
-use fitcheck_core::verdict::{SizeVerdict, Status, doubt_of, judge_bounds, verdict_of};
+use fitcheck_core::verdict::{Status, doubt_of};
 
 use super::LONGEST_ROW;
 use super::compared::{Compared, told};
 use super::cut::Block;
 use super::index::{Broken, Index, line_end};
+use super::judged::Judged;
 use super::known::{Classes, Figures, Steps};
 use super::layout::{Layout, utf8};
 use super::row::{Part, Row};
@@ -24,44 +25,6 @@ use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::rules::{Found, Rules};
 use crate::exchange::stated;
-
-/// A row that was judged.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub struct Judged {
-    /// Its limits and nominal size.
-    pub bounds: Bounds,
-    /// What was measured.
-    pub measured: Length,
-    /// Good, rework or scrap.
-    pub status: Status,
-}
-
-impl Judged {
-    #[expect(clippy::inline_always, reason = "its answer stays in registers, for each of millions of rows")]
-    #[inline(always)]
-    fn new(bounds: Bounds, measured: Length) -> Self {
-        Self { bounds, measured, status: judge_bounds(&bounds, measured).status }
-    }
-
-    /// The whole verdict; what nobody asks of it is not computed.
-    #[expect(clippy::inline_always, reason = "as above")]
-    #[inline(always)]
-    pub fn verdict(&self) -> SizeVerdict {
-        verdict_of(&self.bounds, self.measured, self.status)
-    }
-
-    /// Appends the limits in millimetres and the deviation in micrometres, each behind a separator.
-    #[expect(clippy::inline_always, reason = "as above")]
-    #[inline(always)]
-    pub(super) fn put_figures(&self, separator: u8, out: &mut Window<'_>) {
-        out.push(separator);
-        self.bounds.minimum().put_mm(3, out);
-        out.push(separator);
-        self.bounds.maximum().put_mm(3, out);
-        out.push(separator);
-        self.verdict().deviation.put_um(0, out);
-    }
-}
 
 /// Takes what is found in a block, in its order.
 pub trait Take {

@@ -8,7 +8,8 @@ use fitcheck_core::verdict::Status;
 
 use super::cut::Block;
 use super::index::Broken;
-use super::judge::{Judged, Take};
+use super::judge::Take;
+use super::judged::Judged;
 use super::row::Row;
 use super::tally::Tally;
 use crate::exchange::error::ImportErrorKind;

@@ -6,6 +6,7 @@
 //! | `cut` | a stream cut into blocks of whole rows |
 //! | `index`, `row` | where the cells of a block end; one row of it |
 //! | `judge` | rows judged: most of them fast, the others as `import` reads them |
+//! | `judged`, `compared` | a row with its verdict; what the file says beside it |
 //! | `known` | limit deviations, looked up once for each class and step |
 //! | `csv`, `tsv`, `json_lines` | the rows as CSV again, with the columns that are added; as TSV for spreadsheets; as JSON |
 //! | `typed`, `answers` | the same from and into Parquet, with the feature `parquet` |
@@ -25,6 +26,7 @@ mod cut;
 mod index;
 mod json_lines;
 mod judge;
+mod judged;
 mod known;
 mod layout;
 mod marks;
@@ -41,7 +43,8 @@ pub use csv::Csv;
 pub use cut::{BLOCK, Block, Cutter, read};
 pub use index::row_end;
 pub use json_lines::JsonLines;
-pub use judge::{Counts, Court, Judge, Judged, Met, Take};
+pub use judge::{Counts, Court, Judge, Met, Take};
+pub use judged::Judged;
 pub use known::Figures;
 pub use layout::{HEAD, Layout};
 pub use marks::{FATES, Fate, Filter, Marks, Part, Sieve, Store};

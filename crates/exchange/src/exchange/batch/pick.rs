@@ -9,7 +9,8 @@ use fitcheck_core::tolerance::fit::thermal::Temperature;
 use jiff::civil::DateTime;
 
 use super::cut::Block;
-use super::judge::{Court, Judged, Take};
+use super::judge::{Court, Take};
+use super::judged::Judged;
 use super::layout::Layout;
 use super::marks::{Fate, Part};
 use super::row::Row;

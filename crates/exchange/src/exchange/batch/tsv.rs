@@ -3,7 +3,8 @@
 use fitcheck_core::length::Line;
 
 use super::ADDED;
-use super::judge::{Judged, Take};
+use super::judge::Take;
+use super::judged::Judged;
 use super::layout::Layout;
 use super::row::{Row, unquoted};
 use crate::exchange::error::ImportErrorKind;
