@@ -23,7 +23,7 @@ use super::mapping::Mapping;
 use super::pieces::Pieces;
 use super::remarks::Heard;
 use super::rules::{Cell, Found, Refused, Rules};
-use super::sizes::{Size, SizesOf};
+use super::size::{Size, SizesOf};
 use super::source::{Context, Source, WHOLE};
 use super::stated;
 use super::words;

@@ -22,7 +22,7 @@
 //! | `fn16` | what a control printed, read back through the mask that printed it |
 //! | `contacts` | CSV of x, y and optionally z |
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
-//! | `sizes` | what was measured alone, of holes or of shafts |
+//! | `size`, `sizes` | what was measured alone, of holes or of shafts |
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
 //! | `beside`, `claim` | what stands beside a value and is compared with its answer: a status, limits, a deviation; its words |
 //! | `warmth` | the temperature that a file says of a value, or of all |
@@ -107,6 +107,7 @@ mod quantity;
 mod remarks;
 mod rivals;
 mod rules;
+mod size;
 mod sizes;
 mod source;
 pub mod sql;
@@ -140,7 +141,8 @@ pub use mapping::{
 };
 pub use plans::{PLAN_ENDINGS, read_plan};
 pub use quantity::Quantity;
-pub use sizes::{Size, Sizes, SizesWarning, sizes, sizes_from};
+pub use size::Size;
+pub use sizes::{Sizes, SizesWarning, sizes, sizes_from};
 use source::{Beginning, Source};
 pub use source::{Body, Given, WHOLE};
 

@@ -12,21 +12,9 @@ use jiff::civil::DateTime;
 
 use super::error::{ImportError, ImportErrorKind, ImportWarning};
 use super::imported::{Item, MOST_ROWS, Sink, Unjudged, WhyUnjudged};
+use super::size::{Size, SizesOf};
 use super::source::{Body, Given, Source};
 use super::{FORMATS, measurements, xlsx};
-
-/// A measured size.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub struct Size {
-    /// Its line, from 1.
-    pub line: usize,
-    /// Name of the part; empty where there is none.
-    pub id: String,
-    /// The size.
-    pub measured: Length,
-    /// Whether the file says that nobody measured it.
-    pub is_simulated: bool,
-}
 
 /// The sizes of a file, and what did not become one.
 #[derive(Debug, Clone, Default, PartialEq)]
@@ -59,12 +47,6 @@ pub enum SizesWarning {
         /// How many.
         count: usize,
     },
-}
-
-/// Where sizes go, and which side they are of.
-pub(super) struct SizesOf<'a> {
-    pub(super) feature: Feature,
-    pub(super) take: &'a mut dyn FnMut(Size),
 }
 
 /// Reads sizes alone from a file with columns.

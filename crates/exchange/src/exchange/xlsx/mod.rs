@@ -22,7 +22,7 @@ use super::guarded::guarded;
 use super::imported::{Item, Sink};
 use super::mapping::Mapping;
 use super::measurements::Cells;
-use super::sizes::SizesOf;
+use super::size::SizesOf;
 use super::source::{Beginning, Body, Context, Source};
 use super::stated;
 use fitcheck_core::message::Place;
