@@ -6,7 +6,6 @@ use csv::StringRecord;
 use fitcheck_core::length::Unit;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 
-use super::batch::cells_of;
 use super::beside::BesideColumn;
 use super::cells::{
     self, WholeNumbers, decimals, is_blank, is_callout, is_class_with_grade, is_comment, is_data, is_number, is_whole,
@@ -18,6 +17,7 @@ use super::evidence::Evidence;
 use super::own::OwnColumns;
 use super::quantity::{Free, QuantityColumn};
 use super::remarks::RemarkColumn;
+use super::row::cells_of;
 use super::stated::{self, Stated};
 use super::units;
 use super::warmth;

@@ -8,9 +8,10 @@ use fitcheck_core::probing::Contact;
 use fitcheck_core::text;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 
-use super::delimited::{Item, LONGEST_ROW, Rows, SEPARATORS};
+use super::delimited::{Item, Rows, SEPARATORS};
 use super::error::{ImportWarningKind, Role, shorten};
 use super::evidence::{self, marks_simulation};
+use super::index::LONGEST_ROW;
 use super::stated;
 use super::warmth::{self, Scale};
 use super::words;

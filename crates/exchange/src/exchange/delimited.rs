@@ -5,16 +5,14 @@
 
 use csv::{ReaderBuilder, StringRecord};
 
-use super::batch::{cells_of, row_end};
+use super::index::{LONGEST_ROW, row_end};
+use super::row::cells_of;
 
 /// The separators that are tried.
 pub(super) const SEPARATORS: [u8; 4] = [b';', b'\t', b'|', b','];
 
 /// How many lines a header may have within quotation marks.
 const HEADER_LINES: usize = 8;
-
-/// The longest row in bytes, 1 MiB: every cell takes memory, also an empty one.
-pub(super) const LONGEST_ROW: usize = 1 << 20;
 
 /// How much of a text is handed to the `csv` crate at a time.
 const SEGMENT: usize = 1 << 20;

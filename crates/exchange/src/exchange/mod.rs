@@ -39,6 +39,7 @@
 //! | `tables` | tables of deviations for controls and other tools |
 //! | `sql` | limits and verdicts as plain SQL |
 //! | `delimited` | rows and cells, with their lines |
+//! | `index`, `row` | where the cells of some rows end; one row of them |
 //! | `parquet` | columns of typed values, with the feature of that name |
 //! | `batch` | a verdict for every row of a stream of any length |
 //!
@@ -91,6 +92,7 @@ pub mod gauge;
 mod guarded;
 pub mod headers;
 mod imported;
+mod index;
 mod logs;
 mod lookup;
 mod mapping;
@@ -106,6 +108,7 @@ mod qif;
 mod quantity;
 mod remarks;
 mod rivals;
+mod row;
 mod rules;
 mod size;
 mod sizes;

@@ -11,8 +11,8 @@ use encoding_rs_io::DecodeReaderBytesBuilder;
 use fitcheck_core::text::windows_1252;
 
 use super::batch::{BLOCK, read};
-use super::delimited::LONGEST_ROW;
 use super::error::ImportErrorKind;
+use super::index::LONGEST_ROW;
 use super::source::read_error;
 
 /// How much the first piece has: the longest row and a header, so that the columns are known by it.

@@ -11,9 +11,9 @@ use super::error::{AqdefFault, AqdefWarning};
 use super::keys::{BETWEEN_FIELDS, Entry, Key, Level, Line, line};
 use super::row::{self, Fields, Row};
 use super::told::Told;
-use crate::exchange::delimited::LONGEST_ROW;
 use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::imported::Sink;
+use crate::exchange::index::LONGEST_ROW;
 use crate::exchange::pieces::Pieces;
 use crate::exchange::source::Context;
 

@@ -7,10 +7,10 @@ use fitcheck_core::verdict::Status;
 use super::judge::Take;
 use super::judged::Judged;
 use super::layout::Layout;
-use super::row::{Row, unquoted};
 use super::typed::Typed;
 use crate::exchange::ImportErrorKind;
 use crate::exchange::parquet::{Chunks, Field, Group, added, put_text};
+use crate::exchange::row::{Row, unquoted};
 
 /// The columns of the output: those of the input, as texts where they have no types, and those that are added.
 ///

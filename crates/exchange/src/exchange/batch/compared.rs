@@ -5,12 +5,12 @@ use fitcheck_core::message::Say as _;
 
 use super::judged::Judged;
 use super::layout::utf8;
-use super::row::Row;
 use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::claim::{Answer, Claim};
 use crate::exchange::columns::Columns;
 use crate::exchange::remarks::{Heard, RemarkColumn, may_say};
+use crate::exchange::row::Row;
 
 /// So many words of a status are remembered.
 const MOST_CLAIMS: usize = 15;

@@ -4,12 +4,13 @@ use fitcheck_core::length::Line;
 use fitcheck_core::message::guarded;
 use fitcheck_core::verdict::Status;
 
+use super::ADDED;
 use super::judge::Take;
 use super::judged::Judged;
 use super::layout::Layout;
-use super::row::Row;
-use super::{ADDED, index};
 use crate::exchange::error::ImportErrorKind;
+use crate::exchange::index::line_end;
+use crate::exchange::row::Row;
 
 /// Room for the longest word of a status between two separators.
 const LONGEST_STATUS: usize = 16;
@@ -148,7 +149,7 @@ impl Take for Csv {
 
     fn line(&mut self, line: &[u8]) {
         self.out.append(line);
-        if index::line_end(line, line.len().saturating_sub(1)) == 0 {
+        if line_end(line, line.len().saturating_sub(1)) == 0 {
             self.out.append(self.line_end);
         }
     }

@@ -2,8 +2,7 @@
 
 use std::io::{self, Read};
 
-use super::LONGEST_ROW;
-use super::index::{Broken, Index, last_line_end, line_end};
+use crate::exchange::index::{Broken, Index, LONGEST_ROW, last_line_end, line_end};
 
 /// How much is read at a time, 256 KiB: larger blocks are no faster and only take memory.
 pub const BLOCK: usize = 256 << 10;

@@ -6,8 +6,8 @@ use super::ADDED;
 use super::judge::Take;
 use super::judged::Judged;
 use super::layout::Layout;
-use super::row::{Row, unquoted};
 use crate::exchange::error::ImportErrorKind;
+use crate::exchange::row::{Row, unquoted};
 
 /// Writes JSON lines.
 #[derive(Debug)]

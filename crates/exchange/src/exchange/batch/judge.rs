@@ -8,21 +8,20 @@ use fitcheck_core::tolerance::fit::thermal::Temperature;
 use fitcheck_core::tolerance::{Bounds, Sources, ToleranceClass};
 use fitcheck_core::verdict::{Status, doubt_of};
 
-use super::LONGEST_ROW;
 use super::compared::{Compared, told};
 use super::cut::Block;
-use super::index::{Broken, Index, line_end};
 use super::judged::Judged;
 use super::known::{Classes, Figures, Steps};
 use super::layout::{Layout, utf8};
-use super::row::{Part, Row};
 use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
 use crate::exchange::error::{ImportErrorKind, shorten};
 use crate::exchange::evidence::marks_simulation;
 use crate::exchange::imported::WhyUnjudged;
+use crate::exchange::index::{Broken, Index, LONGEST_ROW, line_end};
 use crate::exchange::quantity::QuantityColumn;
+use crate::exchange::row::{Part, Row};
 use crate::exchange::rules::{Found, Rules};
 use crate::exchange::stated;
 

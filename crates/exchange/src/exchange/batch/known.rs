@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use fitcheck_core::length::Length;
 use fitcheck_core::tolerance::{Callout, Deviations, Feature, FigureWarning, Limits, Sources, ToleranceClass};
 
-use super::row::Part;
+use crate::exchange::row::Part;
 
 /// How many places the table of texts has: several times the classes of ISO 286.
 const PLACES: usize = 1 << 12;

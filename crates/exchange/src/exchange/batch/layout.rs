@@ -7,14 +7,13 @@ use fitcheck_core::message::Say as _;
 use fitcheck_core::text::windows_1252;
 use fitcheck_nc::control::simulated::is_mark;
 
-use super::index::Index;
-use super::row::Row;
-use super::{LONGEST_ROW, index};
 use crate::exchange::FORMATS;
 use crate::exchange::cells;
 use crate::exchange::columns::{self, Columns, Sample};
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
+use crate::exchange::index::{Index, LONGEST_ROW, last_line_end};
+use crate::exchange::row::Row;
 
 /// How much of a stream decides at most what its columns are: the longest row and a header.
 pub const HEAD: usize = LONGEST_ROW + (256 << 10);
@@ -58,7 +57,7 @@ impl Layout {
     /// # Errors
     /// Why nothing in it can be judged; with more of the stream, up to [`HEAD`], that may change.
     pub fn of(head: &[u8], is_all: bool, file_name: &str) -> Result<Self, ImportErrorKind> {
-        let end = if is_all { head.len() } else { index::last_line_end(head, false).unwrap_or_default() };
+        let end = if is_all { head.len() } else { last_line_end(head, false).unwrap_or_default() };
         let head = head.get(..end).unwrap_or_default();
         let body = head.strip_prefix(MARK).unwrap_or(head);
         if body.trim_ascii().is_empty() {

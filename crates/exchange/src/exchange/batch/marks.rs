@@ -7,12 +7,12 @@ use fitcheck_core::tolerance::ToleranceClass;
 use fitcheck_core::verdict::Status;
 
 use super::cut::Block;
-use super::index::Broken;
 use super::judge::Take;
 use super::judged::Judged;
-use super::row::Row;
 use super::tally::Tally;
 use crate::exchange::error::ImportErrorKind;
+use crate::exchange::index::{Broken, wide};
+use crate::exchange::row::Row;
 
 /// How many fates there are.
 pub const FATES: usize = Status::ALL.len() + 1;
@@ -228,7 +228,7 @@ impl Part {
         }
         let classes = self.counts.iter().filter_map(|(class, counts)| Some((sieve.takes.get(*class)?, counts)));
         let fates = classes.flat_map(|(takes, counts)| takes.iter().zip(counts));
-        fates.filter(|(takes, _)| **takes).map(|(_, count)| super::wide(*count)).sum()
+        fates.filter(|(takes, _)| **takes).map(|(_, count)| wide(*count)).sum()
     }
 
     /// One of the rows that a filter takes, from 0.

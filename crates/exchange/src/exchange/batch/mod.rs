@@ -4,7 +4,6 @@
 //! |---|---|
 //! | `layout` | what the first rows say: separator, columns, header |
 //! | `cut` | a stream cut into blocks of whole rows |
-//! | `index`, `row` | where the cells of a block end; one row of it |
 //! | `judge` | rows judged: most of them fast, the others as `import` reads them |
 //! | `judged`, `compared` | a row with its verdict; what the file says beside it |
 //! | `known` | limit deviations, looked up once for each class and step |
@@ -23,7 +22,6 @@ mod answers;
 mod compared;
 mod csv;
 mod cut;
-mod index;
 mod json_lines;
 mod judge;
 mod judged;
@@ -31,7 +29,6 @@ mod known;
 mod layout;
 mod marks;
 mod pick;
-mod row;
 mod tally;
 mod tsv;
 #[cfg(feature = "parquet")]
@@ -41,7 +38,6 @@ mod typed;
 pub use answers::{Answers, output_fields};
 pub use csv::Csv;
 pub use cut::{BLOCK, Block, Cutter, read};
-pub use index::row_end;
 pub use json_lines::JsonLines;
 pub use judge::{Counts, Court, Judge, Met, Take};
 pub use judged::Judged;
@@ -49,20 +45,16 @@ pub use known::Figures;
 pub use layout::{HEAD, Layout};
 pub use marks::{FATES, Fate, Filter, Marks, Part, Sieve, Store};
 pub use pick::{Picked, pick};
-pub use row::{Row, cells_of};
 pub use tally::{FIRST, Kind, Note, Notes, Tally};
 pub use tsv::Tsv;
 #[cfg(feature = "parquet")]
 pub use typed::{Purpose, Typed, layout_of};
 
-pub(super) use super::delimited::LONGEST_ROW;
+pub use super::index::row_end;
+pub use super::row::{Row, cells_of};
 
 /// The names of the columns that are added, in order. They must not change.
 pub const ADDED: [&str; 6] = ["min_mm", "max_mm", "deviation_um", "status", "remove_um", "error"];
-
-fn wide(number: u32) -> usize {
-    usize::try_from(number).unwrap_or(usize::MAX)
-}
 
 /// A reason with the cells that have no column, which are not written.
 fn with_cells_beyond<'a>(row: &Row<'_>, count: usize, reason: &'a str) -> Cow<'a, str> {

@@ -4,8 +4,9 @@ use std::io;
 
 use super::judge::{Judge, Take};
 use super::layout::Layout;
-use super::{Block, LONGEST_ROW, Tally};
+use super::{Block, Tally};
 use crate::exchange::error::ImportErrorKind;
+use crate::exchange::index::LONGEST_ROW;
 use crate::exchange::parquet::{ChunkReader, Field, Kind, Reader, Rows, Value, Wanted, put};
 
 /// How many rows decide what the columns are, as with CSV.

@@ -17,9 +17,9 @@ use row::Row;
 
 use super::Format;
 use super::characteristic::Characteristic;
-use super::delimited::LONGEST_ROW;
 use super::error::{ImportErrorKind, ImportWarningKind, shorten};
 use super::imported::Sink;
+use super::index::LONGEST_ROW;
 use super::source::{Beginning, Context, Source};
 
 pub(super) const FORMAT: Format = Format {

@@ -5,7 +5,8 @@
 
 use wide::u8x16;
 
-use super::{LONGEST_ROW, wide};
+/// The longest row in bytes, 1 MiB: every cell takes memory, also an empty one.
+pub(super) const LONGEST_ROW: usize = 1 << 20;
 
 /// How many bytes are looked at in one step.
 const STEP: usize = 16;
@@ -222,6 +223,11 @@ pub fn row_end(text: &[u8], start: usize, separator: u8, is_all: bool) -> Option
         Ok(next) => Some(Ok(next)),
         Err(broken) => broken.map(Err),
     }
+}
+
+/// A number of 32 bits as one of the machine.
+pub(super) fn wide(number: u32) -> usize {
+    usize::try_from(number).unwrap_or(usize::MAX)
 }
 
 /// Where a cell ends, without its mark.
