@@ -10,7 +10,8 @@ use fitcheck_core::verdict::{PositionVerdict, judge_size};
 use jiff::civil::DateTime;
 
 use super::claim::Answer;
-use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, shorten};
+use super::error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
+use super::given::shorten;
 use super::imported::{Asked, Item, Labels, Unjudged, WhyUnjudged};
 use super::quantity::Quantity;
 use crate::journal::Record;

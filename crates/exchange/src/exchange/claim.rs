@@ -7,7 +7,8 @@ use fitcheck_core::tolerance::{Bounds, Feature};
 use fitcheck_core::verdict::Status;
 use fitcheck_nc::control::status::status_of;
 
-use super::error::{ImportWarningKind, shorten};
+use super::error::ImportWarningKind;
+use super::given::shorten;
 use crate::journal::Record;
 
 /// Words and marks of a value within its limits, without their stops and blanks.

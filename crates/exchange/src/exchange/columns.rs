@@ -12,11 +12,12 @@ use super::cells::{
     may_be_names, own_callout,
 };
 use super::delimited::{Item, Rows, SEPARATORS};
-use super::error::{ImportErrorKind, ImportWarningKind, Role};
+use super::error::{ImportErrorKind, ImportWarningKind};
 use super::evidence::Evidence;
 use super::own::OwnColumns;
 use super::quantity::{Free, QuantityColumn};
 use super::remarks::RemarkColumn;
+use super::role::Role;
 use super::row::cells_of;
 use super::stated::{self, Stated};
 use super::units;
@@ -662,12 +663,12 @@ pub(super) fn listed(names: &[String]) -> String {
 
 /// The unit that a column's name says; millimetres where it says none.
 pub(super) fn unit_of(name: &str) -> Result<Unit, ImportErrorKind> {
-    let unit = units::unit(name).map_err(|unit| ImportErrorKind::Unit { unit: super::error::shorten(&unit) })?;
+    let unit = units::unit(name).map_err(|unit| ImportErrorKind::Unit { unit: super::given::shorten(&unit) })?;
     Ok(unit.unwrap_or(Unit::Millimetre))
 }
 
 /// The number of a column, and its name where it has one.
 pub(super) fn name_of(at: usize, name: &str) -> String {
     let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
-    if name.is_empty() { (at + 1).to_string() } else { format!("{} ({})", at + 1, super::error::shorten(&name)) }
+    if name.is_empty() { (at + 1).to_string() } else { format!("{} ({})", at + 1, super::given::shorten(&name)) }
 }

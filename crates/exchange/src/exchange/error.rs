@@ -1,9 +1,7 @@
 //! Errors of a file or a row: what is wrong, and what was given.
 
-use std::borrow::Cow;
-
 use fitcheck_core::length::{Length, LengthError};
-use fitcheck_core::message::{Located, Message, Say, shortened};
+use fitcheck_core::message::{Located, Message, Say};
 use fitcheck_core::tolerance::fit::thermal::ThermalDoubt;
 use fitcheck_core::tolerance::{Callout, CalloutError, Feature, LimitsError};
 use fitcheck_nc::control::log::LogFault;
@@ -12,6 +10,7 @@ use fitcheck_nc::control::point_log::PointFault;
 use super::aqdef::AqdefFault;
 use super::calypso::CalypsoFault;
 use super::contacts::ContactsError;
+use super::role::Role;
 
 pub use super::warning::{ImportWarning, ImportWarningKind};
 
@@ -525,50 +524,9 @@ pub enum ImportErrorKind {
     },
 }
 
-/// What a column can be.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Say)]
-#[say(prefix = "exchange-role")]
-pub enum Role {
-    /// Name of the part or feature.
-    Id,
-    /// Callout or tolerance class.
-    Tolerance,
-    /// Nominal size.
-    Nominal,
-    /// Measured value.
-    Measured,
-    /// Date, time or both.
-    Time,
-    /// Whether nobody measured.
-    Simulated,
-    /// Number of the characteristic.
-    Number,
-    /// The part, such as its drawing number.
-    Part,
-    /// The part's serial number.
-    Serial,
-    /// Who measured.
-    Who,
-    /// Where the feature is.
-    X,
-    /// As above.
-    Y,
-    /// As above.
-    Z,
-    /// What was measured.
-    Quantity,
-}
-
-/// The longest text that errors repeat, in characters.
-const LONGEST_GIVEN: usize = 60;
-
-/// A cell as errors repeat it.
-pub(super) fn shorten(cell: &str) -> String {
-    shortened(cell, LONGEST_GIVEN)
-}
-
-/// The same, without a copy of a cell that stays as it is.
-pub(super) fn shorten_cell(cell: &str) -> Cow<'_, str> {
-    let is_plain = cell.len() <= LONGEST_GIVEN && cell.bytes().all(|byte| (b' '..0x7f).contains(&byte));
-    if is_plain { Cow::Borrowed(cell) } else { Cow::Owned(shorten(cell)) }
+impl ImportErrorKind {
+    /// That the system cannot read on.
+    pub(super) fn read(error: &std::io::Error) -> Self {
+        Self::Read { reason: error.to_string() }
+    }
 }

@@ -6,8 +6,9 @@ use fitcheck_nc::control::simulated::is_mark;
 
 use super::cells;
 use super::claim::Claim;
-use super::error::{ImportErrorKind, shorten};
-use super::rules::{Cell, Refused};
+use super::error::ImportErrorKind;
+use super::given::shorten;
+use super::refused::{Cell, Refused};
 use super::{warmth, words};
 
 /// Where they are.

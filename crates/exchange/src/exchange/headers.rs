@@ -5,7 +5,7 @@ use fitcheck_core::length::Unit;
 
 use super::cells::is_number;
 use super::columns::Columns;
-use super::error::Role;
+use super::role::Role;
 use super::units;
 use super::words::{self, Rank};
 

@@ -16,14 +16,17 @@ use super::cells;
 use super::claim::{Answer, Claim};
 use super::columns::{self, Columns, Sample};
 use super::delimited::{Item, Rows, lines, without_separator_line};
-use super::error::{ImportErrorKind, ImportWarningKind, shorten};
+use super::error::{ImportErrorKind, ImportWarningKind};
 use super::evidence::marks_simulation;
+use super::given::shorten;
 use super::imported::{Sink, Unjudged, WhyUnjudged};
 use super::index::LONGEST_ROW;
+use super::left_out;
 use super::mapping::Mapping;
 use super::pieces::Pieces;
+use super::refused::{Cell, Refused};
 use super::remarks::Heard;
-use super::rules::{Cell, Found, Refused, Rules};
+use super::rules::{Found, Rules};
 use super::size::{Size, SizesOf};
 use super::source::{Context, Source, WHOLE};
 use super::stated;
@@ -352,12 +355,12 @@ impl<'a, 's> Reader<'a, 's, '_> {
 
     /// Tells that a line is not used, or what it says against the values.
     fn not_used(&mut self, line: usize, cells: &StringRecord) {
-        self.warn(line, ImportWarningKind::not_used(cells, self.columns.counted_at(line, self.source.counted)));
+        self.warn(line, left_out::not_used(cells, self.columns.counted_at(line, self.source.counted)));
     }
 
     /// What a line that is no row says against the values.
     fn said_against(&self, line: usize, cells: &StringRecord) -> Option<ImportWarningKind> {
-        ImportWarningKind::said_against(cells, self.columns.counted_at(line, self.source.counted))
+        left_out::said_against(cells, self.columns.counted_at(line, self.source.counted))
     }
 
     /// Takes the size of a row, or names the cell that cannot be used.

@@ -8,6 +8,8 @@
 //! | `by_plan` | values judged by a plan: each finds its feature |
 //! | `characteristic` | what files of other tools declare: a name, a nominal size, limits; its values judged by them |
 //! | `error`, `warning` | errors and warnings, with their places |
+//! | `given` | what was given, as messages repeat it |
+//! | `role` | what a column can be |
 //! | `no_place` | why the place of a feature is no position for a cycle |
 //! | `logs` | HEIDENHAIN measuring logs as records |
 //! | `plans` | part plans from files of other tools |
@@ -22,11 +24,13 @@
 //! | `fn16` | what a control printed, read back through the mask that printed it |
 //! | `contacts` | CSV of x, y and optionally z |
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
+//! | `refused` | a cell that cannot be used |
 //! | `size`, `sizes` | what was measured alone, of holes or of shafts |
 //! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
 //! | `beside`, `claim` | what stands beside a value and is compared with its answer: a status, limits, a deviation; its words |
 //! | `warmth` | the temperature that a file says of a value, or of all |
 //! | `evidence` | columns that say whether somebody measured, and whether a value is at 20 °C |
+//! | `left_out` | what a line beside the measurements says against them |
 //! | `remarks` | columns of no known name, in which a row may say something against its value |
 //! | `headers` | a header among the rows, below which the columns may be others |
 //! | `rivals` | which of several columns is the measured value, the nominal size, the callout: one, or none in silence |
@@ -89,10 +93,12 @@ pub mod error;
 mod evidence;
 mod fn16;
 pub mod gauge;
+mod given;
 mod guarded;
 pub mod headers;
 mod imported;
 mod index;
+mod left_out;
 mod logs;
 mod lookup;
 mod mapping;
@@ -106,8 +112,10 @@ mod plans;
 mod point_log;
 mod qif;
 mod quantity;
+mod refused;
 mod remarks;
 mod rivals;
+mod role;
 mod row;
 mod rules;
 mod size;
@@ -131,7 +139,7 @@ use jiff::civil::DateTime;
 pub use by_plan::ByPlan;
 use characteristic::Characteristic;
 pub use claim::Claim;
-pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind, Role};
+pub use error::{ImportError, ImportErrorKind, ImportWarning, ImportWarningKind};
 use fitcheck_core::message::{Message, Say, display};
 use fitcheck_core::probing::Origin;
 use fitcheck_core::tolerance::Sources;
@@ -144,6 +152,7 @@ pub use mapping::{
 };
 pub use plans::{PLAN_ENDINGS, read_plan};
 pub use quantity::Quantity;
+pub use role::Role;
 pub use size::Size;
 pub use sizes::{Sizes, SizesWarning, sizes, sizes_from};
 use source::{Beginning, Source};

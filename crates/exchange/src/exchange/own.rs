@@ -5,8 +5,9 @@ use csv::StringRecord;
 use fitcheck_core::length::Length;
 use fitcheck_core::tolerance::fit::thermal::{Correction, ThermalDoubt, Warm};
 
-use super::error::{ImportErrorKind, shorten};
-use super::rules::{Cell, Refused};
+use super::error::ImportErrorKind;
+use super::given::shorten;
+use super::refused::{Cell, Refused};
 
 /// The cell of a position that is out.
 const OUT: &str = "OUT";

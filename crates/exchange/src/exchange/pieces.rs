@@ -13,7 +13,6 @@ use fitcheck_core::text::windows_1252;
 use super::batch::{BLOCK, read};
 use super::error::ImportErrorKind;
 use super::index::LONGEST_ROW;
-use super::source::read_error;
 
 /// How much the first piece has: the longest row and a header, so that the columns are known by it.
 const FIRST: usize = LONGEST_ROW + BLOCK;
@@ -67,7 +66,7 @@ impl<'a> Pieces<'a> {
         self.given = 0;
         while !self.is_ended {
             if let Some(error) = self.failed.take() {
-                return Err(read_error(&error));
+                return Err(ImportErrorKind::read(&error));
             }
             self.fill();
             if self.is_ended {

@@ -21,7 +21,7 @@ use fitcheck_core::probing::cycle::Axis;
 
 use super::cells;
 use super::columns::{Sample, name_of};
-use super::error::shorten;
+use super::given::shorten;
 use super::units::words_of;
 
 /// What a file says that was measured of a feature.

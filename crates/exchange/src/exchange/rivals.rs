@@ -9,7 +9,8 @@ use fitcheck_core::tolerance::{Callout, ToleranceClass};
 
 use super::cells::{is_callout, is_class, is_number};
 use super::columns::{Roles, Sample, best, several, unit_of};
-use super::error::{ImportErrorKind, Role};
+use super::error::ImportErrorKind;
+use super::role::Role;
 use super::words::{self, Rank};
 
 /// The columns that decide.

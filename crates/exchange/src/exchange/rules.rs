@@ -9,21 +9,13 @@ use fitcheck_core::tolerance::{Callout, CalloutError, Feature, Limits, Sources, 
 
 use super::cells;
 use super::columns::{Columns, LengthColumn};
-use super::error::{ImportErrorKind, ImportWarningKind, shorten, shorten_cell};
+use super::error::{ImportErrorKind, ImportWarningKind};
 use super::evidence;
+use super::given::{shorten, shorten_cell};
 use super::imported::{Asked, WhyUnjudged};
 use super::lookup::Lookup;
 use super::quantity::{self, Quantity};
-
-/// A cell and its place in the row, from 0.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Cell<'a> {
-    pub(super) at: Option<usize>,
-    pub(super) text: &'a str,
-}
-
-/// A cell that cannot be used.
-pub(super) type Refused<'a> = (Cell<'a>, ImportErrorKind);
+use super::refused::{Cell, Refused};
 
 /// What a row says.
 pub(super) struct Found {

@@ -140,7 +140,7 @@ impl<'a> Source<'a> {
             Read::take(&mut *body, most).read_to_end(head)?;
             std::io::Result::Ok(length)
         };
-        let length = begin(&mut head).map_err(|error| read_error(&error))?;
+        let length = begin(&mut head).map_err(|error| ImportErrorKind::read(&error))?;
         let context = Context {
             file: file_name.into(),
             sources: given.sources,
@@ -166,7 +166,7 @@ impl<'a> Source<'a> {
     /// # Errors
     /// [`ImportErrorKind::Read`] with what the system says.
     pub(super) fn bytes(&mut self) -> Result<&mut dyn Body, ImportErrorKind> {
-        self.body.rewind().map_err(|error| read_error(&error))?;
+        self.body.rewind().map_err(|error| ImportErrorKind::read(&error))?;
         Ok(self.body)
     }
 
@@ -190,14 +190,9 @@ impl<'a> Source<'a> {
         }
         let mut all = Vec::new();
         // A file that grows has no length beforehand: one byte more than allowed tells.
-        self.bytes()?.take(WHOLE + 1).read_to_end(&mut all).map_err(|error| read_error(&error))?;
+        self.bytes()?.take(WHOLE + 1).read_to_end(&mut all).map_err(|error| ImportErrorKind::read(&error))?;
         if WHOLE < all.len().try_into().unwrap_or(u64::MAX) { Err(too_large) } else { Ok(all) }
     }
-}
-
-/// What the system says.
-pub(super) fn read_error(error: &std::io::Error) -> ImportErrorKind {
-    ImportErrorKind::Read { reason: error.to_string() }
 }
 
 /// The text of a whole file: UTF-16 with a byte order mark, UTF-8, else Windows-1252.

@@ -2,15 +2,11 @@
 
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Message, Say};
-use fitcheck_core::tolerance::fit::thermal::Temperature;
 use fitcheck_core::tolerance::{Callout, Feature};
 use fitcheck_nc::control::log::LogWarningKind;
 
 use super::aqdef::AqdefWarning;
 use super::calypso::CalypsoWarning;
-use super::error::shorten;
-use super::evidence::mentions_simulation;
-use super::warmth;
 
 /// A warning about a file or row that was still used.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -422,26 +418,5 @@ impl ImportWarningKind {
             | Self::QifVersion { .. }
             | Self::OpenEnd { .. } => false,
         }
-    }
-
-    /// That the cells of a line beside the measurements are not used, or what they say against them; values count as measured at this
-    /// temperature, where they are not corrected already.
-    pub(super) fn not_used(cells: &csv::StringRecord, counted: Option<Temperature>) -> Self {
-        let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
-        if mentions_simulation(&text) {
-            return Self::SpeaksOfSimulation { text: shorten(&text) };
-        }
-        let differs =
-            counted.filter(|counted| warmth::mentioned(&text).is_some_and(|warm| warmth::differ(warm, *counted)));
-        let text = shorten(&text);
-        match differs {
-            Some(counted) => Self::SpeaksOfTemperature { text, counted: counted.to_string() },
-            None => Self::NotUsed { text },
-        }
-    }
-
-    /// What such a line says against them; `None` where it says nothing.
-    pub(super) fn said_against(cells: &csv::StringRecord, counted: Option<Temperature>) -> Option<Self> {
-        Some(Self::not_used(cells, counted)).filter(|told| !matches!(told, Self::NotUsed { .. }))
     }
 }

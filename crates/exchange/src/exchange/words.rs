@@ -6,7 +6,7 @@
 use std::collections::{HashMap, HashSet};
 use std::sync::LazyLock;
 
-use super::error::Role;
+use super::role::Role;
 use super::units::{self, Parts};
 
 /// How sure a name is.

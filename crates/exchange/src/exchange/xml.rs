@@ -12,7 +12,8 @@ use fitcheck_core::message::{Located, Place};
 use quick_xml::events::{BytesStart, Event};
 use quick_xml::{Reader, XmlVersion};
 
-use super::error::{ImportErrorKind, shorten};
+use super::error::ImportErrorKind;
+use super::given::shorten;
 
 /// How many elements may stand within one another.
 const DEEPEST: usize = 200;
@@ -299,7 +300,7 @@ impl<'b> Xml<'b> {
         let mut stream = self.reader.stream();
         loop {
             stream.get_mut().left = LONGEST;
-            let piece = stream.fill_buf().map_err(|error| fault(at, super::source::read_error(&error)))?;
+            let piece = stream.fill_buf().map_err(|error| fault(at, ImportErrorKind::read(&error)))?;
             let end = memchr::memchr(b'<', piece);
             let passed = end.unwrap_or(piece.len());
             let is_end = end.is_some() || piece.is_empty();
@@ -316,7 +317,7 @@ impl<'b> Xml<'b> {
             quick_xml::Error::Io(_) if self.reader.get_ref().left == 0 => {
                 ImportErrorKind::XmlLong { most: LONGEST >> 10 }
             }
-            quick_xml::Error::Io(error) => super::source::read_error(error),
+            quick_xml::Error::Io(error) => ImportErrorKind::read(error),
             quick_xml::Error::Syntax(_) => ImportErrorKind::XmlCutOff,
             quick_xml::Error::Encoding(_) => ImportErrorKind::XmlBytes,
             error => ImportErrorKind::Xml { reason: shorten(&error.to_string()) },

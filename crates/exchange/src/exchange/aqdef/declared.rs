@@ -8,7 +8,8 @@ use super::error::{AqdefFault, AqdefWarning};
 use super::keys::{Key, number};
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, What};
-use crate::exchange::error::{ImportErrorKind, ImportWarningKind, shorten};
+use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
+use crate::exchange::given::shorten;
 use crate::exchange::quantity::Quantity;
 use crate::exchange::units;
 

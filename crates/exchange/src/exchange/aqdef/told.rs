@@ -3,7 +3,8 @@
 use fitcheck_core::message::{Place, Say as _};
 
 use super::error::{AqdefFault, AqdefWarning};
-use crate::exchange::error::{ImportErrorKind, ImportWarningKind, shorten};
+use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
+use crate::exchange::given::shorten;
 use crate::exchange::imported::Sink;
 
 /// Values that are told together: the line of the first one, and how many.

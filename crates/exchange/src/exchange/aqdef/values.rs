@@ -14,7 +14,8 @@ use super::reader::Reader;
 use super::row::Fields;
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{Value, What};
-use crate::exchange::error::{ImportErrorKind, ImportWarningKind, shorten};
+use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
+use crate::exchange::given::shorten;
 use crate::exchange::imported::{Unjudged, WhyUnjudged};
 
 /// Attributes of a value that is none.

@@ -16,10 +16,12 @@ use super::layout::{Layout, utf8};
 use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
 use crate::exchange::cells;
-use crate::exchange::error::{ImportErrorKind, shorten};
+use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::marks_simulation;
+use crate::exchange::given::shorten;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::index::{Broken, Index, LONGEST_ROW, line_end};
+use crate::exchange::left_out;
 use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::row::{Part, Row};
 use crate::exchange::rules::{Found, Rules};
@@ -384,10 +386,7 @@ impl Judge<'_> {
             if let Some(reason) = stray() {
                 return Self::refuse(row, None, &reason, tally, take);
             }
-            told(
-                ImportWarningKind::said_against(&cells, columns.counted_at(usize::MAX, Temperature::REFERENCE)),
-                tally,
-            );
+            told(left_out::said_against(&cells, columns.counted_at(usize::MAX, Temperature::REFERENCE)), tally);
             tally.comments += 1;
             return take.line(whole);
         }

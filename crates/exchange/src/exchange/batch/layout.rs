@@ -13,6 +13,7 @@ use crate::exchange::columns::{self, Columns, Sample};
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::index::{Index, LONGEST_ROW, last_line_end};
+use crate::exchange::left_out;
 use crate::exchange::row::Row;
 
 /// How much of a stream decides at most what its columns are: the longest row and a header.
@@ -249,11 +250,11 @@ impl Above {
                 let told = if cells::is_data(&cells) {
                     Some(ImportWarningKind::Comment)
                 } else {
-                    ImportWarningKind::said_against(&cells, None)
+                    left_out::said_against(&cells, None)
                 };
                 above.warnings.extend(told.map(|told| (above.line, told)));
             } else if !cells::is_blank(&cells) {
-                above.warnings.push((above.line, ImportWarningKind::not_used(&cells, None)));
+                above.warnings.push((above.line, left_out::not_used(&cells, None)));
             }
             above.header_start = above.length;
             above.header = cells.iter().map(str::to_owned).collect();

@@ -62,5 +62,5 @@ fn with_cells_beyond<'a>(row: &Row<'_>, count: usize, reason: &'a str) -> Cow<'a
         return Cow::Borrowed(reason);
     }
     let beyond = row.bytes().get(row.first_cells(count).len() + 1..).unwrap_or_default();
-    Cow::Owned(format!("{reason}: {}", super::error::shorten(&String::from_utf8_lossy(beyond))))
+    Cow::Owned(format!("{reason}: {}", super::given::shorten(&String::from_utf8_lossy(beyond))))
 }

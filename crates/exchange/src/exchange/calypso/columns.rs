@@ -74,7 +74,7 @@ impl Columns {
                 // A name that stands twice is not known to be either.
                 Some((_, column)) if columns.at(*column).is_some() => return None,
                 Some((_, column)) => columns.found.push((*column, at, name.to_owned())),
-                None => columns.skipped.push(crate::exchange::error::shorten(name)),
+                None => columns.skipped.push(crate::exchange::given::shorten(name)),
             }
         }
         NEEDED.iter().all(|&needed| columns.at(needed).is_some()).then_some(columns)

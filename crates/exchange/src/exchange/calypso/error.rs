@@ -3,8 +3,6 @@
 use fitcheck_core::length::{Length, LengthError};
 use fitcheck_core::message::Say;
 
-use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
-
 /// What is wrong with a table or a row.
 #[derive(Debug, Clone, PartialEq, Eq, Say)]
 #[say(prefix = "calypso", error)]
@@ -65,22 +63,10 @@ pub enum CalypsoWarning {
 }
 
 impl CalypsoWarning {
-    /// As [`ImportWarningKind::stands_against`].
+    /// As [`ImportWarningKind::stands_against`](crate::exchange::ImportWarningKind::stands_against).
     pub const fn stands_against(&self) -> bool {
         match self {
             Self::NoEnd | Self::Behind { .. } | Self::Zeros | Self::Deviation { .. } | Self::Exceed { .. } => true,
         }
-    }
-}
-
-impl From<CalypsoFault> for ImportErrorKind {
-    fn from(fault: CalypsoFault) -> Self {
-        Self::Calypso(fault)
-    }
-}
-
-impl From<CalypsoWarning> for ImportWarningKind {
-    fn from(warning: CalypsoWarning) -> Self {
-        Self::Calypso(warning)
     }
 }

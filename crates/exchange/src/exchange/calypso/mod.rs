@@ -17,7 +17,8 @@ use row::Row;
 
 use super::Format;
 use super::characteristic::Characteristic;
-use super::error::{ImportErrorKind, ImportWarningKind, shorten};
+use super::error::{ImportErrorKind, ImportWarningKind};
+use super::given::shorten;
 use super::imported::Sink;
 use super::index::LONGEST_ROW;
 use super::source::{Beginning, Context, Source};
@@ -33,6 +34,18 @@ pub(super) const FORMAT: Format = Format {
     has_marks: true,
     shows_end: false,
 };
+
+impl From<CalypsoFault> for ImportErrorKind {
+    fn from(fault: CalypsoFault) -> Self {
+        Self::Calypso(fault)
+    }
+}
+
+impl From<CalypsoWarning> for ImportWarningKind {
+    fn from(warning: CalypsoWarning) -> Self {
+        Self::Calypso(warning)
+    }
+}
 
 /// The last line.
 const END: &str = "END";

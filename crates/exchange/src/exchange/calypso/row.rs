@@ -7,7 +7,8 @@ use super::error::{CalypsoFault, CalypsoWarning};
 use crate::exchange::Labels;
 use crate::exchange::characteristic::{Characteristic, Value, What};
 use crate::exchange::claim::Claim;
-use crate::exchange::error::{ImportErrorKind, shorten};
+use crate::exchange::error::ImportErrorKind;
+use crate::exchange::given::shorten;
 use crate::exchange::quantity::Quantity;
 use crate::exchange::units;
 

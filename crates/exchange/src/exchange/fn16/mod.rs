@@ -15,7 +15,8 @@ mod roles;
 use std::collections::VecDeque;
 
 use super::Format;
-use super::error::{ImportErrorKind, ImportWarningKind, shorten};
+use super::error::{ImportErrorKind, ImportWarningKind};
+use super::given::shorten;
 use super::imported::Sink;
 use super::pieces::Pieces;
 use super::source::{Beginning, Source};

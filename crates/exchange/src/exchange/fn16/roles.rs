@@ -15,7 +15,8 @@ use fitcheck_nc::control::status::status_of;
 use fitcheck_nc::control::variables::{Family, Parameter};
 
 use crate::exchange::claim::Claim;
-use crate::exchange::error::{ImportErrorKind, shorten};
+use crate::exchange::error::ImportErrorKind;
+use crate::exchange::given::shorten;
 
 /// What a measured value is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -4,10 +4,12 @@ use super::words::role_of;
 use super::{Column, Mapping, is_named};
 use crate::exchange::cells;
 use crate::exchange::columns::{self, Columns, LabelColumns, LengthColumn, Sample, unit_of};
-use crate::exchange::error::{ImportErrorKind, Role, shorten};
+use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::Evidence;
+use crate::exchange::given::shorten;
 use crate::exchange::own::OwnColumns;
 use crate::exchange::quantity::QuantityColumn;
+use crate::exchange::role::Role;
 use crate::exchange::stated::{self, Stated};
 
 /// What a mapping says of the columns of a file, and what is detected beside it.

@@ -3,7 +3,7 @@
 use super::detected::{Detected, column_of};
 use super::words::{DECIMALS, SEPARATORS, UNITS};
 use super::{Column, Mapping};
-use crate::exchange::error::Role;
+use crate::exchange::role::Role;
 
 /// The words of the separators.
 pub const SEPARATOR_WORDS: [&str; 4] = [SEPARATORS[0].0, SEPARATORS[1].0, SEPARATORS[2].0, SEPARATORS[3].0];

@@ -7,8 +7,9 @@ use super::words::{DECIMALS, SEPARATORS, UNITS, word_for};
 use super::{Column, Mapping, is_named};
 use crate::exchange::columns::{Columns, Sample};
 use crate::exchange::delimited::without_separator_line;
-use crate::exchange::error::{ImportErrorKind, Role};
+use crate::exchange::error::ImportErrorKind;
 use crate::exchange::own::OwnColumns;
+use crate::exchange::role::Role;
 use crate::exchange::source::Beginning;
 
 /// How many rows show what is in the columns.

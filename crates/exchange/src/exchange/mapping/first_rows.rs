@@ -11,9 +11,10 @@ use super::words::{SEPARATORS, known};
 use super::{Choice, Detected, Mapping};
 use crate::exchange::columns::Sample;
 use crate::exchange::delimited::without_separator_line;
-use crate::exchange::error::{ImportErrorKind, Role};
+use crate::exchange::error::ImportErrorKind;
 use crate::exchange::imported::{Item, Sink};
 use crate::exchange::lookup::Lookup;
+use crate::exchange::role::Role;
 use crate::exchange::source::{Context, Given, Source};
 use crate::exchange::{FORMATS, cells, measurements, words, xlsx};
 

@@ -3,7 +3,7 @@
 use fitcheck_core::length::Unit;
 
 use super::MappingError;
-use crate::exchange::error::Role;
+use crate::exchange::role::Role;
 
 /// The words of what a column holds.
 pub(super) const ROLES: [(Role, &str); 14] = [

@@ -7,7 +7,7 @@
 
 use super::kinds::in_words;
 use super::units::Number;
-use crate::exchange::error::shorten;
+use crate::exchange::given::shorten;
 use crate::exchange::no_place::NoPlace;
 use crate::exchange::xml::Element;
 

@@ -10,7 +10,8 @@ use fitcheck_core::tolerance::Feature;
 
 use super::axis::{Placed, is_common, placed};
 use super::units::{Number, Units};
-use crate::exchange::error::{ImportErrorKind, ImportWarningKind, shorten};
+use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
+use crate::exchange::given::shorten;
 use crate::exchange::xml::{Element, Fault, Start, Xml, fault};
 
 /// The most things of a kind that are kept.

@@ -24,7 +24,8 @@ use jiff::civil::DateTime;
 
 use super::characteristic::{Characteristic, Value};
 use super::claim::Claim;
-use super::error::{ImportErrorKind, ImportWarningKind, shorten};
+use super::error::{ImportErrorKind, ImportWarningKind};
+use super::given::shorten;
 use super::imported::{Asked, Sink, Unjudged, WhyUnjudged};
 use super::source::{Beginning, Context, Source};
 use super::xml::{self, Fault, Xml};

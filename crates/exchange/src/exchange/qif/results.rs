@@ -6,7 +6,8 @@ use std::ops::ControlFlow;
 use super::axis::{Placed, placed};
 use super::definitions::{Definitions, MOST, OF_TRACE, Trace, miscounted};
 use super::units::Number;
-use crate::exchange::error::{ImportErrorKind, ImportWarningKind, shorten};
+use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
+use crate::exchange::given::shorten;
 use crate::exchange::xml::{Element, Fault, Start, Xml, fault};
 
 const OF_MEASUREMENT: &[&str] = &[

@@ -5,7 +5,8 @@ use std::collections::HashMap;
 use fitcheck_core::length::{Length, LengthError};
 use fitcheck_core::message::shortened;
 
-use crate::exchange::error::{ImportErrorKind, shorten};
+use crate::exchange::error::ImportErrorKind;
+use crate::exchange::given::shorten;
 use crate::exchange::xml::Element;
 
 /// A decimal number: `digits` · 10^-`scale`.

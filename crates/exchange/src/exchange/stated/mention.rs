@@ -4,7 +4,7 @@ use csv::StringRecord;
 use fitcheck_core::length::Unit;
 
 use super::sign;
-use crate::exchange::error::Role;
+use crate::exchange::role::Role;
 use crate::exchange::units;
 use crate::exchange::words::{self, Rank};
 

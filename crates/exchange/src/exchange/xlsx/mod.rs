@@ -17,9 +17,11 @@ use csv::StringRecord;
 use super::Format;
 use super::cells;
 use super::columns::{Columns, SAMPLE, Sample};
-use super::error::{ImportError, ImportErrorKind, ImportWarningKind, shorten};
+use super::error::{ImportError, ImportErrorKind, ImportWarningKind};
+use super::given::shorten;
 use super::guarded::guarded;
 use super::imported::{Item, Sink};
+use super::left_out;
 use super::mapping::Mapping;
 use super::measurements::Cells;
 use super::size::SizesOf;
@@ -139,7 +141,7 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>
             Other::Lines(lines) => lines.as_slice(),
             Other::Rows | Other::Chart => &[],
         });
-        for told in lines.filter_map(|cells| ImportWarningKind::said_against(cells, counted)) {
+        for told in lines.filter_map(|cells| left_out::said_against(cells, counted)) {
             sink.warn(Place::line(1), None, told);
         }
     }

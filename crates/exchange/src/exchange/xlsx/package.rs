@@ -11,7 +11,8 @@ use zip::result::ZipError;
 
 use super::hidden::Hidden;
 use super::{Body, broken};
-use crate::exchange::error::{ImportErrorKind, shorten};
+use crate::exchange::error::ImportErrorKind;
+use crate::exchange::given::shorten;
 use crate::exchange::xml::{Start, Xml, fault};
 
 /// The most members of a workbook.
@@ -94,7 +95,7 @@ fn plain(name: &str) -> String {
 /// Why it is not a workbook, or not one that is read.
 pub(super) fn check(body: &mut dyn Body) -> Result<Seen, ImportErrorKind> {
     check_list(body)?;
-    body.rewind().map_err(|error| crate::exchange::source::read_error(&error))?;
+    body.rewind().map_err(|error| ImportErrorKind::read(&error))?;
     let mut archive = ZipArchive::new(std::io::BufReader::new(body)).map_err(|error| unreadable(&error))?;
     let names: Vec<String> = archive.file_names().flatten().map(|name| name.to_lowercase()).collect();
     let has = |end: &str| names.iter().any(|name| name.ends_with(end));
@@ -140,7 +141,7 @@ fn check_list(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
         body.seek(SeekFrom::Start(length.saturating_sub(TAIL)))?;
         body.take(TAIL).read_to_end(&mut tail)
     };
-    read().map_err(|error| crate::exchange::source::read_error(&error))?;
+    read().map_err(|error| ImportErrorKind::read(&error))?;
     let number = |at: usize, bytes: usize| {
         let bytes = tail.get(at..at + bytes).unwrap_or_default();
         bytes.iter().rev().fold(0_u64, |number, &byte| number << 8 | u64::from(byte))

@@ -3,15 +3,19 @@
 //! A row that cannot be used makes the whole file doubtful, so it is an error: a circle through the rest would be a
 //! guess. Figures are read as `f64` with all their digits; they are geometry, not sizes.
 
-use fitcheck_core::message::{Located, Place, Say};
+mod error;
+
+pub use error::ContactsError;
+use fitcheck_core::message::{Located, Place};
 use fitcheck_core::probing::Contact;
 use fitcheck_core::text;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 
 use super::delimited::{Item, Rows, SEPARATORS};
-use super::error::{ImportWarningKind, Role, shorten};
+use super::error::ImportWarningKind;
 use super::evidence::{self, marks_simulation};
-use super::index::LONGEST_ROW;
+use super::given::shorten;
+use super::role::Role;
 use super::stated;
 use super::warmth::{self, Scale};
 use super::words;
@@ -49,71 +53,6 @@ impl Contacts {
             self.warm = Some((text.to_owned(), said));
         }
     }
-}
-
-/// Why contacts cannot be read.
-#[derive(Debug, Clone, PartialEq, Eq, Say)]
-#[say(prefix = "contacts", error)]
-pub enum ContactsError {
-    /// There is no contact in the file.
-    FileEmpty,
-    /// The header does not name both x and y.
-    NoColumns {
-        /// The header.
-        given: String,
-    },
-    /// The header names the same coordinate twice: either could be meant.
-    Twice {
-        /// x, y or z.
-        name: char,
-        /// The first of the columns.
-        first: usize,
-        /// The second.
-        second: usize,
-    },
-    /// A row with more or fewer cells than it should have.
-    Cells {
-        /// How many there are.
-        cells: usize,
-        /// How many there should be.
-        wanted: usize,
-        /// The row.
-        given: String,
-    },
-    /// A cell that is not a number.
-    NotANumber {
-        /// x, y or z.
-        name: char,
-        /// What was found.
-        given: String,
-    },
-    /// A decimal sign that is not that of the rows before.
-    MixedSigns {
-        /// What was found.
-        given: String,
-    },
-    /// A comment that holds coordinates: a circle without them would be a guess.
-    Comment,
-    /// Contacts that nobody measured.
-    Simulated,
-    /// A column that says neither measured nor simulated.
-    Origin {
-        /// What was found.
-        given: String,
-    },
-    /// Another unit than millimetres, in a comment, in a row of units or in a column of them.
-    OtherUnit {
-        /// What was given.
-        given: String,
-    },
-    /// A quotation mark that is not closed.
-    OpenQuote,
-    /// A row that is too long.
-    #[say(args(most = LONGEST_ROW >> 10))]
-    RowTooLong,
-    /// More contacts than [`MOST_CONTACTS`].
-    #[say(args(most = MOST_CONTACTS))]
-    TooMany,
 }
 
 /// Where x, y and z are in a row.

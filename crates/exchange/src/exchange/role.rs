@@ -1,0 +1,37 @@
+//! What a column of a table can be: the roles that its name or the user gives it.
+
+use fitcheck_core::message::Say;
+
+/// What a column can be.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Say)]
+#[say(prefix = "exchange-role")]
+pub enum Role {
+    /// Name of the part or feature.
+    Id,
+    /// Callout or tolerance class.
+    Tolerance,
+    /// Nominal size.
+    Nominal,
+    /// Measured value.
+    Measured,
+    /// Date, time or both.
+    Time,
+    /// Whether nobody measured.
+    Simulated,
+    /// Number of the characteristic.
+    Number,
+    /// The part, such as its drawing number.
+    Part,
+    /// The part's serial number.
+    Serial,
+    /// Who measured.
+    Who,
+    /// Where the feature is.
+    X,
+    /// As above.
+    Y,
+    /// As above.
+    Z,
+    /// What was measured.
+    Quantity,
+}
