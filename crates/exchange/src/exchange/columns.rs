@@ -21,8 +21,9 @@ use super::role::Role;
 use super::row::cells_of;
 use super::stated::{self, Stated};
 use super::units;
+use super::vocabulary::Rank;
 use super::warmth;
-use super::words::{self, Rank};
+use super::words;
 
 /// How many rows are examined to find out what a file is.
 pub(super) const SAMPLE: usize = 200;

@@ -7,7 +7,8 @@ use super::cells::is_number;
 use super::columns::Columns;
 use super::role::Role;
 use super::units;
-use super::words::{self, Rank};
+use super::vocabulary::Rank;
+use super::words;
 
 impl Columns {
     /// Whether a row that is no measurement names other columns than those of the file.

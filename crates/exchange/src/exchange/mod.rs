@@ -26,7 +26,8 @@
 //! | `measurements`, `rules` | CSV of id, callout and measured value; what one row of it says |
 //! | `refused` | a cell that cannot be used |
 //! | `size`, `sizes` | what was measured alone, of holes or of shafts |
-//! | `columns`, `words`, `units` | which column of a CSV is which, by header or content; its unit |
+//! | `vocabulary`, `units`, `words` | the words of names of columns, the units beside them, what a name says |
+//! | `columns` | which column of a CSV is which, by header or content |
 //! | `beside`, `claim` | what stands beside a value and is compared with its answer: a status, limits, a deviation; its words |
 //! | `warmth` | the temperature that a file says of a value, or of all |
 //! | `evidence` | columns that say whether somebody measured, and whether a value is at 20 °C |
@@ -125,6 +126,7 @@ pub mod sql;
 mod stated;
 pub mod tables;
 mod units;
+mod vocabulary;
 mod warmth;
 mod warning;
 mod words;

@@ -11,7 +11,8 @@ use super::cells::{is_callout, is_class, is_number};
 use super::columns::{Roles, Sample, best, several, unit_of};
 use super::error::ImportErrorKind;
 use super::role::Role;
-use super::words::{self, Rank};
+use super::vocabulary::Rank;
+use super::words;
 
 /// The columns that decide.
 #[derive(Clone, Copy)]

@@ -5,8 +5,8 @@
 use fitcheck_core::length::Unit;
 use unicode_normalization::UnicodeNormalization as _;
 
+use super::vocabulary::is_word;
 use super::warmth;
-use super::words;
 
 /// The longest last word of a name that may be the sign of a unit.
 const LONGEST_SIGN: usize = 3;
@@ -267,7 +267,7 @@ pub(super) fn is_foreign(word: &str) -> bool {
 fn may_be_sign(word: &str, text: &str) -> bool {
     let is_short = word.chars().count() <= LONGEST_SIGN && word.chars().all(char::is_alphabetic);
     let is_capital = word.chars().count() == 1 && text.ends_with(char::is_uppercase);
-    is_short && !is_capital && !words::is_word(word)
+    is_short && !is_capital && !is_word(word)
 }
 
 /// Whether something in brackets is no unit: numbers, words that are known, names of features such as A and P1.
@@ -279,7 +279,7 @@ fn may_stand_beside(token: &str, words: &[String]) -> bool {
         let letters = word.trim_end_matches(|c: char| c.is_ascii_digit());
         let is_numbered = letters.len() < word.len() && letters.chars().all(char::is_alphabetic);
         let is_unit = is_foreign(letters) || known(letters).is_some();
-        words::is_word(word) && !is_foreign(word) || is_numbered && !is_unit
+        is_word(word) && !is_foreign(word) || is_numbered && !is_unit
     };
     is_plain && (is_feature || words.iter().all(is_known))
 }

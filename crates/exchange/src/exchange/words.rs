@@ -1,49 +1,11 @@
-//! The words that people use to name columns, in English, Dutch, German and Italian; `units` has the units beside them.
+//! What the name of a column says, in English, Dutch, German and Italian; `vocabulary` has the words, `units` the units beside them.
 //!
-//! To add a name of a column: add it to its list, in small letters, with one blank for each sign. Names of what is compared beside a value are
-//! in `beside`, words of a verdict in `claim`, words of what was measured in `quantity`. Tests: `tests/core/beside.rs`, `column_mapping.rs`.
-
-use std::collections::{HashMap, HashSet};
-use std::sync::LazyLock;
+//! Names of what is compared beside a value are in `beside`, words of a verdict in `claim`, words of what was measured in `quantity`.
+//! Tests: `tests/core/beside.rs`, `column_mapping.rs`.
 
 use super::role::Role;
 use super::units::{self, Parts};
-
-/// How sure a name is.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Rank {
-    /// The whole name is known.
-    Exact,
-    /// A word of it is known.
-    Contained,
-    /// The name fits, but others do as well: `diameter` may be nominal or measured.
-    Weak,
-    /// The name may be that of a measured value and may say another one: `gemeten voor` is "measured before" or "measured at the
-    /// front". It is never taken, and beside a measured value it is asked about.
-    Unsure,
-}
-
-const ID: &str = "id|nr|no|number|nummer|num|numero|part|part no|part number|part id|teil|teilenummer|deel|onderdeel|\
-    workpiece|werkstuk|werkstück|pezzo|stuk|name|naam|nome|bezeichnung|benaming|feature|feature id|merkmal|kenmerk|\
-    caratteristica|characteristic|characteristic name|element|elemento|bore|hole|bohrung|boring|gat|foro|shaft|as|welle|albero|label|serial|serial number|\
-    seriennummer|serienummer|matricola|pos|item|code|codice|what|was|wat";
-const TOLERANCE: &str = "callout|fit|tolerance|tol|toleranz|tolerantie|tolleranza|passing|passung|accoppiamento|\
-    toleranzfeld|tolerantieveld|spec|specification|specificatie|spezifikation|specifica|size and class";
-const CLASS: &str = "class|klasse|classe|tolerance class|toleranzklasse|tolerantieklasse|classe di tolleranza|iso";
-const NOMINAL: &str = "nominal|nominal size|nominal diameter|nominal value|nom|nennmaß|nennmass|nenngröße|nennwert|\
-    sollmaß|sollmass|sollwert|soll|nominaal|nominale maat|nominale diameter|nominale|quota nominale|valore nominale|\
-    diametro nominale|dimensione nominale|basic size|target";
-const MEASURED: &str = "measured|meas|act|mis|measured value|measured size|measured diameter|measurement|actual|actual value|\
-    actual size|actual diameter|reading|remeasured|re measured|remeasurement|recheck|re check|rechecked|nachgemessen|\
-    nachmessung|hermeten|hermeting|rimisurato|rimisurata|istmaß|istmass|istwert|ist|messwert|gemessen|gemessener wert|gemeten|\
-    gemeten waarde|gemeten maat|meetwaarde|meting|werkelijk|werkelijke maat|werkelijke waarde|misurato|misurata|\
-    valore misurato|diametro misurato|quota misurata|misurazione|effettivo|valore effettivo|dimensione effettiva";
-const WEAK: &str = "diameter|durchmesser|diametro|ø|dia|d|size|maat|maß|mass|grootte|value|wert|waarde|valore|misura|\
-    dimension|dimensione|mm";
-const TIME: &str = "time|timestamp|time stamp|datetime|date time|date and time|date|tijd|tijdstip|datum|datum tijd|\
-    datum en tijd|zeit|uhrzeit|zeitstempel|zeitpunkt|data|ora|data ora|data e ora|measured at|measured on";
-
-const SIMULATED: &str = "simulated|is simulated|gesimuleerd|simuliert|simulato|simulata";
+use super::vocabulary::{KNOWN, Rank, WITHIN};
 
 /// Names of a column that says where a value comes from.
 const ORIGIN: &str = "origin|value origin|data origin|measurement origin|herkunft|wertherkunft|oorsprong|herkomst|origine|\
@@ -86,96 +48,6 @@ const PLACES: [(Role, &str); 3] = [
     (Role::Y, "y|y pos|pos y|y position|position y|y positie|positie y|posizione y|y soll|y nominal"),
     (Role::Z, "z|z pos|pos z|z position|position z|z positie|positie z|posizione z|z soll|z nominal"),
 ];
-
-/// Words that give a longer name another meaning: limits, deviations, whoever or whatever measured.
-const OTHER: &str = "deviation|dev|afwijking|abweichung|scostamento|error|fout|fehler|errore|min|max|minimum|maximum|\
-    minimaal|maximaal|minimo|massimo|lower|upper|onder|boven|unten|oben|inferiore|superiore|limit|limits|grens|grenze|\
-    limite|by|door|von|at|on|op|am|gauge|tool|device|unit|eenheid|einheit|unità|height|hoogte|höhe|altezza|temp|\
-    temperature|temperatuur|temperatur|temperatura|position|positie|posizione|x|y|z|status|result|resultaat|ergebnis|\
-    risultato|count|anzahl|aantal|plus|minus|um|form|rundheit|roundness|rondheid|type|typ|tipo";
-
-/// Words that say another measurement or another quantity than the diameter that was measured now: an earlier or an expected one,
-/// that of a master or at the setting of a gauge, a radius. In a name for a part they say nothing.
-const STRANGE: &str = "simulated|simulation|sim|previous|prev|prior|old|former|earlier|last|expected|predicted|estimated|\
-    calculated|computed|assumed|planned|reference|ref|radius|radial|roughness|depth|angle|runout|concentricity|\
-    cylindricity|flatness|straightness|parallelism|wear|correction|uncertainty|sigma|std|stdev|range|spread|scatter|\
-    force|torque|pressure|humidity|\
-    gesimuleerd|gesimuleerde|simulatie|vorig|vorige|eerder|eerdere|oud|oude|laatste|verwacht|verwachte|geschat|\
-    geschatte|berekend|berekende|referentie|straal|ruwheid|diepte|hoek|slingering|cilindriciteit|vlakheid|rechtheid|\
-    slijtage|correctie|onzekerheid|spreiding|\
-    simuliert|simulierter|simulierte|simuliertes|vorherig|vorheriger|vorherige|vorheriges|voriger|voriges|früher|\
-    früherer|frühere|früheres|alt|alter|alte|altes|letzter|letzte|letztes|erwartet|erwarteter|erwartete|erwartetes|\
-    geschätzt|geschätzter|geschätzte|geschätztes|berechnet|berechneter|berechnete|berechnetes|referenz|halbmesser|\
-    rauheit|rauigkeit|rauhigkeit|tiefe|winkel|rundlauf|zylindrizität|ebenheit|geradheit|parallelität|verschleiß|\
-    verschleiss|korrektur|unsicherheit|streuung|spannweite|\
-    simulato|simulata|precedente|vecchio|vecchia|ultimo|ultima|atteso|attesa|previsto|prevista|stimato|stimata|\
-    calcolato|calcolata|riferimento|raggio|rugosità|rugosita|profondità|profondita|angolo|cilindricità|planarità|\
-    usura|correzione|incertezza|dispersione|\
-    before|pre|beforehand|vorher|vóór|vooraf|uncoated|prehone|prehoned|rough|rohteil|roh|vorgedreht|vorbearbeitet|vorbearbeitung|\
-    unbeschichtet|voorbewerkt|onbehandeld|ruw|grezzo|grezza|sgrossato|sgrossata|\
-    counterpart|mating|gegenstück|gegenstueck|gegenteil|tegenstuk|controparte|prüfring|pruefring|normal|vorgabe|\
-    master|masters|setting|preset|calibration|calibrated|calibrating|cal|zero|zeroing|zeroed|gage|\
-    einstellring|einstellmeister|einstellung|einstellmaß|einstellmass|einstellnormal|meister|meisterring|meisterteil|\
-    lehrring|kalibrierung|kalibriert|kalibrierring|eichung|eichring|null|nullung|nullpunkt|nullmaß|nullmass|referenzring|\
-    referenzteil|referenzmaß|referenzmass|\
-    instelring|instelmaat|instelling|kalibratie|kalibreren|kalibreerring|ijking|ijkring|ijkmaat|nul|nulpunt|nulling|meester|\
-    meesterring|referentiering|\
-    azzeramento|azzerato|taratura|calibrazione|calibratura|calibro|impostazione|regolazione";
-
-/// Words beside a measured value that say how it was found and leave it what it is.
-const BESIDE: &str = "average|avg|mean|median|final|raw|corrected|in|gemiddeld|gemiddelde|mediaan|mittel|mittelwert|mittlerer|\
-    mittlere|median|media|medio|mediana|of|the|a|an|de|het|een|van|der|die|das|des|von|il|la|lo|di|del|della|bei|bij|a|\
-    with|mit|met|con|probe|taster|tastsystem|tastatore|cmm|kmg|machine|maschine|messmaschine|meetmachine|macchina|\
-    point|points|punkt|punkte|punt|punten|punto|punti|two|three|four|inner|outer|inside|outside|innen|außen|aussen|\
-    binnen|buiten|interno|esterno|round|zone|hand|val|eff|dim|1st|2nd|3rd|4th|vor|voor|prima|after|nach|na|dopo|ort|r";
-
-/// The lists above, to be asked by a word.
-struct Known {
-    /// What a whole name says.
-    whole: HashMap<&'static str, (Role, Rank)>,
-    /// What a word within a longer name says; the first of these roles counts.
-    within: HashMap<&'static str, usize>,
-    other: HashSet<&'static str>,
-    strange: HashSet<&'static str>,
-    /// Every word of any list: none of them is a unit.
-    words: HashSet<&'static str>,
-}
-
-/// The roles that one word within a longer name is enough for, the most telling first.
-const WITHIN: [(Role, &str); 3] = [(Role::Nominal, NOMINAL), (Role::Measured, MEASURED), (Role::Tolerance, TOLERANCE)];
-
-static KNOWN: LazyLock<Known> = LazyLock::new(|| {
-    let exact = [
-        (Role::Measured, MEASURED),
-        (Role::Nominal, NOMINAL),
-        (Role::Tolerance, TOLERANCE),
-        (Role::Time, TIME),
-        (Role::Simulated, SIMULATED),
-        (Role::Id, ID),
-    ];
-    let exact = exact.map(|(role, list)| (role, Rank::Exact, list));
-    let unsure = [(Role::Tolerance, Rank::Contained, CLASS), (Role::Measured, Rank::Weak, WEAK)];
-    let mut whole = HashMap::new();
-    for (role, rank, list) in exact.into_iter().chain(unsure) {
-        for name in list.split('|') {
-            whole.entry(name).or_insert((role, rank));
-        }
-    }
-    let mut within = HashMap::new();
-    for (place, (_, list)) in WITHIN.iter().enumerate() {
-        for word in list.split('|') {
-            within.entry(word).or_insert(place);
-        }
-    }
-    let names = whole.keys().flat_map(|name| name.split(' '));
-    let words = names.chain([OTHER, STRANGE, BESIDE].into_iter().flat_map(|list| list.split('|'))).collect();
-    Known { words, whole, within, other: OTHER.split('|').collect(), strange: STRANGE.split('|').collect() }
-});
-
-/// Whether a word, in small letters, says something else than a unit.
-pub(super) fn is_word(word: &str) -> bool {
-    KNOWN.words.contains(word)
-}
 
 /// Words that make a tolerance what a value is out of: `OutOfTol` says how far, or that it is.
 const OUT: [&str; 8] = ["out", "outside", "over", "außer", "ausser", "außerhalb", "buiten", "fuori"];

@@ -16,6 +16,7 @@ use crate::exchange::imported::{Item, Sink};
 use crate::exchange::lookup::Lookup;
 use crate::exchange::role::Role;
 use crate::exchange::source::{Context, Given, Source};
+use crate::exchange::vocabulary::Rank;
 use crate::exchange::{FORMATS, cells, measurements, words, xlsx};
 
 /// The first rows of a CSV or workbook.
@@ -117,7 +118,7 @@ impl FirstRows {
         let header = sample.header.and_then(|at| sample.rows.get(at)).map(|(_, cells)| cells.clone());
         let role = |name: &str| {
             let label = words::label(name);
-            let is_sure = |rank: words::Rank| !matches!(rank, words::Rank::Weak | words::Rank::Unsure);
+            let is_sure = |rank: Rank| !matches!(rank, Rank::Weak | Rank::Unsure);
             words::role(name).filter(|(_, rank)| is_sure(*rank)).map(|(role, _)| role).or(label)
         };
         let said: Vec<Option<Role>> = header.iter().flatten().map(role).collect();

@@ -24,7 +24,7 @@ use super::given::shorten;
 use super::pieces::Pieces;
 use super::refused::{Cell, Refused};
 use super::units;
-use super::words::Rank;
+use super::vocabulary::Rank;
 use fitcheck_core::length::Unit;
 use mention::{Mention, Word, behind_number, key, mentions, of_name, word};
 pub(super) use mention::{
