@@ -14,7 +14,8 @@ use jiff::civil::{DateTime, Time};
 
 use super::cells;
 use super::claim::{Answer, Claim};
-use super::columns::{self, Columns, Sample};
+use super::column::listed;
+use super::columns::Columns;
 use super::delimited::{Item, Rows, lines, without_separator_line};
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::evidence::marks_simulation;
@@ -27,6 +28,7 @@ use super::pieces::Pieces;
 use super::refused::{Cell, Refused};
 use super::remarks::Heard;
 use super::rules::{Found, Rules};
+use super::sample::{NO_SEPARATOR, Sample};
 use super::size::{Size, SizesOf};
 use super::source::{Context, Source, WHOLE};
 use super::stated;
@@ -118,7 +120,7 @@ impl<'a, 's, 'z> Cells<'a, 's, 'z> {
         sink: &'a mut Sink<'s>,
         sizes: Option<SizesOf<'z>>,
     ) -> Self {
-        let separator = columns::NO_SEPARATOR;
+        let separator = NO_SEPARATOR;
         let mut reader = Reader { sizes, ..Reader::new(source, (columns, separator, has_plan), sink) };
         reader.warn_of_columns(1);
         Self(reader)
@@ -257,7 +259,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
 
     fn warn_of_columns(&mut self, first_line: usize) {
         let line = self.columns.header.unwrap_or(first_line);
-        if let Some((line, reason)) = self.columns.stated.told(self.columns) {
+        if let Some((line, reason)) = self.columns.stated.told(self.columns.measured) {
             self.warn(line, reason);
         }
         if self.columns.own.are_corrected() {
@@ -267,7 +269,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
             self.warn(line, ImportWarningKind::OtherRule);
         }
         if !self.columns.ignored.is_empty() {
-            let columns = columns::listed(&self.columns.ignored);
+            let columns = listed(&self.columns.ignored);
             self.warn(line, ImportWarningKind::IgnoredColumns { columns });
         }
         for kind in self.columns.taken_as_sizes() {
@@ -329,7 +331,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
         }
         match self.columns.header {
             Some(header) if line == header && self.columns.names_known => return,
-            _ if self.columns.stated.told(self.columns).is_some_and(|(told, _)| told == line) => {
+            _ if self.columns.stated.told(self.columns.measured).is_some_and(|(told, _)| told == line) => {
                 let told = self.said_against(line, cells);
                 return told.into_iter().for_each(|told| self.warn(line, told));
             }

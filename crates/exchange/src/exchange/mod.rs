@@ -27,6 +27,7 @@
 //! | `refused` | a cell that cannot be used |
 //! | `size`, `sizes` | what was measured alone, of holes or of shafts |
 //! | `vocabulary`, `units`, `words` | the words of names of columns, the units beside them, what a name says |
+//! | `sample`, `column` | the first rows of a CSV; one column of it |
 //! | `columns` | which column of a CSV is which, by header or content |
 //! | `beside`, `claim` | what stands beside a value and is compared with its answer: a status, limits, a deviation; its words |
 //! | `warmth` | the temperature that a file says of a value, or of all |
@@ -87,6 +88,7 @@ pub mod calypso;
 mod cells;
 mod characteristic;
 pub mod claim;
+mod column;
 mod columns;
 pub mod contacts;
 mod delimited;
@@ -119,6 +121,7 @@ mod rivals;
 mod role;
 mod row;
 mod rules;
+mod sample;
 mod size;
 mod sizes;
 mod source;
@@ -204,7 +207,7 @@ const CONTACTS: Format = Format {
     name: "contacts",
     endings: &["csv", "txt"],
     description: "exchange-format-contacts",
-    recognises: |beginning| columns::are_contacts(&beginning.text()),
+    recognises: |beginning| contacts::are_contacts(&beginning.text()),
     read: read_contacts,
     plan: None,
     line_ends: b"",

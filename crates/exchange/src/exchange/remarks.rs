@@ -3,12 +3,10 @@
 
 use std::collections::VecDeque;
 
-use csv::StringRecord;
 use fitcheck_core::length::Unit;
 
 use super::beside::of_no_size;
 use super::claim::Claim;
-use super::columns::Columns;
 use super::evidence::says_simulated;
 use super::stated;
 use super::warmth;
@@ -25,22 +23,6 @@ pub(super) struct RemarkColumn {
 }
 
 impl RemarkColumn {
-    /// The columns that are used for nothing and compared with nothing, and that of the names.
-    pub(super) fn all(names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<Self> {
-        let is_compared = |at: &usize| columns.beside.iter().any(|column| column.at() == *at);
-        let is_free = |at: &usize| {
-            let has_quantity = columns.quantities.iter().any(|column| column.at == *at);
-            let is_evidence = columns.evidence.origin == Some(*at) || columns.evidence.word == Some(*at);
-            !used.contains(at) && !is_compared(at) && !has_quantity && !is_evidence
-        };
-        let name = |at: usize| names.get(at).unwrap_or_default().trim().to_owned();
-        let names = columns.id.filter(|at| columns.header.is_some() && !is_compared(at));
-        let free = (0..columns.count).filter(is_free).map(|at| (at, false));
-        let all = free.chain(names.map(|at| (at, true)));
-        let unit = columns.measured.unit;
-        all.map(|(at, is_of_names)| Self { at, name: name(at), is_of_names, unit }).collect()
-    }
-
     /// What a cell says against its value; a temperature only where nothing brought values to 20 °C.
     pub(super) fn claim(&self, text: &str, asks_temperature: bool) -> Option<Claim> {
         let text = text.trim();

@@ -8,11 +8,34 @@ use fitcheck_core::length::Length;
 use fitcheck_core::tolerance::{Callout, ToleranceClass};
 
 use super::cells::{is_callout, is_class, is_number};
-use super::columns::{Roles, Sample, best, several, unit_of};
+use super::column::{several, unit_of};
 use super::error::ImportErrorKind;
 use super::role::Role;
+use super::sample::Sample;
 use super::vocabulary::Rank;
 use super::words;
+
+/// What the names of a header say of the columns.
+pub(super) type Roles = [Option<(Role, Rank)>];
+
+/// The column of a role by its name, the surest names first.
+pub(super) fn best(
+    header: &StringRecord,
+    roles: &Roles,
+    role: Role,
+    ranks: &[Rank],
+) -> Result<Option<usize>, ImportErrorKind> {
+    for rank in ranks {
+        let found: Vec<usize> =
+            (0..).zip(roles).filter(|(_, r)| **r == Some((role, *rank))).map(|(at, _)| at).collect();
+        match found.as_slice() {
+            [] => {}
+            [at] => return Ok(Some(*at)),
+            _ => return Err(several(role, header, &found)),
+        }
+    }
+    Ok(None)
+}
 
 /// The columns that decide.
 #[derive(Clone, Copy)]

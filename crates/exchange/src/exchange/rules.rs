@@ -8,7 +8,8 @@ use fitcheck_core::message::Say as _;
 use fitcheck_core::tolerance::{Callout, CalloutError, Feature, Limits, Sources, ToleranceClass};
 
 use super::cells;
-use super::columns::{Columns, LengthColumn};
+use super::column::LengthColumn;
+use super::columns::Columns;
 use super::error::{ImportErrorKind, ImportWarningKind};
 use super::evidence;
 use super::given::{shorten, shorten_cell};

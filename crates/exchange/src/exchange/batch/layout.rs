@@ -9,12 +9,14 @@ use fitcheck_nc::control::simulated::is_mark;
 
 use crate::exchange::FORMATS;
 use crate::exchange::cells;
-use crate::exchange::columns::{self, Columns, Sample};
+use crate::exchange::column::listed;
+use crate::exchange::columns::Columns;
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::index::{Index, LONGEST_ROW, last_line_end};
 use crate::exchange::left_out;
 use crate::exchange::row::Row;
+use crate::exchange::sample::Sample;
 
 /// How much of a stream decides at most what its columns are: the longest row and a header.
 pub const HEAD: usize = LONGEST_ROW + (256 << 10);
@@ -105,7 +107,7 @@ impl Layout {
             // It is used after all.
             warnings.retain(|(at, _)| Some(*at) != columns.header);
         }
-        let told = columns.stated.told(&columns);
+        let told = columns.stated.told(columns.measured);
         warnings.retain(|(at, _)| told.as_ref().is_none_or(|(told, _)| told != at));
         warnings.extend(told);
         warnings.extend(skipped(&columns, first_line));
@@ -138,7 +140,7 @@ impl Layout {
         known_format(&head, "")?;
         let text = utf8(sample);
         let columns = Sample::of(&text, 1, Some(b',')).columns()?;
-        let warnings = columns.stated.told(&columns).into_iter().chain(skipped(&columns, 1)).collect();
+        let warnings = columns.stated.told(columns.measured).into_iter().chain(skipped(&columns, 1)).collect();
         Ok(Self {
             columns: Columns { count: names.len(), ..columns },
             separator: b',',
@@ -194,7 +196,7 @@ impl Layout {
 
 /// The columns that are skipped or say nothing known, with the line of their names.
 fn skipped(columns: &Columns, first_line: usize) -> impl Iterator<Item = (usize, ImportWarningKind)> {
-    let names = columns::listed(&columns.ignored);
+    let names = listed(&columns.ignored);
     let warning = ImportWarningKind::IgnoredColumns { columns: names };
     let ignored = (!columns.ignored.is_empty()).then_some(warning);
     let line = columns.header.unwrap_or(first_line);

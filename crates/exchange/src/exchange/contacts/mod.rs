@@ -5,6 +5,7 @@
 
 mod error;
 
+use csv::StringRecord;
 pub use error::ContactsError;
 use fitcheck_core::message::{Located, Place};
 use fitcheck_core::probing::Contact;
@@ -16,6 +17,7 @@ use super::error::ImportWarningKind;
 use super::evidence::{self, marks_simulation};
 use super::given::shorten;
 use super::role::Role;
+use super::sample::Sample;
 use super::stated;
 use super::warmth::{self, Scale};
 use super::words;
@@ -154,6 +156,28 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
         return Err(Located { what: ContactsError::FileEmpty, place: Place::default() });
     }
     Ok(read)
+}
+
+/// Whether a text is a list of contacts: a header x, y or rows of two or three numbers, and no callout.
+pub(super) fn are_contacts(text: &str) -> bool {
+    SEPARATORS.iter().any(|&separator| {
+        let sample = Sample::of(text, 1, Some(separator));
+        let Some((_, first)) = sample.rows.first() else { return false };
+        let names: Vec<String> = first.iter().map(words::bare).collect();
+        let has = |name: &str| names.iter().any(|given| given == name);
+        if has("x") && has("y") {
+            // Beside a measured value and a callout, or a name that a plan knows, they are the place of a feature.
+            let names = |role: Role| first.iter().any(|name| words::role(name).is_some_and(|(named, _)| named == role));
+            return !(names(Role::Measured) && [Role::Tolerance, Role::Id, Role::Number].into_iter().any(names));
+        }
+        let is_contact = |cells: &StringRecord| {
+            matches!(cells.len(), 2..=3)
+                && cells.iter().all(|cell| cell.trim().replace(',', ".").parse::<f64>().is_ok())
+        };
+        // Most rows are enough: the reader of contacts reports one with letters.
+        let contacts = sample.rows.iter().filter(|(_, cells)| is_contact(cells)).count();
+        sample.header.is_none() && sample.rows.len() < contacts * 2
+    })
 }
 
 /// Refuses cells that state another unit than millimetres.

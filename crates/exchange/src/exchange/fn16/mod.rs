@@ -55,11 +55,7 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
     let roles = Roles::of(name, inverse.slots(), &sample, context.sources)?;
     let ignored = roles.ignored(inverse.slots());
     if !ignored.is_empty() {
-        sink.warn(
-            Place::line(1),
-            None,
-            ImportWarningKind::IgnoredColumns { columns: super::columns::listed(&ignored) },
-        );
+        sink.warn(Place::line(1), None, ImportWarningKind::IgnoredColumns { columns: super::column::listed(&ignored) });
     }
     in_mm(&mut source.pieces(text::LINE_END_BYTES)?)?;
     let judging = Judging { slots: inverse.slots(), roles: &roles, context: &context };

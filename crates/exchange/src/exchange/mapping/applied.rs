@@ -3,13 +3,15 @@
 use super::words::role_of;
 use super::{Column, Mapping, is_named};
 use crate::exchange::cells;
-use crate::exchange::columns::{self, Columns, LabelColumns, LengthColumn, Sample, unit_of};
+use crate::exchange::column::{LengthColumn, listed, name_of, several, unit_of};
+use crate::exchange::columns::{Columns, LabelColumns};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::Evidence;
 use crate::exchange::given::shorten;
 use crate::exchange::own::OwnColumns;
 use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::role::Role;
+use crate::exchange::sample::Sample;
 use crate::exchange::stated::{self, Stated};
 
 /// What a mapping says of the columns of a file, and what is detected beside it.
@@ -98,7 +100,7 @@ impl Mapping {
                 let at = place_of(column, role, names, width)?;
                 let twice = said.iter().find(|(_, known)| at.is_some() && *known == at);
                 if let Some(((first, _), at)) = twice.zip(at) {
-                    let column = columns::name_of(at, names.get(at).unwrap_or_default());
+                    let column = name_of(at, names.get(at).unwrap_or_default());
                     return Err(ImportErrorKind::ColumnTwice { column, first: *first, second: role });
                 }
                 said.push((role, at));
@@ -217,7 +219,7 @@ impl Said<'_> {
             roles.get(*at).is_some_and(Option::is_none) && !is_own && is_named
         };
         let ignored = (0..columns.count).filter(is_ignored);
-        ignored.map(|at| columns::name_of(at, self.names.get(at).unwrap_or_default())).collect()
+        ignored.map(|at| name_of(at, self.names.get(at).unwrap_or_default())).collect()
     }
 }
 
@@ -235,7 +237,7 @@ fn place_of(
             match found.as_slice() {
                 [] => Err(no_column(role, name, names, width)),
                 [at] => Ok(Some(*at)),
-                several => Err(columns::several(role, names, several)),
+                all => Err(several(role, names, all)),
             }
         }
         Column::Number(number) => match number.checked_sub(1).filter(|at| *at < width) {
@@ -248,8 +250,8 @@ fn place_of(
 
 fn no_column(role: Role, given: &str, names: &csv::StringRecord, width: usize) -> ImportErrorKind {
     let width = width.max(names.len());
-    let names: Vec<String> = (0..width).map(|at| columns::name_of(at, names.get(at).unwrap_or_default())).collect();
-    ImportErrorKind::NoColumn { role, given: shorten(given), columns: columns::listed(&names) }
+    let names: Vec<String> = (0..width).map(|at| name_of(at, names.get(at).unwrap_or_default())).collect();
+    ImportErrorKind::NoColumn { role, given: shorten(given), columns: listed(&names) }
 }
 
 /// What each column holds.

@@ -5,11 +5,12 @@ use fitcheck_core::length::Unit;
 use super::applied::roles;
 use super::words::{DECIMALS, SEPARATORS, UNITS, word_for};
 use super::{Column, Mapping, is_named};
-use crate::exchange::columns::{Columns, Sample};
+use crate::exchange::columns::Columns;
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::own::OwnColumns;
 use crate::exchange::role::Role;
+use crate::exchange::sample::Sample;
 use crate::exchange::source::Beginning;
 
 /// How many rows show what is in the columns.
@@ -73,7 +74,7 @@ impl Detected {
         };
         let is_own = columns.own != OwnColumns::default();
         let (header, skipped) = (columns.header, columns.ignored.clone());
-        let unit_from = columns.stated.source(columns, &names);
+        let unit_from = columns.stated.source(columns.measured, &names);
         Self { mapping, names, roles, rows, header, skipped, is_own, unit_from }
     }
 

@@ -8,7 +8,7 @@ use serde::{Deserialize, Serialize};
 
 use super::{Choice, FirstRows, Mapping};
 use crate::exchange::cells::may_be_names;
-use crate::exchange::columns::{ABOVE_HEADER, Sample};
+use crate::exchange::sample::{ABOVE_HEADER, Sample};
 use crate::journal::chain::Hash;
 
 /// The most shapes that are kept; the one that was corrected longest ago makes room.

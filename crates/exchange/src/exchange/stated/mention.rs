@@ -4,6 +4,7 @@ use csv::StringRecord;
 use fitcheck_core::length::Unit;
 
 use super::sign;
+use crate::exchange::delimited::SEPARATORS;
 use crate::exchange::role::Role;
 use crate::exchange::units;
 use crate::exchange::vocabulary::Rank;
@@ -316,9 +317,14 @@ pub(in crate::exchange) fn plain_unit(cell: &[u8]) -> Option<Unit> {
     }
 }
 
+/// The cells of a line, whatever separates them.
+pub(super) fn split(text: &str) -> impl Iterator<Item = &str> {
+    text.split(|c: char| u8::try_from(c).is_ok_and(|byte| SEPARATORS.contains(&byte)))
+        .map(|cell| cell.trim().trim_matches('"'))
+}
+
 #[cfg(test)]
 mod tests {
-    use super::super::split;
     use super::*;
 
     #[test]

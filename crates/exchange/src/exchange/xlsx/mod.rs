@@ -16,7 +16,7 @@ use csv::StringRecord;
 
 use super::Format;
 use super::cells;
-use super::columns::{Columns, SAMPLE, Sample};
+use super::columns::Columns;
 use super::error::{ImportError, ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::guarded::guarded;
@@ -24,6 +24,7 @@ use super::imported::{Item, Sink};
 use super::left_out;
 use super::mapping::Mapping;
 use super::measurements::Cells;
+use super::sample::{SAMPLE, Sample};
 use super::size::SizesOf;
 use super::source::{Beginning, Body, Context, Source};
 use super::stated;

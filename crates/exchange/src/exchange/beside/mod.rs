@@ -15,18 +15,17 @@
 //!
 //! The names and words are English, Dutch, German and Italian. Nothing here changes an answer.
 
-use csv::StringRecord;
-use fitcheck_core::length::{Length, Unit};
+mod claims;
+mod find;
+
+use fitcheck_core::length::Unit;
 use fitcheck_core::tolerance::Feature;
 
 use super::cells;
 use super::claim::{Claim, Figure, letters};
-use super::columns::{Columns, Sample, name_of};
-use super::evidence::{says_simulated, yes_or_no};
+use super::evidence::yes_or_no;
 use super::quantity::{is_form, is_shape};
-use super::remarks::{Heard, may_say};
-use super::units;
-use super::warmth::{self, OfTemperature, Whose};
+use super::warmth::{self, OfTemperature};
 use super::words;
 
 /// What a column says of each value.
@@ -138,98 +137,6 @@ pub(super) fn of_no_size(name: &str) -> Option<Claim> {
     (words::is_of_several_parts(name) || is_form(name)).then(|| Claim::no_size(name))
 }
 
-impl Sample {
-    /// The columns beside the value of which something is compared; `names` are those of the columns, where there are any.
-    pub(super) fn beside(&self, names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<BesideColumn> {
-        let is_verdict = |cell: &str| Claim::of_word(cell).is_some_and(|claim| claim.is_known());
-        let column = |at: usize| {
-            let name = names.get(at).unwrap_or_default();
-            // With the unit below it.
-            let unit = self.units_row.and_then(|row| self.rows.get(row)?.1.get(at)).unwrap_or_default();
-            let with_unit = format!("{name} {unit}");
-            let has_quantity = columns.quantities.iter().any(|column| column.at == at);
-            let is_free = !used.contains(&at) && columns.evidence.origin != Some(at);
-            let is_name = columns.id == Some(at) && columns.header.is_some();
-            let says = match by_name(name, &with_unit).filter(|_| is_free && !has_quantity) {
-                None if is_name => self.cells(at).any(|cell| of_no_size(cell).is_some()).then_some(Says::Name),
-                Some(says) => Some(says),
-                None if has_quantity || is_free && super::quantity::may_be_named(name) => {
-                    self.cells(at).any(|cell| is_shape(cell).is_some()).then_some(Says::Feature)
-                }
-                None if is_free && self.cells(at).any(is_verdict) => Some(Says::Status { is_named: false }),
-                None if is_free && self.cells(at).any(|cell| warmth::mentioned(cell).is_some()) => Some(Says::Warmth),
-                None => None,
-            };
-            // What Fitcheck corrected is at 20 °C, whatever it was measured at.
-            let says = says.filter(|says| !says.is_of_temperature() || !columns.own.are_corrected());
-            let unit = units::unit(name).ok().flatten();
-            says.map(|says| BesideColumn { at, name: name.trim().to_owned(), unit, says })
-        };
-        let mut all: Vec<BesideColumn> = (0..columns.count).filter_map(column).collect();
-        // How warm the room was says nothing where the part's own temperature stands beside it.
-        let is_of = |column: &BesideColumn, wanted: Whose| matches!(column.says, Says::Temperature(OfTemperature { whose, .. }) if whose == Some(wanted));
-        if all.iter().any(|column| is_of(column, Whose::Part)) {
-            all.retain(|column| !is_of(column, Whose::Place));
-        }
-        all
-    }
-
-    /// At which temperature all values were measured, as the name of their column and the lines above the names say together.
-    pub(super) fn said_of_all(&self, columns: &Columns, names: &StringRecord) -> Option<Claim> {
-        if columns.own.are_corrected() || columns.evidence.are_corrected {
-            return None;
-        }
-        let text = |cells: &StringRecord| {
-            let filled = cells.iter().map(str::trim).filter(|cell| !cell.is_empty());
-            filled.collect::<Vec<_>>().join(" ")
-        };
-        let lines = self.comments.iter().chain(&self.rows);
-        let above = lines.filter(|(line, _)| columns.header.is_some_and(|header| *line < header));
-        let name = names.get(columns.measured.at).map(str::to_owned);
-        let texts: Vec<String> = above.map(|(_, cells)| text(cells)).chain(name).collect();
-        let warm = warmth::mentioned(&texts.join("; "))?;
-        let said = texts.iter().find(|text| warmth::mentioned(text) == Some(warm));
-        Some(Claim::warm(said.map_or(texts.first()?, |said| said), warm))
-    }
-
-    /// The columns of an unknown name with other sizes near the measured ones: a second reading, another gauge, the largest and the smallest.
-    pub(super) fn other_values(&self, names: &StringRecord, columns: &Columns, used: &[usize]) -> Vec<String> {
-        // The user has said which one is the measured value.
-        if self.measured.is_some() {
-            return Vec::new();
-        }
-        let is_free = |at: &usize| {
-            let is_beside = columns.beside.iter().any(|column| column.at == *at);
-            let has_quantity = columns.quantities.iter().any(|column| column.at == *at);
-            let name = names.get(*at).unwrap_or_default();
-            !used.contains(at) && !is_beside && !has_quantity && words::role(name).is_none() && !name.trim().is_empty()
-        };
-        let size = |cells: &StringRecord, at: usize| Length::parse_in(cells.get(at)?.trim(), Unit::Millimetre).ok();
-        let is_other = |at: &usize| {
-            let rows = self.rows.iter().skip(self.above);
-            let pairs = rows.filter_map(|(_, cells)| Some((size(cells, columns.measured.at)?, size(cells, *at)?)));
-            let (mut all, mut near, mut differ) = (0, 0, 0);
-            for (measured, other) in pairs {
-                let off = measured.saturating_sub(other).abs().nanometres();
-                all += 1;
-                // Half a percent: further than a tolerance reaches, and near enough to be no temperature of most rows.
-                near += usize::from(off <= measured.nanometres() / 200);
-                // A whole number is a nominal size.
-                differ += usize::from(off != 0 && other.nanometres() % 1_000_000 != 0);
-            }
-            all < near * 2 && 0 < differ
-        };
-        let all = (0..columns.count).filter(is_free).filter(is_other);
-        all.map(|at| name_of(at, names.get(at).unwrap_or_default())).collect()
-    }
-
-    /// A column with a cell that says that nobody measured, whatever it is called.
-    pub(super) fn says_simulated(&self, columns: &Columns, used: &[usize]) -> Option<usize> {
-        let is_free = |at: &usize| !used.contains(at) && columns.evidence.origin != Some(*at);
-        (0..columns.count).filter(is_free).find(|at| self.cells(*at).any(says_simulated))
-    }
-}
-
 impl BesideColumn {
     pub(super) const fn at(&self) -> usize {
         self.at
@@ -282,39 +189,5 @@ impl BesideColumn {
                 Some(Claim::feature(text, feature))
             }
         }
-    }
-}
-
-impl Columns {
-    /// What the cells of a row say of its value beside it.
-    pub(super) fn claims(&self, cells: &StringRecord, heard: &mut Heard) -> Vec<Claim> {
-        let mut claims = self.claims_of(cells, |_| true);
-        for column in &self.remarks {
-            let cell = cells.get(column.at).unwrap_or_default();
-            if may_say(cell.as_bytes()) && !heard.says_nothing(column, cell) {
-                claims.extend(column.claim(cell, self.asks_temperature(cells)));
-            }
-        }
-        claims
-    }
-
-    /// Whether what a row says of a temperature counts: its value was not brought to 20 °C already.
-    pub(super) fn asks_temperature(&self, cells: &StringRecord) -> bool {
-        !self.own.are_corrected() && !self.evidence.is_corrected(cells)
-    }
-
-    /// Those of them that are numbers.
-    pub(super) fn figures(&self, cells: &StringRecord) -> Vec<Claim> {
-        self.claims_of(cells, |column| !column.has_words())
-    }
-
-    fn claims_of(&self, cells: &StringRecord, is_asked: impl Fn(&BesideColumn) -> bool) -> Vec<Claim> {
-        let of_row = self.stated.in_row(self.measured, cells);
-        let unit = of_row.map_or(self.measured.unit, |column| column.unit);
-        let is_corrected = self.evidence.is_corrected(cells);
-        let counts = |column: &&BesideColumn| !is_corrected || !column.says.is_of_temperature();
-        let asked = self.beside.iter().filter(|column| is_asked(column)).filter(counts);
-        let of_all = self.evidence.warm.iter().filter(|_| !is_corrected).cloned();
-        asked.filter_map(|column| column.claim(cells.get(column.at)?, unit)).chain(of_all).collect()
     }
 }
