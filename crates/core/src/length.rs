@@ -192,12 +192,14 @@ impl Length {
     }
 
     /// The difference, or `None` beyond [`Length::MAX`].
+    #[inline]
     pub fn checked_sub(self, other: Self) -> Option<Self> {
         Self::within(self.0.checked_sub(other.0)?)
     }
 
     /// The difference, at most [`Length::MAX`] either way: for distances that are shown, never for limits.
     #[must_use]
+    #[inline]
     pub fn saturating_sub(self, other: Self) -> Self {
         // Two lengths are at most 2e15 nm apart, far inside i64.
         Self((self.0 - other.0).clamp(-Self::MAX.0, Self::MAX.0))
@@ -205,6 +207,7 @@ impl Length {
 
     /// The middle between two lengths, with a half nanometre rounded towards the larger.
     #[must_use]
+    #[inline]
     pub fn midpoint(self, other: Self) -> Self {
         let sum = self.0 + other.0;
         Self(sum.div_euclid(2) + sum.rem_euclid(2))
@@ -212,12 +215,14 @@ impl Length {
 
     /// The length without its sign.
     #[must_use]
+    #[inline]
     pub const fn abs(self) -> Self {
         Self(self.0.abs())
     }
 
     /// The length with the other sign.
     #[must_use]
+    #[inline]
     pub const fn negated(self) -> Self {
         Self(-self.0)
     }

@@ -38,11 +38,13 @@ impl Deviations {
     }
 
     /// Upper limit deviation (ES or es).
+    #[inline]
     pub const fn upper(&self) -> Length {
         self.upper
     }
 
     /// Lower limit deviation (EI or ei).
+    #[inline]
     pub const fn lower(&self) -> Length {
         self.lower
     }
@@ -53,6 +55,7 @@ impl Deviations {
     }
 
     /// Width of the tolerance zone, zero or more.
+    #[inline]
     pub fn width(&self) -> Length {
         self.upper.saturating_sub(self.lower)
     }

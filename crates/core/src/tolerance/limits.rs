@@ -147,6 +147,7 @@ impl Bounds {
     }
 
     /// The middle of the zone, with a half nanometre rounded up.
+    #[inline]
     pub fn middle(&self) -> Length {
         self.minimum.midpoint(self.maximum)
     }
@@ -192,6 +193,7 @@ impl Limits {
     }
 
     /// The middle of the zone, with a half nanometre rounded up.
+    #[inline]
     pub fn middle(&self) -> Length {
         self.bounds().middle()
     }

@@ -39,7 +39,6 @@ use crate::exchange::batch::{Counts, Figures, Judge, Met, Tally};
 pub struct Watch {
     /// Rows that were written.
     pub rows: AtomicU64,
-    /// Bytes of them.
     pub bytes: AtomicU64,
     /// Whether the run should end; what was written until then is not everything.
     pub stop: AtomicBool,
@@ -108,7 +107,6 @@ trait Work<'c> {
     /// Writes what was made ready of a portion.
     fn write(&mut self, portion: &Self::Portion, tally: &Tally, sink: &mut Self::Sink) -> io::Result<()>;
 
-    /// What was judged.
     fn end(self) -> Judge<'c>;
 }
 

@@ -82,7 +82,6 @@ pub struct Stream<'a> {
     pub input: Box<dyn Read + Send + 'a>,
     /// Its first bytes, as far as its layout was looked for in them.
     pub head: Vec<u8>,
-    /// What it is packed with.
     pub packing: Packing,
     /// Whether it is UTF-16 and was turned into UTF-8.
     pub is_utf16: bool,

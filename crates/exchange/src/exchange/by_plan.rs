@@ -32,7 +32,6 @@ impl<'a> ByPlan<'a> {
         Self { plan, finder, sizes }
     }
 
-    /// The plan.
     pub const fn plan(&self) -> &'a Plan {
         self.plan
     }

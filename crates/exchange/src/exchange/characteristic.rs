@@ -49,7 +49,6 @@ pub(super) struct Characteristic {
     pub(super) labels: Labels,
 }
 
-/// A value of a characteristic.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct Value {
     /// Its line in the file, from 1.
@@ -118,7 +117,6 @@ impl Characteristic {
         }
     }
 
-    /// Sets a value aside.
     fn set_aside(&self, value: Value, origin: Origin, why: WhyUnjudged, context: &Context<'_>, sink: &mut Sink<'_>) {
         sink.set_aside(Unjudged {
             line: value.line,

@@ -69,7 +69,6 @@ enum What {
     },
     /// That it is no size of one part.
     NoSize,
-    /// That it is in another unit.
     Unit,
     /// That nobody measured it.
     Simulated,
@@ -137,7 +136,6 @@ impl Claim {
         Self { said, what }
     }
 
-    /// A claim of one status.
     pub(super) fn of(said: &str, status: Status) -> Self {
         let agrees: &'static [Status] = match status {
             Status::Good => &[Status::Good],
@@ -180,7 +178,6 @@ impl Claim {
         Self { what, ..self }
     }
 
-    /// A deviation of the value.
     pub(super) fn deviation(said: &str, figure: Figure) -> Self {
         Self::new(shorten(said), What::Deviation(figure))
     }

@@ -11,7 +11,6 @@ use super::units;
 /// How many columns a message names at most.
 pub(super) const NAMED: usize = 8;
 
-/// A column with lengths.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct LengthColumn {
     pub(super) at: usize,

@@ -69,7 +69,6 @@ pub enum ImportErrorKind {
     NotRecognised,
     /// Another format than the one that was expected.
     OtherFormat {
-        /// The format.
         format: Message,
     },
     /// A Parquet file, and a program built without the feature `parquet`.
@@ -83,7 +82,6 @@ pub enum ImportErrorKind {
     },
     /// A column of a Parquet file that has columns or lists in it.
     ParquetNested {
-        /// The column.
         column: String,
     },
     /// A comment that holds a measurement: a row that somebody has put aside, or one whose name begins with `#`.
@@ -115,7 +113,6 @@ pub enum ImportErrorKind {
     MaskMeasured {
         /// The mask's file.
         mask: String,
-        /// The fields.
         fields: String,
     },
     /// A record of a mask that can be read in several ways.
@@ -127,9 +124,7 @@ pub enum ImportErrorKind {
     },
     /// A print that is not in millimetres.
     PrintUnit {
-        /// Where.
         line: usize,
-        /// The unit.
         unit: String,
     },
     /// Only a header, comments or blank lines.
@@ -158,12 +153,10 @@ pub enum ImportErrorKind {
     XmlDoctype,
     /// An entity beyond the five that XML has by itself.
     XmlEntity {
-        /// Its name.
         name: String,
     },
     /// Elements within one another, too deep.
     XmlDepth {
-        /// The most.
         most: usize,
     },
     /// A tag or a text that is too long.
@@ -180,7 +173,6 @@ pub enum ImportErrorKind {
     XmlCutOff,
     /// An encoding that is not known.
     XmlEncoding {
-        /// What was given.
         given: String,
     },
     /// Bytes that are none in the encoding of the file.
@@ -199,14 +191,11 @@ pub enum ImportErrorKind {
     QifReference {
         /// What it should be.
         what: String,
-        /// Its number.
         id: String,
     },
     /// More things of a kind than are kept.
     QifTooMany {
-        /// The kind.
         what: String,
-        /// The most.
         most: usize,
     },
     /// A measurement without a value.
@@ -231,7 +220,6 @@ pub enum ImportErrorKind {
     QifNoNominal,
     /// A tolerance class of a hole for a shaft, or the other way round.
     QifZone {
-        /// The class.
         class: String,
         /// `HOLE` or `SHAFT`.
         zone: String,
@@ -245,18 +233,15 @@ pub enum ImportErrorKind {
     },
     /// A ZIP file that is not a workbook.
     NotAWorkbook,
-    /// A workbook of another kind.
     OldWorkbook {
         /// The kind, by its ending.
         format: &'static str,
     },
-    /// A workbook with a password.
     WorkbookPassword,
     /// A ZIP file without its end, where its list of members is.
     ZipCutOff,
     /// A ZIP file with too many members.
     ZipMembers {
-        /// The most.
         most: usize,
     },
     /// A member that unpacks to more than is read, or is packed too densely to be meant well.
@@ -270,31 +255,26 @@ pub enum ImportErrorKind {
     ZipTwice,
     /// More texts than are kept.
     ZipTexts {
-        /// The most.
         most: usize,
     },
     /// A cell further to the right than columns are read.
     SheetWide {
-        /// The cell.
         cell: String,
         /// The most columns.
         most: usize,
     },
     /// More cells than are taken as texts.
     TooManyCells {
-        /// The most.
         most: usize,
     },
     /// Something wrong with a sheet or a cell.
     Cell {
         /// The sheet and the cell.
         cell: String,
-        /// What it is.
         reason: Box<Self>,
     },
     /// A formula that was never calculated.
     FormulaWithoutValue {
-        /// The formula.
         formula: String,
     },
     /// A value of a cell that is not one text, or a number of a text that is none.
@@ -311,7 +291,6 @@ pub enum ImportErrorKind {
     /// Several columns could have the same role.
     #[say(args(word = role.word()))]
     SeveralColumns {
-        /// Which.
         role: Role,
         /// The columns, by number or name.
         columns: String,
@@ -327,7 +306,6 @@ pub enum ImportErrorKind {
     },
     /// A column that was given for two things.
     ColumnTwice {
-        /// The column.
         column: String,
         /// The first thing.
         first: Role,
@@ -341,7 +319,6 @@ pub enum ImportErrorKind {
     },
     /// A title, comment or column that states a unit which is not read.
     UnitStated {
-        /// Where.
         line: usize,
         /// What was given.
         unit: String,
@@ -350,9 +327,7 @@ pub enum ImportErrorKind {
     },
     /// A title or comment that names a unit, and does not say that values are in it.
     UnitMentioned {
-        /// Where.
         line: usize,
-        /// The unit.
         unit: String,
         /// The text of the line.
         text: String,
@@ -363,18 +338,15 @@ pub enum ImportErrorKind {
         unit: &'static str,
         /// What says so.
         at: String,
-        /// The other one.
         other: &'static str,
         /// What says so.
         other_at: String,
     },
     /// A line behind the first row that states another unit than rows were read by.
     UnitLate {
-        /// Where.
         line: usize,
         /// What it states.
         unit: String,
-        /// Its text.
         text: String,
         /// The unit of the rows.
         read: &'static str,
@@ -383,7 +355,6 @@ pub enum ImportErrorKind {
     UnitStray {
         /// What it states.
         unit: String,
-        /// Its text.
         text: String,
         /// The unit of the rows.
         read: &'static str,
@@ -394,21 +365,18 @@ pub enum ImportErrorKind {
         given: &'static str,
         /// What the file states.
         unit: String,
-        /// Its text there.
         text: String,
     },
     /// One column of lengths is in inch, and another one says nothing.
     UnitHalf {
         /// The one in inch.
         column: String,
-        /// The other one.
         open: String,
     },
     /// A row whose unit is missing, where a column states it.
     UnitMissing,
     /// A callout with a size or deviations of its own, in mm by its nature, in a row of inches.
     CalloutUnit {
-        /// What was given.
         given: String,
     },
     /// A required cell is missing.
@@ -434,7 +402,6 @@ pub enum ImportErrorKind {
         /// The line where the header begins.
         line: usize,
     },
-    /// A row that is too long.
     RowTooLong {
         /// The most, KiB.
         most: usize,
@@ -445,7 +412,6 @@ pub enum ImportErrorKind {
     Nominal(#[say(name = "reason")] LengthError),
     /// The callout and the column of nominal sizes contradict each other.
     NominalDiffers {
-        /// The callout.
         callout: Callout,
         /// The other nominal size.
         nominal: Length,
@@ -457,14 +423,11 @@ pub enum ImportErrorKind {
     Measured(#[say(name = "reason")] LengthError),
     /// A decimal sign other than that of the rest of the column.
     DecimalSign {
-        /// What was given.
         given: String,
-        /// The sign of the other values.
         sign: char,
     },
     /// A cell of the column that says whether nobody measured.
     Simulated {
-        /// What was given.
         given: String,
     },
     /// A row names other columns than those of the file.
@@ -478,12 +441,10 @@ pub enum ImportErrorKind {
     SimulatedBelow,
     /// The text of an origin says neither that a value was measured nor that it was simulated.
     Origin {
-        /// What was given.
         given: String,
     },
     /// A diameter of zero or less.
     NotPositive {
-        /// What was given.
         given: String,
     },
     /// Two cells that may be one number with a decimal comma.

@@ -11,7 +11,6 @@ use super::given::shorten;
 use super::refused::{Cell, Refused};
 use super::{warmth, words};
 
-/// Where they are.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Evidence {
     /// A column that says where a value comes from: `simulated, cycle 421`, `typed`.

@@ -18,7 +18,6 @@ use fitcheck_core::message::Say;
 /// What was taken from a text.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Gauged {
-    /// The value.
     pub value: Length,
     /// What was more than a number in millimetres, in its order; none for a plain number.
     pub remarks: Vec<GaugeRemark>,
@@ -32,17 +31,13 @@ pub enum GaugeRemark {
     Frame,
     /// It names the channel of the gauge.
     Channel {
-        /// The channel.
         channel: String,
     },
-    /// It was in inches.
     Inches {
-        /// The number.
         given: String,
     },
     /// The gauge's own limits: within, above or below them. Fitcheck's limits decide.
     Opinion {
-        /// The sign.
         sign: char,
     },
 }
@@ -55,10 +50,7 @@ pub enum GaugeError {
     #[say(transparent)]
     Number(#[from] LengthError),
     /// It may be the number of an error: the gauge has not measured.
-    ErrorText {
-        /// What was given.
-        given: String,
-    },
+    ErrorText { given: String },
 }
 
 /// How far the size asked for may be from a number that could be that of an error, 10 mm.

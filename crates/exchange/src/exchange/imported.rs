@@ -163,7 +163,6 @@ pub enum WhyUnjudged {
     /// A value of zero or less without a callout: a plan may know that it is no diameter.
     #[say(id = "exchange-not-positive")]
     NotPositive {
-        /// What is given.
         given: String,
         /// Its column, from 1.
         #[say(skip)]
@@ -196,7 +195,6 @@ pub enum WhyUnjudged {
     /// A point on a surface that was probed in 3-D: the measured value is its deviation along the normal, nominal 0.
     #[say(args(cycle = field_0.cycle))]
     Point(#[say(skip)] Coordinate),
-    /// Such a point without a tolerance.
     PointWithoutTolerance,
     /// Its limits are known, but not whether it is a hole or a shaft: beyond them it could be rework or scrap.
     NoFeature {
@@ -293,7 +291,6 @@ impl Coordinate {
 pub enum Item {
     /// What could be judged.
     Record {
-        /// Its line.
         line: usize,
         /// The check.
         record: Box<Record>,
@@ -339,7 +336,6 @@ impl Imported {
 pub(super) struct Sink<'a> {
     /// How many rows or logs there were: records, unjudged measurements and errors together.
     rows: usize,
-    /// The most of them.
     most: usize,
     /// Hears the first and the last line of what has several lines.
     units: &'a dyn Fn(usize, usize),

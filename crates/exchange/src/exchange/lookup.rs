@@ -21,7 +21,6 @@ pub(super) struct Lookup {
 }
 
 impl Lookup {
-    /// The callout that a text is.
     pub(super) fn callout(&self, text: &str) -> Result<Callout, CalloutError> {
         if let Some(callout) = self.callouts.borrow().get(text) {
             return Ok(*callout);

@@ -14,13 +14,7 @@ pub enum NoPlace {
     /// The file does not say along which axis it lies.
     NoAxis,
     /// It is neither a circle nor a cylinder.
-    Kind {
-        /// What it is.
-        kind: String,
-    },
+    Kind { kind: String },
     /// It is checked in a coordinate system of its own.
-    System {
-        /// The number of the system.
-        system: String,
-    },
+    System { system: String },
 }

@@ -12,7 +12,6 @@ use super::refused::{Cell, Refused};
 /// The cell of a position that is out.
 const OUT: &str = "OUT";
 
-/// Where they are.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
 pub(super) struct OwnColumns {
     /// The value as it was measured, where it was brought to 20 °C.

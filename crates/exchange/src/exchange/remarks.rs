@@ -11,7 +11,6 @@ use super::evidence::says_simulated;
 use super::stated;
 use super::warmth;
 
-/// Such a column.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub(super) struct RemarkColumn {
     pub(super) at: usize,

@@ -12,7 +12,6 @@ pub enum Role {
     Tolerance,
     /// Nominal size.
     Nominal,
-    /// Measured value.
     Measured,
     /// Date, time or both.
     Time,

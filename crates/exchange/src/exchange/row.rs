@@ -111,7 +111,6 @@ pub(super) struct Part<'a> {
 }
 
 impl<'a> Part<'a> {
-    /// Its bytes.
     #[inline]
     pub(super) fn bytes(self) -> &'a [u8] {
         self.text.get(self.start..self.end).unwrap_or_default()

@@ -10,7 +10,6 @@ pub struct Size {
     pub line: usize,
     /// Name of the part; empty where there is none.
     pub id: String,
-    /// The size.
     pub measured: Length,
     /// Whether the file says that nobody measured it.
     pub is_simulated: bool,

@@ -60,30 +60,20 @@ pub enum ImportWarningKind {
     /// A comment above the header that holds a measurement.
     Comment,
     /// A place that cannot be read as a length.
-    Place {
-        /// What was given.
-        given: String,
-    },
+    Place { given: String },
     /// A row that runs over several lines, within quotation marks.
     SeveralLines {
         /// How many.
         lines: usize,
     },
     /// The time cannot be read, so the time of import is used.
-    Time {
-        /// What was given.
-        given: String,
-    },
+    Time { given: String },
     /// There is a column for the time, and the row has none.
     NoTime,
     /// A time with an offset from UTC, which no record has.
-    Offset {
-        /// What was given.
-        given: String,
-    },
+    Offset { given: String },
     /// The file's tolerance class has other limits than the file: those of the file count.
     LimitsDiffer {
-        /// The callout.
         callout: Callout,
         /// Its limits.
         minimum: Length,
@@ -144,10 +134,7 @@ pub enum ImportWarningKind {
         name: String,
     },
     /// A tolerance class that is none, or that has no limits here: the file's own limits count.
-    ClassUnknown {
-        /// What was given.
-        given: String,
-    },
+    ClassUnknown { given: String },
     /// The file has another status than the limits give: that of the limits counts.
     StatusDiffers {
         /// The file's word.
@@ -175,7 +162,6 @@ pub enum ImportWarningKind {
     DeviationDiffers {
         /// The file's column and number.
         given: String,
-        /// The value.
         measured: Length,
         /// The nominal size.
         nominal: Length,
@@ -238,7 +224,6 @@ pub enum ImportWarningKind {
     },
     /// Lengths in another unit than mm, as a line of the file states.
     UnitRead {
-        /// The unit.
         unit: String,
         /// The line's text.
         text: String,
@@ -246,10 +231,7 @@ pub enum ImportWarningKind {
     /// Lengths without a unit are taken for millimetres.
     UnitAssumed,
     /// A length with figures beyond the nanometre, which is rounded.
-    Rounded {
-        /// What was given.
-        given: String,
-    },
+    Rounded { given: String },
     /// Measured values that were rounded to the nanometre.
     RoundedValues {
         /// How many.
@@ -264,7 +246,6 @@ pub enum ImportWarningKind {
     },
     /// Sheets of a workbook that are not read.
     SheetsLeft {
-        /// The one that is.
         sheet: String,
         /// The others.
         left: String,
@@ -281,7 +262,6 @@ pub enum ImportWarningKind {
     RowsHidden {
         /// How many.
         count: usize,
-        /// Which.
         rows: String,
     },
     /// Columns that the user does not see.
@@ -296,7 +276,6 @@ pub enum ImportWarningKind {
     },
     /// A list that says another number of things than it has.
     QifCount {
-        /// The list.
         list: String,
         /// How many it says.
         said: usize,
@@ -304,10 +283,7 @@ pub enum ImportWarningKind {
         found: usize,
     },
     /// Two things with one number: the first one counts.
-    QifTwice {
-        /// The number.
-        id: String,
-    },
+    QifTwice { id: String },
     /// The measured value ends the file, and may have had more decimals.
     CutOff {
         /// What is left of it.

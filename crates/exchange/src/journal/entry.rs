@@ -75,7 +75,6 @@ impl About {
 /// A file that a check was made with.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct UsedFile {
-    /// What it was used for.
     pub role: FileRole,
     /// Its name without its folder.
     pub name: Arc<str>,
@@ -83,7 +82,6 @@ pub struct UsedFile {
     pub sha256: Hash,
 }
 
-/// What a file was used for.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum FileRole {
     /// Measured values or contacts.
@@ -97,7 +95,6 @@ pub enum FileRole {
 }
 
 impl FileRole {
-    /// Every role.
     pub const ALL: [Self; 4] = [Self::Measurements, Self::Program, Self::Workpiece, Self::Budget];
 
     /// Its word in an entry's body.
@@ -142,7 +139,6 @@ pub struct Begin {
     pub after: Option<(ChainId, Head)>,
 }
 
-/// A check.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Check {
     /// What was decided, and why.
@@ -219,7 +215,6 @@ impl CycleOrigin {
 pub struct Compared {
     /// Its name for machines: `diameter`, `centre_1`.
     pub what: String,
-    /// The value.
     pub measured: Length,
     /// The smallest permitted value.
     pub minimum: Length,
@@ -258,7 +253,6 @@ impl Entry {
         }
     }
 
-    /// Which entry it corrects.
     pub fn corrects(&self) -> Option<&Correction> {
         match &self.content {
             Content::Check(check) => check.corrects.as_ref(),

@@ -11,7 +11,6 @@ use unicode_normalization::char::is_combining_mark;
 /// Which entries are found.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum Kind {
-    /// A check.
     Check,
     /// A check is taken back.
     Withdrawal,
@@ -20,7 +19,6 @@ pub enum Kind {
 /// What an entry is found by, as it was written.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Found<'a> {
-    /// What it is.
     pub kind: Kind,
     /// When it was written, milliseconds since 1970 in UTC.
     pub at_ms: i64,
@@ -28,17 +26,12 @@ pub struct Found<'a> {
     pub status: Option<Status>,
     /// Whether nobody measured.
     pub is_simulated: bool,
-    /// The part.
     pub part: Cow<'a, str>,
-    /// Its serial number.
     pub serial: Cow<'a, str>,
-    /// The feature.
     pub feature: Cow<'a, str>,
     /// Who measured.
     pub who: Cow<'a, str>,
-    /// The station.
     pub station: Cow<'a, str>,
-    /// The remark.
     pub remark: Cow<'a, str>,
     /// What was asked for; `None` for a cycle and a withdrawal.
     pub asked: Option<Asked<'a>>,

@@ -16,7 +16,6 @@ const MOST: usize = 100;
 pub enum Break {
     /// The entry is not the one that was written, or its hash is not.
     Changed {
-        /// Its number.
         #[say(with = printed)]
         number: u64,
     },
@@ -30,7 +29,6 @@ pub enum Break {
     },
     /// The entry was not written by this journal: those behind it follow the one before it.
     Inserted {
-        /// Its number.
         #[say(with = printed)]
         number: u64,
     },
@@ -39,20 +37,17 @@ pub enum Break {
         /// The number of the first.
         #[say(with = printed)]
         number: u64,
-        /// The number of the other one.
         #[say(with = printed)]
         other: u64,
     },
     /// The entry's own bytes and place are whole, and a head that was kept elsewhere tells of another one: the journal was written anew
     /// from there or before.
     Rewritten {
-        /// Its number.
         #[say(with = printed)]
         number: u64,
     },
     /// The chain ends before an entry of which a head elsewhere tells: its newest entries were cut off, or an older copy was put back.
     CutOff {
-        /// Its last number.
         #[say(with = printed)]
         last: u64,
         /// The number that is known elsewhere.

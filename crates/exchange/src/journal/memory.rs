@@ -59,7 +59,6 @@ impl Memory {
         self.rows.iter().map(|row| (row.id, &row.record))
     }
 
-    /// Adds records.
     pub fn add(&mut self, records: Vec<Arc<Record>>) {
         let (first, few) = (self.rows.len(), records.len() <= FEW);
         for record in records {

@@ -69,9 +69,7 @@ impl Column {
 /// What records are compared by; only keys of one column are comparable in a useful way.
 #[derive(Debug, Clone, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Key {
-    /// A date and time.
     Time(DateTime),
-    /// A length.
     Length(Length),
     /// A verdict.
     Status(Status),
@@ -82,7 +80,6 @@ pub enum Key {
 /// An order by a column. Records that are equal there are in the order in which they were added.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Sort {
-    /// The column.
     pub column: Column,
     /// Smallest first; otherwise the whole order is reversed.
     pub ascending: bool,
@@ -133,7 +130,6 @@ pub struct Searched {
 }
 
 impl Searched {
-    /// The texts of a record.
     pub fn of(record: &Record) -> Self {
         let file = match &record.measurement.origin {
             Origin::Contacts { file } | Origin::Imported { file } | Origin::ImportedSimulation { file } => {
@@ -205,7 +201,6 @@ impl Query {
 ///
 /// The answers are about the query that was asked last. They are ready: no frame waits for a sort.
 pub trait Records {
-    /// Asks another query.
     fn ask(&mut self, query: Query);
 
     /// The query that was asked last.

@@ -23,7 +23,6 @@ use super::row::Row;
 use super::{RenderError, Rendering, Report};
 use crate::journal::Record;
 
-/// This rendering.
 pub const RENDERING: Rendering = Rendering { name: "csv", endings: &["csv"], render: render_report };
 
 fn render_report(report: &Report, _words: &Words, out: &mut dyn Write) -> io::Result<()> {

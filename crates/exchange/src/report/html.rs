@@ -18,7 +18,7 @@ use std::io::{self, Write};
 use askama::Template;
 
 use fitcheck_core::length::{Length, Unit};
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Say as _, message};
 use fitcheck_core::probing::{Circle, Contact};
 use fitcheck_core::verdict::{Removal, Status, Verdict};
 use fitcheck_core::words::Words;
@@ -30,7 +30,6 @@ use super::text;
 use super::{Rendering, Report};
 use crate::journal::Record;
 
-/// This rendering.
 pub const RENDERING: Rendering = Rendering { name: "html", endings: &["html", "htm"], render };
 
 /// The most checks that a page lists: some 15 MB, which a browser opens in seconds.
@@ -46,7 +45,6 @@ const DATE: &str = "%Y-%m-%d %H:%M:%S";
 trait Part: Template {
     fn words(&self) -> &Words;
 
-    /// A text of the template.
     fn t(&self, id: &str) -> String {
         self.words().get(id)
     }
@@ -307,10 +305,9 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
     };
     let (heading, short) = match &record.callout {
         Some(callout) => (words.number(&callout.to_string()), words.number(&callout.to_string())),
-        None => (
-            words.say(&Message::new("report-heading-without-callout").text("nominal", &nominal)),
-            format!("{nominal} mm"),
-        ),
+        None => {
+            (words.say(&message!("report-heading-without-callout").text("nominal", &nominal)), format!("{nominal} mm"))
+        }
     };
     Ok(Check {
         number,
@@ -341,9 +338,9 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
                 ["X", "Y"].iter().zip(&position.axes).map(|(n, a)| words.say(&text::axis(n, a, words))).collect()
             })
             .unwrap_or_default(),
-        centre: measurement.centre.map(|[x, y]| {
-            words.say(&Message::new("report-centre").text("x", words.mm(x, 3)).text("y", words.mm(y, 3)))
-        }),
+        centre: measurement
+            .centre
+            .map(|[x, y]| words.say(&message!("report-centre").text("x", words.mm(x, 3)).text("y", words.mm(y, 3)))),
         caveats: record.caveats().iter().map(|caveat| words.told(caveat)).collect(),
         origins: origins::of(record, words),
         contacts: contacts(&measurement.contacts, measurement.circle, words),
@@ -355,7 +352,7 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
 fn cause(verdict: &Verdict, words: &Words) -> Option<String> {
     (verdict.status() != verdict.size.status).then(|| {
         let alone = words.told(&verdict.size.status);
-        words.say(&Message::new("report-cause-position").text("status", alone))
+        words.say(&message!("report-cause-position").text("status", alone))
     })
 }
 
@@ -363,7 +360,7 @@ fn cause(verdict: &Verdict, words: &Words) -> Option<String> {
 fn undecided(verdict: &Verdict, words: &Words) -> Option<String> {
     let why = match verdict.undecided {
         Some(why) => why.message(),
-        None => Message::new("report-in-guard-band"),
+        None => message!("report-in-guard-band"),
     };
     (verdict.size.status == Status::ReMeasure).then(|| words.say(&why))
 }

@@ -6,7 +6,7 @@ use std::fmt;
 use std::path::{Component, Path};
 use std::sync::Arc;
 
-use fitcheck_core::message::Message;
+use fitcheck_core::message::{Message, message};
 use quick_xml::Reader;
 use quick_xml::events::Event;
 
@@ -36,9 +36,7 @@ impl fmt::Debug for Image {
 /// What a file can be.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub enum ImageKind {
-    /// PNG.
     Png,
-    /// JPEG.
     Jpeg,
     /// SVG; packed ones are not read.
     Svg,
@@ -84,7 +82,7 @@ impl Image {
     /// # Errors
     /// Why it is refused: another kind of file, too large, or cut off.
     pub fn read(name: &str, bytes: &[u8]) -> Result<Self, Message> {
-        let kind = ImageKind::of(bytes).ok_or_else(|| Message::new("parts-page-picture-kind").text("name", name))?;
+        let kind = ImageKind::of(bytes).ok_or_else(|| message!("parts-page-picture-kind").text("name", name))?;
         if kind.most_kib() < bytes.len() >> 10 {
             return Err(too_large(name, bytes.len(), kind.most_kib()));
         }
@@ -109,14 +107,14 @@ impl Image {
 
 /// Why a file is too large, with its size in bytes and the largest one in KiB.
 pub fn too_large(name: &str, bytes: usize, most_kib: usize) -> Message {
-    Message::new("parts-page-picture-large").text("name", name).text("given", bytes >> 10).text("most", most_kib)
+    message!("parts-page-picture-large").text("name", name).text("given", bytes >> 10).text("most", most_kib)
 }
 
 /// Why a file cannot be read as a picture; what a decoder says of it is shortened.
 pub fn broken(name: &str, reason: &impl ToString) -> Message {
     let mut reason = reason.to_string();
     reason.truncate(reason.char_indices().nth(200).map_or(reason.len(), |(end, _)| end));
-    Message::new("parts-page-picture-broken").text("name", name).text("reason", reason)
+    message!("parts-page-picture-broken").text("name", name).text("reason", reason)
 }
 
 /// Refuses too many dots.
@@ -127,7 +125,7 @@ pub fn check_dots(name: &str, (width, height): (u32, u32)) -> Result<(), Message
     if u64::from(width) * u64::from(height) <= MOST_DOTS {
         return Ok(());
     }
-    let message = Message::new("parts-page-picture-dots").text("name", name).text("width", width);
+    let message = message!("parts-page-picture-dots").text("name", name).text("width", width);
     Err(message.text("height", height).text("most", MOST_DOTS / 1_000_000))
 }
 

@@ -17,7 +17,6 @@ use super::row::Row;
 use super::{Checks, RenderError, Rendering, Report};
 use crate::journal::Record;
 
-/// This rendering.
 pub const RENDERING: Rendering = Rendering { name: "json", endings: &["json"], render: render_report };
 
 /// The version of the file's structure. What a reader knows of an older version stays where it is.

@@ -61,7 +61,6 @@ pub struct Report {
     pub program: String,
     /// Part or drawing number.
     pub part: Option<String>,
-    /// Order number.
     pub order: Option<String>,
     /// Who inspected.
     pub inspector: Option<String>,

@@ -7,7 +7,7 @@ use std::iter;
 
 use askama::Template;
 use fitcheck_core::length::Length;
-use fitcheck_core::message::Message;
+use fitcheck_core::message::message;
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
 
@@ -176,7 +176,7 @@ pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::R
         words.mm(record.measurement.diameter, decimals),
         words.signed_um(record.verdict.size.deviation)
     );
-    let title = Message::new("report-band-title").text("value", &value).text("distances", &distances);
+    let title = message!("report-band-title").text("value", &value).text("distances", &distances);
     let guard = band.guard.as_ref();
     let title = iter::once(words.say(&title)).chain(guard.into_iter().flat_map(|guard| described(guard, words)));
     // What is rejected begins where the rule says so; the zone is good as far as it is accepted.
@@ -206,7 +206,7 @@ pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::R
         zone_named: LABEL / 2.0 < good_to - good_from,
         ticks: ticks.collect(),
         nominal,
-        nominal_name: words.say(&Message::new("report-band-nominal").mm("size", limits.nominal)),
+        nominal_name: words.say(&message!("report-band-nominal").mm("size", limits.nominal)),
         limits: both,
         marker: band.marker.map(|place| marker(&band, place, value, distances)),
     }
@@ -263,7 +263,7 @@ fn legends(guard: &Guard, words: &Words) -> Vec<Legend> {
 fn described(guard: &Guard, words: &Words) -> Vec<String> {
     let range = |band: &GuardBand| {
         words.say(
-            &Message::new("report-guard-range")
+            &message!("report-guard-range")
                 .text("what", words.get(guard_name(band.guarded)))
                 .text("from", tick_text(band.from_um, words))
                 .text("to", tick_text(band.to_um, words)),

@@ -44,7 +44,6 @@ pub(super) struct Row {
     /// With an uncertainty from a budget only.
     #[serde(flatten)]
     pub budgeted: Option<Budgeted>,
-    /// Left undecided only.
     #[serde(flatten)]
     pub undecided: Option<LeftUndecided>,
 }

@@ -3,7 +3,7 @@
 //! Messages without a language; [`Words`] puts them into one. Rules, doubts, caveats and origins have their own.
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::tolerance::{Feature, Source};
 use fitcheck_core::verdict::{AxisPosition, PositionVerdict, SizeVerdict};
 use fitcheck_core::words::Words;
@@ -29,7 +29,7 @@ pub const fn side(side: Side) -> Message {
 /// Where the limits come from, and what the standard says where a user's table differs.
 pub fn source(source: &Source, words: &Words) -> Message {
     match source {
-        Source::Table { instead_of: Some(standard), .. } => Message::new("report-source-instead")
+        Source::Table { instead_of: Some(standard), .. } => message!("report-source-instead")
             .message("source", source.message())
             .text("upper", words.signed_um(standard.upper()))
             .text("lower", words.signed_um(standard.lower())),
@@ -42,11 +42,11 @@ pub fn size(verdict: &SizeVerdict, words: &Words) -> Message {
     let um = |length: Length| words.um(length.abs());
     let (above, below) = (verdict.above_minimum, verdict.below_maximum);
     if above < Length::ZERO {
-        Message::new("report-too-small").text("um", um(above))
+        message!("report-too-small").text("um", um(above))
     } else if below < Length::ZERO {
-        Message::new("report-too-large").text("um", um(below))
+        message!("report-too-large").text("um", um(below))
     } else {
-        Message::new("report-inside").text("above", um(above)).text("below", um(below))
+        message!("report-inside").text("above", um(above)).text("below", um(below))
     }
 }
 

@@ -119,7 +119,6 @@ impl Reading<'_> {
         self.errors.push((line, fault.into(), shorten(given)));
     }
 
-    /// A whole number.
     fn whole(&mut self, key: u16) -> Option<u32> {
         let (line, text) = self.asked.get(key)?;
         let found = number(text);

@@ -15,7 +15,6 @@ const EACH: usize = 256;
 /// The text of an entry, and its line.
 pub(super) type Given = (usize, String);
 
-/// Entries by key.
 pub(super) type Entries = BTreeMap<Key, Given>;
 
 /// Everything that was declared.
@@ -38,7 +37,6 @@ pub(super) struct Description {
 
 #[derive(Debug, Default)]
 struct Declared {
-    /// The number of its part.
     part: u32,
     entries: Entries,
 }

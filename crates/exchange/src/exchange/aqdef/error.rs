@@ -21,7 +21,6 @@ pub enum AqdefFault {
     Whole {
         /// The key, such as `K2009`.
         key: String,
-        /// What was given.
         given: String,
     },
     /// A value of a characteristic that the file does not declare.
@@ -30,10 +29,7 @@ pub enum AqdefFault {
         number: u32,
     },
     /// A value for all characteristics.
-    OfAll {
-        /// Its key.
-        key: String,
-    },
+    OfAll { key: String },
     /// A value that ends the file without a line end.
     CutOff {
         /// What is left of it.
@@ -47,12 +43,7 @@ pub enum AqdefFault {
         given: String,
     },
     /// An entry of a characteristic that stands twice with different texts.
-    Twice {
-        /// The key.
-        key: String,
-        /// The other text.
-        other: String,
-    },
+    Twice { key: String, other: String },
     /// A value with more fields than there are.
     Fields {
         /// How many it has.
@@ -95,7 +86,6 @@ pub enum AqdefFault {
     Beside {
         /// The name of that file.
         file: String,
-        /// The line there.
         line: usize,
         /// What is wrong there.
         reason: Message,
@@ -131,15 +121,9 @@ pub enum AqdefWarning {
         keys: String,
     },
     /// An entry that stands twice with different texts: the last one counts.
-    Repeated {
-        /// The key.
-        key: String,
-    },
+    Repeated { key: String },
     /// An entry of a value that is not the one before it.
-    Late {
-        /// The key.
-        key: String,
-    },
+    Late { key: String },
     /// Limits and allowances contradict each other: the limits count.
     Allowance {
         /// What the nominal size and the allowance make.
@@ -151,10 +135,7 @@ pub enum AqdefWarning {
         key: String,
     },
     /// A kind of limit that is not known, taken for a limit.
-    KindOfLimit {
-        /// What was given.
-        given: String,
-    },
+    KindOfLimit { given: String },
     /// A scrap limit that is not the limit: it is not used.
     ScrapLimit {
         /// The scrap limit.
@@ -162,7 +143,6 @@ pub enum AqdefWarning {
     },
     /// A scrap limit of a hole at a shaft, or the other way round: the tolerance class counts.
     ScrapFeature {
-        /// The callout.
         callout: Callout,
         /// What the scrap limit says.
         feature: Feature,
@@ -186,7 +166,6 @@ pub enum AqdefWarning {
     Zeros,
     /// Values in the file of characteristics beside this one, which are not read.
     ValuesLeft {
-        /// That file.
         file: String,
         /// How many lines.
         count: usize,
@@ -195,9 +174,7 @@ pub enum AqdefWarning {
     Beside {
         /// The name of that file.
         file: String,
-        /// The line there.
         line: usize,
-        /// What it is.
         reason: Message,
         /// As it stands against the answers by itself.
         #[say(skip)]

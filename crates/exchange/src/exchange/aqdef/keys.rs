@@ -5,7 +5,6 @@ use std::fmt;
 /// Between the characteristics of a line of values.
 pub(super) const BETWEEN_CHARACTERISTICS: char = '\u{f}';
 
-/// Between the fields of a value.
 pub(super) const BETWEEN_FIELDS: char = '\u{14}';
 
 /// The number of a field, as in `K2110`.
@@ -54,7 +53,6 @@ impl Key {
     }
 }
 
-/// A line.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Line<'a> {
     Blank,
@@ -73,7 +71,6 @@ pub(super) struct Entry<'a> {
     pub(super) index: u32,
     /// Whether the line says that number.
     pub(super) has_index: bool,
-    /// The number of the value.
     pub(super) value: Option<u32>,
     pub(super) text: &'a str,
 }

@@ -210,7 +210,6 @@ impl<'a, 's> Reader<'a, 's> {
         Some(declared)
     }
 
-    /// An entry of a value.
     fn value(&mut self, line: usize, entry: &Entry<'_>, is_open: bool) {
         let Entry { key, index, .. } = *entry;
         if !Fields::is_used(key) {

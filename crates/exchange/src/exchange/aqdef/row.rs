@@ -58,7 +58,6 @@ impl Fields {
         matches!(key.0, 1 | 2 | 4 | 6 | 8 | 10 | 12 | 14 | 20 | 21)
     }
 
-    /// The first key that it has.
     pub(super) fn first(&self) -> Key {
         Key(u16::try_from(self.seen.trailing_zeros()).unwrap_or_default())
     }

@@ -80,7 +80,6 @@ impl<'s, 'a> Told<'s, 'a> {
         add(&mut self.missing, line);
     }
 
-    /// A value that was rounded.
     pub(super) fn rounded(&mut self, line: usize) {
         add(&mut self.rounded, line);
     }

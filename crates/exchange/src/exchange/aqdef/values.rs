@@ -22,7 +22,6 @@ use crate::exchange::imported::{Unjudged, WhyUnjudged};
 const NO_VALUE: [u32; 2] = [255, 256];
 
 impl Reader<'_, '_> {
-    /// Judges a value.
     pub(super) fn judge(&mut self, number: u32, fields: Fields) {
         let line = fields.line;
         // Values of characteristics that are not declared are refused when they are read.

@@ -152,7 +152,6 @@ pub struct Judge<'a> {
 /// How many rows are good, rework, to be measured again, scrap: in the order of [`Status::ALL`].
 pub type Counts = [u64; Status::ALL.len()];
 
-/// What a judge has met.
 #[derive(Debug, Clone, PartialEq, Eq)]
 pub struct Met {
     /// The classes with their verdicts.
@@ -284,7 +283,6 @@ impl Judge<'_> {
         counts.push_mut(Counts::default())
     }
 
-    /// What it has met.
     pub fn met(self) -> Met {
         // A class that was looked up for a row without a verdict counts nothing: whether it has a number here depends on the block.
         let counted = (0..).zip(self.counts).filter(|(_, counts)| *counts != Counts::default());
@@ -441,7 +439,6 @@ impl Judge<'_> {
         Self::no_row(&reason, line, tally, take);
     }
 
-    /// A line that is no row.
     #[cold]
     fn no_row(reason: &ImportErrorKind, line: &[u8], tally: &mut Tally, take: &mut impl Take) {
         tally.rows += 1;

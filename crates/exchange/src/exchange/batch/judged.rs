@@ -9,7 +9,6 @@ use fitcheck_core::verdict::{SizeVerdict, Status, judge_bounds, verdict_of};
 pub struct Judged {
     /// Its limits and nominal size.
     pub bounds: Bounds,
-    /// What was measured.
     pub measured: Length,
     /// Good, rework or scrap.
     pub status: Status,

@@ -194,7 +194,6 @@ impl<'a> Classes<'a> {
         self.figures
     }
 
-    /// The class with a number.
     pub(super) fn class(&self, number: usize) -> Option<ToleranceClass> {
         self.known.get(number).map(|known| known.class)
     }

@@ -20,7 +20,6 @@ pub const FATES: usize = Status::ALL.len() + 1;
 /// What became of a row: a verdict, or none.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Fate {
-    /// It was judged.
     Judged(Status),
     /// It has no verdict: it was refused, or nothing says what it should be.
     NotJudged,

@@ -60,7 +60,6 @@ pub struct Notes {
 /// What some rows had.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Tally {
-    /// Lines of text.
     pub lines: usize,
     /// Rows: those judged and those refused.
     pub rows: u64,
@@ -72,7 +71,6 @@ pub struct Tally {
     pub against: u64,
     /// Lines that were not UTF-8.
     pub not_utf8: u64,
-    /// Comments.
     pub comments: u64,
     /// In the order of [`Kind::ALL`].
     notes: [Notes; Kind::ALL.len()],

@@ -24,7 +24,6 @@ pub enum CalypsoFault {
     Zeros,
     /// Two rows of one name with different nominal values or limits.
     Differs {
-        /// The name.
         name: String,
         /// The line of the first row.
         first: usize,
@@ -48,14 +47,12 @@ pub enum CalypsoWarning {
     Zeros,
     /// The deviation of the table is not that of its values.
     Deviation {
-        /// What was given.
         given: Length,
         /// What the values make.
         expected: Length,
     },
     /// How much the table says to be beyond the tolerance is not what its values make.
     Exceed {
-        /// What was given.
         given: Length,
         /// What the values make.
         expected: Length,

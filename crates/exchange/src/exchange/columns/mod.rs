@@ -74,7 +74,6 @@ pub(super) struct Columns {
     pub(super) stated: Stated,
 }
 
-/// The columns of [`Labels`](super::Labels).
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct LabelColumns {
     pub(super) number: Option<usize>,

@@ -56,13 +56,9 @@ pub enum ContactsError {
         given: String,
     },
     /// Another unit than millimetres, in a comment, in a row of units or in a column of them.
-    OtherUnit {
-        /// What was given.
-        given: String,
-    },
+    OtherUnit { given: String },
     /// A quotation mark that is not closed.
     OpenQuote,
-    /// A row that is too long.
     #[say(args(most = LONGEST_ROW >> 10))]
     RowTooLong,
     /// More contacts than [`MOST_CONTACTS`].

@@ -23,7 +23,6 @@ use crate::exchange::given::shorten;
 pub(super) enum Kind {
     /// A diameter, a width or the side of a rectangle.
     Size,
-    /// A coordinate.
     Coordinate,
     /// A deviation along the normal.
     Point,
@@ -316,7 +315,6 @@ pub(super) fn asked(printed: &Printed, roles: &Roles) -> Option<Callout> {
     }
 }
 
-/// The limits of a callout.
 pub(super) fn limits(callout: &Callout, sources: &Sources) -> Option<Limits> {
     sources.limits(callout, None).ok()
 }

@@ -5,13 +5,11 @@ use super::words::{DECIMALS, SEPARATORS, UNITS};
 use super::{Column, Mapping};
 use crate::exchange::role::Role;
 
-/// The words of the separators.
 pub const SEPARATOR_WORDS: [&str; 4] = [SEPARATORS[0].0, SEPARATORS[1].0, SEPARATORS[2].0, SEPARATORS[3].0];
 
 /// The words of the decimal signs.
 pub const DECIMAL_WORDS: [&str; 2] = [DECIMALS[0].0, DECIMALS[1].0];
 
-/// The words of the units.
 pub const UNIT_WORDS: [&str; 3] = [UNITS[0].0, UNITS[1].0, UNITS[2].0];
 
 /// What is chosen for a file. What each of its columns holds is said; a sign or unit that is not chosen is that of the file.

@@ -19,7 +19,6 @@ pub(super) const SHOWN: usize = 20;
 /// What would be taken for what, with the first rows.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Detected {
-    /// All of it as a mapping.
     pub mapping: Mapping,
     /// The names of the columns, or nothing where they have none.
     pub names: Vec<String>,

@@ -42,26 +42,11 @@ pub enum MappingError {
         given: String,
     },
     /// A word that is not one of what a mapping says.
-    Word {
-        /// What was given.
-        given: String,
-        /// What is allowed.
-        allowed: String,
-    },
+    Word { given: String, allowed: String },
     /// A value that is not one of those of its word.
-    Value {
-        /// The word.
-        word: String,
-        /// What was given.
-        given: String,
-        /// What is allowed.
-        allowed: String,
-    },
+    Value { word: String, given: String, allowed: String },
     /// A word that is there twice, itself or by another word for the same.
-    Twice {
-        /// The word.
-        word: String,
-    },
+    Twice { word: String },
     /// A text that is not TOML, or not that of a mapping.
     Toml {
         /// What is wrong with it.
@@ -235,7 +220,6 @@ impl Column {
         }
     }
 
-    /// The name, where it is one.
     fn name(&self) -> Option<&str> {
         match self {
             Self::Name(name) if !self.is_none() => Some(name),

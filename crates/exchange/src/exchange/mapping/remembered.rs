@@ -40,9 +40,7 @@ pub struct Remembered(BTreeMap<String, Kept>);
 
 /// The header of a file.
 enum Header {
-    /// It has none.
     None,
-    /// It is this line.
     Line(usize),
 }
 

@@ -76,7 +76,6 @@ pub(super) fn known<T: Copy>(
     })
 }
 
-/// The word of what is meant.
 pub(super) fn word_for<T: Copy + PartialEq>(meant: T, list: &[(&'static str, T)]) -> Option<&'static str> {
     list.iter().find(|(_, known)| *known == meant).map(|(word, _)| *word)
 }

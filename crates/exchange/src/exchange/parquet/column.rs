@@ -6,7 +6,6 @@ use parquet::errors::ParquetError;
 
 use super::Field;
 
-/// One value.
 #[derive(Debug, Clone, Copy)]
 pub(in crate::exchange) enum Value<'a> {
     Boolean(bool),

@@ -9,7 +9,6 @@ use parquet::schema::types::{ColumnDescriptor, Type, TypePtr};
 pub(in crate::exchange) enum Kind {
     /// `true` or `false`.
     Boolean,
-    /// A whole number.
     Whole,
     /// A whole number whose bits are taken without a sign.
     Unsigned,
@@ -128,7 +127,6 @@ impl Field {
         Self { name: name.to_owned(), kind, is_optional, declared: declared.into() }
     }
 
-    /// Its name.
     pub fn name(&self) -> &str {
         &self.name
     }

@@ -94,7 +94,6 @@ pub(super) struct Nominal {
     pub(super) name: String,
     pub(super) definition: String,
     pub(super) target: Option<Number>,
-    /// The number of its feature.
     pub(super) feature: String,
 }
 
@@ -107,7 +106,6 @@ pub(super) struct Item {
     pub(super) feature: String,
 }
 
-/// What a feature is.
 #[derive(Debug, Clone)]
 pub(super) struct FeatureDefinition {
     pub(super) feature: Option<Feature>,

@@ -27,7 +27,6 @@ const OF_FEATURE: &[&str] = &["FeatureItemId", "Location", "Normal", "Axis", "Ax
 /// The most measured features of one part.
 const MOST_FEATURES: usize = 5 * MOST;
 
-/// A value.
 pub(super) struct Measured<'r> {
     /// Its kind, such as `Diameter`.
     pub(super) kind: &'r str,
@@ -61,7 +60,6 @@ impl From<Fault> for End {
     }
 }
 
-/// A feature as it was measured.
 struct MeasuredFeature {
     item: String,
     place: Option<Placed>,
@@ -124,7 +122,6 @@ fn of_one_part(xml: &mut Xml<'_>, definitions: &Definitions, part: &str, take: T
 /// The results of one part.
 struct Part<'d> {
     definitions: &'d Definitions,
-    /// The number of the part.
     id: &'d str,
     trace: Trace,
     features: HashMap<String, MeasuredFeature>,

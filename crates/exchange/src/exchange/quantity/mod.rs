@@ -26,11 +26,9 @@ pub(super) use said::{is_form, is_shape, may_be_named};
 pub enum Quantity {
     /// A size, of whatever kind.
     Size,
-    /// A diameter.
     Diameter,
     /// A distance of two walls or from a datum.
     Width,
-    /// A coordinate.
     Coordinate(Axis),
     /// Anything else.
     Other,

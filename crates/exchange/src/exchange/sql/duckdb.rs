@@ -4,7 +4,6 @@
 use super::decimals::{Given, limits, verdict, views};
 use super::{CALLOUT, CLASS, Dialect, MEASURED, millimetres, quoted};
 
-/// This dialect.
 pub(super) const DIALECT: Dialect = Dialect {
     name: "duckdb",
     engine: "DuckDB 1.1 or later",

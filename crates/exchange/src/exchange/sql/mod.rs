@@ -47,7 +47,6 @@ pub struct Dialect {
     usage: &'static str,
     /// The statement that begins a transaction, or nothing.
     begin: &'static str,
-    /// The tables.
     tables: &'static str,
     /// A text as a literal.
     text: fn(&str) -> String,
@@ -61,7 +60,6 @@ pub struct Dialect {
     end: &'static str,
 }
 
-/// Every dialect.
 pub const DIALECTS: &[Dialect] = &[postgres::DIALECT, duckdb::DIALECT, sqlite::DIALECT, spark::DIALECT];
 
 /// The codes in the column `error`, in the order in which they are tested, and what each says.
@@ -87,7 +85,6 @@ pub const CALLOUT: &str = "^ *(-?[0-9]{1,9}(?:[.][0-9]{1,6}0*)?) *\
 /// general class of ISO 2768-1. A unit is such a name, too, and no class of the tables.
 pub const CLASS: &str = "^([A-Z][A-Z0-9]{1,7}|[a-z][a-z0-9]{1,7}|[ABDEG-LN-UW-Z]|[abdeg-ln-uw-z])$";
 
-/// What a measured value is.
 pub const MEASURED: &str = "^ *(-?[0-9]{1,9}(?:[.][0-9]{1,6}0*)?) *$";
 
 /// Writes the SQL of a model, statement by statement.

@@ -14,7 +14,6 @@ const LAST_MM: u32 = 100_000;
 /// The limit deviations of a class in a step.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub struct Cell {
-    /// The class.
     pub class: ToleranceClass,
     /// The number of the step, from 1.
     pub step: usize,
@@ -45,25 +44,12 @@ pub struct Model {
 #[say(prefix = "sql", error)]
 pub enum SqlError {
     /// A range of a table ends within a millimetre: the look-up goes by whole millimetres.
-    Border {
-        /// The table.
-        table: Arc<str>,
-        /// The end.
-        end: Length,
-    },
+    Border { table: Arc<str>, end: Length },
     /// A range of a table ends beyond what the table of steps holds.
     #[say(args(most = Length::from_micrometres(LAST_UM)))]
-    TooFar {
-        /// The table.
-        table: Arc<str>,
-        /// The end.
-        end: Length,
-    },
+    TooFar { table: Arc<str>, end: Length },
     /// A class is named twice.
-    Twice {
-        /// The class.
-        class: ToleranceClass,
-    },
+    Twice { class: ToleranceClass },
     /// A chosen class has no limits at any size: the reason is that of the last step.
     #[say(transparent)]
     Limits(LimitsError),

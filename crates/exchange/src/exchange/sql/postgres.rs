@@ -3,7 +3,6 @@
 use super::decimals::{Given, limits, verdict, views};
 use super::{CALLOUT, CLASS, Dialect, MEASURED, millimetres, quoted};
 
-/// This dialect.
 pub(super) const DIALECT: Dialect = Dialect {
     name: "postgres",
     engine: "PostgreSQL 12 or later",

@@ -6,7 +6,6 @@
 use super::decimals::views;
 use super::{CALLOUT, CLASS, Dialect, MEASURED, millimetres};
 
-/// This dialect.
 pub(super) const DIALECT: Dialect = Dialect {
     name: "spark",
     engine: "Spark 3.2 or later",

@@ -7,7 +7,6 @@ use fitcheck_core::length::Length;
 
 use super::{Dialect, quoted};
 
-/// This dialect.
 pub(super) const DIALECT: Dialect = Dialect {
     name: "sqlite",
     engine: "SQLite 3.37 or later",

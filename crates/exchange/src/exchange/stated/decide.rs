@@ -225,7 +225,6 @@ fn may_be_a_name(cell: &str) -> bool {
         || small.chars().count() == 1 && small.contains(char::is_alphabetic)
 }
 
-/// The line of the first row.
 fn line_of_first_row(sample: &Sample) -> usize {
     sample.rows.get(sample.above).map_or(1, |(line, _)| *line)
 }

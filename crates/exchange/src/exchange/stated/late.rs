@@ -66,7 +66,6 @@ fn stray_of<'c, C: Iterator<Item = &'c str>>(
 /// The most different statements that are kept: long before, two of them contradict each other.
 const MOST_SAID: usize = 1_000;
 
-/// A line with its number.
 type Line = (usize, String);
 
 /// The lines of a text that may state a unit and are no rows: comments, and those without any figure.

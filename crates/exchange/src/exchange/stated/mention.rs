@@ -48,7 +48,6 @@ const NOT: [&str; 6] = ["not", "nicht", "niet", "non", "kein", "geen"];
 const OTHER: &str = "c|°c|ºc|℃|f|°f|k|degc|celsius|deg|degree|degrees|°|º|grad|grado|gradi|graden|rad|gon|n|kn|%|s|sec|min|h|ms|kg|g|bar|\
     mpa|gpa|pa|psi|v|a|hz|rpm|pcs|stk|stück|stuks|pz|ea|n/a|none|text|-|–|—";
 
-/// What one word is.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) enum Word {
     Length(Unit),

@@ -67,7 +67,6 @@ fn joined(cells: &StringRecord) -> String {
     shorten(&text)
 }
 
-/// The sign of a unit.
 pub(super) const fn sign(unit: Unit) -> &'static str {
     match unit {
         Unit::Millimetre => "mm",

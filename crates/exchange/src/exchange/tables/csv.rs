@@ -5,7 +5,6 @@ use fitcheck_core::tolerance::DeviationTable;
 
 use super::{TableFormat, TableFormatError};
 
-/// This format.
 pub const FORMAT: TableFormat =
     TableFormat { name: "csv", endings: &["csv"], description: "table-format-plain-csv", warning: |_| None, write };
 

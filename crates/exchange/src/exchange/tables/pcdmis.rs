@@ -15,7 +15,6 @@ use fitcheck_core::tolerance::{DeviationTable, Deviations};
 
 use super::{FormatWarning, TableFormat};
 
-/// This format.
 pub const FORMAT: TableFormat = TableFormat {
     name: "pcdmis",
     endings: &["csv"],

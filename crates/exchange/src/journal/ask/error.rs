@@ -2,7 +2,7 @@
 
 use std::ops::Range;
 
-use fitcheck_core::message::{Message, Say, display, printed};
+use fitcheck_core::message::{Message, Say, display, message, printed};
 use fitcheck_core::tolerance::{CalloutError, ClassError};
 
 /// Why a text is no question, and where.
@@ -22,7 +22,6 @@ pub enum AskErrorKind {
     UnknownKey {
         /// What was given.
         key: String,
-        /// What is known.
         known: String,
     },
     /// Nothing comes after the colon.
@@ -32,28 +31,22 @@ pub enum AskErrorKind {
     },
     /// Nothing is within the quotation marks.
     EmptyWord,
-    /// Asked for twice.
     Twice {
-        /// What.
         key: String,
     },
     /// The second quotation mark is missing.
     NotClosed,
     /// Something else than a blank comes after the second quotation mark.
     AfterQuote {
-        /// It.
         found: String,
     },
     /// Not a day, or not one that there is.
     Date {
-        /// What was given.
         given: String,
     },
     /// Not a verdict.
     Verdict {
-        /// What was given.
         given: String,
-        /// What is known.
         known: String,
     },
     /// Not a callout.
@@ -84,7 +77,7 @@ pub enum AskErrorKind {
 impl Say for AskError {
     fn message(&self) -> Message {
         let reason = self.kind.message();
-        Message::new("journal-ask-at").message("reason", reason).count("at", self.span.start.saturating_add(1))
+        message!("journal-ask-at").message("reason", reason).count("at", self.span.start.saturating_add(1))
     }
 }
 

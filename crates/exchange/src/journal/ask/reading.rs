@@ -22,7 +22,6 @@ pub(super) const KEYS: [&str; 10] =
 /// What stands alone.
 pub(super) const SWITCHES: [&str; 5] = ["today", "week", "simulated", "measured", "standing"];
 
-/// A word of a text.
 struct Word {
     /// Before the colon, in small letters; `None` where there is none.
     key: Option<String>,
@@ -249,7 +248,6 @@ fn is_key(text: &str) -> bool {
     !text.is_empty() && text.chars().all(|sign| sign.is_alphabetic() || sign == '-' || sign == '_')
 }
 
-/// The words of a text.
 fn words(text: &str) -> Result<Vec<Word>, AskError> {
     let mut signs = Signs { signs: text.chars().collect(), at: 0 };
     let mut words = Vec::new();

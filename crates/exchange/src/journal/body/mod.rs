@@ -49,10 +49,7 @@ pub enum BodyError {
     },
     /// A format of a later version.
     #[say(args(known = VERSION))]
-    Newer {
-        /// Its version.
-        version: u64,
-    },
+    Newer { version: u64 },
     /// More bytes than any entry has.
     #[say(args(most = LONGEST))]
     TooLarge {
@@ -60,9 +57,7 @@ pub enum BodyError {
         #[say(with = printed)]
         bytes: usize,
     },
-    /// A text is too long.
     TooLong {
-        /// The field.
         field: &'static str,
         /// How many bytes of UTF-8 it has.
         #[say(with = printed)]
@@ -73,7 +68,6 @@ pub enum BodyError {
     },
     /// A text has a control character.
     Control {
-        /// The field.
         field: &'static str,
         /// The character as Unicode writes it: `U+000A`.
         code: String,
@@ -82,13 +76,9 @@ pub enum BodyError {
         place: usize,
     },
     /// A text that must not be empty is.
-    Empty {
-        /// The field.
-        field: &'static str,
-    },
+    Empty { field: &'static str },
     /// A list is too long.
     TooMany {
-        /// The field.
         field: &'static str,
         /// How many it has.
         #[say(with = printed)]
@@ -98,17 +88,9 @@ pub enum BodyError {
         most: usize,
     },
     /// A value that the field cannot have.
-    Value {
-        /// The field.
-        field: &'static str,
-        /// What is there.
-        given: String,
-    },
+    Value { field: &'static str, given: String },
     /// A field says something else than the fields that it follows from.
-    Contradiction {
-        /// The field.
-        field: &'static str,
-    },
+    Contradiction { field: &'static str },
 }
 
 impl BodyError {

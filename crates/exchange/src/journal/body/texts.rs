@@ -97,13 +97,11 @@ pub(super) fn of_three(field: &'static str, texts: &Three) -> Result<[f64; 3], B
     Ok(numbers)
 }
 
-/// Contacts as texts.
 pub(super) fn contacts(field: &'static str, contacts: &[Contact]) -> Result<Vec<Three>, BodyError> {
     at_most(field, contacts, MOST_CONTACTS)?;
     contacts.iter().map(|contact| three(field, contact.place())).collect()
 }
 
-/// Contacts from texts.
 pub(super) fn of_contacts(field: &'static str, texts: &[Three]) -> Result<Vec<Contact>, BodyError> {
     at_most(field, texts, MOST_CONTACTS)?;
     texts.iter().map(|texts| of_three(field, texts).map(Contact::at)).collect()

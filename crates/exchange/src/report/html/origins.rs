@@ -2,7 +2,7 @@
 
 use fitcheck_core::budget::{Provenance, Validity};
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Say as _, message};
 use fitcheck_core::tolerance::fit::thermal::Correction;
 use fitcheck_core::verdict::Rule;
 use fitcheck_core::verdict::rules::percent;
@@ -18,7 +18,7 @@ pub(super) fn of(record: &Record, words: &Words) -> Vec<Entry> {
     let origin = words.told(&measurement.origin);
     let measured = match measurement.circle {
         Some(_) => words.say(
-            &Message::new("report-origin-circle").text("origin", origin).count("contacts", measurement.contacts.len()),
+            &message!("report-origin-circle").text("origin", origin).count("contacts", measurement.contacts.len()),
         ),
         None => origin,
     };
@@ -48,7 +48,7 @@ fn corrected(correction: &Correction, words: &Words) -> String {
     let decimals = [correction.measured, correction.at_reference].map(super::decimals_of);
     let mm = |length: Length| words.mm(length, decimals.into_iter().fold(3, usize::max));
     let Correction { measured, at_reference, part, .. } = *correction;
-    let message = Message::new("report-corrected")
+    let message = message!("report-corrected")
         .text("measured", mm(measured))
         .mm("temperature", part.temperature)
         .mm("expansion", part.expansion)
@@ -57,13 +57,10 @@ fn corrected(correction: &Correction, words: &Words) -> String {
     format!("{}; {}", words.say(&message), scales(correction, words))
 }
 
-/// The scales of a correction.
 pub(super) fn scales(correction: &Correction, words: &Words) -> String {
     words.say(&match correction.scale {
-        Some(scale) => {
-            Message::new("report-scales").mm("temperature", scale.temperature).mm("expansion", scale.expansion)
-        }
-        None => Message::new("report-scales-none"),
+        Some(scale) => message!("report-scales").mm("temperature", scale.temperature).mm("expansion", scale.expansion),
+        None => message!("report-scales-none"),
     })
 }
 
@@ -71,11 +68,11 @@ fn accepted(decision: &Decision, words: &Words) -> String {
     words.say(&match decision.zones.accepted {
         Some([least, most]) => {
             let decimals = [least, most].into_iter().map(super::decimals_of).fold(3, usize::max);
-            Message::new("report-accepted-zone")
+            message!("report-accepted-zone")
                 .text("least", words.mm(least, decimals))
                 .text("most", words.mm(most, decimals))
         }
-        None => Message::new("report-accepted-none"),
+        None => message!("report-accepted-none"),
     })
 }
 
@@ -85,7 +82,7 @@ fn proof(decision: &Decision, words: &Words) -> Option<String> {
         decision.proven.map(|is_proven| words.get(if is_proven { "report-proven" } else { "report-not-proven" }));
     let conformity = decision
         .conformity
-        .map(|conformity| words.say(&Message::new("report-conformity").mm("percent", percent(conformity.within))));
+        .map(|conformity| words.say(&message!("report-conformity").mm("percent", percent(conformity.within))));
     let said: Vec<String> = proven.into_iter().chain(conformity).collect();
     (!said.is_empty()).then(|| said.join("; "))
 }
@@ -95,7 +92,7 @@ pub(super) fn budget(budget: &Provenance, words: &Words) -> String {
     let Provenance { name, date, by, valid_until, validity, warnings, .. } = budget;
     let mut said = vec![
         words.say(
-            &Message::new("report-budget-made")
+            &message!("report-budget-made")
                 .text("name", name)
                 .text("date", date.to_string())
                 .text("by", by)

@@ -1,7 +1,7 @@
 //! A whole part: its status first, what is missing, its picture with a balloon a feature, and the list of its sizes.
 
 use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, Say as _};
+use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::part::{FeatureStanding, Size, Step};
 use fitcheck_core::words::Words;
 
@@ -112,7 +112,7 @@ impl Parts {
             why: Some(words.say(why)),
         };
         Some(match part.picture.as_ref()? {
-            Ok(image) if self.left < image.size() => none(&Message::new("report-picture-room").text("name", &name)),
+            Ok(image) if self.left < image.size() => none(&message!("report-picture-room").text("name", &name)),
             Ok(image) => {
                 self.left -= image.size();
                 shown(part, image, said, words)
@@ -139,7 +139,7 @@ fn shown(part: &PartSheet, image: &Image, said: String, words: &Words) -> Pictur
         address: Some(image.address()),
         said,
         balloons,
-        beside: (0 < beside).then(|| words.say(&Message::new("report-picture-beside").count("count", beside))),
+        beside: (0 < beside).then(|| words.say(&message!("report-picture-beside").count("count", beside))),
         why: None,
     }
 }
@@ -150,11 +150,11 @@ fn balloon([x, y]: [f64; 2], label: &str, (name, standing): (&str, &FeatureStand
         None if is_skipped => words.get("parts-page-balloon-skipped"),
         None => words.get("parts-page-balloon-open"),
         Some(status) if is_simulated => {
-            words.say(&Message::new("parts-page-balloon-simulated").text("status", words.told(&status)))
+            words.say(&message!("parts-page-balloon-simulated").text("status", words.told(&status)))
         }
         Some(status) => words.told(&status),
     };
-    let said = Message::new("parts-page-balloon").text("label", label).text("name", name).text("status", word);
+    let said = message!("parts-page-balloon").text("label", label).text("name", name).text("status", word);
     let percent = |share: f64| format!("{:.2}", share.clamp(0.0, 1.0) * 100.0);
     BalloonView {
         class: status.map_or(if is_skipped { "skipped" } else { "open" }, status_class),
@@ -171,10 +171,10 @@ fn balloon([x, y]: [f64; 2], label: &str, (name, standing): (&str, &FeatureStand
 fn heading(part: &PartSheet, words: &Words) -> String {
     let (name, serial) = (&part.plan.head.part, part.serial());
     words.say(&match (name.is_empty(), serial.is_empty()) {
-        (true, true) => Message::new("report-part"),
-        (true, false) => Message::new("walk-page-part-serial").text("serial", serial),
-        (false, true) => Message::new("walk-page-part-no-serial").text("part", name),
-        (false, false) => Message::new("walk-page-part").text("part", name).text("serial", serial),
+        (true, true) => message!("report-part"),
+        (true, false) => message!("walk-page-part-serial").text("serial", serial),
+        (false, true) => message!("walk-page-part-no-serial").text("part", name),
+        (false, false) => message!("walk-page-part").text("part", name).text("serial", serial),
     })
 }
 
@@ -183,19 +183,19 @@ fn lacks(part: &PartSheet, words: &Words) -> Vec<String> {
     let mut lacks = Vec::new();
     let missing = part.missing();
     if !missing.is_empty() {
-        lacks.push(words.say(&Message::new("walk-page-missing").text("names", missing.join(", "))));
+        lacks.push(words.say(&message!("walk-page-missing").text("names", missing.join(", "))));
     }
     for (name, reason) in part.left_out() {
-        let left = words.say(&Message::new("walk-page-skipped").text("reason", reason));
+        let left = words.say(&message!("walk-page-skipped").text("reason", reason));
         lacks.push(format!("{name}: {left}"));
     }
     let simulated = part.standing().simulated;
     if 0 < simulated {
-        lacks.push(words.say(&Message::new("walk-page-simulated").count("count", simulated)));
+        lacks.push(words.say(&message!("walk-page-simulated").count("count", simulated)));
     }
     let older = part.older();
     if 0 < older {
-        lacks.push(words.say(&Message::new("report-part-older").count("count", older)));
+        lacks.push(words.say(&message!("report-part-older").count("count", older)));
     }
     lacks
 }
@@ -208,7 +208,7 @@ fn size_view(size: &Size<'_>, step: &Step, record: Option<&crate::journal::Recor
         Some(record) => {
             let word = words.told(&record.verdict.status());
             if record.measurement.origin.is_simulated() {
-                words.say(&Message::new("parts-page-balloon-simulated").text("status", word))
+                words.say(&message!("parts-page-balloon-simulated").text("status", word))
             } else {
                 word
             }

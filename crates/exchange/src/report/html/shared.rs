@@ -3,7 +3,7 @@
 use std::sync::Arc;
 
 use fitcheck_core::budget::Provenance;
-use fitcheck_core::message::Message;
+use fitcheck_core::message::message;
 use fitcheck_core::tolerance::fit::thermal::Correction;
 use fitcheck_core::verdict::Rule;
 use fitcheck_core::verdict::rules::Given;
@@ -51,14 +51,14 @@ impl Shared {
         let entry = |id: &str, value: String| Entry { label: words.get(id), value };
         let rule = self.rule.map(|rule| {
             if self.has_own_uncertainties {
-                words.say(&rule.message_with(Message::new("report-own-uncertainty")))
+                words.say(&rule.message_with(message!("report-own-uncertainty")))
             } else {
                 origins::rule(rule, words)
             }
         });
         let correction = self.correction.map(|correction| {
             let part = correction.part;
-            let said = Message::new("report-all-corrected").mm("temperature", part.temperature);
+            let said = message!("report-all-corrected").mm("temperature", part.temperature);
             format!("{}; {}", words.say(&said.mm("expansion", part.expansion)), origins::scales(&correction, words))
         });
         let budget = self.budget.as_ref().map(|budget| origins::budget(budget, words));

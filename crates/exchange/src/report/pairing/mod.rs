@@ -28,7 +28,6 @@ use fitcheck_core::tolerance::fit::Fit;
 pub use figures::column_names;
 pub use parts::{Note, Parts, PartsFrom, PartsWarning};
 
-/// What is asked.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Asked {
     /// The measured holes.
@@ -46,7 +45,6 @@ pub struct Asked {
 /// What was asked, and what came of it.
 #[derive(Debug, Clone, PartialEq)]
 pub struct Answer {
-    /// What was asked.
     pub asked: Asked,
     /// Holes and shafts outside the limits of the fit: a pair of them may still have a wanted clearance.
     pub outside: [Option<PartsWarning>; 2],

@@ -37,7 +37,6 @@ pub struct Parts {
 pub struct Note {
     /// The line, if it is about one.
     pub line: Option<usize>,
-    /// What.
     pub what: Message,
 }
 
@@ -86,7 +85,6 @@ impl Note {
 }
 
 impl Parts {
-    /// What was read from a file.
     pub fn of_file(file: impl Into<String>, read: Sizes) -> Self {
         let found = read.warnings.iter().map(|found| Note { line: found.place.line, what: found.what.message() });
         let notes = found.chain(read.doubts().iter().map(Note::of)).collect();
