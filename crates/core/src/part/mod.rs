@@ -28,7 +28,7 @@
 //! 1. Add a variant to [`Column`]: its key, `ALL` with its length, whether it is a number or any text.
 //! 2. Add a field to [`PlanFeature`] and its check to `check`. [`PlanFault::Text`] has the longest text; another fault is a new variant.
 //! 3. Add a row to `docs/PLANS.md`, and `parts-page-column-KEY` to `parts-page.ftl` in every folder of `assets/locales`.
-//! 4. Add its line to the JSON of `fitcheck plan check` (`cli/plan.rs`).
+//! 4. Add its line to the JSON of `fitcheck plan check` (`cli/plan/mod.rs`).
 //! 5. Set the width of its column in `gui/parts/plan/grid.rs`, unless the usual one will do.
 //!
 //! Files both ways, the table in the window, paste and undo follow.

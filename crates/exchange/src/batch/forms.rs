@@ -4,9 +4,9 @@
 //!
 //! 1. Write a file in `exchange/batch` that implements [`Take`]. Add its `mod` and `pub use` lines and its row in `mod.rs` there.
 //! 2. Add here its variant, its line in [`FORMS`], its [`Rendering`] and an arm in each question about a form. The compiler names the
-//!    arms. Elsewhere `cli/batch.rs` alone names forms: CSV is the default, and Parquet is not packed.
+//!    arms. Elsewhere `cli/batch/mod.rs` alone names forms: CSV is the default, and Parquet is not packed.
 //! 3. Judge the same rows into it with `judged::<R>` in `tests/core/batch.rs` and in `fuzz/src/targets/batch.rs`.
-//! 4. Name its ending in the help of `cli/batch.rs`, in `docs/manual/batch.md` and in `CHANGELOG.md`.
+//! 4. Name its ending in the help of `cli/batch/mod.rs`, in `docs/manual/batch.md` and in `CHANGELOG.md`.
 //! 5. Add a call to `tests/data/corpus/batch.txt` and record the answers (`tests/core/corpus.rs`).
 //!
 //! A form that is not text is made as `parquet` is. Rows that do not come as text become the text of a CSV (`exchange/batch/typed.rs`),

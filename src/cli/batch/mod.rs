@@ -4,7 +4,7 @@ mod judging;
 #[cfg(feature = "parquet")]
 mod parquet;
 #[cfg(not(feature = "parquet"))]
-#[path = "batch/no_parquet.rs"]
+#[path = "no_parquet.rs"]
 #[expect(
     clippy::extra_unused_type_parameters,
     clippy::needless_pass_by_ref_mut,
