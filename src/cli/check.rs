@@ -10,7 +10,7 @@ use super::budget;
 use super::judging::JudgeArgs;
 use super::material::Part;
 use super::record::RecordArgs;
-use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What, heard_or_not};
+use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What};
 use crate::budget::{Assessment, Conditions};
 use crate::control::mask::Mask;
 use crate::exchange::contacts::Contacts;
@@ -250,7 +250,7 @@ impl Args {
                 status_window(record, language, Some(&mask)).about(&name)?
             }
         };
-        heard_or_not(io.people().write_all(text.as_bytes()))?;
+        io.people().write_all(text.as_bytes());
         if let Some(removal) = record.verdict.size.removal {
             let (limit, middle) = (removal.to_limit, removal.to_middle);
             io.tell(CliRemark::Remove { limit, middle });
@@ -334,5 +334,6 @@ fn print_json(record: &Record, unstated: bool, budget: Option<&Assessment>, io: 
 fn print_csv(record: &Record, unstated: bool, io: &mut Io<'_>) -> Result<(), CliError> {
     let render = if unstated { csv::render_without_feature } else { csv::render };
     let bytes = render(std::slice::from_ref(record)).said()?;
-    heard_or_not(io.data().write_all(&bytes))
+    io.data().write_all(&bytes);
+    Ok(())
 }

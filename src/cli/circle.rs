@@ -2,8 +2,6 @@
 
 use std::path::PathBuf;
 
-use serde::Serialize;
-
 use super::{CliError, Format, Io, Outcome, Refused as _, read_contacts};
 use crate::exchange::contacts::Contacts;
 use crate::probing::Circle;
@@ -30,43 +28,41 @@ pub(super) struct Args {
     format: Format,
 }
 
-/// The answer for programs; its names must not change.
-#[derive(Debug, Serialize)]
-struct Answer<'a> {
-    least_squares: LeastSquares,
-    minimum_circumscribed: Circle,
-    maximum_inscribed: Option<Circle>,
-    minimum_zone: Option<Ring>,
-    two_point: Vec<Pair>,
-    contacts: usize,
-    arc_deg: f64,
-    residuals: &'a [f64],
-    warnings: Vec<String>,
-}
+object! {
+    /// The answer for programs.
+    struct Answer<'a> of(evaluation: &'a Evaluation, contacts: usize) {
+        least_squares: LeastSquares = LeastSquares::of(evaluation),
+        minimum_circumscribed: Circle = evaluation.minimum_circumscribed,
+        maximum_inscribed: Option<Circle> = evaluation.maximum_inscribed,
+        minimum_zone: Option<Ring> = evaluation.minimum_zone.as_ref().map(Ring::of),
+        two_point: Vec<Pair> = evaluation.two_point.iter().map(Pair::of).collect(),
+        contacts: usize = contacts,
+        arc_deg: f64 = evaluation.arc_deg,
+        residuals: &'a [f64] = &evaluation.residuals,
+        warnings: Vec<String> = evaluation.warnings.iter().map(ToString::to_string).collect(),
+    }
 
-#[derive(Debug, Serialize)]
-struct LeastSquares {
-    x: f64,
-    y: f64,
-    diameter: f64,
-    /// Largest minus smallest radial deviation.
-    form: f64,
-}
+    /// The form is the largest minus the smallest radial deviation.
+    struct LeastSquares of(evaluation: &Evaluation) {
+        x: f64 = evaluation.least_squares.x,
+        y: f64 = evaluation.least_squares.y,
+        diameter: f64 = evaluation.least_squares.diameter,
+        form: f64 = evaluation.form(),
+    }
 
-#[derive(Debug, Serialize)]
-struct Ring {
-    x: f64,
-    y: f64,
-    width: f64,
-    outer_diameter: f64,
-    inner_diameter: f64,
-}
+    struct Ring of(zone: &Zone) {
+        x: f64 = zone.x,
+        y: f64 = zone.y,
+        width: f64 = zone.width,
+        outer_diameter: f64 = zone.outer_diameter,
+        inner_diameter: f64 = zone.inner_diameter,
+    }
 
-#[derive(Debug, Serialize)]
-struct Pair {
-    contacts: [usize; 2],
-    size: f64,
-    direction_deg: f64,
+    struct Pair of(pair: &TwoPoint) {
+        contacts: [usize; 2] = pair.contacts,
+        size: f64 = pair.size,
+        direction_deg: f64 = pair.direction_deg,
+    }
 }
 
 impl Args {
@@ -78,51 +74,34 @@ impl Args {
                 io.warn(warning);
             }
         }
-        let Circle { x, y, diameter } = evaluation.least_squares;
-        let ring = |zone| {
-            let Zone { x, y, width, outer_diameter, inner_diameter, .. } = zone;
-            Ring { x, y, width, outer_diameter, inner_diameter }
-        };
-        let pair = |&TwoPoint { contacts, size, direction_deg, .. }: &TwoPoint| Pair { contacts, size, direction_deg };
-        let answer = Answer {
-            least_squares: LeastSquares { x, y, diameter, form: evaluation.form() },
-            minimum_circumscribed: evaluation.minimum_circumscribed,
-            maximum_inscribed: evaluation.maximum_inscribed,
-            minimum_zone: evaluation.minimum_zone.map(ring),
-            two_point: evaluation.two_point.iter().map(pair).collect(),
-            contacts: contacts.len(),
-            arc_deg: evaluation.arc_deg,
-            residuals: &evaluation.residuals,
-            warnings: evaluation.warnings.iter().map(ToString::to_string).collect(),
-        };
+        let answer = Answer::of(&evaluation, contacts.len());
         match self.format {
             Format::Json => io.json(&answer)?,
-            Format::Csv => print_csv(&answer, io)?,
-            Format::Text => print_text(&answer, &evaluation, io)?,
+            Format::Csv => print_csv(&answer, io),
+            Format::Text => print_text(&answer, &evaluation, io),
         }
         Ok(Outcome::Done)
     }
 }
 
-fn print_csv(answer: &Answer<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
-    writeln!(io.data(), "criterion,x_mm,y_mm,diameter_mm,form_mm")?;
+fn print_csv(answer: &Answer<'_>, io: &mut Io<'_>) {
+    writeln!(io.data(), "criterion,x_mm,y_mm,diameter_mm,form_mm");
     let LeastSquares { x, y, diameter, form } = answer.least_squares;
-    writeln!(io.data(), "least_squares,{x},{y},{diameter},{form}")?;
+    writeln!(io.data(), "least_squares,{x},{y},{diameter},{form}");
     let Circle { x, y, diameter } = answer.minimum_circumscribed;
-    writeln!(io.data(), "minimum_circumscribed,{x},{y},{diameter},")?;
+    writeln!(io.data(), "minimum_circumscribed,{x},{y},{diameter},");
     if let Some(Circle { x, y, diameter }) = answer.maximum_inscribed {
-        writeln!(io.data(), "maximum_inscribed,{x},{y},{diameter},")?;
+        writeln!(io.data(), "maximum_inscribed,{x},{y},{diameter},");
     }
     if let Some(Ring { x, y, width, .. }) = answer.minimum_zone {
-        writeln!(io.data(), "minimum_zone,{x},{y},,{width}")?;
+        writeln!(io.data(), "minimum_zone,{x},{y},,{width}");
     }
     for Pair { size, .. } in &answer.two_point {
-        writeln!(io.data(), "two_point,,,{size},")?;
+        writeln!(io.data(), "two_point,,,{size},");
     }
-    Ok(())
 }
 
-fn print_text(answer: &Answer<'_>, evaluation: &Evaluation, io: &mut Io<'_>) -> Result<(), CliError> {
+fn print_text(answer: &Answer<'_>, evaluation: &Evaluation, io: &mut Io<'_>) {
     let mut row = |name: &str, circle: Option<Circle>, form: Option<f64>| {
         let form = form.map(|form| format!("   form {form:.4}")).unwrap_or_default();
         match circle {
@@ -132,19 +111,18 @@ fn print_text(answer: &Answer<'_>, evaluation: &Evaluation, io: &mut Io<'_>) -> 
             None => writeln!(io.people(), "{name:<24}does not exist for these contacts"),
         }
     };
-    row("least squares", Some(evaluation.least_squares), Some(answer.least_squares.form))?;
-    row("minimum circumscribed", Some(answer.minimum_circumscribed), None)?;
-    row("maximum inscribed", answer.maximum_inscribed, None)?;
+    row("least squares", Some(evaluation.least_squares), Some(answer.least_squares.form));
+    row("minimum circumscribed", Some(answer.minimum_circumscribed), None);
+    row("maximum inscribed", answer.maximum_inscribed, None);
     match &answer.minimum_zone {
         Some(Ring { x, y, width, .. }) => {
             let name = "minimum zone";
-            writeln!(io.people(), "{name:<24}roundness {width:.6}   centre {x:.6} {y:.6}")?;
+            writeln!(io.people(), "{name:<24}roundness {width:.6}   centre {x:.6} {y:.6}");
         }
-        None => writeln!(io.people(), "minimum zone            does not exist for these contacts")?,
+        None => writeln!(io.people(), "minimum zone            does not exist for these contacts"),
     }
     for Pair { contacts: [one, other], size, direction_deg } in &answer.two_point {
-        writeln!(io.people(), "two-point {one} - {other}   {size:.6}   at {direction_deg:.1}°")?;
+        writeln!(io.people(), "two-point {one} - {other}   {size:.6}   at {direction_deg:.1}°");
     }
-    writeln!(io.people(), "{} contacts over {:.1}°, millimetres", answer.contacts, answer.arc_deg)?;
-    Ok(())
+    writeln!(io.people(), "{} contacts over {:.1}°, millimetres", answer.contacts, answer.arc_deg);
 }

@@ -75,8 +75,8 @@ impl Args {
         let answer = answer(&asked, &zones)?;
         match self.format {
             Format::Json => io.json(&answer)?,
-            Format::Csv => super::heard_or_not(io.data().write_all(csv(&answer).as_bytes()))?,
-            Format::Text => text(&asked, &answer, io)?,
+            Format::Csv => io.data().write_all(csv(&answer).as_bytes()),
+            Format::Text => text(&asked, &answer, io),
         }
         let status = asked.measured.map(|measured| zones.status(asked.bounds.feature, measured));
         Ok(status.map_or(Outcome::Done, Outcome::Judged))
@@ -213,24 +213,24 @@ fn csv(answer: &Map<String, Json>) -> String {
 }
 
 /// The same for people.
-fn text(asked: &Asked, answer: &Map<String, Json>, io: &mut Io<'_>) -> Result<(), CliError> {
+fn text(asked: &Asked, answer: &Map<String, Json>, io: &mut Io<'_>) {
     let shown = |name: &str| match answer.get(name) {
         None | Some(Json::Null) => "–".to_owned(),
         Some(value) => value.to_string(),
     };
     let is_known = |name: &str| answer.get(name).is_some_and(|value| !value.is_null());
-    writeln!(io.people(), "rule          {}", asked.rule)?;
-    writeln!(io.people(), "limits        {} to {} mm", shown("min_mm"), shown("max_mm"))?;
+    writeln!(io.people(), "rule          {}", asked.rule);
+    writeln!(io.people(), "limits        {} to {} mm", shown("min_mm"), shown("max_mm"));
     if answer.get("accepts_nothing") == Some(&Json::Bool(true)) {
-        writeln!(io.people(), "accepted      nothing: the rule leaves nothing of this tolerance")?;
+        writeln!(io.people(), "accepted      nothing: the rule leaves nothing of this tolerance");
     } else {
-        writeln!(io.people(), "accepted      {} to {} mm", shown("zone_min_mm"), shown("zone_max_mm"))?;
+        writeln!(io.people(), "accepted      {} to {} mm", shown("zone_min_mm"), shown("zone_max_mm"));
     }
     if is_known("rejected_below_mm") || is_known("rejected_above_mm") {
         let (below, above) = (shown("rejected_below_mm"), shown("rejected_above_mm"));
-        writeln!(io.people(), "rejected      below {below} mm, above {above} mm")?;
+        writeln!(io.people(), "rejected      below {below} mm, above {above} mm");
     } else {
-        writeln!(io.people(), "rejected      nothing")?;
+        writeln!(io.people(), "rejected      nothing");
     }
     let probability = |name: &str| answer.get(name).and_then(Json::as_f64).map(percent).unwrap_or_default();
     if let Some(status) = asked.measured.map(|measured| asked.rule.status(&asked.bounds, measured)) {
@@ -239,25 +239,24 @@ fn text(asked: &Asked, answer: &Map<String, Json>, io: &mut Io<'_>) -> Result<()
             Some(false) => ", not proven",
             None => "",
         };
-        writeln!(io.people(), "measured      {} mm: {}{proven}", shown("measured_mm"), Status::word(status))?;
+        writeln!(io.people(), "measured      {} mm: {}{proven}", shown("measured_mm"), Status::word(status));
     }
     if is_known("conformity") {
         let (within, below, above) = (probability("conformity"), probability("below"), probability("above"));
-        writeln!(io.people(), "conformity    {within} %, too small {below} %, too large {above} %")?;
+        writeln!(io.people(), "conformity    {within} %, too small {below} %, too large {above} %");
     }
     if is_known("consumer_risk") {
         let (bad, consumer) = (probability("nonconforming"), probability("consumer_risk"));
-        writeln!(io.people(), "process       {bad} % do not conform")?;
+        writeln!(io.people(), "process       {bad} % do not conform");
         writeln!(
             io.people(),
             "risks         {consumer} % accepted and bad, {} % good and not accepted",
             probability("producer_risk")
-        )?;
+        );
     }
     if is_known("risk_zone_producer_risk") {
         let producer = probability("risk_zone_producer_risk");
         let (least, most) = (shown("risk_zone_min_mm"), shown("risk_zone_max_mm"));
-        writeln!(io.people(), "for this risk {least} to {most} mm accepted, {producer} % good and not accepted")?;
+        writeln!(io.people(), "for this risk {least} to {most} mm accepted, {producer} % good and not accepted");
     }
-    Ok(())
 }

@@ -72,13 +72,13 @@ impl<'a> Io<'a> {
     }
 
     /// Standard output for an answer that a person reads.
-    pub(super) fn people(&mut self) -> &mut dyn Write {
+    pub(super) fn people(&mut self) -> &mut Tame<Out<'a>> {
         self.give_way();
         &mut self.out
     }
 
     /// Standard output for JSON, CSV and files: byte for byte.
-    pub(super) fn data(&mut self) -> &mut dyn Write {
+    pub(super) fn data(&mut self) -> &mut Out<'a> {
         self.give_way();
         &mut self.out.0
     }
@@ -90,7 +90,7 @@ impl<'a> Io<'a> {
 
     /// Why standard output could not be written, where it could not be. A closed pipe is no error.
     pub(super) fn unwritten(&mut self) -> Option<std::io::Error> {
-        self.out.0.close();
+        self.out.0.flush();
         self.out.0.failed.take().filter(|error| error.kind() != std::io::ErrorKind::BrokenPipe)
     }
 
@@ -112,7 +112,7 @@ impl<'a> Io<'a> {
     }
 
     /// Standard input beside standard output, for an answer to each line.
-    pub(super) fn input_and_data(&mut self) -> (&mut dyn BufRead, &mut dyn Write) {
+    pub(super) fn input_and_data(&mut self) -> (&mut dyn BufRead, &mut Out<'a>) {
         (self.input, &mut self.out.0)
     }
 
@@ -128,8 +128,9 @@ impl<'a> Io<'a> {
 
     /// Prints an answer for programs.
     pub(super) fn json(&mut self, answer: &impl serde::Serialize) -> Result<(), CliError> {
-        let written = serde_json::to_writer_pretty(self.data(), answer).map_err(std::io::Error::from);
-        heard_or_not(written.and_then(|()| writeln!(self.data())))
+        serde_json::to_writer_pretty(self.data(), answer)?;
+        writeln!(self.data());
+        Ok(())
     }
 
     /// Prints a warning. Whether somebody has to look first is decided with its kind.
@@ -166,36 +167,39 @@ impl<'a> Io<'a> {
 }
 
 /// Standard output as it is. The first error is kept and told at the end, and what comes after it goes nowhere: a verdict is reached, and
-/// recorded, whoever listens.
-struct Out<'a> {
+/// recorded, whoever listens. So nothing that is written here can fail.
+pub(super) struct Out<'a> {
     out: &'a mut (dyn Write + Send),
     failed: Option<std::io::Error>,
 }
 
 impl Out<'_> {
-    fn keep(&mut self, written: std::io::Result<()>) {
-        self.failed = self.failed.take().or(written.err());
+    pub(super) fn write_all(&mut self, bytes: &[u8]) {
+        if self.failed.is_none() {
+            self.failed = self.out.write_all(bytes).err();
+        }
     }
 
-    fn close(&mut self) {
+    pub(super) fn write_fmt(&mut self, text: std::fmt::Arguments<'_>) {
+        self.write_all(text.to_string().as_bytes());
+    }
+
+    pub(super) fn flush(&mut self) {
         if self.failed.is_none() {
-            let written = self.out.flush();
-            self.keep(written);
+            self.failed = self.out.flush().err();
         }
     }
 }
 
+/// For what writes files as well.
 impl Write for Out<'_> {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        if self.failed.is_none() {
-            let written = self.out.write_all(bytes);
-            self.keep(written);
-        }
+        self.write_all(bytes);
         Ok(bytes.len())
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
-        self.close();
+        self.flush();
         Ok(())
     }
 }
@@ -221,6 +225,16 @@ impl Listener<'_> {
     }
 }
 
+impl Tame<Out<'_>> {
+    pub(super) fn write_all(&mut self, bytes: &[u8]) {
+        self.0.write_all(tame(&String::from_utf8_lossy(bytes)).as_bytes());
+    }
+
+    pub(super) fn write_fmt(&mut self, text: std::fmt::Arguments<'_>) {
+        self.0.write_all(tame_text(text).as_bytes());
+    }
+}
+
 impl<W: Write> Write for Tame<W> {
     fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
         self.0.write_all(tame(&String::from_utf8_lossy(bytes)).as_bytes())?;
@@ -228,15 +242,20 @@ impl<W: Write> Write for Tame<W> {
     }
 
     fn write_fmt(&mut self, text: std::fmt::Arguments<'_>) -> std::io::Result<()> {
-        let text = text.to_string();
-        match text.strip_suffix('\n') {
-            Some(line) => self.0.write_all((tame_line(line) + "\n").as_bytes()),
-            None => self.0.write_all(tame_line(&text).as_bytes()),
-        }
+        self.0.write_all(tame_text(text).as_bytes())
     }
 
     fn flush(&mut self) -> std::io::Result<()> {
         self.0.flush()
+    }
+}
+
+/// What is formatted, as one line, with its end where it has one.
+fn tame_text(text: std::fmt::Arguments<'_>) -> String {
+    let text = text.to_string();
+    match text.strip_suffix('\n') {
+        Some(line) => tame_line(line) + "\n",
+        None => tame_line(&text),
     }
 }
 
@@ -281,14 +300,6 @@ pub fn tell(message: &str) -> ExitCode {
 pub(super) fn tell_at_once<T: Say>(what: &T) {
     let (mut err, mut wants_a_look) = (std::io::stderr().lock(), false);
     Listener { err: &mut err, wants_a_look: &mut wants_a_look }.tell(remark(what));
-}
-
-/// A closed pipe is not an error, and must never end a subcommand before its verdict.
-pub(super) fn heard_or_not(written: std::io::Result<()>) -> Result<(), CliError> {
-    match written {
-        Err(error) if error.kind() != std::io::ErrorKind::BrokenPipe => Err(error.into()),
-        _ => Ok(()),
-    }
 }
 
 /// The bytes of a file, or of standard input for `-`, and the name to call it by.
@@ -370,6 +381,18 @@ pub(super) fn save_with(
     files::write_with(path, write)?;
     io.tell(CliRemark::Wrote { path: path.display().to_string() });
     Ok(())
+}
+
+/// The same where standard output takes what no file is named for, or a dash.
+pub(super) fn put(
+    path: Option<&Path>,
+    write: &mut dyn FnMut(&mut (dyn Write + Send)) -> std::io::Result<()>,
+    io: &mut Io<'_>,
+) -> Result<(), CliError> {
+    match path.filter(|path| !is_dash(path)) {
+        Some(path) => save_with(path, write, io),
+        None => Ok(write(io.data())?),
+    }
 }
 
 /// The local date and time to the second: what a person reads, and what every control prints.

@@ -1,11 +1,8 @@
 //! `fitcheck limits`: limits of size of one callout or of a stream of them.
 
-use std::io::Write;
-
-use super::answers::{Answerer, Answers, Asked, Cells};
+use super::answers::{Answerer, Answers, Asked};
 use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
 use crate::length::{Length, Unit};
-use crate::report::columns::{self, Cell as _, Column, columns};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Sources, Tolerance};
 
 const EXAMPLES: &str = "\
@@ -38,13 +35,7 @@ pub(super) struct Args {
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
-        let all_answered = Answers::print(
-            (self.format, false),
-            &columns::names(&Row::COLUMNS),
-            &self.callouts,
-            &mut LimitsOf(&sources),
-            io,
-        )?;
+        let all_answered = Answers::print((self.format, false), &self.callouts, &mut LimitsOf(&sources), io)?;
         Ok(if all_answered { Outcome::Done } else { Outcome::BadData })
     }
 }
@@ -52,43 +43,18 @@ impl Args {
 /// Answers with limits of size.
 struct LimitsOf<'a>(&'a Sources);
 
-/// A line of CSV or a JSON object.
-#[derive(Debug, Default, serde::Serialize)]
-struct Row<'a> {
-    callout: &'a str,
-    nominal_mm: Option<Figure>,
-    lower_um: Option<Figure>,
-    upper_um: Option<Figure>,
-    min_mm: Option<Figure>,
-    max_mm: Option<Figure>,
-    source: Option<String>,
-    error: Option<String>,
-}
-
-impl<'a> Row<'a> {
-    /// The columns of CSV.
-    const COLUMNS: [Column<Self>; 8] = columns! {
-        callout, nominal_mm, lower_um, upper_um, min_mm, max_mm, source, error,
-    };
-
-    fn of(callout: &'a str, limits: &Limits) -> Self {
-        let (mm, um) = (|length, decimals| Some(Figure::mm(length, decimals)), |length| Some(Figure::um(length)));
-        Self {
-            callout,
-            nominal_mm: mm(limits.nominal, 0),
-            lower_um: um(limits.deviations.lower()),
-            upper_um: um(limits.deviations.upper()),
-            min_mm: mm(limits.minimum(), 3),
-            max_mm: mm(limits.maximum(), 3),
-            source: Some(limits.source.with_difference()),
-            error: None,
-        }
-    }
-}
-
-impl Cells for Row<'_> {
-    fn cells(&self) -> Vec<String> {
-        columns::cells(&Self::COLUMNS, self).collect()
+row! {
+    /// A line of CSV or a JSON object.
+    #[derive(Default)]
+    struct Row<'a> of(callout: &'a str, limits: &Limits) {
+        callout: &'a str = callout,
+        nominal_mm: Option<Figure> = Some(Figure::mm(limits.nominal, 0)),
+        lower_um: Option<Figure> = Some(Figure::um(limits.deviations.lower())),
+        upper_um: Option<Figure> = Some(Figure::um(limits.deviations.upper())),
+        min_mm: Option<Figure> = Some(Figure::mm(limits.minimum(), 3)),
+        max_mm: Option<Figure> = Some(Figure::mm(limits.maximum(), 3)),
+        source: Option<String> = Some(limits.source.with_difference()),
+        error: Option<String> = None,
     }
 }
 
@@ -135,22 +101,23 @@ impl LimitsOf<'_> {
                 if let Some(doubt) = self.0.zone_doubt(&callout, &limits) {
                     io.warn_about(&callout, &doubt);
                 }
-                if answers.is_text() {
-                    return answers.text(|out, _| write_text(out, &callout, &limits), io);
+                if !answers.is_text() {
+                    return answers.figures(&Row::of(asked.callout, &limits), io);
                 }
-                answers.figures(&Row::of(asked.callout, &limits), io)
+                answers.text(|io, _| write_text(&callout, &limits, io), io);
+                Ok(())
             }
         }
     }
 }
 
 /// `25 H7   hole   25.000 … 25.021   mm   (0 / +21 µm)   from …`: the callout as it was understood.
-fn write_text(out: &mut dyn Write, callout: &Callout, limits: &Limits) -> std::io::Result<()> {
+fn write_text(callout: &Callout, limits: &Limits, io: &mut Io<'_>) {
     let mm = |length: Length| length.exact(Unit::Millimetre, 3);
     let (minimum, maximum) = (mm(limits.minimum()), mm(limits.maximum()));
     let range = format!("{minimum:>8} … {maximum} mm");
     let deviations = format!("({} µm)", lower_and_upper(&limits.deviations));
     let feature = callout.feature().map_or("–", Feature::word);
     let source = limits.source.with_difference();
-    writeln!(out, "{callout:<10}  {feature:<5}  {range:<22}  {deviations:<18}  from {source}")
+    writeln!(io.people(), "{callout:<10}  {feature:<5}  {range:<22}  {deviations:<18}  from {source}");
 }

@@ -16,6 +16,7 @@
 //! | file | what |
 //! |---|---|
 //! | `admitted` | what a run must admit by its exit code |
+//! | `aligned` | tables for people |
 //! | `args` | arguments of several subcommands: format, tables, dialogue language |
 //! | `io` | the standard streams, reading and saving files |
 //! | `progress` | how far something long has come, and its end by Ctrl+C |
@@ -24,6 +25,7 @@
 //! | `rule` | the decision rule and the uncertainty |
 //! | `tools` | the tool table of a control, read and written |
 //! | `answers` | callouts answered one by one as text, CSV or JSON |
+//! | `rows` | answers in figures: each value declared once, for CSV and JSON |
 //! | `error` | why a subcommand could not do its work |
 //! | `said` | remarks and warnings beside an answer |
 //! | `start` | a subcommand, the window, or files that it opens |
@@ -46,7 +48,11 @@ macro_rules! subcommands {
     };
 }
 
+#[macro_use]
+mod rows;
+
 mod admitted;
+mod aligned;
 mod answers;
 mod args;
 mod batch;
@@ -90,7 +96,7 @@ use crate::verdict::Status;
 use args::{Format, StandardArgs, TableArgs};
 use error::{CliError, Refused, What};
 pub use io::{Io, tell};
-use io::{diameter, heard_or_not, now, read_contacts, read_input, read_table, save, save_with};
+use io::{diameter, now, put, read_contacts, read_input, read_table, save, save_with};
 use said::{CliRemark, CliWarning};
 pub use start::Start;
 

@@ -3,15 +3,16 @@
 use std::path::{Path, PathBuf};
 
 use jiff::civil::DateTime;
-use serde_json::{Map, Value as Json, json};
+use serde_json::{Value as Json, json};
 
-use super::{CliError, CliRemark, Format, Io, Outcome, Refused as _, TableArgs, What, read_input};
+use super::answers::csv_line;
+use super::rows::{cells, names};
+use super::{CliError, CliRemark, Figure, Format, Io, Outcome, Refused as _, TableArgs, What, read_input};
 use crate::cli::io::is_dash;
 use crate::exchange::{self, Given, PLAN_ENDINGS};
 use crate::files;
-use crate::length::Unit;
 use crate::message::{IntoArg as _, Say as _};
-use crate::part::{Column, Document, Draft, HeadField, Plan, PlanError, PlanFault, PlanFeature, Row};
+use crate::part::{Column, Document, Draft, HeadField, Plan, PlanError, PlanFault, PlanFeature, Row, Size};
 use crate::tolerance::Sources;
 
 const EXAMPLES: &str = "\
@@ -175,7 +176,7 @@ impl Args {
 impl CheckArgs {
     fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
-        let (mut has_faults, mut answers) = (false, Vec::new());
+        let (mut has_faults, mut is_first, mut answers) = (false, true, Vec::new());
         for path in &self.files {
             let (name, read) = match read_input(path, io) {
                 Ok((name, bytes)) => {
@@ -194,11 +195,13 @@ impl CheckArgs {
             has_faults |= read.is_err();
             match self.format {
                 Format::Json => answers.push(answer(&name, &read)),
-                Format::Csv => csv(&name, &read, answers.is_empty(), io)?,
-                Format::Text => text(&name, &read, io)?,
-            }
-            if self.format == Format::Csv {
-                answers.push(Json::Null);
+                Format::Csv => {
+                    if std::mem::take(&mut is_first) {
+                        csv_line(names::<Line<'_>>(), io);
+                    }
+                    csv(&name, &read, io);
+                }
+                Format::Text => text(&name, &read, io),
             }
         }
         if self.format == Format::Json {
@@ -210,56 +213,51 @@ impl CheckArgs {
 
 type Read = Result<Plan, Vec<PlanError>>;
 
-fn text(name: &str, read: &Read, io: &mut Io<'_>) -> Result<(), CliError> {
-    match read {
-        Ok(plan) => {
-            let part = if plan.head.part.is_empty() { name } else { &plan.head.part };
-            let count = plan.features().len();
-            writeln!(io.people(), "{part}: {}", CliRemark::PlanHas { count })?;
-            for size in plan.sizes() {
-                let (number, limits) = (&size.feature.number, size.limits);
-                let asked = size.callout.map_or_else(|| size.feature.kind.asked(), |callout| callout.to_string());
-                let place = size.feature.place.map_or_else(String::new, |[x, y, z]| format!("X{x} Y{y} Z{z}"));
-                let limits = format!("{} … {}", limits.minimum(), limits.maximum());
-                let line = format!("  {number:>4}  {:<20} {asked:<14} {limits:<22} {place}", size.name());
-                writeln!(io.people(), "{}", line.trim_end())?;
-            }
-        }
-        Err(faults) => {
-            for fault in faults {
-                io.fail(said(fault.clone(), Some(name)));
-            }
-        }
+fn text(name: &str, read: &Read, io: &mut Io<'_>) {
+    let plan = match read {
+        Ok(plan) => plan,
+        Err(faults) => return faults.iter().for_each(|fault| io.fail(said(fault.clone(), Some(name)))),
+    };
+    let part = if plan.head.part.is_empty() { name } else { &plan.head.part };
+    writeln!(io.people(), "{part}: {}", CliRemark::PlanHas { count: plan.features().len() });
+    for size in plan.sizes() {
+        let (number, limits, asked) = (&size.feature.number, size.limits, asked(&size));
+        let place = size.feature.place.map_or_else(String::new, |[x, y, z]| format!("X{x} Y{y} Z{z}"));
+        let limits = format!("{} … {}", limits.minimum(), limits.maximum());
+        let line = format!("  {number:>4}  {:<20} {asked:<14} {limits:<22} {place}", size.name());
+        writeln!(io.people(), "{}", line.trim_end());
     }
-    Ok(())
 }
 
-fn csv(name: &str, read: &Read, is_first: bool, io: &mut Io<'_>) -> Result<(), CliError> {
-    if is_first {
-        writeln!(io.data(), "file,line,number,name,callout,min_mm,max_mm,error")?;
+row! {
+    /// A line of CSV: a size, or a fault.
+    #[derive(Default)]
+    struct Line<'a> of(file: &'a str, size: &Size<'_>) {
+        file: &'a str = file,
+        line: Option<usize> = size.feature.line,
+        number: String = size.feature.number.clone(),
+        name: String = size.name(),
+        callout: String = asked(size),
+        min_mm: Option<Figure> = Some(Figure::mm(size.limits.minimum(), 3)),
+        max_mm: Option<Figure> = Some(Figure::mm(size.limits.maximum(), 3)),
+        error: Option<String> = None,
     }
-    let mut line = |cells: [String; 8]| super::answers::csv_line(cells, io);
+}
+
+/// The callout of a size, or what is asked of it in other words.
+fn asked(size: &Size<'_>) -> String {
+    size.callout.map_or_else(|| size.feature.kind.asked(), |callout| callout.to_string())
+}
+
+fn csv(file: &str, read: &Read, io: &mut Io<'_>) {
+    let fault = |fault: &PlanError| {
+        let (line, error) = (fault.place.line, Some(fault.what.to_string()));
+        cells(&Line { file, line, error, ..Line::default() })
+    };
     match read {
-        Ok(plan) => {
-            for size in plan.sizes() {
-                let mm = |length: crate::length::Length| length.exact(Unit::Millimetre, 3);
-                let at = size.feature.line.map_or_else(String::new, |line| line.to_string());
-                let asked = size.callout.map_or_else(|| size.feature.kind.asked(), |callout| callout.to_string());
-                let (minimum, maximum) = (mm(size.limits.minimum()), mm(size.limits.maximum()));
-                let number = size.feature.number.clone();
-                line([name.to_owned(), at, number, size.name(), asked, minimum, maximum, String::new()])?;
-            }
-        }
-        Err(faults) => {
-            for fault in faults {
-                let at = fault.place.line.map_or_else(String::new, |line| line.to_string());
-                let nothing = String::new;
-                let error = fault.what.to_string();
-                line([name.to_owned(), at, nothing(), nothing(), nothing(), nothing(), nothing(), error])?;
-            }
-        }
+        Ok(plan) => plan.sizes().for_each(|size| csv_line(cells(&Line::of(file, &size)), io)),
+        Err(faults) => faults.iter().for_each(|one| csv_line(fault(one), io)),
     }
-    Ok(())
 }
 
 fn answer(name: &str, read: &Read) -> Json {
@@ -267,7 +265,7 @@ fn answer(name: &str, read: &Read) -> Json {
         Ok(plan) => json!({
             "file": name,
             "part": plan.head.part,
-            "features": plan.features().iter().map(feature).collect::<Vec<_>>(),
+            "features": plan.features().iter().map(FeatureAnswer::of).collect::<Vec<_>>(),
             "errors": [],
         }),
         Err(faults) => {
@@ -279,33 +277,28 @@ fn answer(name: &str, read: &Read) -> Json {
     }
 }
 
-fn feature(feature: &PlanFeature) -> Json {
-    let mm = |length: crate::length::Length| {
-        length.exact(Unit::Millimetre, 3).parse::<serde_json::Number>().map_or(Json::Null, Json::Number)
-    };
-    let sizes = feature.sizes().map(|size| {
-        json!({
-            "name": size.name(),
-            "callout": size.callout.map(|callout| callout.to_string()),
-            "min_mm": mm(size.limits.minimum()),
-            "max_mm": mm(size.limits.maximum()),
-            "source": size.limits.source.to_string(),
-        })
-    });
-    let mut answer = Map::new();
-    let mut put = |name: &str, value: Json| answer.insert(name.to_owned(), value);
-    put("line", json!(feature.line));
-    put("number", json!(feature.number));
-    put("name", json!(feature.name));
-    put("kind", json!(feature.kind.word()));
-    put("feature", json!(feature.feature().word()));
-    put("sizes", Json::Array(sizes.collect()));
-    put("place_mm", feature.place.map_or(Json::Null, |place| Json::Array(place.map(mm).to_vec())));
-    put("cycle", json!(feature.cycle.map(|cycle| cycle.code)));
-    put("rule", json!(feature.rule.map(|rule| rule.name().word())));
-    put("material", json!(feature.material.as_ref().map(|material| &material.name)));
-    put("remark", json!(feature.remark));
-    Json::Object(answer)
+object! {
+    struct FeatureAnswer<'a> of(feature: &'a PlanFeature) {
+        line: Option<usize> = feature.line,
+        number: &'a str = &feature.number,
+        name: &'a str = &feature.name,
+        kind: &'static str = feature.kind.word(),
+        feature: &'static str = feature.feature().word(),
+        sizes: Vec<SizeAnswer> = feature.sizes().map(|size| SizeAnswer::of(&size)).collect(),
+        place_mm: Option<[Figure; 3]> = Some(feature.place?.map(|length| Figure::mm(length, 3))),
+        cycle: Option<&'static str> = Some(feature.cycle?.code),
+        rule: Option<&'static str> = Some(feature.rule?.name().word()),
+        material: Option<&'a str> = Some(&feature.material.as_ref()?.name),
+        remark: &'a str = &feature.remark,
+    }
+
+    struct SizeAnswer of(size: &Size<'_>) {
+        name: String = size.name(),
+        callout: Option<String> = Some(size.callout?.to_string()),
+        min_mm: Figure = Figure::mm(size.limits.minimum(), 3),
+        max_mm: Figure = Figure::mm(size.limits.maximum(), 3),
+        source: String = size.limits.source.to_string(),
+    }
 }
 
 impl BeginArgs {
@@ -348,7 +341,7 @@ fn save(draft: &Draft, path: &Path, force: bool, io: &mut Io<'_>) -> Result<Outc
     }
     let text = if is_csv { draft.to_csv() } else { draft.to_toml() };
     if is_dash(path) {
-        io.data().write_all(text.as_bytes())?;
+        io.data().write_all(text.as_bytes());
         return Ok(Outcome::Done);
     }
     let write = if force { files::write } else { files::write_new };

@@ -1,9 +1,9 @@
 //! `fitcheck sql`: limits and verdicts as plain SQL, for engines that hold the measurements themselves.
 
-use std::path::{Path, PathBuf};
+use std::path::PathBuf;
 
 use super::args::{classes, one_of};
-use super::{CliError, Io, Outcome, Refused as _, TableArgs, heard_or_not, save_with};
+use super::{CliError, Io, Outcome, Refused as _, TableArgs, put};
 use crate::exchange::sql::{self, DIALECTS, Dialect, ERRORS, Model};
 
 /// Write limits and verdicts as plain SQL for a database or a data lake
@@ -51,10 +51,7 @@ impl Args {
         let chosen = self.classes.as_deref().map(classes).transpose()?;
         let sources = self.tables.load(io)?;
         let model = Model::new(&sources, chosen).said()?;
-        match self.output.as_deref().filter(|path| *path != Path::new("-")) {
-            Some(path) => save_with(path, &mut |out| sql::write(&model, self.dialect, out), io)?,
-            None => heard_or_not(sql::write(&model, self.dialect, io.data()))?,
-        }
+        put(self.output.as_deref(), &mut |out| sql::write(&model, self.dialect, out), io)?;
         Ok(Outcome::Done)
     }
 }

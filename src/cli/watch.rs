@@ -110,7 +110,7 @@ impl Args {
         let mut parts = plan.as_ref().map(PlanParts::of_stream);
         let known = before(&journal, parts.as_mut())?;
         io.tell(CliRemark::Watching { folder: self.folder.display().to_string(), known: known.count() });
-        let printer = Printer::new(self.format, judge.more_of(plan.as_ref()), io)?;
+        let printer = Printer::new(self.format, judge.more_of(plan.as_ref()), io);
         let (plan, sources, masks, now) = (plan.as_ref(), &sources, masks.as_slice(), super::now());
         let judging = Judging { plan, sources, masks, columns: None, now, temperature: None };
         let (judge, worst, is_bad, contradictions) = (&judge, None, false, BTreeSet::new());
@@ -118,7 +118,7 @@ impl Args {
         let mut watcher = Watcher::new(&self.folder, known);
         leave_own(&mut watcher, run.journal.file(), alone.as_ref().ok().and_then(Option::as_ref));
         run.watch(&mut watcher, idle, io)?;
-        run.printer.end(io)?;
+        run.printer.end(io);
         run.journal.rest(io);
         Ok(match run.worst {
             _ if run.is_bad => Outcome::BadData,
@@ -302,6 +302,7 @@ impl Run<'_> {
             }
         }
         // What is waited for must not stay in a buffer.
-        self.printer.flush(io)
+        self.printer.flush(io);
+        Ok(())
     }
 }

@@ -3,10 +3,10 @@
 mod lines;
 
 use std::fmt::Display;
-use std::io::Write;
 
 use serde::Serialize;
 
+use super::rows::{Columns, cells, names};
 use super::{CliError, CliRemark, Format, Io};
 use crate::report::csv::{CsvLine, cell};
 use crate::text::decode;
@@ -26,19 +26,13 @@ pub(super) struct Asked<'a> {
 /// What a subcommand says about a callout; a refused callout also gets an answer.
 pub(super) trait Answerer {
     /// What CSV and JSON say.
-    type Row<'a>: Cells;
+    type Row<'a>: Columns + Serialize;
 
     /// Answers a callout.
     fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) -> Result<(), CliError>;
 
     /// The figures of a callout without an answer.
     fn refused(callout: &str, error: String) -> Self::Row<'_>;
-}
-
-/// An answer in figures: a JSON object and a line of CSV.
-pub(super) trait Cells: Serialize {
-    /// The cells of CSV, in the order of its columns.
-    fn cells(&self) -> Vec<String>;
 }
 
 /// What has been printed so far.
@@ -54,15 +48,14 @@ impl Answers {
     /// Answers every callout; `-` stands for the lines of standard input. Returns whether none was refused.
     pub(super) fn print<A: Answerer>(
         (format, is_one): (Format, bool),
-        columns: &[&str],
         callouts: &[String],
         answerer: &mut A,
         io: &mut Io<'_>,
     ) -> Result<bool, CliError> {
         let mut answers = Self { format, is_one, answered: 0, refused: 0 };
         match format {
-            Format::Csv => csv_line(columns, io)?,
-            Format::Json if !is_one => io.data().write_all(b"[")?,
+            Format::Csv => csv_line(names::<A::Row<'_>>(), io),
+            Format::Json if !is_one => io.data().write_all(b"["),
             Format::Json | Format::Text => {}
         }
         for callout in callouts {
@@ -72,7 +65,7 @@ impl Answers {
                 answerer.answer(Asked { callout: printable(callout).trim(), line: None }, &mut answers, io)?;
             }
         }
-        answers.finish(io)
+        Ok(answers.finish(io))
     }
 
     /// Answers every line of the input. Answers are written out before the next wait for input, so that another program
@@ -104,13 +97,9 @@ impl Answers {
     }
 
     /// Prints an answer for people; `write` gets `true` for the first one.
-    pub(super) fn text(
-        &mut self,
-        write: impl FnOnce(&mut dyn Write, bool) -> std::io::Result<()>,
-        io: &mut Io<'_>,
-    ) -> Result<(), CliError> {
+    pub(super) fn text(&mut self, write: impl FnOnce(&mut Io<'_>, bool), io: &mut Io<'_>) {
         self.answered += 1;
-        Ok(write(io.people(), self.answered == 1)?)
+        write(io, self.answered == 1);
     }
 
     /// Prints why there is no answer.
@@ -126,7 +115,7 @@ impl Answers {
         }
         self.answered += 1;
         // On a screen, earlier answers must also come before it.
-        io.data().flush()?;
+        io.data().flush();
         match asked {
             Asked { callout: "", line: Some(line) } => io.tell(format_args!("line {line}: {error}")),
             Asked { callout: "", line: None } => io.tell(format_args!("\"\": {error}")),
@@ -136,38 +125,39 @@ impl Answers {
     }
 
     /// A line of CSV or a JSON object.
-    pub(super) fn figures(&mut self, figures: &impl Cells, io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(super) fn figures(&mut self, figures: &(impl Columns + Serialize), io: &mut Io<'_>) -> Result<(), CliError> {
         self.answered += 1;
         match self.format {
-            Format::Csv => return csv_line(figures.cells(), io),
+            Format::Csv => csv_line(cells(figures), io),
             _ if self.is_one => {
                 serde_json::to_writer_pretty(io.data(), figures)?;
-                writeln!(io.data())?;
+                writeln!(io.data());
             }
             _ => {
-                io.data().write_all(if self.answered == 1 { b"\n  " } else { b",\n  " })?;
+                io.data().write_all(if self.answered == 1 { b"\n  " } else { b",\n  " });
                 serde_json::to_writer(io.data(), figures)?;
             }
         }
         Ok(())
     }
-    fn finish(&self, io: &mut Io<'_>) -> Result<bool, CliError> {
+
+    fn finish(&self, io: &mut Io<'_>) -> bool {
         if self.format == Format::Json && !self.is_one {
-            io.data().write_all(if self.answered == 0 { b"]\n" } else { b"\n]\n" })?;
+            io.data().write_all(if self.answered == 0 { b"]\n" } else { b"\n]\n" });
         }
-        io.data().flush()?;
+        io.data().flush();
         if 0 < self.refused && !self.is_text() {
             io.tell(CliRemark::Refused { refused: self.refused, asked: self.answered });
         }
-        Ok(self.refused == 0)
+        self.refused == 0
     }
 }
 
 /// A line of CSV; a text that a spreadsheet would compute gets an apostrophe, as in every CSV of Fitcheck.
-pub(super) fn csv_line<T: AsRef<str>>(cells: impl IntoIterator<Item = T>, io: &mut Io<'_>) -> Result<(), CliError> {
+pub(super) fn csv_line<T: AsRef<str>>(cells: impl IntoIterator<Item = T>, io: &mut Io<'_>) {
     let mut line = CsvLine::default();
     cells.into_iter().for_each(|text| line.cell(&cell(text.as_ref())));
-    Ok(io.data().write_all(line.end())?)
+    io.data().write_all(line.end());
 }
 
 /// A text without control characters: it goes to a terminal, and one line of input stays one line of output.

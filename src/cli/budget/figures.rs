@@ -5,8 +5,7 @@ use serde_json::{Map, Value as Json, json};
 use super::Beside;
 use super::found::{figure, head, rounded};
 use crate::budget::{Answer, Assessment, Conditions, Help, Row};
-use crate::cli::answers::csv_line;
-use crate::cli::{CliError, Figure, Io};
+use crate::cli::{Figure, Io, rows};
 
 /// Everything as one object.
 pub(super) fn json(found: &Assessment, conditions: &Conditions, beside: &Beside) -> Map<String, Json> {
@@ -70,55 +69,35 @@ fn help(one: &Help) -> Json {
     json!({ "what": what, "touches": touches, "u_um": rounded(u, 6) })
 }
 
-/// A line of CSV.
-#[derive(Debug, Default)]
-struct Line<'a> {
-    row: &'static str,
-    name: &'a str,
-    evaluated: &'static str,
-    law: &'static str,
-    u: String,
-    unit: &'static str,
-    sensitivity: String,
-    um: String,
-    share: String,
-    degrees: String,
-    k: String,
-    expanded: String,
+row! {
+    /// A line of CSV: micrometres with a name, and what else there is to say of them.
+    #[derive(Default)]
+    struct Line<'a> of(row: &'static str, name: &'a str, um: f64) {
+        row: &'static str = row,
+        name: &'a str = name,
+        r#type: &'static str = "",
+        law: &'static str = "",
+        u: Option<String> = None,
+        unit: &'static str = "",
+        sensitivity: Option<String> = None,
+        contribution_um: Option<String> = Some(figure(um, 6)),
+        share_percent: Option<String> = None,
+        degrees_of_freedom: Option<String> = None,
+        k: Option<String> = None,
+        expanded_um: Option<String> = None,
+    }
 }
 
-/// A column: its name, and its cell in a line.
-type Column = (&'static str, fn(&Line<'_>) -> String);
-
-const COLUMNS: [Column; 12] = [
-    ("row", |line| line.row.to_owned()),
-    ("name", |line| line.name.to_owned()),
-    ("type", |line| line.evaluated.to_owned()),
-    ("law", |line| line.law.to_owned()),
-    ("u", |line| line.u.clone()),
-    ("unit", |line| line.unit.to_owned()),
-    ("sensitivity", |line| line.sensitivity.clone()),
-    ("contribution_um", |line| line.um.clone()),
-    ("share_percent", |line| line.share.clone()),
-    ("degrees_of_freedom", |line| line.degrees.clone()),
-    ("k", |line| line.k.clone()),
-    ("expanded_um", |line| line.expanded.clone()),
-];
-
 /// A row per contribution, then what they come to.
-pub(super) fn csv(found: &Assessment, io: &mut Io<'_>) -> Result<(), CliError> {
-    csv_line(COLUMNS.map(|(name, _)| name), io)?;
-    for line in lines(found) {
-        csv_line(COLUMNS.map(|(_, cell)| cell(&line)), io)?;
-    }
-    Ok(())
+pub(super) fn csv(found: &Assessment, io: &mut Io<'_>) {
+    rows::csv(lines(found), io);
 }
 
 fn lines(found: &Assessment) -> Vec<Line<'_>> {
     let combined = Line {
-        degrees: degrees(found.degrees_of_freedom()),
-        k: figure(found.k(), 3),
-        expanded: figure(found.expanded(), 6),
+        degrees_of_freedom: degrees(found.degrees_of_freedom()),
+        k: Some(figure(found.k(), 3)),
+        expanded_um: Some(figure(found.expanded(), 6)),
         ..Line::of("combined", &found.budget.name, found.u())
     };
     match &found.answer {
@@ -137,7 +116,7 @@ fn lines(found: &Assessment) -> Vec<Line<'_>> {
             let editions = editions.into_iter().map(|(name, um)| Line {
                 row: "edition",
                 name,
-                expanded: figure(um, 6),
+                expanded_um: Some(figure(um, 6)),
                 ..Line::default()
             });
             terms.chain(editions).chain([combined]).collect()
@@ -146,25 +125,20 @@ fn lines(found: &Assessment) -> Vec<Line<'_>> {
 }
 
 impl<'a> Line<'a> {
-    /// Micrometres with a name.
-    fn of(row: &'static str, name: &'a str, um: f64) -> Self {
-        Self { row, name, um: figure(um, 6), ..Self::default() }
-    }
-
     fn of_contribution(row: &'a Row) -> Self {
         Self {
-            evaluated: row.evaluated.letter(),
+            r#type: row.evaluated.letter(),
             law: row.law.name(),
-            u: figure(row.u, 6),
+            u: Some(figure(row.u, 6)),
             unit: row.unit,
-            sensitivity: figure(row.sensitivity, 6),
-            share: figure(row.share, 3),
-            degrees: degrees(row.degrees_of_freedom),
+            sensitivity: Some(figure(row.sensitivity, 6)),
+            share_percent: Some(figure(row.share, 3)),
+            degrees_of_freedom: degrees(row.degrees_of_freedom),
             ..Self::of("contribution", &row.name, row.contribution)
         }
     }
 }
 
-fn degrees(degrees: Option<f64>) -> String {
-    degrees.map(|degrees| figure(degrees, 2)).unwrap_or_default()
+fn degrees(degrees: Option<f64>) -> Option<String> {
+    degrees.map(|degrees| figure(degrees, 2))
 }

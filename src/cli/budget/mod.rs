@@ -113,8 +113,8 @@ impl Args {
         }
         match self.format {
             Format::Json => io.json(&figures::json(&found, &conditions, &beside))?,
-            Format::Csv => figures::csv(&found, io)?,
-            Format::Text => text::print(&found, &conditions, io)?,
+            Format::Csv => figures::csv(&found, io),
+            Format::Text => text::print(&found, &conditions, io),
         }
         Ok(if beside.refused.is_empty() { Outcome::Done } else { Outcome::BadData })
     }

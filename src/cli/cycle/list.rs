@@ -76,7 +76,7 @@ pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut 
             writer.flush()?;
         }
         Format::Text => {
-            writeln!(io.people(), "{} {}", cycle.code, cycle.name(language))?;
+            writeln!(io.people(), "{} {}", cycle.code, cycle.name(language));
             let width = rows.iter().map(|row| row.question.chars().count()).max().unwrap_or_default();
             for row in &rows {
                 let unit = row.unit.unwrap_or_default();
@@ -85,11 +85,11 @@ pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut 
                 let (key, question, range, unset) = (&row.key, row.question, &row.range, row.unset());
                 let line = format!("  {key:<6} {question:<width$}  {unset:<16} {range} {unit}");
                 let otherwise = row.otherwise.as_ref().map(|other| format!(", {other}")).unwrap_or_default();
-                writeln!(io.people(), "{}{predef}{otherwise}{effect}", line.trim_end())?;
+                writeln!(io.people(), "{}{predef}{otherwise}{effect}", line.trim_end());
             }
             let words = Words::new(language.language());
             for note in cycle.notes {
-                writeln!(io.people(), "note: {}", words.told(note))?;
+                writeln!(io.people(), "note: {}", words.told(note));
             }
         }
     }

@@ -164,7 +164,7 @@ impl Args {
             // A block that the control would refuse is not written.
             self.cycle.checked(&inputs).about(&self.what())?;
             let block = probe_block::write(self.cycle, &inputs, language);
-            write!(io.data(), "{}", block.said()?)?;
+            write!(io.data(), "{}", block.said()?);
             return Ok(Outcome::Done);
         }
         self.warn_without_effect(&inputs, io);

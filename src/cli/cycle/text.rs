@@ -7,14 +7,14 @@ use crate::probing::simulated::Part;
 
 pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(), CliError> {
     let (cycle, result) = (run.cycle, run.result);
-    writeln!(io.people(), "{} {}", cycle.code, cycle.name(run.language))?;
-    writeln!(io.people(), "{}", source(run))?;
+    writeln!(io.people(), "{} {}", cycle.code, cycle.name(run.language));
+    writeln!(io.people(), "{}", source(run));
     let probe = result.inputs.probe();
     let (number, set_up, longest, ball) = (probe.number, probe.set_up, probe.longest_path, run.ball_radius);
-    writeln!(io.people(), "probe {number}: SET_UP {set_up} mm, DIST {longest} mm, ball radius {ball} mm")?;
+    writeln!(io.people(), "probe {number}: SET_UP {set_up} mm, DIST {longest} mm, ball radius {ball} mm");
 
-    writeln!(io.people())?;
-    writeln!(io.people(), "parameters")?;
+    writeln!(io.people());
+    writeln!(io.people(), "parameters");
     let shown =
         cycle.parameters.iter().filter(|parameter| parameter.has_effect || result.inputs.is_given(parameter.key));
     let width = shown.clone().map(|parameter| parameter.question(run.language).chars().count()).max().unwrap_or(0);
@@ -26,57 +26,57 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
         };
         let is_default = !result.inputs.is_given(parameter.key) && matches!(parameter.unset, Unset::Value(_));
         let note = if is_default { "  (default)" } else { "" };
-        writeln!(io.people(), "  {:<6} {question:<width$}  {value}{note}", parameter.key)?;
+        writeln!(io.people(), "  {:<6} {question:<width$}  {value}{note}", parameter.key);
     }
 
-    writeln!(io.people())?;
-    writeln!(io.people(), "contacts")?;
+    writeln!(io.people());
+    writeln!(io.people(), "contacts");
     for (number, contact) in (1_usize..).zip(&result.contacts) {
-        writeln!(io.people(), "  {number}   {:>14.6} {:>14.6} {:>14.6}", contact.x, contact.y, contact.z)?;
+        writeln!(io.people(), "  {number}   {:>14.6} {:>14.6} {:>14.6}", contact.x, contact.y, contact.z);
     }
     if with_path {
-        writeln!(io.people())?;
+        writeln!(io.people());
         print_path(&result.path, io)?;
     }
 
-    writeln!(io.people())?;
-    writeln!(io.people(), "results")?;
+    writeln!(io.people());
+    writeln!(io.people(), "results");
     for found in &result.results {
         let name = found.name.to_string();
-        writeln!(io.people(), "  {:<5} {name:<36}  {}", found.called(), found.value.with_unit())?;
+        writeln!(io.people(), "  {:<5} {name:<36}  {}", found.called(), found.value.with_unit());
     }
-    writeln!(io.people())?;
+    writeln!(io.people());
     for check in &result.checks {
-        writeln!(io.people(), "{check}")?;
+        writeln!(io.people(), "{check}");
     }
     match (result.verdict(), result.status) {
-        (Some(status), _) => writeln!(io.people(), "{status}")?,
+        (Some(status), _) => writeln!(io.people(), "{status}"),
         (None, Some(_)) => {
-            writeln!(io.people(), "no verdict: no limits were given; a control then reports within tolerance")?;
+            writeln!(io.people(), "no verdict: no limits were given; a control then reports within tolerance");
         }
-        (None, None) => writeln!(io.people(), "nothing to judge: no tolerance")?,
+        (None, None) => writeln!(io.people(), "nothing to judge: no tolerance"),
     }
     if let Some(stop) = &result.stop {
-        writeln!(io.people(), "{stop}")?;
+        writeln!(io.people(), "{stop}");
     }
     match result.log {
         LogTarget::None => {}
-        LogTarget::File(name) => writeln!(io.people(), "the control writes {name}")?,
-        LogTarget::Screen => writeln!(io.people(), "the control stops and shows its log on screen")?,
-        LogTarget::Shown => writeln!(io.people(), "the control shows the result on screen")?,
+        LogTarget::File(name) => writeln!(io.people(), "the control writes {name}"),
+        LogTarget::Screen => writeln!(io.people(), "the control stops and shows its log on screen"),
+        LogTarget::Shown => writeln!(io.people(), "the control shows the result on screen"),
     }
     for remark in &result.remarks {
-        writeln!(io.people(), "note: {remark}")?;
+        writeln!(io.people(), "note: {remark}");
     }
     if let Some(change) = &run.tools.change {
-        writeln!(io.people(), "note: {change}")?;
+        writeln!(io.people(), "note: {change}");
     }
     for warning in warnings(run) {
-        writeln!(io.people(), "note: {warning}")?;
+        writeln!(io.people(), "note: {warning}");
     }
     if let Some(log) = &run.log.shown {
-        writeln!(io.people())?;
-        io.people().write_all(log.as_bytes())?;
+        writeln!(io.people());
+        io.people().write_all(log.as_bytes());
     }
     Ok(())
 }
@@ -100,14 +100,14 @@ fn source(run: &Run<'_>) -> String {
 
 /// The path of the ball's centre.
 pub(super) fn print_path(path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
-    writeln!(io.people(), "path of the ball's centre")?;
+    writeln!(io.people(), "path of the ball's centre");
     for (number, step) in (1_usize..).zip(path) {
         let [x, y, z] = step.to;
         let touch = step.touch.map(|touch| format!("touch {touch}")).unwrap_or_default();
         let way = if step.about.is_some() { "on an arc" } else { "" };
         let phase = step.phase.word();
         let line = format!("  {number:>3}  {phase:<12} {touch:<8} to {x:>14.6} {y:>14.6} {z:>14.6}  {way}");
-        writeln!(io.people(), "{}", line.trim_end())?;
+        writeln!(io.people(), "{}", line.trim_end());
     }
     Ok(())
 }

@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `answer` | the answer for one fit |
-//! | `figures` | the same in figures: the names that CSV and JSON share |
+//! | `figures` | the same in figures |
 //! | `text` | the same for people |
 //! | `heat` | materials and temperatures |
 //! | `reverse` | from a wanted clearance or a function to classes |
@@ -16,15 +16,12 @@ mod heat;
 mod reverse;
 mod text;
 
-use std::io::{ErrorKind, Write};
-
 use answer::Answer;
 use figures::Figures;
 
 use super::answers::{Answerer, Answers, Asked};
 use super::{CliError, Format, Io, Outcome, Refused as _, TableArgs, What, diameter};
 use crate::length::Length;
-use crate::report::columns::names;
 use crate::tolerance::Sources;
 use crate::verdict::{Status, doubt};
 
@@ -116,18 +113,8 @@ impl Args {
         }
         let given = Given { sources: &sources, heat, hole, shaft };
         let mut fits = Fits { given, worst: None };
-        match (
-            Answers::print((self.format, is_one), &names(&Figures::COLUMNS), &self.callouts, &mut fits, io),
-            fits.worst,
-        ) {
-            // Nobody is listening, but the verdict stands.
-            (Err(CliError::Stream(error)), Some(worst)) if error.kind() == ErrorKind::BrokenPipe => {
-                Ok(Outcome::Judged(worst))
-            }
-            (all_answered, worst) => {
-                Ok(if all_answered? { worst.map_or(Outcome::Done, Outcome::Judged) } else { Outcome::BadData })
-            }
-        }
+        let all_answered = Answers::print((self.format, is_one), &self.callouts, &mut fits, io)?;
+        Ok(if all_answered { fits.worst.map_or(Outcome::Done, Outcome::Judged) } else { Outcome::BadData })
     }
 }
 
@@ -168,13 +155,14 @@ impl Answerer for Fits<'_> {
         if !answers.is_text() {
             return answers.figures(&Figures::of(asked.callout, &answer), io);
         }
-        let write = |out: &mut dyn Write, is_first: bool| {
+        let write = |io: &mut Io<'_>, is_first: bool| {
             if !is_first {
-                writeln!(out)?;
+                writeln!(io.people());
             }
-            text::write(out, &answer)
+            text::write(&answer, io);
         };
-        answers.text(write, io)
+        answers.text(write, io);
+        Ok(())
     }
 
     fn refused(callout: &str, error: String) -> Figures<'_> {

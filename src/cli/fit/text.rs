@@ -1,11 +1,11 @@
 //! One fit for people: a few aligned lines.
 
 use std::fmt::Display;
-use std::io::{Result, Write};
 
 use super::answer::{Answer, Equivalent, Measured};
 use super::heat::{Heat, Heated};
-use crate::cli::limits;
+use crate::cli::Io;
+use crate::cli::limits::lower_and_upper;
 use crate::cli::material::Part;
 use crate::length::{Length, Unit};
 use crate::tolerance::fit::basis;
@@ -13,22 +13,21 @@ use crate::tolerance::fit::preferred::{function, preference};
 use crate::tolerance::{Limits, ToleranceClass};
 use crate::verdict::{Status, Verdict};
 
-pub(super) fn write(out: &mut dyn Write, answer: &Answer<'_>) -> Result<()> {
+pub(super) fn write(answer: &Answer<'_>, io: &mut Io<'_>) {
     let Answer { callout, hole, shaft, fit, .. } = answer;
-    writeln!(out, "{callout}  {}", with_remarks(&fit.kind(), *hole, *shaft))?;
+    writeln!(io.people(), "{callout}  {}", with_remarks(&fit.kind(), *hole, *shaft));
     let (minimum, maximum) = (fit.minimum_clearance(), fit.maximum_clearance());
     let range = range(minimum, maximum);
-    line(out, "clearance", format_args!("{range}, mean {} µm{}", fit.mean_clearance().signed_um(), negative(minimum)))?;
-    part(out, "hole", *hole, fit.hole())?;
-    part(out, "shaft", *shaft, fit.shaft())?;
+    line("clearance", format_args!("{range}, mean {} µm{}", fit.mean_clearance().signed_um(), negative(minimum)), io);
+    part("hole", *hole, fit.hole(), io);
+    part("shaft", *shaft, fit.shaft(), io);
     if let Some(other) = &answer.equivalent {
-        line(out, "other basis", equivalent(other))?;
+        line("other basis", equivalent(other), io);
     }
-    measured(out, &answer.measured)?;
+    measured(&answer.measured, io);
     if let Some((heat, heated)) = &answer.heated {
-        temperature(out, heat, heated)?;
+        temperature(heat, heated, io);
     }
-    Ok(())
 }
 
 /// `clearance fit, hole basis, preferred fit of the hole basis, sliding`
@@ -51,19 +50,19 @@ pub(super) const fn negative(minimum: Length) -> &'static str {
     if minimum.nanometres() < 0 { " (negative is interference)" } else { "" }
 }
 
-fn line(out: &mut dyn Write, name: &str, text: impl Display) -> Result<()> {
-    writeln!(out, "  {name:<12} {text}")
+fn line(name: &str, text: impl Display, io: &mut Io<'_>) {
+    writeln!(io.people(), "  {name:<12} {text}");
 }
 
 fn mm(length: Length) -> String {
     length.exact(Unit::Millimetre, 3)
 }
 
-fn part(out: &mut dyn Write, name: &str, class: ToleranceClass, limits: &Limits) -> Result<()> {
+fn part(name: &str, class: ToleranceClass, limits: &Limits, io: &mut Io<'_>) {
     let range = format!("{} … {} mm", mm(limits.minimum()), mm(limits.maximum()));
-    let deviations = format!("({} µm)", limits::lower_and_upper(&limits.deviations));
+    let deviations = format!("({} µm)", lower_and_upper(&limits.deviations));
     let source = limits.source.with_difference();
-    line(out, &format!("{name} {class}"), format_args!("{range:<22}  {deviations:<18}  from {source}"))
+    line(&format!("{name} {class}"), format_args!("{range:<22}  {deviations:<18}  from {source}"), io);
 }
 
 fn equivalent(other: &Equivalent) -> String {
@@ -78,39 +77,39 @@ fn equivalent(other: &Equivalent) -> String {
     }
 }
 
-fn measured(out: &mut dyn Write, measured: &Measured) -> Result<()> {
+fn measured(measured: &Measured, io: &mut Io<'_>) {
     let judged = |diameter: Length, verdict: &Verdict| {
         let removal = verdict.size.removal.filter(|_| verdict.status() == Status::Rework);
         let removal = removal.map(|removal| format!(", remove {} mm to the nearest limit", removal.to_limit));
         format!("{} mm  {}{}", mm(diameter), verdict.status(), removal.unwrap_or_default())
     };
     match measured {
-        Measured::None => Ok(()),
+        Measured::None => {}
         Measured::One(part) => {
-            line(out, &format!("this {}", part.feature), judged(part.measured, &part.verdict))?;
+            line(&format!("this {}", part.feature), judged(part.measured, &part.verdict), io);
             let (range, other) = (range(part.minimum, part.maximum), part.feature.other());
-            line(out, "possible", format_args!("{range} with a {other} within its limits"))
+            line("possible", format_args!("{range} with a {other} within its limits"), io);
         }
         Measured::Both(actual) => {
-            line(out, "this hole", judged(actual.hole, &actual.hole_verdict))?;
-            line(out, "this shaft", judged(actual.shaft, &actual.shaft_verdict))?;
+            line("this hole", judged(actual.hole, &actual.hole_verdict), io);
+            line("this shaft", judged(actual.shaft, &actual.shaft_verdict), io);
             let conforms = if actual.conforms { "within what the fit allows" } else { "outside what the fit allows" };
-            line(out, "actual", format_args!("{} µm, {conforms}", actual.clearance.signed_um()))
+            line("actual", format_args!("{} µm, {conforms}", actual.clearance.signed_um()), io);
         }
     }
 }
 
-fn temperature(out: &mut dyn Write, heat: &Heat, heated: &Heated) -> Result<()> {
+fn temperature(heat: &Heat, heated: &Heated, io: &mut Io<'_>) {
     let (hole, shaft) = (heat.hole.warm.temperature, heat.shaft.warm.temperature);
     let name = if hole == shaft { format!("at {hole} °C") } else { "when warm".to_owned() };
     let range = range(heated.minimum, heated.maximum);
     let (kind, change) = (heated.kind(), heated.change.signed_um());
-    line(out, &name, format_args!("{range}, {kind}, {change} µm against 20 °C"))?;
+    line(&name, format_args!("{range}, {kind}, {change} µm against 20 °C"), io);
     if let Some(actual) = heated.actual {
-        line(out, "", format_args!("actual {} µm", actual.signed_um()))?;
+        line("", format_args!("actual {} µm", actual.signed_um()), io);
     }
-    line(out, "", format_args!("hole {}", material(&heat.hole)))?;
-    line(out, "", format_args!("shaft {}", material(&heat.shaft)))
+    line("", format_args!("hole {}", material(&heat.hole)), io);
+    line("", format_args!("shaft {}", material(&heat.shaft)), io);
 }
 
 /// `at 220 °C: steel, 11.5 millionths per kelvin from -100 to 250 °C (published value)`

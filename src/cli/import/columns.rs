@@ -41,8 +41,8 @@ pub(super) fn show(
         match detected {
             Ok(detected) => match format {
                 Format::Json => shown.push(as_json(path, &detected)),
-                Format::Csv => csv(path, &detected, std::mem::take(&mut is_first), io)?,
-                Format::Text => text(path, &detected, io)?,
+                Format::Csv => csv(path, &detected, std::mem::take(&mut is_first), io),
+                Format::Text => text(path, &detected, io),
             },
             Err(error) => {
                 bad = true;
@@ -76,32 +76,31 @@ fn columns(detected: &Detected) -> impl Iterator<Item = Shown<'_>> {
     })
 }
 
-fn text(path: &Path, detected: &Detected, io: &mut Io<'_>) -> Result<(), CliError> {
+fn text(path: &Path, detected: &Detected, io: &mut Io<'_>) {
     let shown: Vec<Shown<'_>> = columns(detected).collect();
     let wide = |length: fn(&Shown<'_>) -> usize| shown.iter().map(length).max().unwrap_or_default().min(WIDEST);
     let (names, holds) = (wide(|column| column.name.chars().count()), wide(|column| column.holds.len()));
     let out = io.people();
-    writeln!(out, "{}", path.display())?;
+    writeln!(out, "{}", path.display());
     for Shown { number, name, holds: held, first } in &shown {
         let line = format!("{number:>4}  {name:<names$}  {held:<holds$}  {first}");
-        writeln!(out, "{}", line.trim_end())?;
+        writeln!(out, "{}", line.trim_end());
     }
-    writeln!(out)?;
+    writeln!(out);
     if let Some(from) = &detected.unit_from {
-        writeln!(out, "# unit: {from}")?;
+        writeln!(out, "# unit: {from}");
     }
-    Ok(out.write_all((detected.mapping.to_toml() + "\n").as_bytes())?)
+    out.write_all((detected.mapping.to_toml() + "\n").as_bytes());
 }
 
-fn csv(path: &Path, detected: &Detected, is_first: bool, io: &mut Io<'_>) -> Result<(), CliError> {
+fn csv(path: &Path, detected: &Detected, is_first: bool, io: &mut Io<'_>) {
     if is_first {
-        csv_line(["file", "column", "name", "holds", "first"], io)?;
+        csv_line(["file", "column", "name", "holds", "first"], io);
     }
     let file = path.display().to_string();
     for Shown { number, name, holds, first } in columns(detected) {
-        csv_line([file.as_str(), &number.to_string(), name, holds, first], io)?;
+        csv_line([file.as_str(), &number.to_string(), name, holds, first], io);
     }
-    Ok(())
 }
 
 fn as_json(path: &Path, detected: &Detected) -> Json {

@@ -147,7 +147,7 @@ impl Args {
         judge.tell(io);
         judge.tell_rule(io);
         let mut import = Import {
-            printer: Printer::new(self.format, judge.more_of(plan.as_ref()), io)?,
+            printer: Printer::new(self.format, judge.more_of(plan.as_ref()), io),
             judge: &judge,
             tally: Tally {
                 parts: plan.as_ref().map(|plan| PlanParts::of(plan, self.repeats.repeats())),
@@ -303,9 +303,11 @@ impl Import<'_> {
         if let (Some(by_plan), Some(plan)) = (self.by_plan.take().filter(|_| !self.is_stopped), plan) {
             self.missing(by_plan.plan(), plan, io);
         }
-        let printed = self.printed.and_then(|()| self.printer.end(io));
+        if self.printed.is_ok() {
+            self.printer.end(io);
+        }
         if self.is_stopped {
-            printed?;
+            self.printed?;
             if self.keeping.is_some() {
                 io.warn(&CliWarning::StoppedUnrecorded);
             }
@@ -314,7 +316,7 @@ impl Import<'_> {
         if let Some(keeping) = self.keeping {
             self.tally.bad |= keeping.end(io)?;
         }
-        printed?;
+        self.printed?;
         Ok(self.tally.outcome())
     }
 }

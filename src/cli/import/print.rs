@@ -6,7 +6,7 @@ use std::fmt;
 use serde_json::{Number, Value as Json};
 
 use super::row::{COLUMNS, Row, Value};
-use crate::cli::io::heard_or_not;
+use crate::cli::aligned::{Aligned, Side};
 use crate::cli::{CliError, Format, Io, Refused as _};
 use crate::length::{Length, Unit};
 use crate::report::columns::names;
@@ -16,9 +16,6 @@ use crate::verdict::Status;
 
 /// How many rows decide how wide the columns of the text are; those after them are printed at once.
 const MEASURED: usize = 10_000;
-
-/// How wide a column becomes at most; a wider cell moves those after it.
-const WIDEST: usize = 200;
 
 /// Prints the rows of one file after another.
 pub(in crate::cli) struct Printer {
@@ -32,24 +29,27 @@ pub(in crate::cli) struct Printer {
 }
 
 impl Printer {
-    pub(in crate::cli) fn new(format: Format, more: More, io: &mut Io<'_>) -> Result<Self, CliError> {
+    pub(in crate::cli) fn new(format: Format, more: More, io: &mut Io<'_>) -> Self {
         // Before the first row nobody knows whether a file says that its values were corrected.
         let more = more.with(More::CORRECTED, true);
         match format {
             Format::Text => {}
             Format::Csv => {
                 let names: Vec<&str> = names(&COLUMNS).into_iter().chain(more.names()).collect();
-                writeln!(io.data(), "{}", names.join(","))?;
+                writeln!(io.data(), "{}", names.join(","));
             }
-            Format::Json => write!(io.data(), "[")?,
+            Format::Json => write!(io.data(), "["),
         }
         let (line, table, summary) = (CsvLine::default(), Table::default(), Summary::default());
-        Ok(Self { format, more, is_first: true, line, table, summary })
+        Self { format, more, is_first: true, line, table, summary }
     }
 
     pub(in crate::cli) fn row(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
         match self.format {
-            Format::Text => self.text(row, io),
+            Format::Text => {
+                self.text(row, io);
+                Ok(())
+            }
             Format::Csv => {
                 for (_, value) in &COLUMNS {
                     value(row).put(&mut self.line);
@@ -58,7 +58,8 @@ impl Printer {
                     Some(record) => self.more.cells(record).iter().for_each(|text| self.line.cell(&cell(text))),
                     None => self.more.names().for_each(|_name| self.line.cell("")),
                 }
-                Ok(io.data().write_all(self.line.end())?)
+                io.data().write_all(self.line.end());
+                Ok(())
             }
             Format::Json => self.json(row, io),
         }
@@ -69,30 +70,30 @@ impl Printer {
         if self.format == Format::Text { Ok(()) } else { self.row(row, io) }
     }
 
-    pub(in crate::cli) fn end(&mut self, io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(in crate::cli) fn end(&mut self, io: &mut Io<'_>) {
         match self.format {
             Format::Text => {
-                self.table.print(io)?;
-                Ok(writeln!(io.people(), "{}", self.summary)?)
+                self.table.print(io);
+                writeln!(io.people(), "{}", self.summary);
             }
-            Format::Csv => Ok(()),
-            Format::Json => Ok(writeln!(io.data(), "{}]", if self.is_first { "" } else { "\n" })?),
+            Format::Csv => {}
+            Format::Json => writeln!(io.data(), "{}]", if self.is_first { "" } else { "\n" }),
         }
     }
 
     /// Prints what waits for the widths of the columns: nobody waits for it longer.
-    pub(in crate::cli) fn flush(&mut self, io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(in crate::cli) fn flush(&mut self, io: &mut Io<'_>) {
         if self.format == Format::Text {
-            self.table.print(io)?;
+            self.table.print(io);
         }
-        heard_or_not(io.data().flush())
+        io.data().flush();
     }
 
     /// Puts the verdict into the table; prints errors to standard error with their places.
-    fn text(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn text(&mut self, row: &Row, io: &mut Io<'_>) {
         self.summary.count(row);
         // What is missing is named in one sentence.
-        let Some(line) = row.line.filter(|_| !row.is_missing) else { return Ok(()) };
+        let Some(line) = row.line.filter(|_| !row.is_missing) else { return };
         for warning in &row.warnings {
             io.tell(format_args!("{}:{line}: warning: {warning}", row.file));
         }
@@ -101,9 +102,8 @@ impl Printer {
             io.tell(format_args!("{}:{line}{column}: {error}", row.file));
         }
         if row.measured.is_some() {
-            self.table.add(cells(row), io)?;
+            self.table.add(cells(row), io);
         }
-        Ok(())
     }
 
     fn json(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
@@ -116,7 +116,7 @@ impl Printer {
         let members: Vec<String> = own.chain(more).map(|(name, value)| format!("\"{name}\":{value}")).collect();
         let comma = if self.is_first { "" } else { "," };
         self.is_first = false;
-        write!(io.data(), "{comma}\n  {{{}}}", members.join(","))?;
+        write!(io.data(), "{comma}\n  {{{}}}", members.join(","));
         Ok(())
     }
 }
@@ -131,37 +131,28 @@ struct Table {
 }
 
 impl Table {
-    fn add(&mut self, cells: [String; 9], io: &mut Io<'_>) -> Result<(), CliError> {
+    fn add(&mut self, cells: [String; 9], io: &mut Io<'_>) {
         if let Some(widths) = &self.widths {
-            return Ok(line(&cells, widths, io)?);
+            writeln!(io.people(), "{}", TABLE.line(&cells, widths));
+            return;
         }
         self.waiting.push(cells);
-        if self.waiting.len() < MEASURED { Ok(()) } else { self.print(io) }
+        if MEASURED <= self.waiting.len() {
+            self.print(io);
+        }
     }
 
     /// Prints the rows that wait.
-    fn print(&mut self, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn print(&mut self, io: &mut Io<'_>) {
         if self.waiting.is_empty() {
-            return Ok(());
+            return;
         }
-        let mut widths = HEADINGS.map(|heading| heading.chars().count());
-        for (column, wide) in self.waiting.iter().flat_map(widths_of) {
-            if let Some(width) = widths.get_mut(column) {
-                *width = (*width).max(wide.min(WIDEST));
-            }
-        }
-        line(&HEADINGS.map(str::to_owned), &widths, io)?;
-        for cells in self.waiting.drain(..) {
-            line(&cells, &widths, io)?;
+        let widths = TABLE.widths(&self.waiting);
+        for cells in std::iter::once(TABLE.headings()).chain(self.waiting.drain(..)) {
+            writeln!(io.people(), "{}", TABLE.line(&cells, &widths));
         }
         self.widths = Some(widths);
-        Ok(())
     }
-}
-
-/// How wide each cell of a row is, by the number of its column.
-fn widths_of(cells: &[String; 9]) -> impl Iterator<Item = (usize, usize)> {
-    (0..).zip(cells.iter().map(|cell| cell.chars().count()))
 }
 
 impl Value<'_> {
@@ -195,11 +186,20 @@ fn number(text: &str) -> Json {
     whole.or_else(|| text.parse().ok().and_then(Number::from_f64)).map_or(Json::Null, Json::Number)
 }
 
-const HEADINGS: [&str; 9] =
-    ["file:line", "id", "callout", "measured mm", "limits mm", "deviation µm", "verdict", "position", "source"];
-
-/// Which columns hold figures and are right-aligned.
-const RIGHT: [bool; 9] = [false, false, false, true, false, true, false, false, false];
+const TABLE: Aligned<9> = Aligned {
+    columns: [
+        ("file:line", Side::Left),
+        ("id", Side::Left),
+        ("callout", Side::Left),
+        ("measured mm", Side::Right),
+        ("limits mm", Side::Left),
+        ("deviation µm", Side::Right),
+        ("verdict", Side::Left),
+        ("position", Side::Left),
+        ("source", Side::Left),
+    ],
+    widest: 200,
+};
 
 fn cells(row: &Row) -> [String; 9] {
     let mm = |length: Option<Length>| length.map_or(String::new(), |length| length.exact(Unit::Millimetre, 3));
@@ -221,14 +221,6 @@ fn cells(row: &Row) -> [String; 9] {
         row.position_word().unwrap_or_default().to_owned(),
         row.source.as_deref().unwrap_or_default().to_owned(),
     ]
-}
-
-fn line(cells: &[String; 9], widths: &[usize; 9], io: &mut Io<'_>) -> std::io::Result<()> {
-    let padded =
-        cells.iter().zip(widths).zip(RIGHT).map(|((cell, &width), right)| {
-            if right { format!("{cell:>width$}  ") } else { format!("{cell:<width$}  ") }
-        });
-    writeln!(io.people(), "{}", padded.collect::<String>().trim_end())
 }
 
 /// How many rows had which result.

@@ -4,15 +4,13 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use super::list::unread;
-use super::row::{self, header};
+use super::row::{self, Line};
 use super::show::line;
-use super::{
-    CliError, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, heard_or_not, save_with, server,
-};
+use super::{CliError, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, put, server};
 use crate::cli::args::one_of;
-use crate::cli::io::is_dash;
 use crate::cli::progress::{Size, Work, stopped};
 use crate::cli::record::Place;
+use crate::cli::rows::names;
 use crate::journal::chain::ChainId;
 use crate::message::{Message, Say as _};
 use crate::report::csv;
@@ -37,7 +35,7 @@ json has one entry on each line: its body as it is stored, with number, hash and
 Examples:
   fitcheck journal export -o checks.csv
   fitcheck journal export part:Flange standing --format json > flange.jsonl",
-        header().join(",")
+        names::<Line>().join(",")
     )
 }
 
@@ -82,11 +80,7 @@ impl Args {
         );
         io.watch(&work);
         let mut export = Export { from: &from, work: &work, failed: None, unread: Vec::new() };
-        let written = if let Some(path) = self.output.as_ref().filter(|path| !is_dash(path)) {
-            save_with(path, &mut |out| export.write(self.format, out), io)
-        } else {
-            heard_or_not(export.write(self.format, io.data()))
-        };
+        let written = put(self.output.as_deref(), &mut |out| export.write(self.format, out), io);
         if work.is_stopped() {
             return Err(CliError::Stopped { rows: work.rows() });
         }
@@ -141,7 +135,7 @@ impl Export<'_> {
         let Self { from, work, failed, unread } = self;
         let is_csv = format == "csv";
         if is_csv {
-            csv::line(header(), out)?;
+            csv::line(names::<Line>(), out)?;
         }
         let read = from.each(&mut |chain, row| {
             if work.is_stopped() {

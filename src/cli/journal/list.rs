@@ -1,10 +1,11 @@
 //! `fitcheck journal list`: the newest checks, or those that a question asks for.
 
-use super::row::{self, header};
-use super::{
-    CliError, CliRemark, Format, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, heard_or_not, server,
-};
+use super::row::{self, Line};
+use super::{CliError, CliRemark, Format, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, server};
+use crate::cli::aligned::Aligned;
+use crate::cli::aligned::Side::Left;
 use crate::cli::record::Place;
+use crate::cli::rows::names;
 use crate::journal::ask::Question;
 use crate::journal::entry::{Content, Entry};
 use crate::report::csv;
@@ -22,7 +23,7 @@ Examples:
   fitcheck journal list
   fitcheck journal list part:Flange verdict:scrap,rework week
   fitcheck journal list \"station:Mill 3\" today --format csv",
-        header().join(",")
+        names::<Line>().join(",")
     )
 }
 
@@ -67,14 +68,16 @@ impl Args {
         let are_more = self.limit < rows.len();
         rows.truncate(self.limit);
         match self.format {
-            Format::Text => table(&rows, io)?,
+            Format::Text => {
+                let cells: Vec<_> = rows.iter().map(cells).collect();
+                TABLE.lines(&cells).for_each(|line| writeln!(io.people(), "{line}"));
+            }
             Format::Csv => {
-                let lines = rows.iter().map(row::line);
-                for line in std::iter::once(header()).chain(lines) {
-                    csv::line(line, io.data()).or_else(|error| heard_or_not(Err(error)))?;
+                for line in std::iter::once(names::<Line>()).chain(rows.iter().map(row::line)) {
+                    csv::line(line, io.data())?;
                 }
             }
-            Format::Json => io.json(&rows.iter().map(row::object).collect::<Vec<_>>())?,
+            Format::Json => io.json(&rows.iter().map(Line::of).collect::<Vec<_>>())?,
         }
         // A blank in the wrong place asks for another name.
         if rows.is_empty() && question != Question::default() {
@@ -149,22 +152,17 @@ fn marks(row: &Row, content: &Content) -> String {
     marks.join(", ")
 }
 
-const HEADER: [&str; 9] = ["number", "time", "who", "part", "feature", "callout", "measured", "verdict", ""];
-
-/// The longest cell that sets the width of its column.
-const WIDEST: usize = 30;
-
-fn table(rows: &[Row], io: &mut Io<'_>) -> Result<(), CliError> {
-    let rows: Vec<[String; 9]> = std::iter::once(HEADER.map(str::to_owned)).chain(rows.iter().map(cells)).collect();
-    let mut widths = [0; 9];
-    for cells in &rows {
-        for (width, cell) in widths.iter_mut().zip(cells) {
-            *width = cell.chars().count().clamp(*width, WIDEST.max(*width));
-        }
-    }
-    for cells in &rows {
-        let cells: Vec<String> = cells.iter().zip(widths).map(|(cell, width)| format!("{cell:<width$}")).collect();
-        writeln!(io.people(), "{}", cells.join("  ").trim_end())?;
-    }
-    Ok(())
-}
+const TABLE: Aligned<9> = Aligned {
+    columns: [
+        ("number", Left),
+        ("time", Left),
+        ("who", Left),
+        ("part", Left),
+        ("feature", Left),
+        ("callout", Left),
+        ("measured", Left),
+        ("verdict", Left),
+        ("", Left),
+    ],
+    widest: 30,
+};

@@ -30,7 +30,7 @@ mod verify;
 use jiff::Timestamp;
 
 use super::record::JournalArgs;
-use super::{CliError, CliRemark, Format, Io, Outcome, Refused, heard_or_not, save_with};
+use super::{CliError, CliRemark, Format, Io, Outcome, Refused, put};
 use crate::files;
 use crate::journal::ask::{Here, Question};
 

@@ -1,92 +1,55 @@
 //! The columns of a list. They must not change.
 
-use serde_json::{Map, Value as Json, json};
-
+use crate::cli::Figure;
+use crate::cli::rows::cells;
 use crate::journal::Record;
 use crate::journal::entry::{Check, Checked, CycleCheck, Entry};
-use crate::length::{Length, Unit};
-use crate::report::columns::{Cell as _, Column, cells, names};
+use crate::length::Length;
 use crate::report::csv::harmless;
 use crate::report::row::position;
 use crate::store::local::Row;
 use crate::tolerance::fit::thermal::Correction;
-use crate::verdict::rules::Uncertainty;
+use crate::verdict::Status;
 
-/// The columns of the CSV, in order.
-pub(super) const COLUMNS: [Column<Row>; 26] = [
-    ("station", |row| name(&about(row)?.station)),
-    ("number", |row| Some(row.kept.head.number.to_string())),
-    ("time", |row| Some(about(row)?.time.text())),
-    ("who", |row| name(&about(row)?.who)),
-    ("part", |row| name(&about(row)?.part)),
-    ("serial", |row| name(&about(row)?.serial)),
-    ("feature", |row| name(&about(row)?.feature)),
-    ("callout", |row| record(row)?.callout.map(|callout| callout.to_string())),
-    ("min_mm", |row| Some(mm(limits(row)?[0]))),
-    ("max_mm", |row| Some(mm(limits(row)?[1]))),
-    ("measured_mm", |row| Some(mm(measured(row)?))),
-    ("rule", |row| record(row)?.verdict.rule.name().word().cell()),
-    ("u_um", |row| record(row)?.verdict.rule.uncertainty().map(Uncertainty::um)),
-    ("status", |row| check(row)?.status()?.cell()),
-    ("origin", |row| name(&origin(check(row)?))),
-    ("correction_of", |row| Some(entry(row)?.corrects()?.target.number.to_string())),
-    ("hash", |row| Some(row.kept.head.hash.to_string())),
-    ("simulated", |row| check(row)?.is_simulated().cell()),
-    ("as_measured_mm", |row| Some(mm(correction(row)?.measured))),
-    ("correction_um", |row| Some(correction(row)?.change().exact(Unit::Micrometre, 0))),
-    ("temperature_c", |row| Some(correction(row)?.part.temperature.to_string())),
-    ("expansion_um_per_m_k", |row| Some(correction(row)?.part.expansion.to_string())),
-    ("scale_temperature_c", |row| Some(correction(row)?.scale?.temperature.to_string())),
-    ("scale_expansion_um_per_m_k", |row| Some(correction(row)?.scale?.expansion.to_string())),
-    ("position", |row| position(record(row)?.verdict.position?).cell()),
-    ("remeasure_reason", |row| Some(record(row)?.verdict.undecided?.to_string())),
-];
-
-/// Columns whose cells are numbers in JSON.
-const NUMBERS: [&str; 12] = [
-    "number",
-    "min_mm",
-    "max_mm",
-    "measured_mm",
-    "u_um",
-    "correction_of",
-    "as_measured_mm",
-    "correction_um",
-    "temperature_c",
-    "expansion_um_per_m_k",
-    "scale_temperature_c",
-    "scale_expansion_um_per_m_k",
-];
-
-/// The names of the columns, as the first line of a CSV.
-pub(super) fn header() -> Vec<String> {
-    names(&COLUMNS).into_iter().map(str::to_owned).collect()
+row! {
+    /// An entry of a list.
+    pub(super) struct Line of(row: &Row) {
+        station: Option<String> = name(&about(row)?.station),
+        number: u64 = row.kept.head.number,
+        time: Option<String> = Some(about(row)?.time.text()),
+        who: Option<String> = name(&about(row)?.who),
+        part: Option<String> = name(&about(row)?.part),
+        serial: Option<String> = name(&about(row)?.serial),
+        feature: Option<String> = name(&about(row)?.feature),
+        callout: Option<String> = Some(record(row)?.callout?.to_string()),
+        min_mm: Option<Figure> = Some(Figure::mm(limits(row)?[0], 3)),
+        max_mm: Option<Figure> = Some(Figure::mm(limits(row)?[1], 3)),
+        measured_mm: Option<Figure> = Some(Figure::mm(measured(row)?, 3)),
+        rule: Option<&'static str> = Some(record(row)?.verdict.rule.name().word()),
+        u_um: Option<Figure> = Some(Figure(record(row)?.verdict.rule.uncertainty()?.um())),
+        status: Option<Status> = check(row)?.status(),
+        origin: Option<String> = name(&origin(check(row)?)),
+        correction_of: Option<u64> = Some(entry(row)?.corrects()?.target.number),
+        hash: String = row.kept.head.hash.to_string(),
+        simulated: Option<bool> = Some(check(row)?.is_simulated()),
+        as_measured_mm: Option<Figure> = Some(Figure::mm(correction(row)?.measured, 3)),
+        correction_um: Option<Figure> = Some(Figure::um(correction(row)?.change())),
+        temperature_c: Option<Figure> = Some(Figure(correction(row)?.part.temperature.to_string())),
+        expansion_um_per_m_k: Option<Figure> = Some(Figure(correction(row)?.part.expansion.to_string())),
+        scale_temperature_c: Option<Figure> = Some(Figure(correction(row)?.scale?.temperature.to_string())),
+        scale_expansion_um_per_m_k: Option<Figure> = Some(Figure(correction(row)?.scale?.expansion.to_string())),
+        position: Option<&'static str> = Some(position(record(row)?.verdict.position?)),
+        remeasure_reason: Option<String> = Some(record(row)?.verdict.undecided?.to_string());
+        json:
+        corrected_by: Option<u64> = row.corrected_by,
+        remark: Option<String> = Some(about(row)?.remark.clone()).filter(|remark| !remark.is_empty()),
+        error: Option<String> = Some(row.entry.as_ref().err()?.to_string()),
+    }
 }
 
 /// The cells of a row.
 pub(super) fn line(row: &Row) -> Vec<String> {
-    cells(&COLUMNS, row).collect()
-}
-
-/// The same as an object, with what a list has no column for.
-pub(super) fn object(row: &Row) -> Map<String, Json> {
-    let mut object = Map::new();
-    for (name, cell) in COLUMNS {
-        let cell = cell(row);
-        let value = match cell {
-            // Decimals are exact in their text, and the nearest float prints the same.
-            Some(text) if NUMBERS.contains(&name) => serde_json::from_str(&text).unwrap_or(Json::String(text)),
-            Some(text) => Json::String(text),
-            None => Json::Null,
-        };
-        object.insert(name.to_owned(), value);
-    }
-    let remark = about(row).map(|about| about.remark.clone()).filter(|remark| !remark.is_empty());
-    object.insert("simulated".to_owned(), json!(check(row).map(Check::is_simulated)));
-    object.insert("corrected_by".to_owned(), json!(row.corrected_by));
-    object.insert("remark".to_owned(), json!(remark));
-    object.insert("error".to_owned(), json!(row.entry.as_ref().err().map(ToString::to_string)));
-    object
+    cells(&Line::of(row))
 }
 
 pub(super) fn entry(row: &Row) -> Option<&Entry> {
@@ -135,10 +98,6 @@ pub(super) fn origin(check: &Check) -> String {
         Checked::Size(record) => record.measurement.origin.to_string(),
         Checked::Cycle(cycle) => format!("cycle {}, {}", cycle.cycle, cycle.origin),
     }
-}
-
-fn mm(length: Length) -> String {
-    length.exact(Unit::Millimetre, 3)
 }
 
 /// A text that somebody typed: no spreadsheet computes it.

@@ -186,17 +186,17 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
                 format!("entry {number} is the one that is known here")
             });
             let last = format!("the last one is {number}:{hash}");
-            writeln!(io.people(), "{station} ({chain}): {entries} {are}; {last}; {compared}")?;
+            writeln!(io.people(), "{station} ({chain}): {entries} {are}; {last}; {compared}");
         }
         if login.is_none() {
-            writeln!(io.people(), "{station} ({chain}): the server does not know which login it belongs to")?;
+            writeln!(io.people(), "{station} ({chain}): the server does not know which login it belongs to");
         }
         if 0 < *renamed {
             let entries = entries(*renamed);
             writeln!(
                 io.people(),
                 "{station} ({chain}): {entries} listed under a different station from the recorded one"
-            )?;
+            );
         }
         if let Some(Clock { newest_ms, least_ms, .. }) = clock {
             let (newest, least) = (seconds(*newest_ms), seconds(*least_ms));
@@ -207,14 +207,14 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
             )?;
         }
         for one in &inspected.breaks {
-            writeln!(io.people(), "{station} ({chain}): {one}")?;
+            writeln!(io.people(), "{station} ({chain}): {one}");
         }
     }
     for (chain, Head { number, .. }) in &found.missing {
         writeln!(
             io.people(),
             "the chain {chain}, of which entry {number} is known elsewhere, is missing on the server"
-        )?;
+        );
     }
     for (chain, Head { number, .. }, there) in &found.behind {
         let there = entries(*there);
@@ -225,11 +225,11 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
         )?;
     }
     for finding in &found.findings {
-        writeln!(io.people(), "{finding}")?;
+        writeln!(io.people(), "{finding}");
     }
     let (journals, beside) = (found.chains.len(), found.chains.iter().filter(|one| one.compared.is_some()).count());
     if journals == 0 {
-        writeln!(io.people(), "nothing was verified: the server has no entry of any journal")?;
+        writeln!(io.people(), "nothing was verified: the server has no entry of any journal");
     } else {
         let (journals, entries) = (
             if journals == 1 { "1 journal".to_owned() } else { format!("{journals} journals") },
@@ -238,7 +238,7 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
         writeln!(
             io.people(),
             "{journals} with {entries} verified, {beside} compared with an entry that is known here"
-        )?;
+        );
     }
     match &found.not_compared {
         Some(why) => writeln!(

@@ -1,6 +1,6 @@
 //! `fitcheck journal show`: one entry with its whole reasoning.
 
-use super::{CliError, Io, JournalArgs, Outcome, Refused as _, heard_or_not, text};
+use super::{CliError, Io, JournalArgs, Outcome, Refused as _, text};
 use crate::cli::args::one_of;
 use crate::journal::chain::{ChainId, Head};
 use crate::store::local::{Reader, Row};
@@ -31,9 +31,9 @@ impl Args {
             _ => Head::default(),
         };
         if self.format == "json" {
-            heard_or_not(io.data().write_all(&line(&row, reader.chain(), Some(before))))?;
+            io.data().write_all(&line(&row, reader.chain(), Some(before)));
         } else {
-            text::print(&row, reader.chain(), last, io)?;
+            text::print(&row, reader.chain(), last, io);
         }
         match &row.entry {
             Ok(_) => Ok(Outcome::Done),

@@ -3,7 +3,7 @@
 use std::fmt::Display;
 
 use super::row::origin;
-use super::{CliError, CliRemark, Io};
+use super::{CliRemark, Io};
 use crate::journal::chain::ChainId;
 use crate::journal::entry::{About, Begin, Check, Checked, Content, Correction, CycleCheck, Entry};
 use crate::journal::{Decision, Record};
@@ -16,65 +16,65 @@ use crate::verdict::rules::percent;
 const MOST_CONTACTS: usize = 100;
 
 /// Writes a line after its name.
-fn line(name: &str, text: impl Display, io: &mut Io<'_>) -> Result<(), CliError> {
-    Ok(writeln!(io.people(), "{name:<13}{text}")?)
+fn line(name: &str, text: impl Display, io: &mut Io<'_>) {
+    writeln!(io.people(), "{name:<13}{text}");
 }
 
 /// The same, unless there is nothing to say.
-fn some(name: &str, text: &str, io: &mut Io<'_>) -> Result<(), CliError> {
-    if text.is_empty() { Ok(()) } else { line(name, text, io) }
+fn some(name: &str, text: &str, io: &mut Io<'_>) {
+    if !text.is_empty() {
+        line(name, text, io);
+    }
 }
 
-pub(super) fn print(row: &Row, chain: ChainId, last: u64, io: &mut Io<'_>) -> Result<(), CliError> {
+pub(super) fn print(row: &Row, chain: ChainId, last: u64, io: &mut Io<'_>) {
     let head = row.kept.head;
-    line("entry", format_args!("{} of {last}", head.number), io)?;
-    line("chain", chain, io)?;
-    line("hash", head.hash, io)?;
-    let Ok(Entry { about, content }) = &row.entry else { return Ok(()) };
-    print_about(about, io)?;
+    line("entry", format_args!("{} of {last}", head.number), io);
+    line("chain", chain, io);
+    line("hash", head.hash, io);
+    let Ok(Entry { about, content }) = &row.entry else { return };
+    print_about(about, io);
     match content {
-        Content::Begin(begin) => print_begin(begin, io)?,
-        Content::Withdrawal(correction) => print_correction("withdraws", correction, io)?,
-        Content::Check(check) => print_check(check, io)?,
+        Content::Begin(begin) => print_begin(begin, io),
+        Content::Withdrawal(correction) => print_correction("withdraws", correction, io),
+        Content::Check(check) => print_check(check, io),
     }
     if let Some(number) = row.corrected_by {
-        line("see", format_args!("entry {number}, which corrects this one or withdraws it"), io)?;
+        line("see", format_args!("entry {number}, which corrects this one or withdraws it"), io);
     }
-    Ok(())
 }
 
-fn print_about(about: &About, io: &mut Io<'_>) -> Result<(), CliError> {
+fn print_about(about: &About, io: &mut Io<'_>) {
     let zone = if about.time.zone.is_empty() { String::new() } else { format!(" ({})", about.time.zone) };
-    line("recorded", format_args!("{}{zone}", about.time.text()), io)?;
-    some("station", &about.station, io)?;
-    some("who", &about.who, io)?;
-    some("part", &about.part, io)?;
-    some("serial", &about.serial, io)?;
-    some("feature", &about.feature, io)?;
-    some("remark", &about.remark, io)
+    line("recorded", format_args!("{}{zone}", about.time.text()), io);
+    some("station", &about.station, io);
+    some("who", &about.who, io);
+    some("part", &about.part, io);
+    some("serial", &about.serial, io);
+    some("feature", &about.feature, io);
+    some("remark", &about.remark, io);
 }
 
-fn print_begin(begin: &Begin, io: &mut Io<'_>) -> Result<(), CliError> {
-    line("begins", format_args!("the chain {}, by {}", begin.chain, begin.program), io)?;
+fn print_begin(begin: &Begin, io: &mut Io<'_>) {
+    line("begins", format_args!("the chain {}, by {}", begin.chain, begin.program), io);
     if let Some((chain, head)) = begin.after {
-        line("after", format_args!("the chain {chain}, of which entry {}:{} is known", head.number, head.hash), io)?;
+        line("after", format_args!("the chain {chain}, of which entry {}:{} is known", head.number, head.hash), io);
     }
-    Ok(())
 }
 
-fn print_correction(name: &str, correction: &Correction, io: &mut Io<'_>) -> Result<(), CliError> {
-    line(name, format_args!("entry {} ({})", correction.target.number, correction.target.hash), io)?;
-    line("reason", &correction.reason, io)?;
-    line("corrected by", &correction.by, io)
+fn print_correction(name: &str, correction: &Correction, io: &mut Io<'_>) {
+    line(name, format_args!("entry {} ({})", correction.target.number, correction.target.hash), io);
+    line("reason", &correction.reason, io);
+    line("corrected by", &correction.by, io);
 }
 
-fn print_check(check: &Check, io: &mut Io<'_>) -> Result<(), CliError> {
-    line("verdict", check.status().map_or("none", crate::verdict::Status::word), io)?;
+fn print_check(check: &Check, io: &mut Io<'_>) {
+    line("verdict", check.status().map_or("none", crate::verdict::Status::word), io);
     match &check.what {
-        Checked::Size(record) => print_size(record, io)?,
-        Checked::Cycle(cycle) => print_cycle(cycle, io)?,
+        Checked::Size(record) => print_size(record, io),
+        Checked::Cycle(cycle) => print_cycle(cycle, io),
     }
-    line("origin", origin(check), io)?;
+    line("origin", origin(check), io);
     if check.is_simulated() {
         io.remark(&CliRemark::Simulated);
     }
@@ -82,11 +82,10 @@ fn print_check(check: &Check, io: &mut Io<'_>) -> Result<(), CliError> {
         io.warn(&remark);
     }
     for file in &check.files {
-        line("file", format_args!("{} {}, SHA-256 {}", file.role.word(), file.name, file.sha256), io)?;
+        line("file", format_args!("{} {}, SHA-256 {}", file.role.word(), file.name, file.sha256), io);
     }
-    match &check.corrects {
-        Some(correction) => print_correction("corrects", correction, io),
-        None => Ok(()),
+    if let Some(correction) = &check.corrects {
+        print_correction("corrects", correction, io);
     }
 }
 
@@ -94,61 +93,60 @@ fn mm(length: Length) -> String {
     length.exact(Unit::Millimetre, 3)
 }
 
-fn print_size(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
+fn print_size(record: &Record, io: &mut Io<'_>) {
     let Record { limits, measurement, verdict, .. } = record;
-    some("named", &record.id, io)?;
-    line("measured on", record.time, io)?;
+    some("named", &record.id, io);
+    line("measured on", record.time, io);
     if let Some(callout) = &record.callout {
-        line("callout", callout, io)?;
+        line("callout", callout, io);
     }
     let (upper, lower) = (limits.deviations.upper().signed_um(), limits.deviations.lower().signed_um());
     let (minimum, maximum) = (mm(limits.minimum()), mm(limits.maximum()));
-    line("limits", format_args!("{minimum} to {maximum} mm ({}, {lower} / {upper} µm)", limits.feature), io)?;
-    line("source", limits.source.with_difference(), io)?;
-    line("measured", format_args!("{} mm", mm(measurement.diameter)), io)?;
+    line("limits", format_args!("{minimum} to {maximum} mm ({}, {lower} / {upper} µm)", limits.feature), io);
+    line("source", limits.source.with_difference(), io);
+    line("measured", format_args!("{} mm", mm(measurement.diameter)), io);
     if let Some(correction) = &record.correction {
         let (as_measured, part) = (mm(correction.measured), correction.part);
         let change = correction.change().signed_um();
         let warm = format!("{as_measured} mm at {} °C, {} · 10⁻⁶/K: {change} µm", part.temperature, part.expansion);
-        line("at 20 °C", warm, io)?;
+        line("at 20 °C", warm, io);
         if let Some(scale) = correction.scale {
-            line("scales", format_args!("at {} °C, {} · 10⁻⁶/K", scale.temperature, scale.expansion), io)?;
+            line("scales", format_args!("at {} °C, {} · 10⁻⁶/K", scale.temperature, scale.expansion), io);
         }
     }
-    print_judgement(record, io)?;
+    print_judgement(record, io);
     if let Some([x, y]) = measurement.centre {
-        line("centre", format_args!("X {}, Y {} mm", mm(x), mm(y)), io)?;
+        line("centre", format_args!("X {}, Y {} mm", mm(x), mm(y)), io);
     }
     if let Some(position) = verdict.position.filter(crate::verdict::PositionVerdict::is_monitored) {
-        line("position", if position.is_out() { "OUT" } else { "IN" }, io)?;
+        line("position", if position.is_out() { "OUT" } else { "IN" }, io);
     }
-    print_contacts(&measurement.contacts, io)?;
+    print_contacts(&measurement.contacts, io);
     for caveat in record.caveats() {
-        line("", caveat, io)?;
+        line("", caveat, io);
     }
-    Ok(())
 }
 
 /// Which rule decided, with what, and what it says.
-fn print_judgement(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
-    line("rule", record.verdict.rule, io)?;
+fn print_judgement(record: &Record, io: &mut Io<'_>) {
+    line("rule", record.verdict.rule, io);
     if let Some(Decision { zones, proven, conformity }) = record.decision() {
         match zones.accepted {
-            Some([least, most]) => line("", CliRemark::Accepted { least, most }, io)?,
-            None => line("", CliRemark::NothingAccepted, io)?,
+            Some([least, most]) => line("", CliRemark::Accepted { least, most }, io),
+            None => line("", CliRemark::NothingAccepted, io),
         }
         if let Some(is_proven) = proven {
-            line("", if is_proven { CliRemark::Proven } else { CliRemark::NotProven }, io)?;
+            line("", if is_proven { CliRemark::Proven } else { CliRemark::NotProven }, io);
         }
         if let Some(conformity) = conformity {
-            line("", CliRemark::Conformity { percent: percent(conformity.within) }, io)?;
+            line("", CliRemark::Conformity { percent: percent(conformity.within) }, io);
         }
     }
     if let Some(why) = record.verdict.undecided {
-        line("", why, io)?;
+        line("", why, io);
     }
     if let Some(removal) = record.verdict.size.removal {
-        line("", CliRemark::Remove { limit: removal.to_limit, middle: removal.to_middle }, io)?;
+        line("", CliRemark::Remove { limit: removal.to_limit, middle: removal.to_middle }, io);
     }
     if let Some(budget) = &record.budget {
         let (date, until, validity) = (budget.date, budget.valid_until, budget.validity.word());
@@ -156,46 +154,47 @@ fn print_judgement(record: &Record, io: &mut Io<'_>) -> Result<(), CliError> {
             "budget",
             format_args!("{}, created {date} by {}, valid until {until}: {validity}", budget.name, budget.by),
             io,
-        )?;
+        );
         for warning in &budget.warnings {
-            line("", warning, io)?;
+            line("", warning, io);
         }
     }
     if let Some(doubt) = record.doubt {
-        line("doubt", doubt, io)?;
+        line("doubt", doubt, io);
     }
     let sources = crate::tolerance::Sources::default();
     let figure = record.callout.and_then(|callout| FigureWarning::of_limits(&callout, &record.limits, &sources));
-    match figure {
-        Some(warning) => line("figure", warning, io),
-        None => Ok(()),
+    if let Some(warning) = figure {
+        line("figure", warning, io);
     }
 }
 
-fn print_cycle(cycle: &CycleCheck, io: &mut Io<'_>) -> Result<(), CliError> {
-    line("cycle", cycle.cycle, io)?;
+fn print_cycle(cycle: &CycleCheck, io: &mut Io<'_>) {
+    line("cycle", cycle.cycle, io);
     if let Some((file, number)) = &cycle.block {
-        line("program", format_args!("{file}, line {number}"), io)?;
+        line("program", format_args!("{file}, line {number}"), io);
     }
     for (name, value) in &cycle.parameters {
-        line("parameter", format_args!("{name} = {value}"), io)?;
+        line("parameter", format_args!("{name} = {value}"), io);
     }
     for one in &cycle.compared {
         let (minimum, maximum) = (mm(one.minimum), mm(one.maximum));
         let (what, measured, status) = (&one.what, mm(one.measured), one.status.word());
-        line("compared", format_args!("{what} {measured} mm, {minimum} to {maximum} mm: {status}"), io)?;
+        line("compared", format_args!("{what} {measured} mm, {minimum} to {maximum} mm: {status}"), io);
     }
     for (name, length) in &cycle.figures {
-        line("result", format_args!("{name} {} mm", mm(*length)), io)?;
+        line("result", format_args!("{name} {} mm", mm(*length)), io);
     }
-    print_contacts(&cycle.contacts, io)
+    print_contacts(&cycle.contacts, io);
 }
 
-fn print_contacts(contacts: &[crate::probing::Contact], io: &mut Io<'_>) -> Result<(), CliError> {
+fn print_contacts(contacts: &[crate::probing::Contact], io: &mut Io<'_>) {
     for contact in contacts.iter().take(MOST_CONTACTS) {
         let [x, y, z] = contact.place();
-        line("contact", format_args!("X {x:.4}, Y {y:.4}, Z {z:.4}"), io)?;
+        line("contact", format_args!("X {x:.4}, Y {y:.4}, Z {z:.4}"), io);
     }
     let more = contacts.len().saturating_sub(MOST_CONTACTS);
-    if 0 < more { line("", format_args!("and {more} more contacts"), io) } else { Ok(()) }
+    if 0 < more {
+        line("", format_args!("and {more} more contacts"), io);
+    }
 }

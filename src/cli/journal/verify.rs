@@ -124,23 +124,23 @@ pub(super) fn bar() -> ProgressBar {
 fn print(found: &Verified, known: &[Head], replaced: Option<&StoreRemark>, io: &mut Io<'_>) -> Result<(), CliError> {
     let inspected = &found.inspected;
     for problem in &inspected.breaks {
-        writeln!(io.people(), "{problem}")?;
+        writeln!(io.people(), "{problem}");
     }
     let named = u64::try_from(inspected.breaks.len()).unwrap_or(u64::MAX);
     if named < inspected.count {
-        writeln!(io.people(), "… {} more", inspected.count.saturating_sub(named))?;
+        writeln!(io.people(), "… {} more", inspected.count.saturating_sub(named));
     }
     for finding in &found.findings {
-        writeln!(io.people(), "{finding}")?;
+        writeln!(io.people(), "{finding}");
     }
     if let Some(replaced) = replaced {
-        writeln!(io.people(), "{replaced}")?;
+        writeln!(io.people(), "{replaced}");
     }
     let (entries, Head { number, hash }) = (inspected.entries, inspected.head);
     if found.is_whole() && replaced.is_none() {
-        writeln!(io.people(), "{entries} entries are as they were written; the last one is {number}:{hash}")?;
+        writeln!(io.people(), "{entries} entries are as they were written; the last one is {number}:{hash}");
     } else if let Some(first) = inspected.breaks.first().map(Break::number) {
-        writeln!(io.people(), "{entries} entries; the first that is not as it was written is {first}")?;
+        writeln!(io.people(), "{entries} entries; the first that is not as it was written is {first}");
     }
     if known.is_empty() {
         io.remark(&CliRemark::NoHeadKnown);

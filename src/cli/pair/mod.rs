@@ -8,13 +8,12 @@
 mod parts;
 mod text;
 
-use std::io::Write;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
 use super::args::one_of;
 use super::io::Tame;
-use super::{CliError, CliWarning, Io, Outcome, Refused as _, TableArgs, heard_or_not, save_with};
+use super::{CliError, CliWarning, Io, Outcome, Refused as _, TableArgs, put};
 use crate::pairing::{MOST_AMOUNTS, MOST_GROUPS, Wanted};
 use crate::report::pairing::{Answer, Asked, FORMATS, Note, column_names};
 use crate::tolerance::fit::Fit;
@@ -162,20 +161,13 @@ impl Args {
 
     fn print(&self, answer: &Answer, io: &mut Io<'_>) -> Result<(), CliError> {
         let format = self.format.1;
-        let write = |answer: &Answer, out: &mut dyn Write| match format {
-            Some(format) => (format.write)(answer, out),
-            None => text::write(answer, out),
-        };
-        match self.output.as_deref().filter(|path| *path != Path::new("-")) {
-            Some(path) if format.is_none() => save_with(path, &mut |out| write(answer, &mut Tame(out)), io),
-            Some(path) => save_with(path, &mut |out| write(answer, out), io),
-            None if format.is_none() => {
-                // In one piece: what a person reads is looked through piece by piece.
-                let mut text = Vec::new();
-                write(answer, &mut Tame(&mut text))?;
-                heard_or_not(io.people().write_all(&text))
-            }
-            None => heard_or_not(write(answer, &mut io.data())),
-        }
+        put(
+            self.output.as_deref(),
+            &mut |out| match format {
+                Some(format) => (format.write)(answer, &mut &mut *out),
+                None => text::write(answer, &mut Tame(out)),
+            },
+            io,
+        )
     }
 }

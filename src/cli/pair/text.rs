@@ -2,6 +2,8 @@
 
 use std::io::{Result, Write};
 
+use crate::cli::aligned::Aligned;
+use crate::cli::aligned::Side::{self, Left, Right};
 use crate::exchange::Size;
 use crate::length::{Length, Unit};
 use crate::pairing::{Grinding, Group, Groups, Pair, Wanted};
@@ -71,9 +73,9 @@ fn pairs(out: &mut dyn Write, answer: &Answer, pairs: &[Pair]) -> Result<()> {
         let clearance = pair.clearance.signed_um();
         Some([name(hole), mm(hole.measured), name(shaft), mm(shaft.measured), clearance, notes])
     };
-    let headings = ["hole", "mm", "shaft", "mm", "clearance µm", ""];
     let rows: Vec<_> = pairs.iter().filter_map(row).collect();
-    table(out, headings, [false, true, false, true, true, false], &rows)
+    let columns = [("hole", Left), ("mm", Right), ("shaft", Left), ("mm", Right), ("clearance µm", Right), ("", Left)];
+    table(out, columns, &rows)
 }
 
 fn leftovers(out: &mut dyn Write, answer: &Answer) -> Result<()> {
@@ -91,7 +93,7 @@ fn leftovers(out: &mut dyn Write, answer: &Answer) -> Result<()> {
     };
     let mut rows = left("hole", holes, &pairing.holes);
     rows.extend(left("shaft", shafts, &pairing.shafts));
-    table(out, ["part", "name", "mm", ""], [false, false, true, false], &rows)?;
+    table(out, [("part", Left), ("name", Left), ("mm", Right), ("", Left)], &rows)?;
     answer.grinding.as_ref().map_or(Ok(()), |grinding| ground(out, answer, grinding))
 }
 
@@ -140,8 +142,17 @@ fn sorted(out: &mut dyn Write, groups: &Groups, wanted: Wanted) -> Result<()> {
         ]
     };
     let rows: Vec<_> = (1..).zip(&groups.all).map(row).collect();
-    let headings = ["group", "holes from … to mm", "count", "shafts from … to mm", "count", "pairs", "clearance", ""];
-    table(out, headings, [true, false, true, false, true, true, false, false], &rows)?;
+    let columns = [
+        ("group", Right),
+        ("holes from … to mm", Left),
+        ("count", Right),
+        ("shafts from … to mm", Left),
+        ("count", Right),
+        ("pairs", Right),
+        ("clearance", Left),
+        ("", Left),
+    ];
+    table(out, columns, &rows)?;
     match groups.outside() {
         (0, 0) => Ok(()),
         (holes, shafts) => {
@@ -150,27 +161,6 @@ fn sorted(out: &mut dyn Write, groups: &Groups, wanted: Wanted) -> Result<()> {
     }
 }
 
-/// A table whose columns are as wide as their widest cells; figures are aligned at the right.
-fn table<const N: usize>(
-    out: &mut dyn Write,
-    headings: [&str; N],
-    is_right: [bool; N],
-    rows: &[[String; N]],
-) -> Result<()> {
-    let mut widths = headings.map(|heading| heading.chars().count());
-    for row in rows {
-        for (width, cell) in widths.iter_mut().zip(row) {
-            *width = (*width).max(cell.chars().count());
-        }
-    }
-    for row in std::iter::once(&headings.map(str::to_owned)).chain(rows) {
-        let cells = row.iter().zip(widths).zip(is_right);
-        let padded = cells.map(
-            |((cell, width), is_right)| {
-                if is_right { format!("{cell:>width$}  ") } else { format!("{cell:<width$}  ") }
-            },
-        );
-        writeln!(out, "{}", padded.collect::<String>().trim_end())?;
-    }
-    Ok(())
+fn table<const N: usize>(out: &mut dyn Write, columns: [(&'static str, Side); N], rows: &[[String; N]]) -> Result<()> {
+    Aligned { columns, widest: usize::MAX }.lines(rows).try_for_each(|line| writeln!(out, "{line}"))
 }

@@ -25,11 +25,11 @@ impl Printer {
         let (file, line) = place(machine, program, *block);
         let program = machine.program(program);
         let Some(text) = program.and_then(|program| program.text_of(*block).next()) else { return Ok(()) };
-        writeln!(io.people(), "{file}:{line}  {}", cut(text.trim(), LONGEST_TEXT))?;
+        writeln!(io.people(), "{file}:{line}  {}", cut(text.trim(), LONGEST_TEXT));
         for parameter in machine.changed() {
             match machine.variables().get(*parameter) {
-                Some(value) => writeln!(io.people(), "    {parameter} = {}", shown(value))?,
-                None => writeln!(io.people(), "    {parameter} undefined")?,
+                Some(value) => writeln!(io.people(), "    {parameter} = {}", shown(value)),
+                None => writeln!(io.people(), "    {parameter} undefined"),
             }
         }
         Ok(())
@@ -48,9 +48,9 @@ impl Listener for Printer {
         let new = machine.windows().get(self.windows..).unwrap_or_default();
         for window in new {
             if 0 < self.windows && !self.trace {
-                writeln!(io.people())?;
+                writeln!(io.people());
             }
-            io.people().write_all(window.text.as_bytes())?;
+            io.people().write_all(window.text.as_bytes());
             self.windows += 1;
         }
         Ok(())

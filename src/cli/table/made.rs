@@ -6,7 +6,7 @@ use std::sync::Arc;
 use crate::cli::args::{classes, one_of};
 use crate::cli::io::is_dash;
 use crate::cli::{
-    CliError, CliRemark, CliWarning, Io, Outcome, Refused as _, StandardArgs, What, heard_or_not, read_table, save,
+    CliError, CliRemark, CliWarning, Io, Outcome, Refused as _, StandardArgs, What, put, read_table, save,
 };
 use crate::control::shipped_tables;
 use crate::exchange::tables::{PARQUET, TABLE_FORMATS, TableFormat, parquet_of};
@@ -113,7 +113,7 @@ impl NewArgs {
             files.push((path, name, bytes));
         }
         match files.as_slice() {
-            [(path, _, bytes)] if is_dash(path) => io.data().write_all(bytes)?,
+            [(path, _, bytes)] if is_dash(path) => io.data().write_all(bytes),
             _ if is_dash(&self.output) => return Err(CliError::Dash),
             [(path, _, bytes)] => save(path, bytes, io)?,
             // One for holes and one for shafts belong together.
@@ -174,10 +174,7 @@ impl ExportArgs {
         }
         let bytes =
             if format.name == PARQUET.name { parquet_of(&tables).said()? } else { self.texts(&tables, output)? };
-        match output {
-            Some(path) => save(path, &bytes, io)?,
-            None => heard_or_not(io.data().write_all(&bytes))?,
-        }
+        put(output, &mut |out| out.write_all(&bytes), io)?;
         if let Some(warning) = tables.iter().find_map(|table| (format.warning)(table)) {
             io.tell(crate::cli::said::warning(&warning));
         }

@@ -3,14 +3,12 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use serde::Serialize;
-
-use crate::cli::{CliError, Figure, Format, Io, Outcome, Refused as _, StandardArgs, heard_or_not, read_table};
+use crate::cli::rows::csv;
+use crate::cli::{CliError, Figure, Format, Io, Outcome, Refused as _, StandardArgs, read_table};
 use crate::control::shipped_tables;
 use crate::control::table::{ControlTable, TableFile};
 use crate::length::{Length, Unit};
 use crate::message::{Message, Place, Say};
-use crate::report::csv::cell;
 use crate::tolerance::compare::{Comparison, Difference, compare};
 use crate::tolerance::iso286::Undefined;
 use crate::tolerance::{DeviationTable, Deviations};
@@ -28,10 +26,6 @@ line and column: the first of the cell's two values that differs in the file, th
 empty cell. JSON is an array with one object per file: file, classes, size_ranges, cells (compared),
 own_columns (not ISO 286 classes, so not compared), differences.
 Exit code 1 when a cell differs or a file cannot be read.";
-
-/// The names of the columns, those of [`Row`].
-const COLUMNS: &str = "file,class,over_mm,to_mm,table_upper_um,table_lower_um,\
-    standard_upper_um,standard_lower_um,upper_by_um,lower_by_um,line,column,reason";
 
 /// Compare control tables with ISO 286, cell by cell
 #[derive(Debug, clap::Args)]
@@ -54,32 +48,34 @@ struct Verified {
     file: Option<TableFile>,
 }
 
-#[derive(Debug, Serialize)]
-struct FileAnswer<'a> {
-    file: &'a str,
-    classes: usize,
-    size_ranges: usize,
-    cells: usize,
-    own_columns: Vec<String>,
-    differences: Vec<Row<'a>>,
+object! {
+    struct FileAnswer<'a> of(one: &'a Verified) {
+        file: &'a str = one.table.name(),
+        classes: usize = one.classes(),
+        size_ranges: usize = one.table.ends().len(),
+        cells: usize = one.found.compared,
+        own_columns: Vec<String> = one.found.unknown.iter().map(ToString::to_string).collect(),
+        differences: Vec<Row<'a>> = one.rows().collect(),
+    }
 }
 
-/// One difference. The order is that of the columns.
-#[derive(Debug, Serialize)]
-struct Row<'a> {
-    file: &'a str,
-    class: String,
-    over_mm: Figure,
-    to_mm: Figure,
-    table_upper_um: Option<Figure>,
-    table_lower_um: Option<Figure>,
-    standard_upper_um: Option<Figure>,
-    standard_lower_um: Option<Figure>,
-    upper_by_um: Option<Figure>,
-    lower_by_um: Option<Figure>,
-    line: Option<usize>,
-    column: Option<usize>,
-    reason: Option<String>,
+row! {
+    /// One difference.
+    struct Row<'a> of(table: &'a DeviationTable, difference: &Difference, place: Option<&Place>) {
+        file: &'a str = table.name(),
+        class: String = difference.class.to_string(),
+        over_mm: Figure = Figure(difference.over.to_string()),
+        to_mm: Figure = Figure(difference.to.to_string()),
+        table_upper_um: Option<Figure> = Some(Figure::um(difference.table?.upper())),
+        table_lower_um: Option<Figure> = Some(Figure::um(difference.table?.lower())),
+        standard_upper_um: Option<Figure> = Some(Figure::um(difference.standard.as_ref().ok()?.upper())),
+        standard_lower_um: Option<Figure> = Some(Figure::um(difference.standard.as_ref().ok()?.lower())),
+        upper_by_um: Option<Figure> = difference.upper_by().map(Figure::um),
+        lower_by_um: Option<Figure> = difference.lower_by().map(Figure::um),
+        line: Option<usize> = place?.line,
+        column: Option<usize> = place?.column,
+        reason: Option<String> = Some(difference.standard.as_ref().err()?.to_string()),
+    }
 }
 
 impl Args {
@@ -102,9 +98,9 @@ impl Args {
             }
         }
         match self.format {
-            Format::Text => verified.iter().try_for_each(|one| write_text(one, io))?,
-            Format::Csv => write_csv(&verified, io)?,
-            Format::Json => write_json(&verified, io)?,
+            Format::Text => verified.iter().for_each(|one| write_text(one, io)),
+            Format::Csv => csv(verified.iter().flat_map(Verified::rows), io),
+            Format::Json => io.json(&verified.iter().map(FileAnswer::of).collect::<Vec<_>>())?,
         }
         let differs = verified.iter().any(|one| !one.found.differences.is_empty());
         Ok(if bad || differs { Outcome::BadData } else { Outcome::Done })
@@ -136,25 +132,9 @@ impl Verified {
         self.table.columns().len().saturating_sub(self.found.unknown.len())
     }
 
-    fn row<'a>(&'a self, difference: &Difference) -> Row<'a> {
-        let um = Figure::um;
-        let place = self.place(difference);
-        let standard = difference.standard.as_ref();
-        Row {
-            file: self.table.name(),
-            class: difference.class.to_string(),
-            over_mm: Figure(difference.over.to_string()),
-            to_mm: Figure(difference.to.to_string()),
-            table_upper_um: difference.table.map(|pair| um(pair.upper())),
-            table_lower_um: difference.table.map(|pair| um(pair.lower())),
-            standard_upper_um: standard.ok().map(|pair| um(pair.upper())),
-            standard_lower_um: standard.ok().map(|pair| um(pair.lower())),
-            upper_by_um: difference.upper_by().map(um),
-            lower_by_um: difference.lower_by().map(um),
-            line: place.as_ref().and_then(|place| place.line),
-            column: place.as_ref().and_then(|place| place.column),
-            reason: standard.err().map(ToString::to_string),
-        }
+    fn rows(&self) -> impl Iterator<Item = Row<'_>> {
+        let differences = self.found.differences.iter();
+        differences.map(|difference| Row::of(&self.table, difference, self.place(difference).as_ref()))
     }
 }
 
@@ -180,10 +160,10 @@ enum Sentence<'a> {
     Own { table: Message, own: String },
 }
 
-fn write_text(one: &Verified, io: &mut Io<'_>) -> Result<(), CliError> {
+fn write_text(one: &Verified, io: &mut Io<'_>) {
     let (table, found) = (&one.table, &one.found);
     for difference in &found.differences {
-        heard_or_not(writeln!(io.people(), "{}", sentence(one, difference)))?;
+        writeln!(io.people(), "{}", sentence(one, difference));
     }
     let (name, classes, ranges, cells) = (table.name(), one.classes(), table.ends().len(), found.compared);
     let told = match cells {
@@ -192,7 +172,7 @@ fn write_text(one: &Verified, io: &mut Io<'_>) -> Result<(), CliError> {
     };
     let own: Vec<String> = found.unknown.iter().map(ToString::to_string).collect();
     let told = if own.is_empty() { told } else { Sentence::Own { table: told.message(), own: own.join(" ") } };
-    heard_or_not(writeln!(io.people(), "{told}"))
+    writeln!(io.people(), "{told}");
 }
 
 /// `own.tab:12:8: H7 over 18 up to 30 mm: +22 / 0 µm, ISO 286 has +21 / 0 µm: upper 1 µm more`
@@ -222,32 +202,4 @@ fn more_or_less(side: &'static str, by: Length) -> Option<String> {
 /// `+21 / 0 µm`
 fn pair(deviations: &Deviations) -> String {
     format!("{} / {} µm", deviations.upper().signed_um(), deviations.lower().signed_um())
-}
-
-fn write_csv(verified: &[Verified], io: &mut Io<'_>) -> Result<(), CliError> {
-    let mut writer = csv::WriterBuilder::new().has_headers(false).from_writer(Vec::new());
-    writer.write_record(COLUMNS.split(','))?;
-    for one in verified {
-        let file = cell(one.table.name());
-        for difference in &one.found.differences {
-            writer.serialize(Row { file: &file, ..one.row(difference) })?;
-        }
-    }
-    let bytes = writer.into_inner().map_err(csv::IntoInnerError::into_error)?;
-    heard_or_not(io.data().write_all(&bytes))
-}
-
-fn write_json(verified: &[Verified], io: &mut Io<'_>) -> Result<(), CliError> {
-    let answers: Vec<FileAnswer<'_>> = verified
-        .iter()
-        .map(|one| FileAnswer {
-            file: one.table.name(),
-            classes: one.classes(),
-            size_ranges: one.table.ends().len(),
-            cells: one.found.compared,
-            own_columns: one.found.unknown.iter().map(ToString::to_string).collect(),
-            differences: one.found.differences.iter().map(|difference| one.row(difference)).collect(),
-        })
-        .collect();
-    io.json(&answers)
 }

@@ -1,64 +1,44 @@
-//! The result of a search in figures, for CSV and JSON.
+//! The result of a search in figures.
 
-use serde::Serialize;
-
+use super::Searched;
 use crate::cli::Figure;
-use crate::cli::fit::figures::words;
 use crate::length::Length;
-use crate::report::columns::{Cell as _, Column, columns};
-use crate::tolerance::fit::search::Candidate;
+use crate::tolerance::fit::preferred::{Function, Preference, function, preference};
+use crate::tolerance::fit::search::{Candidate, Miss};
+use crate::tolerance::fit::{Basis, basis};
 
-/// The answer for programs.
-#[derive(Debug, Serialize)]
-pub(super) struct Figures {
-    pub nominal_mm: Figure,
-    pub minimum_clearance_um: Option<Figure>,
-    pub maximum_clearance_um: Option<Figure>,
-    pub scope: Option<&'static str>,
-    pub function: Option<&'static str>,
-    pub total: usize,
-    pub candidates: Vec<CandidateFigures>,
-    pub nearest: Option<MissFigures>,
+object! {
+    /// The answer for programs.
+    pub(super) struct Figures of(searched: &Searched<'_>) {
+        nominal_mm: Figure = Figure::mm(searched.size, 0),
+        minimum_clearance_um: Option<Figure> = Some(Figure::um(searched.wanted?.0.minimum)),
+        maximum_clearance_um: Option<Figure> = Some(Figure::um(searched.wanted?.0.maximum)),
+        scope: Option<&'static str> = Some(searched.wanted?.1.word()),
+        function: Option<&'static str> = searched.function.map(Function::word),
+        total: usize = searched.found.total,
+        candidates: Vec<CandidateFigures> =
+            searched.found.candidates.iter().map(|one| CandidateFigures::of(searched.size, one)).collect(),
+        nearest: Option<MissFigures> = Some(MissFigures::of(searched.size, searched.found.nearest.as_ref()?)),
+    }
+
+    struct MissFigures of(size: Length, miss: &Miss) {
+        candidate: CandidateFigures = CandidateFigures::of(size, &miss.candidate),
+        below_um: Figure = Figure::um(miss.below),
+        above_um: Figure = Figure::um(miss.above),
+    }
 }
 
-#[derive(Debug, Serialize)]
-pub(super) struct CandidateFigures {
-    pub callout: String,
-    pub hole: String,
-    pub shaft: String,
-    pub kind: &'static str,
-    pub minimum_clearance_um: Figure,
-    pub maximum_clearance_um: Figure,
-    pub basis: Option<&'static str>,
-    pub preferred: Option<&'static str>,
-    pub function: Option<&'static str>,
-}
-
-#[derive(Debug, Serialize)]
-pub(super) struct MissFigures {
-    pub candidate: CandidateFigures,
-    pub below_um: Figure,
-    pub above_um: Figure,
-}
-
-impl CandidateFigures {
-    /// The columns of CSV.
-    pub(super) const COLUMNS: [Column<Self>; 9] = columns! {
-        callout, hole, shaft, kind, minimum_clearance_um, maximum_clearance_um, basis, preferred, function,
-    };
-
-    pub(super) fn of(size: Length, candidate: &Candidate) -> Self {
-        let [basis, preferred, function] = words(candidate.hole, candidate.shaft);
-        Self {
-            callout: format!("{size} {}/{}", candidate.hole, candidate.shaft),
-            hole: candidate.hole.to_string(),
-            shaft: candidate.shaft.to_string(),
-            kind: candidate.kind().word(),
-            minimum_clearance_um: Figure::um(candidate.minimum),
-            maximum_clearance_um: Figure::um(candidate.maximum),
-            basis,
-            preferred,
-            function,
-        }
+row! {
+    /// A pair: an entry of the answer, and a line of CSV.
+    pub(super) struct CandidateFigures of(size: Length, found: &Candidate) {
+        callout: String = format!("{size} {}/{}", found.hole, found.shaft),
+        hole: String = found.hole.to_string(),
+        shaft: String = found.shaft.to_string(),
+        kind: &'static str = found.kind().word(),
+        minimum_clearance_um: Figure = Figure::um(found.minimum),
+        maximum_clearance_um: Figure = Figure::um(found.maximum),
+        basis: Option<&'static str> = basis(found.hole, found.shaft).map(Basis::word),
+        preferred: Option<&'static str> = preference(found.hole, found.shaft).map(Preference::word),
+        function: Option<&'static str> = function(found.hole, found.shaft).map(Function::word),
     }
 }

@@ -3,15 +3,15 @@
 mod figures;
 
 use clap::ValueEnum;
-use figures::{CandidateFigures, Figures, MissFigures};
+use figures::{CandidateFigures, Figures};
 
 use super::text;
-use crate::cli::answers::{csv_line, printable};
+use crate::cli::answers::printable;
 use crate::cli::args::one_of;
+use crate::cli::rows::csv;
 use crate::cli::said::about;
 use crate::cli::{CliError, CliRemark, Figure, Format, Io, Outcome, Refused as _, What};
 use crate::length::Length;
-use crate::report::columns::{cells, names};
 use crate::tolerance::fit::Fit;
 use crate::tolerance::fit::preferred::Function;
 use crate::tolerance::fit::search::{self, Candidate, Found, Miss, Scope, Wanted};
@@ -139,7 +139,7 @@ fn of_function(
     }
     let found = Found { total: candidates.len(), candidates, nearest: None };
     print(format, &Searched { size, wanted: None, function: Some(function), found: &found }, io)?;
-    io.people().flush()?;
+    io.data().flush();
     for refusal in &refused {
         io.tell(refusal);
     }
@@ -156,41 +156,19 @@ struct Searched<'a> {
 
 fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
     match format {
-        Format::Text => Ok(print_text(searched, io)?),
+        Format::Text => print_text(searched, io),
         Format::Csv => {
-            csv_line(names(&CandidateFigures::COLUMNS), io)?;
-            for candidate in &searched.found.candidates {
-                let figures = CandidateFigures::of(searched.size, candidate);
-                csv_line(cells(&CandidateFigures::COLUMNS, &figures), io)?;
-            }
+            csv(searched.found.candidates.iter().map(|one| CandidateFigures::of(searched.size, one)), io);
             if let Some(miss) = &searched.found.nearest {
                 io.tell(CliRemark::NoPair { nearest: nearest(miss) });
             }
-            Ok(())
         }
-        Format::Json => {
-            let size = searched.size;
-            let found = searched.found;
-            let figures = Figures {
-                nominal_mm: Figure::mm(size, 0),
-                minimum_clearance_um: searched.wanted.map(|(wanted, _)| Figure::um(wanted.minimum)),
-                maximum_clearance_um: searched.wanted.map(|(wanted, _)| Figure::um(wanted.maximum)),
-                scope: searched.wanted.map(|(_, scope)| scope.word()),
-                function: searched.function.map(Function::word),
-                total: found.total,
-                candidates: found.candidates.iter().map(|one| CandidateFigures::of(size, one)).collect(),
-                nearest: found.nearest.map(|miss| MissFigures {
-                    candidate: CandidateFigures::of(size, &miss.candidate),
-                    below_um: Figure::um(miss.below),
-                    above_um: Figure::um(miss.above),
-                }),
-            };
-            io.json(&figures)
-        }
+        Format::Json => io.json(&Figures::of(searched))?,
     }
+    Ok(())
 }
 
-fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) -> std::io::Result<()> {
+fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) {
     let Found { candidates, total, nearest: miss } = searched.found;
     let size = searched.size;
     match (&searched.wanted, searched.function) {
@@ -200,21 +178,20 @@ fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) -> std::io::Result<()> {
             let shown =
                 if candidates.len() < *total { format!(", the best {}", candidates.len()) } else { String::new() };
             let pairs = if *total == 1 { "pair" } else { "pairs" };
-            writeln!(io.people(), "{size} mm, clearance {range}{negative}: {total} {pairs}{shown}")?;
+            writeln!(io.people(), "{size} mm, clearance {range}{negative}: {total} {pairs}{shown}");
         }
-        (None, Some(function)) => writeln!(io.people(), "{size} mm, {function}")?,
+        (None, Some(function)) => writeln!(io.people(), "{size} mm, {function}"),
         (None, None) => {}
     }
     for candidate in candidates {
         let pair = format!("{}/{}", candidate.hole, candidate.shaft);
         let range = text::range(candidate.minimum, candidate.maximum);
         let remarks = text::with_remarks(&candidate.kind(), candidate.hole, candidate.shaft);
-        writeln!(io.people(), "  {pair:<10} {range:<20}  {remarks}")?;
+        writeln!(io.people(), "  {pair:<10} {range:<20}  {remarks}");
     }
     if let Some(miss) = miss {
-        writeln!(io.people(), "  nearest is {}", nearest(miss))?;
+        writeln!(io.people(), "  nearest is {}", nearest(miss));
     }
-    Ok(())
 }
 
 /// `H7/g6 with +7 … +41 µm, 1 µm below`

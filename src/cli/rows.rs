@@ -1,0 +1,134 @@
+//! Answers in figures, declared: every value is one line with its name in JSON, which is its column in CSV, too.
+
+use super::Io;
+use super::answers::csv_line;
+use crate::report::figure::Figure;
+use crate::verdict::Status;
+
+/// What has columns: a value has one, a row has those of its values.
+pub(super) trait Columns {
+    /// Adds the names of its columns: its own, or those within it behind it.
+    fn names(name: &str, all: &mut Vec<String>) {
+        all.push(name.to_owned());
+    }
+
+    /// Adds its cells; where there is nothing, as many empty ones.
+    fn cells(of: Option<&Self>, all: &mut Vec<String>);
+}
+
+/// The names of the columns of a row.
+pub(super) fn names<R: Columns>() -> Vec<String> {
+    let mut all = Vec::new();
+    R::names("", &mut all);
+    all
+}
+
+/// The cells of a row, in the order of its columns.
+pub(super) fn cells<R: Columns>(row: &R) -> Vec<String> {
+    let mut all = Vec::new();
+    R::cells(Some(row), &mut all);
+    all
+}
+
+/// Prints rows as CSV, below the names of their columns.
+pub(super) fn csv<R: Columns>(rows: impl IntoIterator<Item = R>, io: &mut Io<'_>) {
+    csv_line(names::<R>(), io);
+    rows.into_iter().for_each(|row| csv_line(cells(&row), io));
+}
+
+/// A name within another one.
+pub(super) fn within(name: &str, inner: &str) -> String {
+    // A name that is a word of the language has its mark in the source alone.
+    let inner = inner.trim_start_matches("r#");
+    if name.is_empty() { inner.to_owned() } else { format!("{name}_{inner}") }
+}
+
+/// What a line of a row finds: there a question mark ends the search for a value that may be missing.
+pub(super) fn found<T>(find: impl FnOnce() -> T) -> T {
+    find()
+}
+
+/// Values of one column, with their text.
+macro_rules! one_column {
+    ($($value:ty: $text:expr),+ $(,)?) => {
+        $(impl Columns for $value {
+            fn cells(of: Option<&Self>, all: &mut Vec<String>) {
+                all.push(of.map_or_else(String::new, $text));
+            }
+        })+
+    };
+}
+
+one_column! {
+    String: Clone::clone,
+    &str: ToString::to_string,
+    Figure: |figure| figure.0.clone(),
+    Status: |status| status.word().to_owned(),
+    bool: ToString::to_string,
+    usize: ToString::to_string,
+    u64: ToString::to_string,
+}
+
+impl<C: Columns> Columns for Option<C> {
+    fn names(name: &str, all: &mut Vec<String>) {
+        C::names(name, all);
+    }
+
+    fn cells(of: Option<&Self>, all: &mut Vec<String>) {
+        C::cells(of.and_then(Option::as_ref), all);
+    }
+}
+
+/// Declares objects of JSON: what each is made of, and each value with its name, its type and how it is found. The names must not change.
+macro_rules! object {
+    ($(
+        $(#[$about:meta])*
+        $seen:vis struct $row:ident $(<$life:lifetime>)? of($($given:ident: $from:ty),+ $(,)?) {
+            $($(#[$how:meta])* $name:ident: $value:ty = $find:expr),+ $(,)?
+        }
+    )+) => {$(
+        $(#[$about])*
+        #[derive(Debug, serde::Serialize)]
+        $seen struct $row $(<$life>)? {
+            $($(#[$how])* $name: $value,)+
+        }
+
+        impl $(<$life>)? $row $(<$life>)? {
+            $seen fn of($($given: $from),+) -> Self {
+                Self { $($name: $crate::cli::rows::found(|| -> $value { $find }),)+ }
+            }
+        }
+    )+};
+}
+
+/// The same with columns of CSV: what follows `json:` has none.
+macro_rules! row {
+    ($(
+        $(#[$about:meta])*
+        $seen:vis struct $row:ident $(<$life:lifetime>)? of($($given:ident: $from:ty),+ $(,)?) {
+            $($name:ident: $value:ty = $find:expr),+
+            $(; json: $($more:ident: $other:ty = $find_more:expr),+)? $(,)?
+        }
+    )+) => {$(
+        object! {
+            $(#[$about])*
+            $seen struct $row $(<$life>)? of($($given: $from),+) {
+                $($name: $value = $find,)+
+                $($($more: $other = $find_more,)+)?
+            }
+        }
+
+        impl $(<$life>)? $crate::cli::rows::Columns for $row $(<$life>)? {
+            fn names(name: &str, all: &mut Vec<String>) {
+                $(<$value as $crate::cli::rows::Columns>::names(
+                    &$crate::cli::rows::within(name, stringify!($name)),
+                    all,
+                );)+
+            }
+
+            fn cells(of: Option<&Self>, all: &mut Vec<String>) {
+                $($crate::cli::rows::Columns::cells(of.map(|of| &of.$name), all);)+
+            }
+        }
+    )+};
+}
