@@ -328,7 +328,8 @@ fn print_json(record: &Record, unstated: bool, budget: Option<&Assessment>, io: 
         object.retain(|name, _value| !name.starts_with("budget"));
         object.insert("budget".to_owned(), super::budget::head(budget).into());
     }
-    io.json(&object)
+    io.json(&object);
+    Ok(())
 }
 
 fn print_csv(record: &Record, unstated: bool, io: &mut Io<'_>) -> Result<(), CliError> {

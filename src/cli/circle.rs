@@ -76,7 +76,7 @@ impl Args {
         }
         let answer = Answer::of(&evaluation, contacts.len());
         match self.format {
-            Format::Json => io.json(&answer)?,
+            Format::Json => io.json(&answer),
             Format::Csv => print_csv(&answer, io),
             Format::Text => print_text(&answer, &evaluation, io),
         }

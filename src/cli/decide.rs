@@ -74,7 +74,7 @@ impl Args {
         let zones = asked.rule.zones(&asked.bounds);
         let answer = answer(&asked, &zones)?;
         match self.format {
-            Format::Json => io.json(&answer)?,
+            Format::Json => io.json(&answer),
             Format::Csv => io.data().write_all(csv(&answer).as_bytes()),
             Format::Text => text(&asked, &answer, io),
         }

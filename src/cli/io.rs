@@ -127,10 +127,11 @@ impl<'a> Io<'a> {
     }
 
     /// Prints an answer for programs.
-    pub(super) fn json(&mut self, answer: &impl serde::Serialize) -> Result<(), CliError> {
-        serde_json::to_writer_pretty(self.data(), answer)?;
-        writeln!(self.data());
-        Ok(())
+    pub(super) fn json(&mut self, answer: &impl serde::Serialize) {
+        let out = self.data();
+        let written = serde_json::to_writer_pretty(&mut *out, answer);
+        out.keep(written.map_err(std::io::Error::from));
+        writeln!(out);
     }
 
     /// Prints a warning. Whether somebody has to look first is decided with its kind.
@@ -174,10 +175,21 @@ pub(super) struct Out<'a> {
 }
 
 impl Out<'_> {
+    fn keep(&mut self, written: std::io::Result<()>) {
+        self.failed = self.failed.take().or(written.err());
+    }
+
     pub(super) fn write_all(&mut self, bytes: &[u8]) {
         if self.failed.is_none() {
-            self.failed = self.out.write_all(bytes).err();
+            let written = self.out.write_all(bytes);
+            self.keep(written);
         }
+    }
+
+    /// An object on one line.
+    pub(super) fn write_json(&mut self, object: &impl serde::Serialize) {
+        let written = serde_json::to_writer(&mut *self, object);
+        self.keep(written.map_err(std::io::Error::from));
     }
 
     pub(super) fn write_fmt(&mut self, text: std::fmt::Arguments<'_>) {
@@ -186,7 +198,8 @@ impl Out<'_> {
 
     pub(super) fn flush(&mut self) {
         if self.failed.is_none() {
-            self.failed = self.out.flush().err();
+            let written = self.out.flush();
+            self.keep(written);
         }
     }
 }

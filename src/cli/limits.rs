@@ -66,7 +66,7 @@ pub(super) fn lower_and_upper(deviations: &Deviations) -> String {
 impl Answerer for LimitsOf<'_> {
     type Row<'a> = Row<'a>;
 
-    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) {
         let callout: Callout = match asked.callout.parse() {
             Ok(callout) => callout,
             Err(error) => return answers.refuse::<Self>(asked, &error, io),
@@ -77,9 +77,8 @@ impl Answerer for LimitsOf<'_> {
         // A fit is two sizes: the hole's answer, then the shaft's.
         for feature in [Feature::Hole, Feature::Shaft] {
             let part = callout.of_part(feature);
-            self.answer_part(Asked { callout: &part.to_string(), ..asked }, part, answers, io)?;
+            self.answer_part(Asked { callout: &part.to_string(), ..asked }, part, answers, io);
         }
-        Ok(())
     }
 
     fn refused(callout: &str, error: String) -> Row<'_> {
@@ -88,13 +87,7 @@ impl Answerer for LimitsOf<'_> {
 }
 
 impl LimitsOf<'_> {
-    fn answer_part(
-        &self,
-        asked: Asked<'_>,
-        callout: Callout,
-        answers: &mut Answers,
-        io: &mut Io<'_>,
-    ) -> Result<(), CliError> {
+    fn answer_part(&self, asked: Asked<'_>, callout: Callout, answers: &mut Answers, io: &mut Io<'_>) {
         match self.0.size_limits(&callout) {
             Err(error) => answers.refuse::<Self>(asked, &error, io),
             Ok(limits) => {
@@ -105,7 +98,6 @@ impl LimitsOf<'_> {
                     return answers.figures(&Row::of(asked.callout, &limits), io);
                 }
                 answers.text(|io, _| write_text(&callout, &limits, io), io);
-                Ok(())
             }
         }
     }

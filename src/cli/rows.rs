@@ -67,6 +67,7 @@ one_column! {
     bool: ToString::to_string,
     usize: ToString::to_string,
     u64: ToString::to_string,
+    f64: ToString::to_string,
 }
 
 impl<C: Columns> Columns for Option<C> {

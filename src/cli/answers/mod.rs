@@ -29,7 +29,7 @@ pub(super) trait Answerer {
     type Row<'a>: Columns + Serialize;
 
     /// Answers a callout.
-    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) -> Result<(), CliError>;
+    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>);
 
     /// The figures of a callout without an answer.
     fn refused(callout: &str, error: String) -> Self::Row<'_>;
@@ -62,7 +62,7 @@ impl Answers {
             if callout == "-" {
                 answers.lines(answerer, io)?;
             } else {
-                answerer.answer(Asked { callout: printable(callout).trim(), line: None }, &mut answers, io)?;
+                answerer.answer(Asked { callout: printable(callout).trim(), line: None }, &mut answers, io);
             }
         }
         Ok(answers.finish(io))
@@ -81,10 +81,10 @@ impl Answers {
                 Found::End => break,
                 // A line that nobody reads the answer of.
                 _ if io.is_closed() => break,
-                Found::Whole => answerer.answer(asked(text.trim()), self, io)?,
+                Found::Whole => answerer.answer(asked(text.trim()), self, io),
                 Found::TooLong => {
                     let beginning: String = text.chars().take(SHOWN).chain(['…']).collect();
-                    self.refuse::<A>(asked(&beginning), &CliError::LineTooLong, io)?;
+                    self.refuse::<A>(asked(&beginning), &CliError::LineTooLong, io);
                 }
             }
         }
@@ -103,12 +103,7 @@ impl Answers {
     }
 
     /// Prints why there is no answer.
-    pub(super) fn refuse<A: Answerer>(
-        &mut self,
-        asked: Asked<'_>,
-        error: &impl Display,
-        io: &mut Io<'_>,
-    ) -> Result<(), CliError> {
+    pub(super) fn refuse<A: Answerer>(&mut self, asked: Asked<'_>, error: &impl Display, io: &mut Io<'_>) {
         self.refused += 1;
         if !self.is_text() {
             return self.figures(&A::refused(asked.callout, error.to_string()), io);
@@ -121,24 +116,19 @@ impl Answers {
             Asked { callout: "", line: None } => io.tell(format_args!("\"\": {error}")),
             Asked { callout, .. } => io.tell(format_args!("{callout}: {error}")),
         }
-        Ok(())
     }
 
     /// A line of CSV or a JSON object.
-    pub(super) fn figures(&mut self, figures: &(impl Columns + Serialize), io: &mut Io<'_>) -> Result<(), CliError> {
+    pub(super) fn figures(&mut self, figures: &(impl Columns + Serialize), io: &mut Io<'_>) {
         self.answered += 1;
         match self.format {
             Format::Csv => csv_line(cells(figures), io),
-            _ if self.is_one => {
-                serde_json::to_writer_pretty(io.data(), figures)?;
-                writeln!(io.data());
-            }
+            _ if self.is_one => io.json(figures),
             _ => {
                 io.data().write_all(if self.answered == 1 { b"\n  " } else { b",\n  " });
-                serde_json::to_writer(io.data(), figures)?;
+                io.data().write_json(figures);
             }
         }
-        Ok(())
     }
 
     fn finish(&self, io: &mut Io<'_>) -> bool {

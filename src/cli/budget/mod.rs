@@ -112,7 +112,7 @@ impl Args {
             io.tell(said::warning(&warning));
         }
         match self.format {
-            Format::Json => io.json(&figures::json(&found, &conditions, &beside))?,
+            Format::Json => io.json(&figures::json(&found, &conditions, &beside)),
             Format::Csv => figures::csv(&found, io),
             Format::Text => text::print(&found, &conditions, io),
         }

@@ -1,13 +1,15 @@
 //! What a cycle found, for programs: JSON and CSV.
 
-use serde::Serialize;
 use serde_json::{Map, Value as Json, json};
 
+use super::super::rows::csv;
 use super::super::tools;
-use super::{CliError, Io, Run, Source};
+use super::{Io, Run, Source};
 use crate::length::Length;
-use crate::probing::cycle::{Check, LogTarget, Move, Value};
-use crate::report::csv::cell;
+use crate::probing::circle::{Evaluation, Uncertainty};
+use crate::probing::cycle::{Check, CircleFound, Found, LogTarget, Move, Plane, Value};
+use crate::probing::{Contact, TouchProbe};
+use crate::verdict::Status;
 use crate::words::Dialogue;
 
 /// What the contacts cannot tell, and where the log differs.
@@ -16,66 +18,91 @@ pub(super) fn warnings(run: &Run<'_>) -> Vec<String> {
     contacts.map(|warning| warning.to_string()).chain(run.log.other.map(|other| other.to_string())).collect()
 }
 
-/// The answer; its names must not change.
-#[derive(Debug, Serialize)]
-struct Answer<'a> {
-    cycle: &'a str,
-    name: &'a str,
-    source: Json,
-    probe: Json,
-    inputs: Map<String, Json>,
-    contacts: &'a [crate::probing::Contact],
-    circle: Option<Json>,
-    results: Vec<Json>,
-    checks: Vec<Json>,
-    status: Option<&'a str>,
-    stop: Option<String>,
-    log: Option<&'a str>,
-    log_text: Option<&'a str>,
-    remarks: Vec<String>,
-    warnings: Vec<String>,
-    path: Vec<Json>,
-    /// Only with a tool table.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tool_changes: Option<Vec<Json>>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tools_out: Option<Json>,
-}
-
-pub(super) fn print_json(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
-    let result = run.result;
-    let answer = Answer {
-        cycle: run.cycle.code,
-        name: run.cycle.name(Dialogue::En),
-        source: source(run.source),
-        probe: probe(run),
-        inputs: inputs(run),
-        contacts: &result.contacts,
-        circle: circle(run),
-        results: result
-            .results
-            .iter()
-            .map(|found| {
-                let key = found.key.map(|key| key.to_string());
-                json!({"key": key, "name": found.name.to_string(), "value": value(&found.value)})
-            })
-            .collect(),
-        checks: result.checks.iter().map(check).collect(),
-        status: result.verdict().map(crate::verdict::Status::word),
-        stop: result.stop.as_ref().map(ToString::to_string),
-        log: match result.log {
+object! {
+    pub(super) struct Answer<'a> of(run: &'a Run<'_>) {
+        cycle: &'a str = run.cycle.code,
+        name: &'a str = run.cycle.name(Dialogue::En),
+        source: Json = source(run.source),
+        probe: Probe = Probe::of(run.result.inputs.probe(), run.ball_radius),
+        inputs: Map<String, Json> = inputs(run),
+        contacts: &'a [Contact] = &run.result.contacts,
+        circle: Option<Circle> = Some(Circle::of(run.result.circle.as_ref()?, run.result.evaluation().as_ref())),
+        results: Vec<Json> = run.result.results.iter().map(result).collect(),
+        checks: Vec<Json> = run.result.checks.iter().map(check).collect(),
+        status: Option<&'a str> = run.result.verdict().map(Status::word),
+        stop: Option<String> = run.result.stop.as_ref().map(ToString::to_string),
+        log: Option<&'a str> = match run.result.log {
             LogTarget::None => None,
             LogTarget::File(name) => Some(name),
             LogTarget::Screen | LogTarget::Shown => Some("screen"),
         },
-        log_text: run.log.shown.as_deref(),
-        remarks: result.remarks.iter().map(ToString::to_string).collect(),
-        warnings: warnings(run),
-        path: result.path.iter().map(step).collect(),
-        tool_changes: run.tools.has_table.then(|| run.tools.change.iter().map(tools::json).collect()),
-        tools_out: run.tools.has_table.then(|| json!(run.tools.written)),
-    };
-    io.json(&answer)
+        log_text: Option<&'a str> = run.log.shown.as_deref(),
+        remarks: Vec<String> = run.result.remarks.iter().map(ToString::to_string).collect(),
+        warnings: Vec<String> = warnings(run),
+        path: Vec<Step> = run.result.path.iter().map(Step::of).collect(),
+        #[serde(skip_serializing_if = "Option::is_none")]
+        tool_changes: Option<Vec<Json>> =
+            run.tools.has_table.then(|| run.tools.change.iter().map(tools::json).collect()),
+        #[serde(skip_serializing_if = "Option::is_none")]
+        tools_out: Option<Json> = run.tools.has_table.then(|| json!(run.tools.written)),
+    }
+
+    struct Probe of(probe: &TouchProbe, ball_radius: f64) {
+        number: u32 = probe.number,
+        ball_radius_mm: f64 = ball_radius,
+        set_up_mm: f64 = mm(probe.set_up),
+        dist_mm: f64 = mm(probe.longest_path),
+        cal_of_mm: [f64; 2] = probe.offset.map(mm),
+        f_mm_min: u32 = probe.feed,
+        fmax_mm_min: u32 = probe.rapid,
+    }
+
+    struct Circle of(found: &CircleFound, evaluation: Option<&Evaluation>) {
+        plane: Plane = found.plane,
+        centre_mm: [f64; 2] = found.centre.map(mm),
+        diameter_mm: f64 = mm(found.diameter),
+        centre_deviation_mm: [f64; 2] = found.position.axes.map(|axis| mm(axis.deviation)),
+        is_in_position: Option<bool> = found.position.is_monitored().then(|| !found.position.is_out()),
+        residuals_mm: Option<Vec<f64>> = Some(evaluation?.residuals.clone()),
+        arc_deg: Option<f64> = Some(evaluation?.arc_deg),
+        uncertainty: Option<Uncertainty> = Some(evaluation?.uncertainty),
+    }
+
+    struct Step of(step: &Move) {
+        phase: &'static str = step.phase.word(),
+        touch: Option<usize> = step.touch,
+        from: [f64; 3] = step.from,
+        to: [f64; 3] = step.to,
+        about: Option<[f64; 3]> = step.about,
+    }
+}
+
+row! {
+    /// A line of CSV: a result, or the status.
+    struct Line of(found: &Found, simulated: bool) {
+        key: Option<String> = Some(found.key?.to_string()),
+        name: String = found.name.to_string(),
+        value: String = found.value.to_string(),
+        unit: &'static str = if matches!(found.value, Value::Length(_)) { "mm" } else { "" },
+        simulated: bool = simulated,
+    }
+
+    /// A line of the path as CSV.
+    struct PathLine of(step: usize, to: &Move) {
+        step: usize = step,
+        phase: &'static str = to.phase.word(),
+        touch: Option<usize> = to.touch,
+        from_x: f64 = to.from[0],
+        from_y: f64 = to.from[1],
+        from_z: f64 = to.from[2],
+        to_x: f64 = to.to[0],
+        to_y: f64 = to.to[1],
+        to_z: f64 = to.to[2],
+    }
+}
+
+fn result(found: &Found) -> Json {
+    json!({"key": found.key.map(|key| key.to_string()), "name": found.name.to_string(), "value": value(&found.value)})
 }
 
 /// A length has at most 16 figures and none finer than a nanometre, so its nearest float prints the same.
@@ -113,35 +140,6 @@ pub(in crate::cli) fn source(source: &Source) -> Json {
     }
 }
 
-fn probe(run: &Run<'_>) -> Json {
-    let probe = run.result.inputs.probe();
-    json!({
-        "number": probe.number,
-        "ball_radius_mm": run.ball_radius,
-        "set_up_mm": mm(probe.set_up),
-        "dist_mm": mm(probe.longest_path),
-        "cal_of_mm": probe.offset.map(mm),
-        "f_mm_min": probe.feed,
-        "fmax_mm_min": probe.rapid,
-    })
-}
-
-fn circle(run: &Run<'_>) -> Option<Json> {
-    let found = run.result.circle.as_ref()?;
-    let evaluation = run.result.evaluation();
-    let [axis_1, axis_2] = found.position.axes;
-    Some(json!({
-        "plane": found.plane,
-        "centre_mm": found.centre.map(mm),
-        "diameter_mm": mm(found.diameter),
-        "centre_deviation_mm": [mm(axis_1.deviation), mm(axis_2.deviation)],
-        "is_in_position": found.position.is_monitored().then(|| !found.position.is_out()),
-        "residuals_mm": evaluation.as_ref().map(|evaluation| &evaluation.residuals),
-        "arc_deg": evaluation.as_ref().map(|evaluation| evaluation.arc_deg),
-        "uncertainty": evaluation.as_ref().map(|evaluation| evaluation.uncertainty),
-    }))
-}
-
 pub(in crate::cli) fn check(check: &Check) -> Json {
     json!({
         "what": check.what.to_string(),
@@ -152,37 +150,14 @@ pub(in crate::cli) fn check(check: &Check) -> Json {
     })
 }
 
-fn step(step: &Move) -> Json {
-    json!({"phase": step.phase.word(), "touch": step.touch, "from": step.from, "to": step.to, "about": step.about})
+pub(super) fn print_csv(run: &Run<'_>, io: &mut Io<'_>) {
+    let simulated = run.source.origin().is_simulated();
+    let (key, name) = (Some("status".to_owned()), "status".to_owned());
+    let status =
+        Line { key, name, value: run.result.verdict().map_or("", Status::word).to_owned(), unit: "", simulated };
+    csv(run.result.results.iter().map(|found| Line::of(found, simulated)).chain([status]), io);
 }
 
-pub(super) fn print_csv(run: &Run<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
-    let mut writer = csv::Writer::from_writer(io.data());
-    writer.write_record(["key", "name", "value", "unit", "simulated"])?;
-    let simulated = run.source.origin().is_simulated().to_string();
-    for found in &run.result.results {
-        let unit = if matches!(found.value, Value::Length(_)) { "mm" } else { "" };
-        let key = found.key.map(|key| key.to_string()).unwrap_or_default();
-        let (name, value) = (found.name.to_string(), found.value.to_string());
-        writer.write_record([key.as_str(), &name, &cell(&value), unit, &simulated])?;
-    }
-    let status = run.result.verdict().map_or("", crate::verdict::Status::word);
-    writer.write_record(["status", "status", status, "", &simulated])?;
-    writer.flush()?;
-    Ok(())
-}
-
-pub(super) fn print_path_csv(path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
-    let mut writer = csv::Writer::from_writer(io.data());
-    let names = ["step", "phase", "touch", "from_x", "from_y", "from_z", "to_x", "to_y", "to_z"];
-    writer.write_record(names)?;
-    for (number, step) in (1_usize..).zip(path) {
-        let places = step.from.iter().chain(&step.to).map(ToString::to_string);
-        let touch = step.touch.map(|touch| touch.to_string()).unwrap_or_default();
-        let row: Vec<String> =
-            [number.to_string(), step.phase.word().to_owned(), touch].into_iter().chain(places).collect();
-        writer.write_record(&row)?;
-    }
-    writer.flush()?;
-    Ok(())
+pub(super) fn print_path_csv(path: &[Move], io: &mut Io<'_>) {
+    csv((1_usize..).zip(path).map(|(step, to)| PathLine::of(step, to)), io);
 }

@@ -1,56 +1,37 @@
 //! `fitcheck cycle 427 --list`: the declaration of a cycle.
 
-use serde::Serialize;
-
+use super::super::rows::{cells, names};
 use super::{CliError, Format, Io};
 use crate::probing::cycle::{Cycle, Inputs, Parameter, Unset, Value};
+use crate::report::csv;
 use crate::words::{Dialogue, Words};
 
-/// A cycle with its parameters; its names must not change.
-#[derive(Debug, Serialize)]
-struct Listed<'a> {
-    cycle: &'static str,
-    name: &'static str,
-    notes: Vec<String>,
-    parameters: &'a [Row],
+object! {
+    /// A cycle with its parameters.
+    struct Listed of(cycle: &Cycle, language: Dialogue) {
+        cycle: &'static str = cycle.code,
+        name: &'static str = cycle.name(language),
+        notes: Vec<String> = cycle.notes.iter().map(ToString::to_string).collect(),
+        parameters: Vec<Row> = rows(cycle, language),
+    }
 }
 
-/// One parameter; its names must not change.
-#[derive(Debug, Serialize)]
-struct Row {
-    key: String,
-    name: &'static str,
-    question: &'static str,
-    unit: Option<&'static str>,
-    range: String,
-    default: Option<String>,
-    required: bool,
-    predef: bool,
-    effect: bool,
-    /// Another default where another parameter has a certain value, for people.
-    #[serde(skip)]
-    otherwise: Option<String>,
+row! {
+    /// One parameter.
+    struct Row of(parameter: &Parameter, language: Dialogue) {
+        key: String = parameter.key.to_string(),
+        name: &'static str = parameter.name_in(language),
+        question: &'static str = parameter.question(language),
+        unit: Option<&'static str> = parameter.range.unit(),
+        range: String = parameter.range.short().to_string(),
+        default: Option<String> = Some(parameter.default_value()?.to_string()),
+        required: bool = parameter.unset == Unset::Refused,
+        predef: bool = parameter.may_be_predef,
+        effect: bool = parameter.has_effect,
+    }
 }
 
 impl Row {
-    fn of(parameter: &Parameter, language: Dialogue) -> Self {
-        Self {
-            key: parameter.key.to_string(),
-            name: parameter.name_in(language),
-            question: parameter.question(language),
-            unit: parameter.range.unit(),
-            range: parameter.range.short().to_string(),
-            default: parameter.default_value().map(|value| value.to_string()),
-            required: parameter.unset == Unset::Refused,
-            predef: parameter.may_be_predef,
-            effect: parameter.has_effect,
-            otherwise: parameter.unset_where.and_then(|other| {
-                let inputs = Inputs::new().with(other.key, Value::Whole(other.is));
-                Some(format!("{} with {} = {}", parameter.default_with(&inputs)?, other.key, other.is))
-            }),
-        }
-    }
-
     /// The value that is used when it is not given.
     fn unset(&self) -> &str {
         match &self.default {
@@ -61,30 +42,37 @@ impl Row {
     }
 }
 
+fn rows(cycle: &Cycle, language: Dialogue) -> Vec<Row> {
+    cycle.parameters.iter().map(|parameter| Row::of(parameter, language)).collect()
+}
+
+/// Another default where another parameter has a certain value.
+fn otherwise(parameter: &Parameter) -> Option<String> {
+    let other = parameter.unset_where?;
+    let inputs = Inputs::new().with(other.key, Value::Whole(other.is));
+    Some(format!(", {} with {} = {}", parameter.default_with(&inputs)?, other.key, other.is))
+}
+
 pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut Io<'_>) -> Result<(), CliError> {
-    let rows: Vec<_> = cycle.parameters.iter().map(|parameter| Row::of(parameter, language)).collect();
+    let rows = rows(cycle, language);
     match format {
-        Format::Json => {
-            let notes = cycle.notes.iter().map(ToString::to_string).collect();
-            io.json(&Listed { cycle: cycle.code, name: cycle.name(language), notes, parameters: &rows })?;
-        }
+        Format::Json => io.json(&Listed::of(cycle, language)),
         Format::Csv => {
-            let mut writer = csv::Writer::from_writer(io.data());
-            for row in &rows {
-                writer.serialize(row)?;
+            // A range may begin with a sign: it is no formula.
+            for line in std::iter::once(names::<Row>()).chain(rows.iter().map(cells)) {
+                csv::line(line, io.data())?;
             }
-            writer.flush()?;
         }
         Format::Text => {
             writeln!(io.people(), "{} {}", cycle.code, cycle.name(language));
             let width = rows.iter().map(|row| row.question.chars().count()).max().unwrap_or_default();
-            for row in &rows {
+            for (row, parameter) in rows.iter().zip(cycle.parameters) {
                 let unit = row.unit.unwrap_or_default();
                 let predef = if row.predef { ", or PREDEF" } else { "" };
                 let effect = if row.effect { "" } else { "   no effect" };
                 let (key, question, range, unset) = (&row.key, row.question, &row.range, row.unset());
                 let line = format!("  {key:<6} {question:<width$}  {unset:<16} {range} {unit}");
-                let otherwise = row.otherwise.as_ref().map(|other| format!(", {other}")).unwrap_or_default();
+                let otherwise = otherwise(parameter).unwrap_or_default();
                 writeln!(io.people(), "{}{predef}{otherwise}{effect}", line.trim_end());
             }
             let words = Words::new(language.language());

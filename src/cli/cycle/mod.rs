@@ -175,7 +175,7 @@ impl Args {
             Ok(result) => result,
             Err(error) => {
                 if self.path && self.format == Format::Text {
-                    text::print_path(&path, io)?;
+                    text::print_path(&path, io);
                 }
                 return Err(error).about(&self.what());
             }
@@ -193,20 +193,18 @@ impl Args {
             log: &log,
             tools: &tools,
         };
-        let printed = match self.format {
+        match self.format {
             Format::Text => text::print(&run, self.path, io),
             Format::Csv if self.path => answer::print_path_csv(&path, io),
             Format::Csv => answer::print_csv(&run, io),
-            Format::Json => answer::print_json(&run, io),
-        };
-        // It is recorded whoever reads what is printed.
+            Format::Json => io.json(&answer::Answer::of(&run)),
+        }
         if let Some(mut recorder) = recorder {
             if result.verdict().is_some() {
                 recorder.cycle(CycleCheck::of(self.cycle, &result, source.origin()), io.files())?;
             }
             recorder.keep(io)?;
         }
-        printed?;
         if let (Some(stop), Format::Csv) = (&result.stop, self.format) {
             io.tell(stop);
         }

@@ -1,11 +1,11 @@
 //! What a cycle found, for people.
 
 use super::answer::warnings;
-use super::{CliError, Io, Run, Source};
+use super::{Io, Run, Source};
 use crate::probing::cycle::{LogTarget, Move, Unset};
 use crate::probing::simulated::Part;
 
-pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(), CliError> {
+pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) {
     let (cycle, result) = (run.cycle, run.result);
     writeln!(io.people(), "{} {}", cycle.code, cycle.name(run.language));
     writeln!(io.people(), "{}", source(run));
@@ -36,7 +36,7 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
     }
     if with_path {
         writeln!(io.people());
-        print_path(&result.path, io)?;
+        print_path(&result.path, io);
     }
 
     writeln!(io.people());
@@ -78,7 +78,6 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) -> Result<(
         writeln!(io.people());
         io.people().write_all(log.as_bytes());
     }
-    Ok(())
 }
 
 fn source(run: &Run<'_>) -> String {
@@ -99,7 +98,7 @@ fn source(run: &Run<'_>) -> String {
 }
 
 /// The path of the ball's centre.
-pub(super) fn print_path(path: &[Move], io: &mut Io<'_>) -> Result<(), CliError> {
+pub(super) fn print_path(path: &[Move], io: &mut Io<'_>) {
     writeln!(io.people(), "path of the ball's centre");
     for (number, step) in (1_usize..).zip(path) {
         let [x, y, z] = step.to;
@@ -109,5 +108,4 @@ pub(super) fn print_path(path: &[Move], io: &mut Io<'_>) -> Result<(), CliError>
         let line = format!("  {number:>3}  {phase:<12} {touch:<8} to {x:>14.6} {y:>14.6} {z:>14.6}  {way}");
         writeln!(io.people(), "{}", line.trim_end());
     }
-    Ok(())
 }

@@ -137,7 +137,7 @@ struct Fits<'a> {
 impl Answerer for Fits<'_> {
     type Row<'a> = Figures<'a>;
 
-    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) -> Result<(), CliError> {
+    fn answer(&mut self, asked: Asked<'_>, answers: &mut Answers, io: &mut Io<'_>) {
         let answer = asked.callout.parse().said().and_then(|callout| Answer::of(callout, &self.given).said());
         let answer = match answer {
             Ok(answer) => answer,
@@ -162,7 +162,6 @@ impl Answerer for Fits<'_> {
             text::write(&answer, io);
         };
         answers.text(write, io);
-        Ok(())
     }
 
     fn refused(callout: &str, error: String) -> Figures<'_> {

@@ -51,7 +51,7 @@ pub(super) fn show(
         }
     }
     if format == Format::Json {
-        io.json(&shown)?;
+        io.json(&shown);
     }
     Ok(if bad { Outcome::BadData } else { Outcome::Done })
 }

@@ -77,7 +77,7 @@ impl Args {
                     csv::line(line, io.data())?;
                 }
             }
-            Format::Json => io.json(&rows.iter().map(Line::of).collect::<Vec<_>>())?,
+            Format::Json => io.json(&rows.iter().map(Line::of).collect::<Vec<_>>()),
         }
         // A blank in the wrong place asks for another name.
         if rows.is_empty() && question != Question::default() {

@@ -3,14 +3,11 @@
 use std::ops::ControlFlow;
 use std::path::{Path, PathBuf};
 
-use serde_json::json;
-
-use super::verify::bar;
+use super::verify::{InspectedAnswer, bar};
 use super::{CliError, CliRemark, Io, Refused as _};
 use crate::cli::record::own;
 use crate::journal::ask::Question;
 use crate::journal::chain::{ChainId, Head};
-use crate::journal::inspection::Break;
 use crate::message::{Message, Say as _};
 use crate::store::StoreRemark;
 use crate::store::local::{Anchors, Reader, Row};
@@ -161,9 +158,9 @@ pub(in crate::cli) fn verify(
     bar.finish_and_clear();
     let found = found.said()?;
     if is_json {
-        print_json(&found, io)?;
+        io.json(&Answer::of(&found));
     } else {
-        print(&found, io)?;
+        print(&found, io);
     }
     if found.is_whole() {
         keep_heads(&access, found.chains.iter().map(|one| (one.chain, one.inspected.head)), io);
@@ -176,7 +173,7 @@ fn entries(number: u64) -> String {
     if number == 1 { "1 entry".to_owned() } else { format!("{number} entries") }
 }
 
-fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
+fn print(found: &ShopVerified, io: &mut Io<'_>) {
     for ShopChain { chain, station, login, inspected, clock, compared, renamed } in &found.chains {
         let Head { number, hash } = inspected.head;
         if inspected.breaks.is_empty() {
@@ -204,7 +201,7 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
                 io.people(),
                 "{station} ({chain}): its newest entry was received {newest} s after the time on its clock; of the newest 500, \
                  the quickest {least} s after it"
-            )?;
+            );
         }
         for one in &inspected.breaks {
             writeln!(io.people(), "{station} ({chain}): {one}");
@@ -222,7 +219,7 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
             io.people(),
             "this station's own journal ({chain}) ends with entry {number}, but the server has {there} of it: the rest was not \
              sent yet (run fitcheck journal send), or was removed there"
-        )?;
+        );
     }
     for finding in &found.findings {
         writeln!(io.people(), "{finding}");
@@ -244,16 +241,15 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
         Some(why) => writeln!(
             io.people(),
             "functions, triggers, policies, grants, views and indexes were not compared with those of init-shop: {why}"
-        )?,
+        ),
         None if found.findings.is_empty() => {
             writeln!(
                 io.people(),
                 "functions, triggers, policies, grants, views and indexes are as init-shop makes them"
-            )?;
+            );
         }
         None => {}
     }
-    Ok(())
 }
 
 /// Milliseconds as seconds: `-3600.250`. Below zero the station's clock is ahead of the server's.
@@ -262,32 +258,37 @@ fn seconds(ms: i64) -> String {
     format!("{sign}{}.{:03}", ms / 1000, ms % 1000)
 }
 
-fn print_json(found: &ShopVerified, io: &mut Io<'_>) -> Result<(), CliError> {
-    let chain = |one: &ShopChain| {
-        let breaks = one.inspected.breaks.iter();
-        let breaks: Vec<_> = breaks.map(|one| json!({"number": one.number(), "what": one.to_string()})).collect();
-        json!({
-            "chain": one.chain.to_string(),
-            "station": one.station,
-            "login": one.login,
-            "clock": one.clock.as_ref().map(|clock| json!({"newest_ms": clock.newest_ms, "least_ms": clock.least_ms})),
-            "entries": one.inspected.entries,
-            "known_here": one.compared,
-            "renamed": one.renamed,
-            "head": {"number": one.inspected.head.number, "hash": one.inspected.head.hash.to_string()},
-            "first_bad": one.inspected.breaks.first().map(Break::number),
-            "break_count": one.inspected.count,
-            "breaks": breaks,
-        })
-    };
-    io.json(&json!({
-        "whole": found.is_whole(),
-        "complete": found.is_complete(),
-        "entries": found.entries(),
-        "chains": found.chains.iter().map(chain).collect::<Vec<_>>(),
-        "missing": found.missing.iter().map(|(chain, _)| chain.to_string()).collect::<Vec<_>>(),
-        "behind": found.behind.iter().map(|(chain, _, there)| json!({"chain": chain.to_string(), "entries": there})).collect::<Vec<_>>(),
-        "not_compared": found.not_compared.as_ref().map(ToString::to_string),
-        "findings": found.findings.iter().map(ToString::to_string).collect::<Vec<_>>(),
-    }))
+object! {
+    struct Answer<'a> of(found: &'a ShopVerified) {
+        whole: bool = found.is_whole(),
+        complete: bool = found.is_complete(),
+        entries: u64 = found.entries(),
+        chains: Vec<ChainAnswer<'a>> = found.chains.iter().map(ChainAnswer::of).collect(),
+        missing: Vec<String> = found.missing.iter().map(|(chain, _)| chain.to_string()).collect(),
+        behind: Vec<Behind> = found.behind.iter().map(|(chain, _, there)| Behind::of(chain, *there)).collect(),
+        not_compared: Option<String> = found.not_compared.as_ref().map(ToString::to_string),
+        findings: Vec<String> = found.findings.iter().map(ToString::to_string).collect(),
+    }
+
+    struct ChainAnswer<'a> of(one: &'a ShopChain) {
+        chain: String = one.chain.to_string(),
+        station: &'a str = &one.station,
+        login: Option<&'a str> = one.login.as_deref(),
+        clock: Option<ClockAnswer> = one.clock.as_ref().map(ClockAnswer::of),
+        entries: u64 = one.inspected.entries,
+        known_here: Option<u64> = one.compared,
+        renamed: u64 = one.renamed,
+        #[serde(flatten)]
+        inspected: InspectedAnswer = InspectedAnswer::of(&one.inspected),
+    }
+
+    struct ClockAnswer of(clock: &Clock) {
+        newest_ms: i64 = clock.newest_ms,
+        least_ms: i64 = clock.least_ms,
+    }
+
+    struct Behind of(chain: &ChainId, there: u64) {
+        chain: String = chain.to_string(),
+        entries: u64 = there,
+    }
 }

@@ -4,13 +4,12 @@ use std::ops::ControlFlow;
 use std::path::Path;
 
 use indicatif::{ProgressBar, ProgressStyle};
-use serde_json::json;
 
 use super::{CliError, CliRemark, Io, JournalArgs, Outcome, Refused as _, server};
 use crate::cli::args::one_of;
 use crate::cli::record::Place;
 use crate::journal::chain::{ChainId, Head, HexError};
-use crate::journal::inspection::Break;
+use crate::journal::inspection::{Break, Inspected};
 use crate::store::StoreRemark;
 use crate::store::local::{self, Anchors, Reader, Verified};
 
@@ -86,9 +85,9 @@ impl Args {
         let found = found.said()?;
         let is_whole = found.is_whole() && replaced.is_none();
         if self.format == "json" {
-            print_json(&found, chain, replaced.as_ref(), io)?;
+            io.json(&Answer::of(&found, chain, replaced.as_ref()));
         } else {
-            print(&found, &known, replaced.as_ref(), io)?;
+            print(&found, &known, replaced.as_ref(), io);
         }
         Ok(if is_whole { Outcome::Done } else { Outcome::BadData })
     }
@@ -121,7 +120,7 @@ pub(super) fn bar() -> ProgressBar {
     bar
 }
 
-fn print(found: &Verified, known: &[Head], replaced: Option<&StoreRemark>, io: &mut Io<'_>) -> Result<(), CliError> {
+fn print(found: &Verified, known: &[Head], replaced: Option<&StoreRemark>, io: &mut Io<'_>) {
     let inspected = &found.inspected;
     for problem in &inspected.breaks {
         writeln!(io.people(), "{problem}");
@@ -145,26 +144,34 @@ fn print(found: &Verified, known: &[Head], replaced: Option<&StoreRemark>, io: &
     if known.is_empty() {
         io.remark(&CliRemark::NoHeadKnown);
     }
-    Ok(())
 }
 
-fn print_json(
-    found: &Verified,
-    chain: ChainId,
-    replaced: Option<&StoreRemark>,
-    io: &mut Io<'_>,
-) -> Result<(), CliError> {
-    let inspected = &found.inspected;
-    let breaks = inspected.breaks.iter().map(|one| json!({"number": one.number(), "what": one.to_string()}));
-    let findings = found.findings.iter().map(ToString::to_string).chain(replaced.map(ToString::to_string));
-    io.json(&json!({
-        "whole": found.is_whole() && replaced.is_none(),
-        "chain": chain.to_string(),
-        "entries": inspected.entries,
-        "head": {"number": inspected.head.number, "hash": inspected.head.hash.to_string()},
-        "first_bad": inspected.breaks.first().map(Break::number),
-        "break_count": inspected.count,
-        "breaks": breaks.collect::<Vec<_>>(),
-        "findings": findings.collect::<Vec<_>>(),
-    }))
+object! {
+    struct Answer of(found: &Verified, chain: ChainId, replaced: Option<&StoreRemark>) {
+        whole: bool = found.is_whole() && replaced.is_none(),
+        chain: String = chain.to_string(),
+        entries: u64 = found.inspected.entries,
+        #[serde(flatten)]
+        inspected: InspectedAnswer = InspectedAnswer::of(&found.inspected),
+        findings: Vec<String> =
+            found.findings.iter().map(ToString::to_string).chain(replaced.map(ToString::to_string)).collect(),
+    }
+
+    /// What was found of a chain: its last entry, and what is not as it was written.
+    pub(super) struct InspectedAnswer of(inspected: &Inspected) {
+        head: HeadAnswer = HeadAnswer::of(inspected.head),
+        first_bad: Option<u64> = inspected.breaks.first().map(Break::number),
+        break_count: u64 = inspected.count,
+        breaks: Vec<BreakAnswer> = inspected.breaks.iter().map(BreakAnswer::of).collect(),
+    }
+
+    struct HeadAnswer of(head: Head) {
+        number: u64 = head.number,
+        hash: String = head.hash.to_string(),
+    }
+
+    struct BreakAnswer of(one: &Break) {
+        number: u64 = one.number(),
+        what: String = one.to_string(),
+    }
 }

@@ -59,8 +59,8 @@ impl Listener for Trace {
         }
     }
 
-    fn after(&mut self, machine: &Machine, _io: &mut Io<'_>) -> Result<(), CliError> {
-        let Some(at) = self.at.take() else { return Ok(()) };
+    fn after(&mut self, machine: &Machine, _io: &mut Io<'_>) {
+        let Some(at) = self.at.take() else { return };
         let size = |parameter: &Parameter| match machine.variables().get(*parameter) {
             Some(Value::Text(text)) => size_of::<Changed>() + text.len(),
             _ => size_of::<Changed>(),
@@ -69,11 +69,10 @@ impl Listener for Trace {
         if self.end.is_some() || MOST <= self.blocks.len() || MOST_BYTES < self.bytes {
             self.end.get_or_insert(at);
             self.dropped += 1;
-            return Ok(());
+            return;
         }
         let changed = machine.changed().iter().map(|changed| (*changed, machine.variables().get(*changed).cloned()));
         self.blocks.push(Entry { at, changed: changed.collect() });
-        Ok(())
     }
 }
 
@@ -215,8 +214,4 @@ fn file((path, origin): (&NcPath, &Origin)) -> Json {
 fn traced(machine: &Machine, entry: &Entry) -> Json {
     let changed = entry.changed.iter().map(|(parameter, value)| (parameter.to_string(), plain(value.as_ref())));
     placed(machine, &entry.at, json!({"changed": changed.collect::<Map<_, _>>()}))
-}
-
-pub(super) fn print(answer: &Answer<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
-    io.json(answer)
 }

@@ -140,7 +140,7 @@ trait Listener {
     /// Before a block.
     fn before(&mut self, machine: &Machine);
     /// After it, also where it failed.
-    fn after(&mut self, machine: &Machine, io: &mut Io<'_>) -> Result<(), CliError>;
+    fn after(&mut self, machine: &Machine, io: &mut Io<'_>);
 }
 
 impl Args {
@@ -189,7 +189,7 @@ impl Args {
         let ended = match self.format {
             RunFormat::Text => {
                 let mut listener = text::Printer::new(self.trace);
-                let ended = run(machine, &mut listener, io)?;
+                let ended = run(machine, &mut listener, io);
                 text::notes(machine, &ended, self.trace, language.language(), io);
                 text::tell_source(machine, source, io);
                 self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io)?;
@@ -197,12 +197,12 @@ impl Args {
             }
             RunFormat::Json => {
                 let mut listener = answer::Trace::new(self.trace);
-                let mut ended = run(machine, &mut listener, io)?;
+                let mut ended = run(machine, &mut listener, io);
                 ended.warnings = warnings.iter().map(ToString::to_string).collect();
                 // Before the answer, which says whether the table is written; an error comes after it.
                 let written = self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io);
                 ended.tools_out = written.as_ref().ok().cloned().flatten();
-                answer::print(&answer::Answer { machine, ended: &ended, source, trace: &listener }, io)?;
+                io.json(&answer::Answer { machine, ended: &ended, source, trace: &listener });
                 written?;
                 ended
             }
@@ -310,15 +310,15 @@ fn set(machine: &mut Machine, name: &str, value: &str) -> Result<Parameter, CliE
 }
 
 /// Runs to the end or to a fault; pauses are remembered and skipped.
-fn run(machine: &mut Machine, listener: &mut dyn Listener, io: &mut Io<'_>) -> Result<Ended, CliError> {
+fn run(machine: &mut Machine, listener: &mut dyn Listener, io: &mut Io<'_>) -> Ended {
     let mut ended = Ended::default();
     loop {
         listener.before(machine);
         let step = machine.step();
-        listener.after(machine, io)?;
+        listener.after(machine, io);
         match step {
             Ok(Step::Went) => {}
-            Ok(Step::Ended) => return Ok(ended),
+            Ok(Step::Ended) => return ended,
             Ok(Step::Paused(pause)) => {
                 /// The most pauses that are kept: enough for a program that pauses in a loop.
                 const MOST: usize = 1_000;
@@ -328,7 +328,7 @@ fn run(machine: &mut Machine, listener: &mut dyn Listener, io: &mut Io<'_>) -> R
             }
             Err(fault) => {
                 ended.fault = Some(fault);
-                return Ok(ended);
+                return ended;
             }
         }
     }

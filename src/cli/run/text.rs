@@ -20,11 +20,11 @@ impl Printer {
         Self { trace, windows: 0, at: None }
     }
 
-    fn print_block(&self, machine: &Machine, io: &mut Io<'_>) -> Result<(), CliError> {
-        let Some(BlockPlace { program, block }) = &self.at else { return Ok(()) };
+    fn print_block(&self, machine: &Machine, io: &mut Io<'_>) {
+        let Some(BlockPlace { program, block }) = &self.at else { return };
         let (file, line) = place(machine, program, *block);
         let program = machine.program(program);
-        let Some(text) = program.and_then(|program| program.text_of(*block).next()) else { return Ok(()) };
+        let Some(text) = program.and_then(|program| program.text_of(*block).next()) else { return };
         writeln!(io.people(), "{file}:{line}  {}", cut(text.trim(), LONGEST_TEXT));
         for parameter in machine.changed() {
             match machine.variables().get(*parameter) {
@@ -32,7 +32,6 @@ impl Printer {
                 None => writeln!(io.people(), "    {parameter} undefined"),
             }
         }
-        Ok(())
     }
 }
 
@@ -43,8 +42,8 @@ impl Listener for Printer {
         }
     }
 
-    fn after(&mut self, machine: &Machine, io: &mut Io<'_>) -> Result<(), CliError> {
-        self.print_block(machine, io)?;
+    fn after(&mut self, machine: &Machine, io: &mut Io<'_>) {
+        self.print_block(machine, io);
         let new = machine.windows().get(self.windows..).unwrap_or_default();
         for window in new {
             if 0 < self.windows && !self.trace {
@@ -53,7 +52,6 @@ impl Listener for Printer {
             io.people().write_all(window.text.as_bytes());
             self.windows += 1;
         }
-        Ok(())
     }
 }
 

@@ -163,7 +163,7 @@ fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) -> Result<(),
                 io.tell(CliRemark::NoPair { nearest: nearest(miss) });
             }
         }
-        Format::Json => io.json(&Figures::of(searched))?,
+        Format::Json => io.json(&Figures::of(searched)),
     }
     Ok(())
 }
