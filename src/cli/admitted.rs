@@ -32,6 +32,35 @@ pub(super) trait Admits: Say {
     fn wants_a_look(&self) -> bool;
 }
 
+/// What was measured counts twice, not at all, or by less than was asked for; it contradicts itself; or it was to be kept and is not.
+pub(super) const LOOK_FIRST: bool = true;
+
+/// Bad data already, and what says nothing against an answer.
+pub(super) const TOLD: bool = false;
+
+/// Declares what is told beside an answer, each with whether somebody has to look first.
+macro_rules! told {
+    (
+        $(#[$about:meta])*
+        $seen:vis enum $kind:ident $(<$life:lifetime>)? {
+            $($(#[$what:meta])* $name:ident $({ $($fields:tt)* })? => $look:ident),+ $(,)?
+        }
+    ) => {
+        $(#[$about])*
+        $seen enum $kind $(<$life>)? {
+            $($(#[$what])* $name $({ $($fields)* })?,)+
+        }
+
+        impl $(<$life>)? $crate::cli::admitted::Admits for $kind $(<$life>)? {
+            fn wants_a_look(&self) -> bool {
+                match self {
+                    $(Self::$name { .. } => $look,)+
+                }
+            }
+        }
+    };
+}
+
 /// What only explains an answer.
 macro_rules! explains {
     ($($kind:ty: $why:literal),+ $(,)?) => {

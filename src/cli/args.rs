@@ -48,6 +48,23 @@ pub(super) enum Format {
     Json,
 }
 
+impl Format {
+    /// Its name as an option has it.
+    pub(super) const fn word(self) -> &'static str {
+        match self {
+            Self::Text => "text",
+            Self::Csv => "csv",
+            Self::Json => "json",
+        }
+    }
+}
+
+/// Text or JSON, each with what it is for.
+pub(super) fn text_or_json() -> impl TypedValueParser<Value = Format> {
+    let both = [Format::Text, Format::Json].iter().filter_map(Format::to_possible_value);
+    PossibleValuesParser::new(both).try_map(|name| Format::from_str(&name, false))
+}
+
 /// Where limits are looked up; options of ISO 286 are refused where the control's tables answer.
 #[derive(Debug, Clone)]
 pub(super) struct TableArgs(GivenTables);

@@ -106,7 +106,7 @@ fn print_text(answer: &Answer<'_>, evaluation: &Evaluation, io: &mut Io<'_>) {
         let form = form.map(|form| format!("   form {form:.4}")).unwrap_or_default();
         match circle {
             Some(Circle { x, y, diameter }) => {
-                writeln!(io.people(), "{name:<24}Ø {diameter:>12.6}   centre {x:>13.6} {y:>13.6}{form}")
+                writeln!(io.people(), "{name:<24}Ø {diameter:>12.6}   centre {x:>13.6} {y:>13.6}{form}");
             }
             None => writeln!(io.people(), "{name:<24}does not exist for these contacts"),
         }

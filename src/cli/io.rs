@@ -385,7 +385,21 @@ pub(super) fn save(path: &Path, bytes: &[u8], io: &mut Io<'_>) -> Result<(), Cli
     Ok(())
 }
 
-/// The same for a file that is written piece by piece.
+/// Writes a file that is not there yet, or any where that is forced.
+pub(super) fn write_new(path: &Path, bytes: &[u8], is_forced: bool) -> Result<(), CliError> {
+    let write = if is_forced { files::write } else { files::write_new };
+    write(path, bytes).map_err(|error| unless_forced(error, is_forced))
+}
+
+/// Why a file was not written, and how to force it.
+pub(super) fn unless_forced(error: FileError, is_forced: bool) -> CliError {
+    match error {
+        error @ FileError::Exists { .. } if !is_forced => CliError::UseForce { error },
+        error => error.into(),
+    }
+}
+
+/// Writes an output file piece by piece and prints its name on standard error.
 pub(super) fn save_with(
     path: &Path,
     write: &mut dyn FnMut(&mut (dyn Write + Send)) -> std::io::Result<()>,

@@ -1,8 +1,8 @@
 //! `fitcheck limits`: limits of size of one callout or of a stream of them.
 
 use super::answers::{Answerer, Answers, Asked};
+use super::people::mm;
 use super::{CliError, Figure, Format, Io, Outcome, TableArgs};
-use crate::length::{Length, Unit};
 use crate::tolerance::{Callout, Deviations, Feature, Limits, Sources, Tolerance};
 
 const EXAMPLES: &str = "\
@@ -105,7 +105,6 @@ impl LimitsOf<'_> {
 
 /// `25 H7   hole   25.000 … 25.021   mm   (0 / +21 µm)   from …`: the callout as it was understood.
 fn write_text(callout: &Callout, limits: &Limits, io: &mut Io<'_>) {
-    let mm = |length: Length| length.exact(Unit::Millimetre, 3);
     let (minimum, maximum) = (mm(limits.minimum()), mm(limits.maximum()));
     let range = format!("{minimum:>8} … {maximum} mm");
     let deviations = format!("({} µm)", lower_and_upper(&limits.deviations));

@@ -16,7 +16,6 @@
 //! | file | what |
 //! |---|---|
 //! | `admitted` | what a run must admit by its exit code |
-//! | `aligned` | tables for people |
 //! | `args` | arguments of several subcommands: format, tables, dialogue language |
 //! | `io` | the standard streams, reading and saving files |
 //! | `progress` | how far something long has come, and its end by Ctrl+C |
@@ -25,6 +24,7 @@
 //! | `rule` | the decision rule and the uncertainty |
 //! | `tools` | the tool table of a control, read and written |
 //! | `answers` | callouts answered one by one as text, CSV or JSON |
+//! | `people` | what people read: lengths and tables |
 //! | `rows` | answers in figures: each value declared once, for CSV and JSON |
 //! | `error` | why a subcommand could not do its work |
 //! | `said` | remarks and warnings beside an answer |
@@ -49,10 +49,10 @@ macro_rules! subcommands {
 }
 
 #[macro_use]
+mod admitted;
+#[macro_use]
 mod rows;
 
-mod admitted;
-mod aligned;
 mod answers;
 mod args;
 mod batch;
@@ -73,6 +73,7 @@ mod measured;
 mod nc;
 mod pair;
 mod parts;
+mod people;
 mod plan;
 mod progress;
 mod record;

@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use clap::builder::{PossibleValuesParser, TypedValueParser};
 
 use super::args::dialogue;
-use super::io::not_dash;
+use super::io::{not_dash, unless_forced, write_new};
 use super::plan::{is_plan_file, read_named, whole};
 use super::{CliError, CliRemark, Io, Outcome, Refused as _, TableArgs};
 use crate::files;
@@ -152,12 +152,12 @@ impl Args {
         }
         // Nothing is written where the second of the two would be refused.
         if let Some(path) = self.workpiece_out.as_ref().filter(|path| !self.force && path.exists()) {
-            return Err(self.hint(files::FileError::Exists { path: path.clone() }));
+            return Err(unless_forced(files::FileError::Exists { path: path.clone() }, self.force));
         }
         self.save(&set, io)?;
         if let Some(path) = &self.workpiece_out {
             let text = plan.workpiece().write().map_err(|error| SetError::Workpiece { reason: error.to_string() });
-            self.write_one(path, text.said()?.as_bytes())?;
+            write_new(path, text.said()?.as_bytes(), self.force)?;
             io.tell(CliRemark::Wrote { path: path.display().to_string() });
         }
         Ok(Outcome::Done)
@@ -187,30 +187,20 @@ impl Args {
         Ok((None, whole(&Document::of(draft), None, sources, io)?))
     }
 
-    fn hint(&self, error: files::FileError) -> CliError {
-        match error {
-            error @ files::FileError::Exists { .. } if !self.force => CliError::UseForce { error },
-            error => error.into(),
-        }
-    }
-
-    fn write_one(&self, path: &Path, bytes: &[u8]) -> Result<(), CliError> {
-        let write = if self.force { files::write } else { files::write_new };
-        write(path, bytes).map_err(|error| self.hint(error))
-    }
-
     fn save(&self, set: &NcSet, io: &mut Io<'_>) -> Result<(), CliError> {
         not_dash(&self.output)?;
         if self.output.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("zip")) {
             let bytes = set.zip().said()?;
-            self.write_one(&self.output, &bytes)?;
+            write_new(&self.output, &bytes, self.force)?;
             let path = self.output.display().to_string();
             io.tell(CliRemark::WroteFiles { path, count: set.files.len() });
             return Ok(());
         }
         let files: Vec<(&str, &[u8])> =
             set.files.iter().map(|file| (file.name.as_str(), file.bytes.as_slice())).collect();
-        for path in files::write_folder(&self.output, &files, self.force).map_err(|error| self.hint(error))? {
+        for path in
+            files::write_folder(&self.output, &files, self.force).map_err(|error| unless_forced(error, self.force))?
+        {
             io.tell(CliRemark::Wrote { path: path.display().to_string() });
         }
         Ok(())
@@ -239,21 +229,25 @@ fn named(set: Result<NcSet, SetError>, name: Option<&str>, io: &mut Io<'_>) -> R
 }
 
 impl Position {
+    /// Every option with its name, and the column of a plan that it fills.
+    fn all(&self) -> [(&'static str, Column, Option<&String>); 10] {
+        [
+            ("x", Column::X, self.x.as_ref()),
+            ("y", Column::Y, self.y.as_ref()),
+            ("z", Column::Z, self.z.as_ref()),
+            ("angle", Column::Angle, self.angle.as_ref()),
+            ("clearance", Column::Clearance, self.clearance.as_ref()),
+            ("clearance-height", Column::ClearanceHeight, self.clearance_height.as_ref()),
+            ("name", Column::Name, self.name.as_ref()),
+            ("kind", Column::Kind, self.kind.as_ref()),
+            ("axis", Column::Axis, self.axis.as_ref()),
+            ("callout2", Column::SecondCallout, self.callout2.as_ref()),
+        ]
+    }
+
     /// The first option that was given.
     fn given(&self) -> Option<&'static str> {
-        let all = [
-            ("x", &self.x),
-            ("y", &self.y),
-            ("z", &self.z),
-            ("angle", &self.angle),
-            ("clearance", &self.clearance),
-            ("clearance-height", &self.clearance_height),
-            ("name", &self.name),
-            ("kind", &self.kind),
-            ("axis", &self.axis),
-            ("callout2", &self.callout2),
-        ];
-        all.into_iter().find(|(_, given)| given.is_some()).map(|(name, _)| name)
+        self.all().into_iter().find(|(.., given)| given.is_some()).map(|(option, ..)| option)
     }
 
     /// A single callout without a class is refused as what it is: no option says hole or shaft.
@@ -270,24 +264,12 @@ impl Position {
 
     /// The feature as a row of a plan. A program moves to its place, so that is needed.
     fn row(&self, callout: &str) -> Result<Row, CliError> {
-        for (option, given) in [("x", &self.x), ("y", &self.y), ("z", &self.z)] {
-            if given.is_none() {
-                return Err(CliError::OptionMissing { option });
-            }
+        let place = [Column::X, Column::Y, Column::Z];
+        let missing = self.all().into_iter().find(|(_, column, given)| place.contains(column) && given.is_none());
+        if let Some((option, ..)) = missing {
+            return Err(CliError::OptionMissing { option });
         }
-        let cells = [
-            (Column::X, &self.x),
-            (Column::Y, &self.y),
-            (Column::Z, &self.z),
-            (Column::Angle, &self.angle),
-            (Column::Clearance, &self.clearance),
-            (Column::ClearanceHeight, &self.clearance_height),
-            (Column::Kind, &self.kind),
-            (Column::Axis, &self.axis),
-            (Column::SecondCallout, &self.callout2),
-            (Column::Name, &self.name),
-        ];
-        let given = cells.into_iter().filter_map(|(column, text)| Some((column, text.clone()?)));
+        let given = self.all().into_iter().filter_map(|(_, column, text)| Some((column, text?.clone())));
         Ok(Row::of(given.chain([(Column::Callout, callout.to_owned())])))
     }
 }

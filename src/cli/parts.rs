@@ -5,11 +5,12 @@ use std::collections::BTreeMap;
 use jiff::civil::DateTime;
 
 use super::args::one_of;
+use super::people::mm;
 use super::said::CliWarning;
 use super::{Io, Outcome};
 use crate::exchange::Labels;
 use crate::journal::Record;
-use crate::length::{Length, Unit};
+use crate::length::Length;
 use crate::part::{Plan, Repeats, Standing, Step, Taken, Walk};
 use crate::probing::Origin;
 use crate::verdict::Status;
@@ -203,7 +204,7 @@ impl Part {
         let of_status = Status::ALL.into_iter().zip(if is_measured { measured } else { simulated });
         let said = of_status.rev().filter_map(|(status, noted)| {
             let Noted { measured, place } = noted.as_ref()?;
-            Some(format!("{} {} ({place})", measured.exact(Unit::Millimetre, 3), status.word()))
+            Some(format!("{} {} ({place})", mm(*measured), status.word()))
         });
         said.collect::<Vec<_>>().join(", ")
     }

@@ -6,9 +6,9 @@ use jiff::civil::DateTime;
 use serde_json::{Value as Json, json};
 
 use super::answers::csv_line;
-use super::rows::{cells, names};
+use super::rows::{line, names};
 use super::{CliError, CliRemark, Figure, Format, Io, Outcome, Refused as _, TableArgs, What, read_input};
-use crate::cli::io::is_dash;
+use crate::cli::io::{is_dash, write_new};
 use crate::exchange::{self, Given, PLAN_ENDINGS};
 use crate::files;
 use crate::message::{IntoArg as _, Say as _};
@@ -197,7 +197,7 @@ impl CheckArgs {
                 Format::Json => answers.push(answer(&name, &read)),
                 Format::Csv => {
                     if std::mem::take(&mut is_first) {
-                        csv_line(names::<Line<'_>>(), io);
+                        csv_line(names::<Checked<'_>>(), io);
                     }
                     csv(&name, &read, io);
                 }
@@ -232,7 +232,7 @@ fn text(name: &str, read: &Read, io: &mut Io<'_>) {
 row! {
     /// A line of CSV: a size, or a fault.
     #[derive(Default)]
-    struct Line<'a> of(file: &'a str, size: &Size<'_>) {
+    struct Checked<'a> of(file: &'a str, size: &Size<'_>) {
         file: &'a str = file,
         line: Option<usize> = size.feature.line,
         number: String = size.feature.number.clone(),
@@ -250,13 +250,15 @@ fn asked(size: &Size<'_>) -> String {
 }
 
 fn csv(file: &str, read: &Read, io: &mut Io<'_>) {
-    let fault = |fault: &PlanError| {
-        let (line, error) = (fault.place.line, Some(fault.what.to_string()));
-        cells(&Line { file, line, error, ..Line::default() })
-    };
+    let mut print = |one: &Checked<'_>| io.data().write_all(line(one).end());
     match read {
-        Ok(plan) => plan.sizes().for_each(|size| csv_line(cells(&Line::of(file, &size)), io)),
-        Err(faults) => faults.iter().for_each(|one| csv_line(fault(one), io)),
+        Ok(plan) => plan.sizes().for_each(|size| print(&Checked::of(file, &size))),
+        Err(faults) => {
+            for fault in faults {
+                let (line, error) = (fault.place.line, Some(fault.what.to_string()));
+                print(&Checked { file, line, error, ..Checked::default() });
+            }
+        }
     }
 }
 
@@ -344,11 +346,7 @@ fn save(draft: &Draft, path: &Path, force: bool, io: &mut Io<'_>) -> Result<Outc
         io.data().write_all(text.as_bytes());
         return Ok(Outcome::Done);
     }
-    let write = if force { files::write } else { files::write_new };
-    write(path, text.as_bytes()).map_err(|error| match error {
-        error @ files::FileError::Exists { .. } if !force => CliError::UseForce { error },
-        error => error.into(),
-    })?;
+    write_new(path, text.as_bytes(), force)?;
     io.tell(CliRemark::Wrote { path: path.display().to_string() });
     Ok(Outcome::Done)
 }

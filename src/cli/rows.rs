@@ -2,6 +2,7 @@
 
 use super::Io;
 use super::answers::csv_line;
+use crate::report::csv::{CsvLine, cell};
 use crate::report::figure::Figure;
 use crate::verdict::Status;
 
@@ -12,8 +13,8 @@ pub(super) trait Columns {
         all.push(name.to_owned());
     }
 
-    /// Adds its cells; where there is nothing, as many empty ones.
-    fn cells(of: Option<&Self>, all: &mut Vec<String>);
+    /// Adds its cells to a line; where there is nothing, as many empty ones.
+    fn put(of: Option<&Self>, line: &mut CsvLine);
 }
 
 /// The names of the columns of a row.
@@ -24,16 +25,16 @@ pub(super) fn names<R: Columns>() -> Vec<String> {
 }
 
 /// The cells of a row, in the order of its columns.
-pub(super) fn cells<R: Columns>(row: &R) -> Vec<String> {
-    let mut all = Vec::new();
-    R::cells(Some(row), &mut all);
-    all
+pub(super) fn line<R: Columns>(row: &R) -> CsvLine {
+    let mut line = CsvLine::default();
+    R::put(Some(row), &mut line);
+    line
 }
 
 /// Prints rows as CSV, below the names of their columns.
 pub(super) fn csv<R: Columns>(rows: impl IntoIterator<Item = R>, io: &mut Io<'_>) {
     csv_line(names::<R>(), io);
-    rows.into_iter().for_each(|row| csv_line(cells(&row), io));
+    rows.into_iter().for_each(|row| io.data().write_all(line(&row).end()));
 }
 
 /// A name within another one.
@@ -48,26 +49,29 @@ pub(super) fn found<T>(find: impl FnOnce() -> T) -> T {
     find()
 }
 
-/// Values of one column, with their text.
+/// Values of one column, with their text. One that a spreadsheet would compute gets an apostrophe.
 macro_rules! one_column {
-    ($($value:ty: $text:expr),+ $(,)?) => {
+    ($($value:ty: |$one:ident| $text:expr),+ $(,)?) => {
         $(impl Columns for $value {
-            fn cells(of: Option<&Self>, all: &mut Vec<String>) {
-                all.push(of.map_or_else(String::new, $text));
+            fn put(of: Option<&Self>, line: &mut CsvLine) {
+                match of {
+                    Some($one) => line.cell(&cell($text)),
+                    None => line.cell(""),
+                }
             }
         })+
     };
 }
 
 one_column! {
-    String: Clone::clone,
-    &str: ToString::to_string,
-    Figure: |figure| figure.0.clone(),
-    Status: |status| status.word().to_owned(),
-    bool: ToString::to_string,
-    usize: ToString::to_string,
-    u64: ToString::to_string,
-    f64: ToString::to_string,
+    String: |text| text,
+    &str: |text| text,
+    Figure: |figure| &figure.0,
+    Status: |status| status.word(),
+    bool: |is| if *is { "true" } else { "false" },
+    usize: |count| &count.to_string(),
+    u64: |count| &count.to_string(),
+    f64: |number| &number.to_string(),
 }
 
 impl<C: Columns> Columns for Option<C> {
@@ -75,8 +79,8 @@ impl<C: Columns> Columns for Option<C> {
         C::names(name, all);
     }
 
-    fn cells(of: Option<&Self>, all: &mut Vec<String>) {
-        C::cells(of.and_then(Option::as_ref), all);
+    fn put(of: Option<&Self>, line: &mut CsvLine) {
+        C::put(of.and_then(Self::as_ref), line);
     }
 }
 
@@ -108,14 +112,14 @@ macro_rules! row {
         $(#[$about:meta])*
         $seen:vis struct $row:ident $(<$life:lifetime>)? of($($given:ident: $from:ty),+ $(,)?) {
             $($name:ident: $value:ty = $find:expr),+
-            $(; json: $($more:ident: $other:ty = $find_more:expr),+)? $(,)?
+            $(; json: $($(#[$how:meta])* $more:ident: $other:ty = $find_more:expr),+)? $(,)?
         }
     )+) => {$(
         object! {
             $(#[$about])*
             $seen struct $row $(<$life>)? of($($given: $from),+) {
                 $($name: $value = $find,)+
-                $($($more: $other = $find_more,)+)?
+                $($($(#[$how])* $more: $other = $find_more,)+)?
             }
         }
 
@@ -127,8 +131,8 @@ macro_rules! row {
                 );)+
             }
 
-            fn cells(of: Option<&Self>, all: &mut Vec<String>) {
-                $($crate::cli::rows::Columns::cells(of.map(|of| &of.$name), all);)+
+            fn put(of: Option<&Self>, line: &mut $crate::report::csv::CsvLine) {
+                $($crate::cli::rows::Columns::put(of.map(|of| &of.$name), line);)+
             }
         }
     )+};

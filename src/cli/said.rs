@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-use super::admitted::Admits;
+use super::admitted::{LOOK_FIRST, TOLD};
 use crate::length::Length;
 use crate::message::{IntoArg, Message, Say, printed};
 use crate::tolerance::ToleranceClass;
@@ -135,168 +135,127 @@ pub(super) enum CliRemark {
     ClearanceHeight { height: Length },
 }
 
-/// What was recorded.
-#[derive(Debug, Say)]
-#[say(prefix = "cli-recorded")]
-pub(super) enum Recorded {
-    /// One check.
-    Entry {
-        #[say(with = printed)]
-        number: u64,
-        file: String,
-        hash: String,
-    },
-    /// Several; the hash is that of the last one.
-    Entries {
-        #[say(with = printed)]
-        first: u64,
-        #[say(with = printed)]
-        last: u64,
-        file: String,
-        hash: String,
-    },
-    /// Nothing was judged.
-    Nothing,
-    /// It is safe here, and the server does not have it yet.
-    NotSent { error: Message },
-    /// Rows of a file that are not checks, or that cannot be kept.
-    Without { rows: usize, places: String },
-}
-
-/// What to check about an answer.
-#[derive(Debug, Say)]
-#[say(prefix = "cli-warning")]
-pub(super) enum CliWarning<'a> {
-    /// Rows were to be recorded together, and were not all read.
-    StoppedUnrecorded,
-    /// A correction was withdrawn: neither it nor what it corrected stands.
-    NeitherStands {
-        /// The entry that it corrected.
-        #[say(with = printed)]
-        target: u64,
-        /// The correction.
-        #[say(with = printed)]
-        number: u64,
-    },
-    /// Features of a plan without a value.
-    PlanMissing { names: String },
-    /// The same of one part among several.
-    PlanMissingOf { who: String, names: String },
-    /// Values of one feature that contradict each other.
-    Contradiction { name: String, values: String },
-    /// The same of one part among several.
-    ContradictionOf { who: String, name: String, values: String },
-    /// Which one of them counts, and how to choose.
-    WorstCounts,
-    /// A file whose content was taken before under another name: nothing of it is recorded again.
-    SameContent { known: String },
-    /// It is not known whether another program watches the same folder for the same journal.
-    NotAlone { reason: String },
-    /// What could not be used of a file is written beside it, in a file with this ending.
-    SeeNote { note: &'static str },
-    /// More parts than are known one by one.
-    PlanMoreParts { most: usize },
-    /// A size of a plan without a value.
-    PlanNoValue,
-    /// The same of one part among several.
-    PlanNoValueOf { who: String },
-    /// A skipped column of a file of contacts.
-    ColumnNotUsed { column: &'a str },
-    /// A coefficient of expansion that no document confirms.
-    ExpansionUnconfirmed {
-        #[say(with = printed)]
-        expansion: Expansion,
-    },
-    /// A file that is named twice among the inputs.
-    FileTwice,
-    /// Figures to check beyond those that are listed.
-    MoreFigures { count: usize },
-    /// A position for a cycle that does not begin there.
-    PositionUnused { code: &'a str },
-    /// What PREDEF stands for, of a parameter that is not set to it.
-    PredefUnused { name: &'a str },
-    /// An option of the log, without a log.
-    LogOption { option: &'a str },
-    /// Where limits come from, and no limits are looked up.
-    TablesNotUsed,
-    /// A cell for which ISO 286 has no value, or several.
-    EmptyCell {
-        #[say(with = ToString::to_string)]
-        class: ToleranceClass,
-        over: Length,
-        to: Length,
-    },
-    /// Options of a report that CSV has no place for.
-    NotInCsv { options: &'a str },
-    /// What a report says beside its checks, which CSV has no place for.
-    NotesNotInCsv { count: usize },
-    /// Recorded contacts that the cycle did not ask for.
-    ContactsLeft { used: usize, count: usize },
-    /// A tool table, and a cycle that names no tool.
-    NoToolMonitored,
-    /// A cycle with an unknown log.
-    LogUnknown { code: &'a str },
-    /// An option that a budget does not ask for.
-    BudgetOption { option: &'a str },
-    /// A value that is not a diameter, and another rule than the control's own, or a temperature.
-    LimitsAlone,
-    /// A folder for logs, and an input that wants no log.
-    LogOff,
-    /// A folder for logs, and a cycle without one.
-    LogNone,
-    /// A folder for logs, and an input that shows the log on the screen.
-    LogOnScreen,
-}
-
-impl Admits for CliWarning<'_> {
-    fn wants_a_look(&self) -> bool {
-        match self {
-            // What was measured counts twice, not at all, or by less than was asked for.
-            Self::SameContent { .. }
-            | Self::FileTwice
-            | Self::ContactsLeft { .. }
-            | Self::LimitsAlone
-            // What was measured contradicts itself.
-            | Self::NeitherStands { .. }
-            | Self::Contradiction { .. }
-            | Self::ContradictionOf { .. }
-            | Self::WorstCounts => true,
-            // Bad data already, and what says nothing against an answer.
-            Self::StoppedUnrecorded
-            | Self::PlanMissing { .. }
-            | Self::PlanMissingOf { .. }
-            | Self::SeeNote { .. }
-            | Self::PlanMoreParts { .. }
-            | Self::PlanNoValue
-            | Self::PlanNoValueOf { .. }
-            | Self::NotAlone { .. }
-            | Self::ColumnNotUsed { .. }
-            | Self::ExpansionUnconfirmed { .. }
-            | Self::MoreFigures { .. }
-            | Self::PositionUnused { .. }
-            | Self::PredefUnused { .. }
-            | Self::LogOption { .. }
-            | Self::TablesNotUsed
-            | Self::EmptyCell { .. }
-            | Self::NotInCsv { .. }
-            | Self::NotesNotInCsv { .. }
-            | Self::NoToolMonitored
-            | Self::LogUnknown { .. }
-            | Self::BudgetOption { .. }
-            | Self::LogOff
-            | Self::LogNone
-            | Self::LogOnScreen => false,
-        }
+told! {
+    /// What was recorded.
+    #[derive(Debug, Say)]
+    #[say(prefix = "cli-recorded")]
+    pub(super) enum Recorded {
+        /// One check.
+        Entry {
+            #[say(with = printed)]
+            number: u64,
+            file: String,
+            hash: String,
+        } => TOLD,
+        /// Several; the hash is that of the last one.
+        Entries {
+            #[say(with = printed)]
+            first: u64,
+            #[say(with = printed)]
+            last: u64,
+            file: String,
+            hash: String,
+        } => TOLD,
+        /// Nothing was judged.
+        Nothing => TOLD,
+        /// It is safe here, and the server does not have it yet.
+        NotSent { error: Message } => TOLD,
+        /// Rows of a file that are not checks, or that cannot be kept.
+        Without { rows: usize, places: String } => LOOK_FIRST,
     }
 }
 
-impl Admits for Recorded {
-    fn wants_a_look(&self) -> bool {
-        match self {
-            // It was to be kept, and is not.
-            Self::Without { .. } => true,
-            Self::Entry { .. } | Self::Entries { .. } | Self::Nothing | Self::NotSent { .. } => false,
-        }
+told! {
+    /// What to check about an answer.
+    #[derive(Debug, Say)]
+    #[say(prefix = "cli-warning")]
+    pub(super) enum CliWarning<'a> {
+        /// Rows were to be recorded together, and were not all read.
+        StoppedUnrecorded => TOLD,
+        /// A correction was withdrawn: neither it nor what it corrected stands.
+        NeitherStands {
+            /// The entry that it corrected.
+            #[say(with = printed)]
+            target: u64,
+            /// The correction.
+            #[say(with = printed)]
+            number: u64,
+        } => LOOK_FIRST,
+        /// Features of a plan without a value.
+        PlanMissing { names: String } => TOLD,
+        /// The same of one part among several.
+        PlanMissingOf { who: String, names: String } => TOLD,
+        /// Values of one feature that contradict each other.
+        Contradiction { name: String, values: String } => LOOK_FIRST,
+        /// The same of one part among several.
+        ContradictionOf { who: String, name: String, values: String } => LOOK_FIRST,
+        /// Which one of them counts, and how to choose.
+        WorstCounts => LOOK_FIRST,
+        /// A file whose content was taken before under another name: nothing of it is recorded again.
+        SameContent { known: String } => LOOK_FIRST,
+        /// It is not known whether another program watches the same folder for the same journal.
+        NotAlone { reason: String } => TOLD,
+        /// What could not be used of a file is written beside it, in a file with this ending.
+        SeeNote { note: &'static str } => TOLD,
+        /// More parts than are known one by one.
+        PlanMoreParts { most: usize } => TOLD,
+        /// A size of a plan without a value.
+        PlanNoValue => TOLD,
+        /// The same of one part among several.
+        PlanNoValueOf { who: String } => TOLD,
+        /// A skipped column of a file of contacts.
+        ColumnNotUsed { column: &'a str } => TOLD,
+        /// A coefficient of expansion that no document confirms.
+        ExpansionUnconfirmed {
+            #[say(with = printed)]
+            expansion: Expansion,
+        } => TOLD,
+        /// A file that is named twice among the inputs.
+        FileTwice => LOOK_FIRST,
+        /// Figures to check beyond those that are listed.
+        MoreFigures { count: usize } => TOLD,
+        /// A position for a cycle that does not begin there.
+        PositionUnused { code: &'a str } => TOLD,
+        /// What PREDEF stands for, of a parameter that is not set to it.
+        PredefUnused { name: &'a str } => TOLD,
+        /// An option of the log, without a log.
+        LogOption { option: &'a str } => TOLD,
+        /// Where limits come from, and no limits are looked up.
+        TablesNotUsed => TOLD,
+        /// A cell for which ISO 286 has no value, or several.
+        EmptyCell {
+            #[say(with = ToString::to_string)]
+            class: ToleranceClass,
+            over: Length,
+            to: Length,
+        } => TOLD,
+        /// Options of a report that CSV has no place for.
+        NotInCsv { options: &'a str } => TOLD,
+        /// What a report says beside its checks, which CSV has no place for.
+        NotesNotInCsv { count: usize } => TOLD,
+        /// Recorded contacts that the cycle did not ask for.
+        ContactsLeft { used: usize, count: usize } => LOOK_FIRST,
+        /// A tool table, and a cycle that names no tool.
+        NoToolMonitored => TOLD,
+        /// A cycle with an unknown log.
+        LogUnknown { code: &'a str } => TOLD,
+        /// An option that a budget does not ask for.
+        BudgetOption { option: &'a str } => TOLD,
+        /// A value that is not a diameter, and another rule than the control's own, or a temperature.
+        LimitsAlone => LOOK_FIRST,
+        /// A folder for logs, and an input that wants no log.
+        LogOff => TOLD,
+        /// A folder for logs, and a cycle without one.
+        LogNone => TOLD,
+        /// A folder for logs, and an input that shows the log on the screen.
+        LogOnScreen => TOLD,
+    }
+}
+
+impl CliWarning<'_> {
+    /// Features of a plan without a value; `who` is their part, empty where there is one alone.
+    pub(super) fn missing(who: String, names: String) -> Self {
+        if who.is_empty() { Self::PlanMissing { names } } else { Self::PlanMissingOf { who, names } }
     }
 }
 

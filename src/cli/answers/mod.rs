@@ -6,7 +6,7 @@ use std::fmt::Display;
 
 use serde::Serialize;
 
-use super::rows::{Columns, cells, names};
+use super::rows::{Columns, line, names};
 use super::{CliError, CliRemark, Format, Io};
 use crate::report::csv::{CsvLine, cell};
 use crate::text::decode;
@@ -122,7 +122,7 @@ impl Answers {
     pub(super) fn figures(&mut self, figures: &(impl Columns + Serialize), io: &mut Io<'_>) {
         self.answered += 1;
         match self.format {
-            Format::Csv => csv_line(cells(figures), io),
+            Format::Csv => io.data().write_all(line(figures).end()),
             _ if self.is_one => io.json(figures),
             _ => {
                 io.data().write_all(if self.answered == 1 { b"\n  " } else { b",\n  " });

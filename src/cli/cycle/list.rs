@@ -1,9 +1,9 @@
 //! `fitcheck cycle 427 --list`: the declaration of a cycle.
 
-use super::super::rows::{cells, names};
-use super::{CliError, Format, Io};
+use super::super::rows::{Columns, csv};
+use super::{Format, Io};
 use crate::probing::cycle::{Cycle, Inputs, Parameter, Unset, Value};
-use crate::report::csv;
+use crate::report::csv::CsvLine;
 use crate::words::{Dialogue, Words};
 
 object! {
@@ -16,6 +16,16 @@ object! {
     }
 }
 
+/// A text that may begin with a sign and is no formula.
+#[derive(Debug, serde::Serialize)]
+struct Plain(String);
+
+impl Columns for Plain {
+    fn put(of: Option<&Self>, line: &mut CsvLine) {
+        line.cell(of.map_or("", |text| &text.0));
+    }
+}
+
 row! {
     /// One parameter.
     struct Row of(parameter: &Parameter, language: Dialogue) {
@@ -23,8 +33,8 @@ row! {
         name: &'static str = parameter.name_in(language),
         question: &'static str = parameter.question(language),
         unit: Option<&'static str> = parameter.range.unit(),
-        range: String = parameter.range.short().to_string(),
-        default: Option<String> = Some(parameter.default_value()?.to_string()),
+        range: Plain = Plain(parameter.range.short().to_string()),
+        default: Option<Plain> = Some(Plain(parameter.default_value()?.to_string())),
         required: bool = parameter.unset == Unset::Refused,
         predef: bool = parameter.may_be_predef,
         effect: bool = parameter.has_effect,
@@ -35,7 +45,7 @@ impl Row {
     /// The value that is used when it is not given.
     fn unset(&self) -> &str {
         match &self.default {
-            Some(default) => default,
+            Some(Plain(default)) => default,
             None if self.required => "required",
             None => "may be left out",
         }
@@ -53,16 +63,11 @@ fn otherwise(parameter: &Parameter) -> Option<String> {
     Some(format!(", {} with {} = {}", parameter.default_with(&inputs)?, other.key, other.is))
 }
 
-pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut Io<'_>) -> Result<(), CliError> {
+pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut Io<'_>) {
     let rows = rows(cycle, language);
     match format {
         Format::Json => io.json(&Listed::of(cycle, language)),
-        Format::Csv => {
-            // A range may begin with a sign: it is no formula.
-            for line in std::iter::once(names::<Row>()).chain(rows.iter().map(cells)) {
-                csv::line(line, io.data())?;
-            }
-        }
+        Format::Csv => csv(rows, io),
         Format::Text => {
             writeln!(io.people(), "{} {}", cycle.code, cycle.name(language));
             let width = rows.iter().map(|row| row.question.chars().count()).max().unwrap_or_default();
@@ -70,7 +75,7 @@ pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut 
                 let unit = row.unit.unwrap_or_default();
                 let predef = if row.predef { ", or PREDEF" } else { "" };
                 let effect = if row.effect { "" } else { "   no effect" };
-                let (key, question, range, unset) = (&row.key, row.question, &row.range, row.unset());
+                let (key, question, range, unset) = (&row.key, row.question, &row.range.0, row.unset());
                 let line = format!("  {key:<6} {question:<width$}  {unset:<16} {range} {unit}");
                 let otherwise = otherwise(parameter).unwrap_or_default();
                 writeln!(io.people(), "{}{predef}{otherwise}{effect}", line.trim_end());
@@ -81,5 +86,4 @@ pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut 
             }
         }
     }
-    Ok(())
 }

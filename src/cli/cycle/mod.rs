@@ -19,21 +19,21 @@ mod text;
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 
-pub(super) use source::{Source, read_workpiece};
+pub(super) use source::{Source, SourceArgs};
 use source::{remark_on_moves, warn_of_unused};
 
 use super::args::dialogue;
 use super::record::RecordArgs;
 use super::tools::ToolArgs;
-use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_contacts, read_input};
+use super::{CliError, CliWarning, Format, Io, Outcome, Refused as _, What, read_input};
 use crate::control::probe_block;
 use crate::control::probe_table::ProbeTable;
 use crate::control::tool_table::{Changed, ToolChange};
-use crate::exchange::contacts;
 use crate::journal::entry::CycleCheck;
 use crate::length::Length;
 use crate::message::Located;
 use crate::nc::machine::{Remark, alone};
+use crate::probing::TouchProbe;
 use crate::probing::cycle::{Control, Cycle, CycleResult, Inputs, Key, Remark as CycleRemark, Value};
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::Shape;
@@ -155,7 +155,7 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let language = self.language;
         if self.list {
-            list::print(self.cycle, language, self.format, io)?;
+            list::print(self.cycle, language, self.format, io);
             return Ok(Outcome::Done);
         }
         let recorder = self.record.recorder(io)?;
@@ -168,7 +168,8 @@ impl Args {
             return Ok(Outcome::Done);
         }
         self.warn_without_effect(&inputs, io);
-        let (source, mut prober) = self.source(&inputs, io)?;
+        let source = self.from.read(io)?;
+        let mut prober = source.prober(self.cycle, &inputs)?;
         let (path, result) = self.cycle.measure_along(&inputs, &mut *prober);
         remark_on_moves(&source, &inputs, &path, io);
         let result = match result {
@@ -335,28 +336,6 @@ impl Args {
         let table = probe_table(self.probe_table.as_deref(), io)?;
         let missing = || CliError::NoProbe { number: self.probe.unwrap_or(1) };
         table.probe(self.probe).copied().ok_or_else(missing)
-    }
-
-    fn source(&self, inputs: &Inputs, io: &mut Io<'_>) -> Result<(Source, Box<dyn Prober>), CliError> {
-        if let Some(path) = &self.contacts {
-            let (file, contacts::Contacts { contacts, has_heights, .. }) =
-                read_contacts(path, Temperature::REFERENCE, io)?;
-            let prober = Box::new(Recorded::new(contacts.clone()).with_heights(has_heights));
-            return Ok((Source::Contacts { file, contacts, has_heights }, prober));
-        }
-        let Some(path) = &self.workpiece else {
-            return match probing::Source::Perfect.prober(self.cycle, inputs) {
-                Ok(prober) => Ok((Source::Perfect, prober)),
-                Err(SourceError::Cycle(error)) => Err(error).about(&self.what()),
-                Err(error) => Err(error).about(&What::PerfectWorkpiece),
-            };
-        };
-        let (file, mut part) = read_workpiece(path, io)?;
-        part.seed = self.seed.unwrap_or(part.seed);
-        match probing::Source::Part(&part).prober(self.cycle, inputs) {
-            Ok(prober) => Ok((Source::Workpiece { file, part }, prober)),
-            Err(error) => Err(error).about(&file),
-        }
     }
 
     const fn what(&self) -> What<'static> {

@@ -1,11 +1,11 @@
 //! Where the contacts of a cycle come from, and what is to be said of them.
 
-use std::path::Path;
+use std::path::PathBuf;
 
 use crate::cli::{CliError, CliWarning, Io, Refused as _, read_input};
 use crate::journal::entry::{CycleOrigin, FileRole};
 use crate::nc::machine::Remark;
-use crate::probing::cycle::{Inputs, Move, Phase};
+use crate::probing::cycle::{Cycle, Inputs, Move, Phase};
 use crate::probing::simulated::Part;
 use crate::probing::{self, Contact};
 use crate::text::decode;
@@ -21,7 +21,51 @@ pub(in crate::cli) enum Source {
     Contacts { file: String, contacts: Vec<Contact>, has_heights: bool },
 }
 
+/// The options of it.
+#[derive(Debug, clap::Args)]
+#[group(skip)]
+pub(in crate::cli) struct SourceArgs {
+    /// The simulated workpiece and probe
+    #[arg(long, value_name = "FILE.toml", conflicts_with = "contacts")]
+    workpiece: Option<PathBuf>,
+    /// Recorded contacts in probing order: x, y, z in mm, points of the surface; - reads standard input
+    #[arg(long, value_name = "FILE.csv")]
+    contacts: Option<PathBuf>,
+    /// Seed of the scatter, instead of the workpiece file's
+    #[arg(long, value_name = "N", requires = "workpiece", conflicts_with = "contacts")]
+    seed: Option<u64>,
+}
+
+impl SourceArgs {
+    pub(in crate::cli) fn read(&self, io: &mut Io<'_>) -> Result<Source, CliError> {
+        if let Some(path) = &self.contacts {
+            let (file, Contacts { contacts, has_heights, .. }) = read_contacts(path, Temperature::REFERENCE, io)?;
+            return Ok(Source::Contacts { file, contacts, has_heights });
+        }
+        let Some(path) = &self.workpiece else { return Ok(Source::Perfect) };
+        let (file, bytes) = read_input(path, io)?;
+        io.used(FileRole::Workpiece, &file, &bytes);
+        let mut part = Part::read(&decode(&bytes)).about(&file)?;
+        part.seed = self.seed.unwrap_or(part.seed);
+        Ok(Source::Workpiece { file, part })
+    }
+}
+
 impl Source {
+    /// What a cycle probes.
+    pub(super) fn prober(&self, cycle: &'static Cycle, inputs: &Inputs) -> Result<Box<dyn Prober>, CliError> {
+        match self {
+            Self::Contacts { contacts, has_heights, .. } => {
+                Ok(Box::new(Recorded::new(contacts.clone()).with_heights(*has_heights)))
+            }
+            Self::Workpiece { file, part } => probing::Source::Part(part).prober(cycle, inputs).about(file),
+            Self::Perfect => match probing::Source::Perfect.prober(cycle, inputs) {
+                Err(SourceError::Cycle(error)) => Err(error).about(&What::Cycle { code: cycle.code }),
+                prober => prober.about(&What::PerfectWorkpiece),
+            },
+        }
+    }
+
     /// The same as a journal keeps it.
     pub(in crate::cli) fn origin(&self) -> CycleOrigin {
         match self {
@@ -30,14 +74,6 @@ impl Source {
             Self::Contacts { file, .. } => CycleOrigin::Contacts { file: file.as_str().into() },
         }
     }
-}
-
-/// A file of a simulated workpiece, and its name.
-pub(in crate::cli) fn read_workpiece(path: &Path, io: &mut Io<'_>) -> Result<(String, Part), CliError> {
-    let (file, bytes) = read_input(path, io)?;
-    io.used(FileRole::Workpiece, &file, &bytes);
-    let part = Part::read(&decode(&bytes)).about(&file)?;
-    Ok((file, part))
 }
 
 /// Remarks on the first move between contacts that would touch a feature of a simulated part.

@@ -7,7 +7,8 @@ use super::heat::{Heat, Heated};
 use crate::cli::Io;
 use crate::cli::limits::lower_and_upper;
 use crate::cli::material::Part;
-use crate::length::{Length, Unit};
+use crate::cli::people::{mm, negative, range};
+use crate::length::Length;
 use crate::tolerance::fit::basis;
 use crate::tolerance::fit::preferred::{function, preference};
 use crate::tolerance::{Limits, ToleranceClass};
@@ -41,21 +42,8 @@ pub(super) fn with_remarks(kind: &dyn Display, hole: ToleranceClass, shaft: Tole
     all.into_iter().flatten().collect::<Vec<_>>().join(", ")
 }
 
-/// `+7 … +41 µm`
-pub(super) fn range(minimum: Length, maximum: Length) -> String {
-    format!("{} … {} µm", minimum.signed_um(), maximum.signed_um())
-}
-
-pub(super) const fn negative(minimum: Length) -> &'static str {
-    if minimum.nanometres() < 0 { " (negative is interference)" } else { "" }
-}
-
 fn line(name: &str, text: impl Display, io: &mut Io<'_>) {
     writeln!(io.people(), "  {name:<12} {text}");
-}
-
-fn mm(length: Length) -> String {
-    length.exact(Unit::Millimetre, 3)
 }
 
 fn part(name: &str, class: ToleranceClass, limits: &Limits, io: &mut Io<'_>) {

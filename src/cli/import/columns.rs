@@ -26,12 +26,7 @@ pub(super) fn mapping(given: &str) -> Result<Mapping, CliError> {
 }
 
 /// Prints what the columns of each file are taken for.
-pub(super) fn show(
-    paths: &[PathBuf],
-    mapping: Option<&Mapping>,
-    format: Format,
-    io: &mut Io<'_>,
-) -> Result<Outcome, CliError> {
+pub(super) fn show(paths: &[PathBuf], mapping: Option<&Mapping>, format: Format, io: &mut Io<'_>) -> Outcome {
     let open = Mapping::default();
     let (mut bad, mut is_first) = (false, true);
     let mut shown = Vec::new();
@@ -53,7 +48,7 @@ pub(super) fn show(
     if format == Format::Json {
         io.json(&shown);
     }
-    Ok(if bad { Outcome::BadData } else { Outcome::Done })
+    if bad { Outcome::BadData } else { Outcome::Done }
 }
 
 /// What is shown of one column.

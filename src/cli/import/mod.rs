@@ -15,6 +15,7 @@ use super::measured::{Hashing, Measured};
 use super::parts::{PlanParts, RepeatArgs};
 use super::progress::{Watched, Work};
 use super::record::RecordArgs;
+use super::rows::names;
 use super::said::CliWarning;
 use super::{CliError, Format, Io, Outcome, Refused as _, TableArgs, said};
 use crate::control::mask::Mask;
@@ -22,10 +23,10 @@ use crate::exchange::{Body, ByPlan, FORMATS, Given, Item, MOST_ROWS, WHOLE, impo
 use crate::files;
 use crate::journal::chain::Hash;
 use crate::part::{Plan, Size};
-use crate::report::columns::names;
 use crate::report::csv::More;
 use crate::verdict::Status;
 use keeping::Keeping;
+use print::Printed;
 pub(super) use print::Printer;
 pub(super) use row::{Row, Rows};
 
@@ -119,7 +120,7 @@ Files may have any size, but a log of points, a pipe and a .dfx that is read bes
 {largest} MiB, and a sheet of a workbook unpacks to at most 512 MiB. \
 With --record, up to {MOST_ROWS} rows of a file are read.",
         formats.collect::<String>(),
-        names(&row::COLUMNS).into_iter().chain(More::CORRECTED.names()).collect::<Vec<_>>().join(","),
+        names::<Printed<'_>>().into_iter().chain(More::CORRECTED.names().map(str::to_owned)).collect::<Vec<_>>().join(","),
     )
 }
 
@@ -138,7 +139,7 @@ impl Args {
         let masks = self.masks.iter().map(|path| mask(path, io)).collect::<Result<Vec<_>, _>>()?;
         let mapping = self.columns.as_deref().map(columns::mapping).transpose()?;
         if self.show_columns {
-            return columns::show(&self.files, mapping.as_ref(), self.format, io);
+            return Ok(columns::show(&self.files, mapping.as_ref(), self.format, io));
         }
         let now = self.time.unwrap_or_else(super::now);
         let recorder = self.record.recorder(io)?;
@@ -287,11 +288,7 @@ impl Import<'_> {
                 }
             }
             let names = missing.iter().map(|size| size.name()).collect::<Vec<_>>().join(", ");
-            if who.is_empty() {
-                io.warn(&CliWarning::PlanMissing { names });
-            } else {
-                io.warn(&CliWarning::PlanMissingOf { who, names });
-            }
+            io.warn(&CliWarning::missing(who, names));
         }
         if let (most, true) = parts.count() {
             io.warn(&CliWarning::PlanMoreParts { most });

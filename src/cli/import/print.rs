@@ -3,13 +3,15 @@
 use std::collections::BTreeMap;
 use std::fmt;
 
-use serde_json::{Number, Value as Json};
+use serde::{Serialize, Serializer};
+use serde_json::{Map, Number, Value as Json};
 
-use super::row::{COLUMNS, Row, Value};
-use crate::cli::aligned::{Aligned, Side};
+use super::row::Row;
+use crate::cli::answers::csv_line;
+use crate::cli::people::{Aligned, Side, mm, um};
+use crate::cli::rows::{Columns, names};
 use crate::cli::{CliError, Format, Io, Refused as _};
 use crate::length::{Length, Unit};
-use crate::report::columns::names;
 use crate::report::csv::{CsvLine, More, cell};
 use crate::report::json;
 use crate::verdict::Status;
@@ -35,8 +37,8 @@ impl Printer {
         match format {
             Format::Text => {}
             Format::Csv => {
-                let names: Vec<&str> = names(&COLUMNS).into_iter().chain(more.names()).collect();
-                writeln!(io.data(), "{}", names.join(","));
+                let more = more.names().map(str::to_owned);
+                csv_line(names::<Printed<'_>>().into_iter().chain(more), io);
             }
             Format::Json => write!(io.data(), "["),
         }
@@ -51,9 +53,7 @@ impl Printer {
                 Ok(())
             }
             Format::Csv => {
-                for (_, value) in &COLUMNS {
-                    value(row).put(&mut self.line);
-                }
+                Printed::put(Some(&Printed::of(row, Map::new())), &mut self.line);
                 match &row.judged {
                     Some(record) => self.more.cells(record).iter().for_each(|text| self.line.cell(&cell(text))),
                     None => self.more.names().for_each(|_name| self.line.cell("")),
@@ -107,17 +107,88 @@ impl Printer {
     }
 
     fn json(&mut self, row: &Row, io: &mut Io<'_>) -> Result<(), CliError> {
-        // Written by hand, so that the names are in the order of the columns.
         let more = match &row.judged {
             Some(record) => json::more(record, self.more).said()?,
             None => self.more.names().map(|name| (name, Json::Null)).collect(),
         };
-        let own = COLUMNS.iter().map(|(name, value)| (*name, value(row).json()));
-        let members: Vec<String> = own.chain(more).map(|(name, value)| format!("\"{name}\":{value}")).collect();
-        let comma = if self.is_first { "" } else { "," };
+        let more = more.into_iter().map(|(name, value)| (name.to_owned(), value)).collect();
+        write!(io.data(), "{}\n  ", if self.is_first { "" } else { "," });
         self.is_first = false;
-        write!(io.data(), "{comma}\n  {{{}}}", members.join(","));
+        io.data().write_json(&Printed::of(row, more));
         Ok(())
+    }
+}
+
+row! {
+    /// A row for programs.
+    pub(super) struct Printed<'a> of(row: &'a Row, more: Map<String, Json>) {
+        file: &'a str = &row.file,
+        line: Option<usize> = row.line,
+        id: &'a str = &row.id,
+        callout: Option<&'a str> = row.callout.as_deref(),
+        nominal_mm: Option<Mm<0>> = row.nominal.map(Mm),
+        min_mm: Option<Mm<3>> = row.minimum.map(Mm),
+        max_mm: Option<Mm<3>> = row.maximum.map(Mm),
+        measured_mm: Option<Mm<3>> = row.measured.map(Mm),
+        deviation_um: Option<Um> = row.deviation.map(Um),
+        status: Option<Status> = row.status,
+        remove_um: Option<Um> = row.remove.map(Um),
+        position: Option<&'static str> = row.position_word(),
+        source: Option<&'a str> = row.source.as_deref(),
+        warnings: Texts<'a> = Texts(&row.warnings),
+        error: Option<&'a str> = row.error.as_deref(),
+        simulated: Option<&'static str> = Some(if row.is_simulated? { "true" } else { "false" });
+        json:
+        #[serde(flatten)]
+        more: Map<String, Json> = more,
+    }
+}
+
+/// Millimetres exactly, with at least so many decimals.
+#[derive(Debug)]
+struct Mm<const DECIMALS: u8>(Length);
+
+impl<const DECIMALS: u8> Columns for Mm<DECIMALS> {
+    fn put(of: Option<&Self>, line: &mut CsvLine) {
+        match of {
+            Some(length) => line.mm(length.0, DECIMALS),
+            None => line.cell(""),
+        }
+    }
+}
+
+impl<const DECIMALS: u8> Serialize for Mm<DECIMALS> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        number(&self.0.exact(Unit::Millimetre, usize::from(DECIMALS))).serialize(serializer)
+    }
+}
+
+/// Micrometres exactly.
+#[derive(Debug)]
+struct Um(Length);
+
+impl Columns for Um {
+    fn put(of: Option<&Self>, line: &mut CsvLine) {
+        match of {
+            Some(length) => line.um(length.0),
+            None => line.cell(""),
+        }
+    }
+}
+
+impl Serialize for Um {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        number(&um(self.0)).serialize(serializer)
+    }
+}
+
+/// Several texts in one column.
+#[derive(Debug, Serialize)]
+struct Texts<'a>(&'a [String]);
+
+impl Columns for Texts<'_> {
+    fn put(of: Option<&Self>, line: &mut CsvLine) {
+        line.cell(&cell(&of.map_or_else(String::new, |texts| texts.0.join("; "))));
     }
 }
 
@@ -155,31 +226,6 @@ impl Table {
     }
 }
 
-impl Value<'_> {
-    fn json(&self) -> Json {
-        match self {
-            Self::Nothing => Json::Null,
-            Self::Text(text) => Json::from(*text),
-            Self::Count(count) => Json::from(*count),
-            Self::Millimetres(length, decimals) => number(&length.exact(Unit::Millimetre, usize::from(*decimals))),
-            Self::Micrometres(length) => number(&length.exact(Unit::Micrometre, 0)),
-            Self::Texts(texts) => Json::from(*texts),
-        }
-    }
-
-    /// Puts it into a line of CSV.
-    fn put(&self, line: &mut CsvLine) {
-        match self {
-            Self::Nothing => line.cell(""),
-            Self::Text(text) => line.cell(&cell(text)),
-            Self::Count(count) => line.cell(&count.to_string()),
-            Self::Millimetres(length, decimals) => line.mm(*length, *decimals),
-            Self::Micrometres(length) => line.um(*length),
-            Self::Texts(texts) => line.cell(&cell(&texts.join("; "))),
-        }
-    }
-}
-
 /// A decimal number: a length has at most 16 figures, so the nearest float is written as the same one.
 fn number(text: &str) -> Json {
     let whole = text.parse::<u64>().map(Number::from).ok();
@@ -202,19 +248,17 @@ const TABLE: Aligned<9> = Aligned {
 };
 
 fn cells(row: &Row) -> [String; 9] {
-    let mm = |length: Option<Length>| length.map_or(String::new(), |length| length.exact(Unit::Millimetre, 3));
     let limits = match (row.minimum, row.maximum) {
-        (Some(minimum), Some(maximum)) => format!("{} to {}", mm(Some(minimum)), mm(Some(maximum))),
+        (Some(minimum), Some(maximum)) => format!("{} to {}", mm(minimum), mm(maximum)),
         _ => String::new(),
     };
-    let um = |length: Length| length.exact(Unit::Micrometre, 0);
     let deviation = row.deviation.map(Length::signed_um).unwrap_or_default();
     let remove = row.remove.map_or(String::new(), |remove| format!(", remove {} µm", um(remove)));
     [
         format!("{}:{}", row.file, row.line.unwrap_or_default()),
         row.id.replace(char::is_control, "\u{fffd}"),
         row.callout.clone().unwrap_or_default(),
-        mm(row.measured),
+        row.measured.map(mm).unwrap_or_default(),
         limits,
         deviation,
         row.status.map_or_else(|| "not judged".to_owned(), |status| format!("{status}{remove}")),

@@ -14,41 +14,6 @@ use crate::part::{Plan, Size};
 use crate::tolerance::{Deviations, Source};
 use crate::verdict::{PositionVerdict, Status};
 
-/// A column of the CSV and a name in JSON, with its value in a row.
-pub(in crate::cli) type Column = (&'static str, fn(&Row) -> Value<'_>);
-
-/// The columns of the CSV and the names in JSON, in order. They must not change.
-pub(in crate::cli) const COLUMNS: [Column; 16] = [
-    ("file", |row| Value::Text(&row.file)),
-    ("line", |row| row.line.map_or(Value::Nothing, Value::Count)),
-    ("id", |row| Value::Text(&row.id)),
-    ("callout", |row| text(row.callout.as_deref())),
-    ("nominal_mm", |row| mm(row.nominal, 0)),
-    ("min_mm", |row| mm(row.minimum, 3)),
-    ("max_mm", |row| mm(row.maximum, 3)),
-    ("measured_mm", |row| mm(row.measured, 3)),
-    ("deviation_um", |row| um(row.deviation)),
-    ("status", |row| text(row.status.map(Status::word))),
-    ("remove_um", |row| um(row.remove)),
-    ("position", |row| text(row.position_word())),
-    ("source", |row| text(row.source.as_deref())),
-    ("warnings", |row| Value::Texts(&row.warnings)),
-    ("error", |row| text(row.error.as_deref())),
-    ("simulated", |row| row.is_simulated.map_or(Value::Nothing, |is| Value::Text(if is { "true" } else { "false" }))),
-];
-
-fn text(text: Option<&str>) -> Value<'_> {
-    text.map_or(Value::Nothing, Value::Text)
-}
-
-fn mm(length: Option<Length>, decimals: u8) -> Value<'static> {
-    length.map_or(Value::Nothing, |length| Value::Millimetres(length, decimals))
-}
-
-fn um(length: Option<Length>) -> Value<'static> {
-    length.map_or(Value::Nothing, Value::Micrometres)
-}
-
 /// What is known of one row of a file.
 #[derive(Debug, Clone, Default, PartialEq)]
 pub(in crate::cli) struct Row {
@@ -82,20 +47,6 @@ pub(in crate::cli) struct Row {
     pub(in crate::cli) is_simulated: Option<bool>,
     /// The check, where it is wanted or has more to say than a control.
     pub(in crate::cli) judged: Option<Arc<Record>>,
-}
-
-/// A cell of the CSV or a value in JSON.
-#[derive(Debug, Clone, PartialEq)]
-pub(in crate::cli) enum Value<'a> {
-    Nothing,
-    Text(&'a str),
-    /// A whole number.
-    Count(usize),
-    /// Exactly, with at least so many decimals.
-    Millimetres(Length, u8),
-    /// Exactly.
-    Micrometres(Length),
-    Texts(&'a [String]),
 }
 
 /// So many sources are remembered; others are put into words each time.

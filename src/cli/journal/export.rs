@@ -4,13 +4,13 @@ use std::io::Write;
 use std::path::PathBuf;
 
 use super::list::unread;
-use super::row::{self, Line};
+use super::row::Line;
 use super::show::line;
-use super::{CliError, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, put, server};
+use super::{CliError, Format, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, put, server};
 use crate::cli::args::one_of;
 use crate::cli::progress::{Size, Work, stopped};
 use crate::cli::record::Place;
-use crate::cli::rows::names;
+use crate::cli::rows;
 use crate::journal::chain::ChainId;
 use crate::message::{Message, Say as _};
 use crate::report::csv;
@@ -35,7 +35,7 @@ json has one entry on each line: its body as it is stored, with number, hash and
 Examples:
   fitcheck journal export -o checks.csv
   fitcheck journal export part:Flange standing --format json > flange.jsonl",
-        names::<Line>().join(",")
+        rows::names::<Line>().join(",")
     )
 }
 
@@ -49,13 +49,11 @@ pub(super) struct Args {
     #[arg(short, long, value_name = "FILE")]
     output: Option<PathBuf>,
     /// Format of the export
-    #[arg(long, value_name = "FORMAT", default_value = "csv", value_parser = one_of(FORMATS, |format| format))]
-    format: &'static str,
+    #[arg(long, value_name = "FORMAT", default_value = "csv", value_parser = one_of([Format::Csv, Format::Json], |format| format.word()))]
+    format: Format,
     #[command(flatten)]
     journal: JournalArgs,
 }
-
-const FORMATS: [&str; 2] = ["csv", "json"];
 
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
@@ -131,11 +129,11 @@ struct Export<'a> {
 }
 
 impl Export<'_> {
-    fn write(&mut self, format: &str, out: &mut dyn Write) -> std::io::Result<()> {
+    fn write(&mut self, format: Format, out: &mut dyn Write) -> std::io::Result<()> {
         let Self { from, work, failed, unread } = self;
-        let is_csv = format == "csv";
+        let is_csv = format == Format::Csv;
         if is_csv {
-            csv::line(names::<Line>(), out)?;
+            csv::line(rows::names::<Line>(), out)?;
         }
         let read = from.each(&mut |chain, row| {
             if work.is_stopped() {
@@ -143,7 +141,7 @@ impl Export<'_> {
             }
             work.row();
             if is_csv {
-                csv::line(row::line(&row), out)?;
+                out.write_all(rows::line(&Line::of(&row)).end())?;
             } else {
                 out.write_all(&line(&row, chain, None))?;
             }

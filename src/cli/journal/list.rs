@@ -2,13 +2,12 @@
 
 use super::row::{self, Line};
 use super::{CliError, CliRemark, Format, Io, JournalArgs, Outcome, QUESTIONS, QuestionArgs, Refused as _, server};
-use crate::cli::aligned::Aligned;
-use crate::cli::aligned::Side::Left;
+use crate::cli::people::Side::Left;
+use crate::cli::people::{Aligned, mm};
 use crate::cli::record::Place;
-use crate::cli::rows::names;
+use crate::cli::rows;
 use crate::journal::ask::Question;
 use crate::journal::entry::{Content, Entry};
-use crate::report::csv;
 use crate::store::local::{Reader, Row};
 
 fn help() -> String {
@@ -23,7 +22,7 @@ Examples:
   fitcheck journal list
   fitcheck journal list part:Flange verdict:scrap,rework week
   fitcheck journal list \"station:Mill 3\" today --format csv",
-        names::<Line>().join(",")
+        rows::names::<Line>().join(",")
     )
 }
 
@@ -72,11 +71,7 @@ impl Args {
                 let cells: Vec<_> = rows.iter().map(cells).collect();
                 TABLE.lines(&cells).for_each(|line| writeln!(io.people(), "{line}"));
             }
-            Format::Csv => {
-                for line in std::iter::once(names::<Line>()).chain(rows.iter().map(row::line)) {
-                    csv::line(line, io.data())?;
-                }
-            }
+            Format::Csv => rows::csv(rows.iter().map(Line::of), io),
             Format::Json => io.json(&rows.iter().map(Line::of).collect::<Vec<_>>()),
         }
         // A blank in the wrong place asks for another name.
@@ -121,7 +116,7 @@ fn cells(row: &Row) -> [String; 9] {
         },
         (None, Content::Begin(_) | Content::Withdrawal(_)) => String::new(),
     };
-    let measured = row::measured(row).map(|length| length.exact(crate::length::Unit::Millimetre, 3));
+    let measured = row::measured(row).map(mm);
     [
         row.kept.head.number.to_string(),
         time,

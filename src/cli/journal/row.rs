@@ -1,7 +1,6 @@
 //! The columns of a list. They must not change.
 
 use crate::cli::Figure;
-use crate::cli::rows::cells;
 use crate::journal::Record;
 use crate::journal::entry::{Check, Checked, CycleCheck, Entry};
 use crate::length::Length;
@@ -45,11 +44,6 @@ row! {
         remark: Option<String> = Some(about(row)?.remark.clone()).filter(|remark| !remark.is_empty()),
         error: Option<String> = Some(row.entry.as_ref().err()?.to_string()),
     }
-}
-
-/// The cells of a row.
-pub(super) fn line(row: &Row) -> Vec<String> {
-    cells(&Line::of(row))
 }
 
 pub(super) fn entry(row: &Row) -> Option<&Entry> {

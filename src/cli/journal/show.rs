@@ -1,6 +1,6 @@
 //! `fitcheck journal show`: one entry with its whole reasoning.
 
-use super::{CliError, Io, JournalArgs, Outcome, Refused as _, text};
+use super::{CliError, Format, Io, JournalArgs, Outcome, Refused as _, text};
 use crate::cli::args::one_of;
 use crate::journal::chain::{ChainId, Head};
 use crate::store::local::{Reader, Row};
@@ -18,8 +18,6 @@ pub(super) struct Args {
     journal: JournalArgs,
 }
 
-const FORMATS: [&str; 2] = ["text", "json"];
-
 impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let file = self.journal.file()?;
@@ -30,7 +28,7 @@ impl Args {
             Some(number) if 0 < number => reader.entry(number).said()?.map(|kept| kept.head).unwrap_or_default(),
             _ => Head::default(),
         };
-        if self.format == "json" {
+        if self.format == Format::Json {
             io.data().write_all(&line(&row, reader.chain(), Some(before)));
         } else {
             text::print(&row, reader.chain(), last, io);

@@ -4,10 +4,10 @@ use std::fmt::Display;
 
 use super::row::origin;
 use super::{CliRemark, Io};
+use crate::cli::people::mm;
 use crate::journal::chain::ChainId;
 use crate::journal::entry::{About, Begin, Check, Checked, Content, Correction, CycleCheck, Entry};
 use crate::journal::{Decision, Record};
-use crate::length::{Length, Unit};
 use crate::store::local::Row;
 use crate::tolerance::FigureWarning;
 use crate::verdict::rules::percent;
@@ -87,10 +87,6 @@ fn print_check(check: &Check, io: &mut Io<'_>) {
     if let Some(correction) = &check.corrects {
         print_correction("corrects", correction, io);
     }
-}
-
-fn mm(length: Length) -> String {
-    length.exact(Unit::Millimetre, 3)
 }
 
 fn print_size(record: &Record, io: &mut Io<'_>) {

@@ -5,7 +5,7 @@ use std::path::Path;
 
 use indicatif::{ProgressBar, ProgressStyle};
 
-use super::{CliError, CliRemark, Io, JournalArgs, Outcome, Refused as _, server};
+use super::{CliError, CliRemark, Format, Io, JournalArgs, Outcome, Refused as _, server};
 use crate::cli::args::one_of;
 use crate::cli::record::Place;
 use crate::journal::chain::{ChainId, Head, HexError};
@@ -33,13 +33,11 @@ pub(super) struct Args {
     #[arg(long = "head", value_name = "[CHAIN:]NUMBER:HASH", value_parser = head)]
     heads: Vec<Known>,
     /// Format of the answer
-    #[arg(long, value_name = "FORMAT", default_value = "text", value_parser = one_of(FORMATS, |format| format))]
-    format: &'static str,
+    #[arg(long, value_name = "FORMAT", default_value = "text", value_parser = one_of([Format::Text, Format::Json], |format| format.word()))]
+    format: Format,
     #[command(flatten)]
     journal: JournalArgs,
 }
-
-const FORMATS: [&str; 2] = ["text", "json"];
 
 /// An entry that is known elsewhere, and perhaps its chain.
 type Known = (Option<ChainId>, Head);
@@ -65,7 +63,7 @@ impl Args {
             Place::Server(address) => {
                 let known = self.heads.iter().map(|(chain, head)| Some(((*chain)?, *head)));
                 let known: Vec<_> = known.collect::<Option<_>>().ok_or(CliError::HeadWithoutChain)?;
-                let is_whole = server::verify(&address, &known, self.format == "json", io)?;
+                let is_whole = server::verify(&address, &known, self.format == Format::Json, io)?;
                 return Ok(if is_whole { Outcome::Done } else { Outcome::BadData });
             }
         };
@@ -84,7 +82,7 @@ impl Args {
         bar.finish_and_clear();
         let found = found.said()?;
         let is_whole = found.is_whole() && replaced.is_none();
-        if self.format == "json" {
+        if self.format == Format::Json {
             io.json(&Answer::of(&found, chain, replaced.as_ref()));
         } else {
             print(&found, &known, replaced.as_ref(), io);

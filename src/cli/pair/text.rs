@@ -2,17 +2,16 @@
 
 use std::io::{Result, Write};
 
-use crate::cli::aligned::Aligned;
-use crate::cli::aligned::Side::{self, Left, Right};
+use crate::cli::people::Side::{self, Left, Right};
+use crate::cli::people::{Aligned, mm, negative, range, um};
 use crate::exchange::Size;
-use crate::length::{Length, Unit};
 use crate::pairing::{Grinding, Group, Groups, Pair, Wanted};
 use crate::report::pairing::{Answer, Asked, Parts};
 
 pub(super) fn write(answer: &Answer, out: &mut dyn Write) -> Result<()> {
     let Answer { asked: Asked { holes, shafts, wanted, fit, .. }, pairing, .. } = answer;
     let fit = fit.as_ref().map_or(String::new(), |(callout, _)| format!("{callout}, "));
-    let negative = if wanted.minimum() < Length::ZERO { " (negative is interference)" } else { "" };
+    let negative = negative(wanted.minimum());
     writeln!(
         out,
         "{}, {}, {fit}wanted clearance {}{negative}: {}",
@@ -41,19 +40,6 @@ pub(super) fn write(answer: &Answer, out: &mut dyn Write) -> Result<()> {
 
 fn counted(count: usize, what: &str) -> String {
     format!("{count} {what}{}", if count == 1 { "" } else { "s" })
-}
-
-fn mm(length: Length) -> String {
-    length.exact(Unit::Millimetre, 3)
-}
-
-fn um(length: Length) -> String {
-    length.exact(Unit::Micrometre, 0)
-}
-
-/// `+7 … +41 µm`
-fn range(minimum: Length, maximum: Length) -> String {
-    format!("{} … {} µm", minimum.signed_um(), maximum.signed_um())
 }
 
 /// The name of a part, or its line where it has none.

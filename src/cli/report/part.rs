@@ -91,11 +91,7 @@ impl Parts {
             if missing.is_empty() {
                 continue;
             }
-            if is_one || who.is_empty() {
-                io.warn(&CliWarning::PlanMissing { names });
-            } else {
-                io.warn(&CliWarning::PlanMissingOf { who, names });
-            }
+            io.warn(&CliWarning::missing(if is_one { String::new() } else { who }, names));
         }
         let more = self.others.len();
         let note = (0 < more).then(|| Message::new("report-more-parts").count("count", more).count("most", MOST));

@@ -12,14 +12,12 @@ use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
-use clap::ValueEnum;
-
-use super::args::dialogue;
-use super::cycle::{Source, pairs, probe_table, read_workpiece};
+use super::args::{dialogue, text_or_json};
+use super::cycle::{Source, SourceArgs, pairs, probe_table};
 use super::io::not_dash;
 use super::record::{RecordArgs, Recorder};
 use super::tools::ToolArgs;
-use super::{CliError, Io, Outcome, Refused as _, What, now, read_contacts, read_input};
+use super::{CliError, Format, Io, Outcome, Refused as _, What, now, read_input};
 use crate::control::variables::{Parameter, Value};
 use crate::exchange::contacts;
 use crate::files::{self, FileError};
@@ -59,6 +57,7 @@ Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure,
 /// Run an NC program as a control does, within limits
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
+#[command(mut_arg("contacts", |arg| arg.help(CONTACTS)))]
 #[expect(clippy::struct_excessive_bools, reason = "each is a switch of the command line")]
 pub(super) struct Args {
     /// The program, or the name of a built-in one; - reads standard input
@@ -111,17 +110,8 @@ pub(super) struct Args {
     #[arg(long, default_value = "en", value_parser = dialogue())]
     language: Dialogue,
     /// Format of the result
-    #[arg(long, value_enum, default_value_t = RunFormat::Text)]
-    format: RunFormat,
-}
-
-/// How a run is printed.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, ValueEnum)]
-enum RunFormat {
-    /// For people.
-    Text,
-    /// For programs: the same in every language.
-    Json,
+    #[arg(long, default_value = "text", value_parser = text_or_json())]
+    format: Format,
 }
 
 /// The result of a run besides what the machine remembers.
@@ -147,7 +137,11 @@ impl Args {
     pub(super) fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let language = self.language;
         let recorder = self.record.recorder(io)?;
-        let source = self.source(io)?;
+        let source = self.from.read(io)?;
+        if let Source::Workpiece { file, part } = &source {
+            // Impossible figures are reported now, with the file's name, and not in the middle of the run.
+            part.machine().about(file)?;
+        }
         let (mut machine, warnings) = self.machine(&source, io)?;
         let mut names = BTreeSet::new();
         for (name, value) in pairs(&self.settings)? {
@@ -186,28 +180,22 @@ impl Args {
         io: &mut Io<'_>,
     ) -> Result<Ended, CliError> {
         let language = self.language;
-        let ended = match self.format {
-            RunFormat::Text => {
-                let mut listener = text::Printer::new(self.trace);
-                let ended = run(machine, &mut listener, io);
-                text::notes(machine, &ended, self.trace, language.language(), io);
-                text::tell_source(machine, source, io);
-                self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io)?;
-                ended
-            }
-            RunFormat::Json => {
-                let mut listener = answer::Trace::new(self.trace);
-                let mut ended = run(machine, &mut listener, io);
-                ended.warnings = warnings.iter().map(ToString::to_string).collect();
-                // Before the answer, which says whether the table is written; an error comes after it.
-                let written = self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io);
-                ended.tools_out = written.as_ref().ok().cloned().flatten();
-                io.json(&answer::Answer { machine, ended: &ended, source, trace: &listener });
-                written?;
-                ended
-            }
-        };
-        Ok(ended)
+        if self.format == Format::Text {
+            let mut listener = text::Printer::new(self.trace);
+            let ended = run(machine, &mut listener, io);
+            text::notes(machine, &ended, self.trace, language.language(), io);
+            text::tell_source(machine, source, io);
+            self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io)?;
+            return Ok(ended);
+        }
+        let mut listener = answer::Trace::new(self.trace);
+        let mut ended = run(machine, &mut listener, io);
+        ended.warnings = warnings.iter().map(ToString::to_string).collect();
+        // Before the answer, which says whether the table is written; an error comes after it.
+        let written = self.tools.write(machine.tool_table(), !machine.tool_changes().is_empty(), io);
+        ended.tools_out = written.as_ref().ok().cloned().flatten();
+        io.json(&answer::Answer { machine, ended: &ended, source, trace: &listener });
+        written.map(|_written| ended)
     }
 
     /// The machine, and what the reader of the program has to say.
@@ -267,20 +255,6 @@ impl Args {
             files::no_half_set(self.program.parent().unwrap_or(Path::new("")))?;
         }
         Ok((name, bytes, if is_file { Folders::beside(&self.program) } else { Folders::new() }))
-    }
-
-    fn source(&self, io: &mut Io<'_>) -> Result<Source, CliError> {
-        if let Some(path) = &self.contacts {
-            let (file, contacts::Contacts { contacts, has_heights, .. }) =
-                read_contacts(path, Temperature::REFERENCE, io)?;
-            return Ok(Source::Contacts { file, contacts, has_heights });
-        }
-        let Some(path) = &self.workpiece else { return Ok(Source::Perfect) };
-        let (file, mut part) = read_workpiece(path, io)?;
-        part.seed = self.seed.unwrap_or(part.seed);
-        // Impossible figures are reported now, with the file's name, and not in the middle of the run.
-        part.machine().about(&file)?;
-        Ok(Source::Workpiece { file, part })
     }
 }
 

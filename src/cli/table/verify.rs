@@ -3,11 +3,12 @@
 use std::path::PathBuf;
 use std::sync::Arc;
 
+use crate::cli::people::um;
 use crate::cli::rows::csv;
 use crate::cli::{CliError, Figure, Format, Io, Outcome, Refused as _, StandardArgs, read_table};
 use crate::control::shipped_tables;
 use crate::control::table::{ControlTable, TableFile};
-use crate::length::{Length, Unit};
+use crate::length::Length;
 use crate::message::{Message, Place, Say};
 use crate::tolerance::compare::{Comparison, Difference, compare};
 use crate::tolerance::iso286::Undefined;
@@ -195,7 +196,7 @@ fn sentence<'a>(one: &Verified, difference: &'a Difference) -> Sentence<'a> {
 
 fn more_or_less(side: &'static str, by: Length) -> Option<String> {
     let way = if Length::ZERO < by { "more" } else { "less" };
-    let um = by.abs().exact(Unit::Micrometre, 0);
+    let um = um(by.abs());
     (by != Length::ZERO).then(|| Sentence::By { side, um, way }.to_string())
 }
 

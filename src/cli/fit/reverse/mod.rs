@@ -8,6 +8,7 @@ use figures::{CandidateFigures, Figures};
 use super::text;
 use crate::cli::answers::printable;
 use crate::cli::args::one_of;
+use crate::cli::people::{negative, range};
 use crate::cli::rows::csv;
 use crate::cli::said::about;
 use crate::cli::{CliError, CliRemark, Figure, Format, Io, Outcome, Refused as _, What};
@@ -105,7 +106,7 @@ impl ReverseArgs {
         };
         let scope = self.scope.unwrap_or(ScopeChoice::All);
         let found = search::search_in(size, wanted, sources, scope.scope(), self.limit.unwrap_or(SHOWN));
-        print(format, &Searched { size, wanted: Some((wanted, scope)), function: None, found: &found.said()? }, io)?;
+        print(format, &Searched { size, wanted: Some((wanted, scope)), function: None, found: &found.said()? }, io);
         Ok(Outcome::Done)
     }
 }
@@ -138,7 +139,7 @@ fn of_function(
         }
     }
     let found = Found { total: candidates.len(), candidates, nearest: None };
-    print(format, &Searched { size, wanted: None, function: Some(function), found: &found }, io)?;
+    print(format, &Searched { size, wanted: None, function: Some(function), found: &found }, io);
     io.data().flush();
     for refusal in &refused {
         io.tell(refusal);
@@ -154,7 +155,7 @@ struct Searched<'a> {
     found: &'a Found,
 }
 
-fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
+fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) {
     match format {
         Format::Text => print_text(searched, io),
         Format::Csv => {
@@ -165,7 +166,6 @@ fn print(format: Format, searched: &Searched<'_>, io: &mut Io<'_>) -> Result<(),
         }
         Format::Json => io.json(&Figures::of(searched)),
     }
-    Ok(())
 }
 
 fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) {
@@ -173,8 +173,7 @@ fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) {
     let size = searched.size;
     match (&searched.wanted, searched.function) {
         (Some((wanted, _)), _) => {
-            let range = text::range(wanted.minimum, wanted.maximum);
-            let negative = text::negative(wanted.minimum);
+            let (range, negative) = (range(wanted.minimum, wanted.maximum), negative(wanted.minimum));
             let shown =
                 if candidates.len() < *total { format!(", the best {}", candidates.len()) } else { String::new() };
             let pairs = if *total == 1 { "pair" } else { "pairs" };
@@ -185,7 +184,7 @@ fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) {
     }
     for candidate in candidates {
         let pair = format!("{}/{}", candidate.hole, candidate.shaft);
-        let range = text::range(candidate.minimum, candidate.maximum);
+        let range = range(candidate.minimum, candidate.maximum);
         let remarks = text::with_remarks(&candidate.kind(), candidate.hole, candidate.shaft);
         writeln!(io.people(), "  {pair:<10} {range:<20}  {remarks}");
     }
@@ -203,5 +202,5 @@ fn nearest(miss: &Miss) -> String {
         .filter(|(length, _)| Length::ZERO < *length)
         .map(|(length, side)| format!("{} {side}", Figure::um(*length).0 + " µm"))
         .collect();
-    format!("{hole}/{shaft} with {}, {}", text::range(minimum, maximum), beyond.join(" and "))
+    format!("{hole}/{shaft} with {}, {}", range(minimum, maximum), beyond.join(" and "))
 }

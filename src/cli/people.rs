@@ -1,4 +1,26 @@
-//! Tables for people: each column is as wide as its widest cell, and figures are aligned at the right.
+//! What people read: lengths, and tables whose columns are as wide as their widest cells.
+
+use crate::length::{Length, Unit};
+
+/// Millimetres exactly, with at least three decimals.
+pub(super) fn mm(length: Length) -> String {
+    length.exact(Unit::Millimetre, 3)
+}
+
+/// Micrometres exactly.
+pub(super) fn um(length: Length) -> String {
+    length.exact(Unit::Micrometre, 0)
+}
+
+/// `+7 … +41 µm`
+pub(super) fn range(minimum: Length, maximum: Length) -> String {
+    format!("{} … {} µm", minimum.signed_um(), maximum.signed_um())
+}
+
+/// What is said of clearances that begin so.
+pub(super) const fn negative(minimum: Length) -> &'static str {
+    if minimum.nanometres() < 0 { " (negative is interference)" } else { "" }
+}
 
 /// The columns of a table: each heading, and where its cells are aligned.
 #[derive(Debug, Clone, Copy)]
