@@ -1,5 +1,7 @@
 //! The standard streams and files: what every subcommand reads and writes.
 
+mod out;
+
 use std::fmt::Display;
 use std::io::{BufRead, BufReader, BufWriter, IsTerminal as _, Read as _, Write};
 use std::path::{Path, PathBuf};
@@ -15,9 +17,11 @@ use crate::files::{self, FileError};
 use crate::journal::chain::Hash;
 use crate::journal::entry::{FileRole, UsedFile};
 use crate::length::Length;
-use crate::message::{self, IntoArg, Say, is_wild};
+use crate::message::{IntoArg, Say};
 use crate::tolerance::DeviationTable;
 use crate::tolerance::fit::thermal::Temperature;
+use out::{Out, tame};
+pub(super) use out::{Tame, tame_line};
 
 /// The standard streams, as arguments so that tests can bring their own.
 ///
@@ -167,59 +171,6 @@ impl<'a> Io<'a> {
     }
 }
 
-/// Standard output as it is. The first error is kept and told at the end, and what comes after it goes nowhere: a verdict is reached, and
-/// recorded, whoever listens. So nothing that is written here can fail.
-pub(super) struct Out<'a> {
-    out: &'a mut (dyn Write + Send),
-    failed: Option<std::io::Error>,
-}
-
-impl Out<'_> {
-    fn keep(&mut self, written: std::io::Result<()>) {
-        self.failed = self.failed.take().or(written.err());
-    }
-
-    pub(super) fn write_all(&mut self, bytes: &[u8]) {
-        if self.failed.is_none() {
-            let written = self.out.write_all(bytes);
-            self.keep(written);
-        }
-    }
-
-    /// An object on one line.
-    pub(super) fn write_json(&mut self, object: &impl serde::Serialize) {
-        let written = serde_json::to_writer(&mut *self, object);
-        self.keep(written.map_err(std::io::Error::from));
-    }
-
-    pub(super) fn write_fmt(&mut self, text: std::fmt::Arguments<'_>) {
-        self.write_all(text.to_string().as_bytes());
-    }
-
-    pub(super) fn flush(&mut self) {
-        if self.failed.is_none() {
-            let written = self.out.flush();
-            self.keep(written);
-        }
-    }
-}
-
-/// For what writes files as well.
-impl Write for Out<'_> {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        self.write_all(bytes);
-        Ok(bytes.len())
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        self.flush();
-        Ok(())
-    }
-}
-
-/// An output for people: every text that is written to it is tamed. What is formatted is a line: no name in it begins another one.
-pub(super) struct Tame<W>(pub(super) W);
-
 /// Standard error, while the other streams are in use.
 pub(super) struct Listener<'a> {
     err: &'a mut dyn Write,
@@ -236,50 +187,6 @@ impl Listener<'_> {
     pub(super) fn look_first(&mut self) {
         *self.wants_a_look = true;
     }
-}
-
-impl Tame<Out<'_>> {
-    pub(super) fn write_all(&mut self, bytes: &[u8]) {
-        self.0.write_all(tame(&String::from_utf8_lossy(bytes)).as_bytes());
-    }
-
-    pub(super) fn write_fmt(&mut self, text: std::fmt::Arguments<'_>) {
-        self.0.write_all(tame_text(text).as_bytes());
-    }
-}
-
-impl<W: Write> Write for Tame<W> {
-    fn write(&mut self, bytes: &[u8]) -> std::io::Result<usize> {
-        self.0.write_all(tame(&String::from_utf8_lossy(bytes)).as_bytes())?;
-        Ok(bytes.len())
-    }
-
-    fn write_fmt(&mut self, text: std::fmt::Arguments<'_>) -> std::io::Result<()> {
-        self.0.write_all(tame_text(text).as_bytes())
-    }
-
-    fn flush(&mut self) -> std::io::Result<()> {
-        self.0.flush()
-    }
-}
-
-/// What is formatted, as one line, with its end where it has one.
-fn tame_text(text: std::fmt::Arguments<'_>) -> String {
-    let text = text.to_string();
-    match text.strip_suffix('\n') {
-        Some(line) => tame_line(line) + "\n",
-        None => tame_line(&text),
-    }
-}
-
-/// Lines of text, safe for a terminal.
-fn tame(text: &str) -> String {
-    text.chars().map(|c| if c != '\n' && is_wild(c) { ' ' } else { c }).collect()
-}
-
-/// The same for a single line.
-pub(super) fn tame_line(text: &str) -> String {
-    message::tame(text).into_owned()
 }
 
 /// Whether an argument is a dash, which stands for standard input or output.
