@@ -10,12 +10,13 @@ use super::budget;
 use super::judging::JudgeArgs;
 use super::material::Part;
 use super::record::RecordArgs;
+use super::said::decided;
 use super::{CliError, CliRemark, CliWarning, Format, Io, Outcome, Refused as _, TableArgs, What};
 use crate::budget::{Assessment, Conditions};
 use crate::control::mask::Mask;
 use crate::exchange::contacts::Contacts;
 use crate::files;
-use crate::journal::{Decision, Record, status_window};
+use crate::journal::{Record, status_window};
 use crate::length::Length;
 use crate::message::IntoArg as _;
 use crate::probing::measure::{ProbePosition, cycle_number, measure};
@@ -26,7 +27,6 @@ use crate::report::{csv, json};
 use crate::tolerance::fit::materials::Certainty;
 use crate::tolerance::fit::thermal::Correction;
 use crate::tolerance::{Callout, Feature, FigureWarning, Limits, LimitsError, Sources};
-use crate::verdict::rules::percent;
 use crate::verdict::{Rule, Status};
 use crate::words::Dialogue;
 
@@ -303,17 +303,10 @@ fn tell_correction(correction: &Correction, part: &Part, io: &mut Io<'_>) {
 
 /// What a decision rule says of the value; nothing by the control's own rule without an uncertainty.
 fn tell_rule(record: &Record, io: &mut Io<'_>) {
-    let Some(Decision { zones, proven, conformity }) = record.decision() else { return };
+    let Some(decision) = record.decision() else { return };
     io.remark(&CliRemark::Rule { rule: record.verdict.rule });
-    match zones.accepted {
-        Some([least, most]) => io.remark(&CliRemark::Accepted { least, most }),
-        None => io.remark(&CliRemark::NothingAccepted),
-    }
-    if let Some(is_proven) = proven {
-        io.remark(&if is_proven { CliRemark::Proven } else { CliRemark::NotProven });
-    }
-    if let Some(conformity) = conformity {
-        io.remark(&CliRemark::Conformity { percent: percent(conformity.within) });
+    for said in decided(&decision) {
+        io.remark(&said);
     }
 }
 

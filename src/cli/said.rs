@@ -3,11 +3,13 @@
 use std::path::PathBuf;
 
 use super::admitted::{LOOK_FIRST, TOLD};
+use crate::journal::Decision;
 use crate::length::Length;
 use crate::message::{IntoArg, Message, Say, printed};
 use crate::tolerance::ToleranceClass;
 use crate::tolerance::fit::thermal::{Expansion, Temperature};
 use crate::verdict::Rule;
+use crate::verdict::rules::percent;
 
 /// What is worth knowing about an answer.
 #[derive(Debug, Say)]
@@ -257,6 +259,18 @@ impl CliWarning<'_> {
     pub(super) fn missing(who: String, names: String) -> Self {
         if who.is_empty() { Self::PlanMissing { names } } else { Self::PlanMissingOf { who, names } }
     }
+}
+
+/// What a decision rule says of a value, sentence by sentence.
+pub(super) fn decided(Decision { zones, proven, conformity }: &Decision) -> impl Iterator<Item = CliRemark> {
+    let accepted = match zones.accepted {
+        Some([least, most]) => CliRemark::Accepted { least, most },
+        None => CliRemark::NothingAccepted,
+    };
+    let proven = proven.map(|is_proven| if is_proven { CliRemark::Proven } else { CliRemark::NotProven });
+    let conformity =
+        conformity.as_ref().map(|conformity| CliRemark::Conformity { percent: percent(conformity.within) });
+    std::iter::once(accepted).chain(proven).chain(conformity)
 }
 
 /// `warning: …`

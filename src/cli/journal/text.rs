@@ -5,12 +5,12 @@ use std::fmt::Display;
 use super::row::origin;
 use super::{CliRemark, Io};
 use crate::cli::people::mm;
+use crate::cli::said::decided;
+use crate::journal::Record;
 use crate::journal::chain::ChainId;
 use crate::journal::entry::{About, Begin, Check, Checked, Content, Correction, CycleCheck, Entry};
-use crate::journal::{Decision, Record};
 use crate::store::local::Row;
 use crate::tolerance::FigureWarning;
-use crate::verdict::rules::percent;
 
 /// So many contacts are listed.
 const MOST_CONTACTS: usize = 100;
@@ -126,17 +126,8 @@ fn print_size(record: &Record, io: &mut Io<'_>) {
 /// Which rule decided, with what, and what it says.
 fn print_judgement(record: &Record, io: &mut Io<'_>) {
     line("rule", record.verdict.rule, io);
-    if let Some(Decision { zones, proven, conformity }) = record.decision() {
-        match zones.accepted {
-            Some([least, most]) => line("", CliRemark::Accepted { least, most }, io),
-            None => line("", CliRemark::NothingAccepted, io),
-        }
-        if let Some(is_proven) = proven {
-            line("", if is_proven { CliRemark::Proven } else { CliRemark::NotProven }, io);
-        }
-        if let Some(conformity) = conformity {
-            line("", CliRemark::Conformity { percent: percent(conformity.within) }, io);
-        }
+    for said in record.decision().iter().flat_map(decided) {
+        line("", said, io);
     }
     if let Some(why) = record.verdict.undecided {
         line("", why, io);
