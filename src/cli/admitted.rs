@@ -2,8 +2,8 @@
 //! out of it.
 //!
 //! The rule: everything that was asked for has an answer, and a colleague would stop all the same. What only explains an answer, such as a
-//! column of remarks that is not read or an option without an effect, is told and no more. Each kind decides in a match without a default, so
-//! that a new one has to decide, too.
+//! column of remarks that is not read or an option without an effect, is told and no more. Each kind decides in a match without a default, or
+//! beside its own declaration, so that a new one has to decide, too.
 
 use crate::budget::BudgetWarning;
 use crate::control::deviations::DeviationWarning;

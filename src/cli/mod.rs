@@ -6,7 +6,7 @@
 //! To add a subcommand:
 //!
 //! 1. Write a file with its `Args` and their `run`, and its `mod` line.
-//! 2. Add its line to the table `subcommands!`.
+//! 2. Add its line to the table `subcommands!`, and declare what it answers with `row!` (CSV and JSON) or `object!` (JSON).
 //! 3. Add calls of it and of each option and value to the corpus and record the answers (`tests/core/corpus.rs`). A test names every
 //!    missing call.
 //! 4. Describe it in `docs/manual/command-line.md` and `CHANGELOG.md`.

@@ -137,3 +137,32 @@ macro_rules! row {
         }
     )+};
 }
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    row! {
+        struct Outer of(number: Option<usize>) {
+            number: Option<usize> = number,
+            r#type: &'static str = "=1",
+            inner: Option<Inner> = Some(Inner::of(number?));
+            json:
+            more: bool = true,
+        }
+
+        struct Inner of(number: usize) {
+            twice: usize = number * 2,
+            text: String = "a,b".to_owned(),
+        }
+    }
+
+    #[test]
+    fn a_row_has_the_same_columns_whatever_it_lacks() {
+        assert_eq!(names::<Outer>(), ["number", "type", "inner_twice", "inner_text"]);
+        assert_eq!(line(&Outer::of(Some(2))).end(), b"2,'=1,4,\"a,b\"\n");
+        assert_eq!(line(&Outer::of(None)).end(), b",'=1,,\n");
+        let json = serde_json::to_string(&Outer::of(None)).unwrap();
+        assert_eq!(json, r#"{"number":null,"type":"=1","inner":null,"more":true}"#);
+    }
+}
