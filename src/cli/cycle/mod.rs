@@ -37,9 +37,7 @@ use crate::probing::TouchProbe;
 use crate::probing::cycle::{Control, Cycle, CycleResult, Inputs, Key, Remark as CycleRemark, Value};
 use crate::probing::cycles::{CYCLES, cycle_named};
 use crate::probing::simulated::Shape;
-use crate::probing::{self, Prober, Recorded, SourceError, TouchProbe};
 use crate::text::decode;
-use crate::tolerance::fit::thermal::Temperature;
 use crate::words::Dialogue;
 
 /// The examples and a description of the files; the names of logs and workpieces come from the declarations.
@@ -86,15 +84,8 @@ pub(super) struct Args {
     /// The cycle's block in an NC program, in any dialogue language; - reads standard input
     #[arg(long, value_name = "FILE.h", conflicts_with = "inputs")]
     block: Option<PathBuf>,
-    /// The simulated workpiece and probe
-    #[arg(long, value_name = "FILE.toml", conflicts_with = "contacts")]
-    workpiece: Option<PathBuf>,
-    /// Recorded contacts in probing order: x, y, z in mm, points of the surface; - reads standard input
-    #[arg(long, value_name = "FILE.csv")]
-    contacts: Option<PathBuf>,
-    /// Seed of the scatter, instead of that in the workpiece file
-    #[arg(long, value_name = "N", requires = "workpiece", conflicts_with = "contacts")]
-    seed: Option<u64>,
+    #[command(flatten)]
+    from: SourceArgs,
     /// Touch-probe table of a control, instead of the built-in one
     #[arg(long, value_name = "FILE.tp")]
     probe_table: Option<PathBuf>,

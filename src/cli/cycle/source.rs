@@ -2,13 +2,15 @@
 
 use std::path::PathBuf;
 
-use crate::cli::{CliError, CliWarning, Io, Refused as _, read_input};
+use crate::cli::{CliError, CliWarning, Io, Refused as _, What, read_contacts, read_input};
+use crate::exchange::contacts::Contacts;
 use crate::journal::entry::{CycleOrigin, FileRole};
 use crate::nc::machine::Remark;
 use crate::probing::cycle::{Cycle, Inputs, Move, Phase};
 use crate::probing::simulated::Part;
-use crate::probing::{self, Contact};
+use crate::probing::{self, Contact, Prober, Recorded, SourceError};
 use crate::text::decode;
+use crate::tolerance::fit::thermal::Temperature;
 
 /// Where the contacts come from.
 #[derive(Debug)]

@@ -232,10 +232,7 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) {
             if journals == 1 { "1 journal".to_owned() } else { format!("{journals} journals") },
             entries(found.entries()),
         );
-        writeln!(
-            io.people(),
-            "{journals} with {entries} verified, {beside} compared with an entry that is known here"
-        );
+        writeln!(io.people(), "{journals} with {entries} verified, {beside} compared with an entry that is known here");
     }
     match &found.not_compared {
         Some(why) => writeln!(

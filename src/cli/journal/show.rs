@@ -12,8 +12,8 @@ pub(super) struct Args {
     #[arg(value_name = "NUMBER")]
     number: u64,
     /// Format: text for people, or json with chain, hashes and the body as it is stored
-    #[arg(long, value_name = "FORMAT", default_value = "text", value_parser = one_of(FORMATS, |format| format))]
-    format: &'static str,
+    #[arg(long, value_name = "FORMAT", default_value = "text", value_parser = one_of([Format::Text, Format::Json], |format| format.word()))]
+    format: Format,
     #[command(flatten)]
     journal: JournalArgs,
 }

@@ -9,7 +9,7 @@ use super::super::CliRemark;
 use super::super::cycle::Source;
 use super::super::cycle::answer::{check, source as result_source, value as result_value};
 use super::super::tools;
-use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
+use super::{Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::control::variables::{Parameter, Value};
 use crate::message::Say as _;
 use crate::nc::machine::{BlockPlace, CycleRun, Fault, Machine, NcPath, Origin, ToolChanged, Window, Written};

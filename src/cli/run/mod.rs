@@ -19,13 +19,11 @@ use super::record::{RecordArgs, Recorder};
 use super::tools::ToolArgs;
 use super::{CliError, Format, Io, Outcome, Refused as _, What, now, read_input};
 use crate::control::variables::{Parameter, Value};
-use crate::exchange::contacts;
 use crate::files::{self, FileError};
 use crate::journal::entry::{CycleCheck, FileRole};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::{Program, ProgramWarning};
 use crate::store::programs::Folders;
-use crate::tolerance::fit::thermal::Temperature;
 use crate::words::Dialogue;
 
 /// How much of a block's text is shown, in characters: a control's line has some 250.
@@ -54,6 +52,8 @@ files, windows, outputs, cycles, tool changes, pauses, remarks, faults, trace.
 Exit codes: 0 good or nothing judged, 10 rework, 11 scrap, 12 re-measure,
 14 judged, but look first (see fitcheck --help), 1 a fault or bad data, 2 wrong usage.";
 
+const CONTACTS: &str = "Recorded contacts for all cycles in probing order: x, y, z in mm, points of the surface";
+
 /// Run an NC program as a control does, within limits
 #[derive(Debug, clap::Args)]
 #[command(after_help = EXAMPLES)]
@@ -66,15 +66,8 @@ pub(super) struct Args {
     /// Parameters to set before the run, such as Q1=25 or QS1=H7
     #[arg(long = "set", value_name = "NAME=VALUE", num_args = 1..)]
     settings: Vec<String>,
-    /// The simulated workpiece and probe
-    #[arg(long, value_name = "FILE.toml", conflicts_with = "contacts")]
-    workpiece: Option<PathBuf>,
-    /// Recorded contacts for all cycles in probing order: x, y, z in mm, points of the surface
-    #[arg(long, value_name = "FILE.csv")]
-    contacts: Option<PathBuf>,
-    /// Seed of the scatter, instead of that in the workpiece file
-    #[arg(long, value_name = "N", requires = "workpiece", conflicts_with = "contacts")]
-    seed: Option<u64>,
+    #[command(flatten)]
+    from: SourceArgs,
     /// Folder with programs, tables and masks, besides the program's own
     #[arg(long = "folder", value_name = "FOLDER")]
     folders: Vec<PathBuf>,

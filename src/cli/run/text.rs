@@ -2,7 +2,7 @@
 
 use super::super::CliRemark;
 use super::super::cycle::Source;
-use super::{CliError, Ended, Io, LONGEST_TEXT, Listener, place};
+use super::{Ended, Io, LONGEST_TEXT, Listener, place};
 use crate::message::Message;
 use crate::nc::machine::{BlockPlace, Fault, FileRead, Machine, Pause, ToolChanged, shown};
 use crate::text::cut;
