@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use super::admitted::{LOOK_FIRST, TOLD};
 use crate::journal::Decision;
 use crate::length::Length;
-use crate::message::{IntoArg, Message, Say, printed};
+use crate::message::{IntoArg, Message, Say, message, printed};
 use crate::tolerance::ToleranceClass;
 use crate::tolerance::fit::thermal::{Expansion, Temperature};
 use crate::verdict::Rule;
@@ -275,20 +275,20 @@ pub(super) fn decided(Decision { zones, proven, conformity }: &Decision) -> impl
 
 /// `warning: …`
 pub(super) fn warning(what: &impl Say) -> Message {
-    Message::new("cli-warning").with("what", what)
+    message!("cli-warning").with("what", what)
 }
 
 /// `note: …`
 pub(super) fn remark(what: &impl Say) -> Message {
-    Message::new("cli-remark").with("what", what)
+    message!("cli-remark").with("what", what)
 }
 
 /// A sentence after what it is about.
 pub(super) fn about(what: &(impl IntoArg + ?Sized), sentence: &impl Say) -> Message {
-    Message::new("cli-about").with("what", what).with("error", sentence)
+    message!("cli-about").with("what", what).with("error", sentence)
 }
 
 /// A rule whose uncertainty a budget gives for each value.
 fn by_budget(rule: &Rule) -> Message {
-    rule.message_with(Message::new("uncertainty-by-budget"))
+    rule.message_with(message!("uncertainty-by-budget"))
 }

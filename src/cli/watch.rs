@@ -13,7 +13,7 @@ use super::{CliError, CliRemark, Format, Io, Outcome, TableArgs};
 use crate::journal::body;
 use crate::journal::entry::{Checked, Content, Entry, FileRole, UsedFile};
 use crate::journal::found::Found;
-use crate::message::{Located, Message, Say as _};
+use crate::message::{Located, Message, Say as _, message};
 use crate::verdict::Status;
 use crate::watch::{Alone, Batch, EVERY, Judging, Known, Look, Waiting, Watcher};
 
@@ -179,7 +179,7 @@ impl Run<'_> {
                     }
                     for (name, known) in &look.same {
                         if name == known {
-                            io.tell(warning(&about(name, &Message::new("watch-same-again"))));
+                            io.tell(warning(&about(name, &message!("watch-same-again"))));
                         } else {
                             io.warn_about(name, &CliWarning::SameContent { known: known.clone() });
                         }

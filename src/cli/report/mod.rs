@@ -16,7 +16,7 @@ use super::progress::Work;
 use super::{CliError, CliWarning, Io, Outcome, TableArgs};
 use crate::journal::Record;
 use crate::length::{Length, LengthError};
-use crate::message::{Message, Say};
+use crate::message::{Say, message};
 use crate::probing::{Measurement, Origin};
 use crate::report::{self, EndingError, RENDERINGS, Rendering, Report};
 use crate::tolerance::{Callout, CalloutError, LimitsError, Sources};
@@ -174,7 +174,7 @@ impl Args {
                     }
                 }
                 Err(error) => {
-                    collected.refuse(Message::new("report-note").text("place", name(path)), error.message(), io);
+                    collected.refuse(message!("report-note").text("place", name(path)), error.message(), io);
                 }
             }
         }
@@ -185,7 +185,7 @@ impl Args {
                     collected.see_typed(&record, io);
                     given.typed.push(record);
                 }
-                Err(error) => collected.refuse(Message::new("report-note").text("place", text), error, io),
+                Err(error) => collected.refuse(message!("report-note").text("place", text), error, io),
             }
         }
         given.are_corrected = collected.are_corrected;

@@ -9,7 +9,7 @@ use super::super::{CliError, CliWarning, Io, Outcome};
 use crate::exchange::Labels;
 use crate::files;
 use crate::journal::Record;
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::part::{Plan, Repeats};
 use crate::report::image::{Image, is_plain_name};
 use crate::report::part::PartSheet;
@@ -94,7 +94,7 @@ impl Parts {
             io.warn(&CliWarning::missing(if is_one { String::new() } else { who }, names));
         }
         let more = self.others.len();
-        let note = (0 < more).then(|| Message::new("report-more-parts").count("count", more).count("most", MOST));
+        let note = (0 < more).then(|| message!("report-more-parts").count("count", more).count("most", MOST));
         (self.sheets.into_iter().map(|(_, sheet)| sheet).collect(), note)
     }
 }
@@ -102,7 +102,7 @@ impl Parts {
 /// The picture beside a plan.
 fn image(plan: &Path, name: &str) -> Result<Image, Message> {
     if !is_plain_name(name) {
-        return Err(Message::new("parts-page-picture-folder").text("given", name));
+        return Err(message!("parts-page-picture-folder").text("given", name));
     }
     let bytes = files::read_file(&plan.with_file_name(name)).map_err(|error| error.message())?;
     Image::read(name, &bytes)

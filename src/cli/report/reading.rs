@@ -16,7 +16,7 @@ use super::part::Parts;
 use crate::exchange::{self, ByPlan, Item, import_from};
 use crate::files::{self, FileError};
 use crate::journal::Record;
-use crate::message::{Message, Say as _};
+use crate::message::{Message, Say as _, message};
 use crate::part::Plan;
 use crate::report::Checks;
 use crate::report::csv::More;
@@ -131,7 +131,7 @@ impl Collected {
     /// Looks at a file of measurements.
     pub(super) fn file(&mut self, (path, file, work): (&Path, &Measured, &Work), given: &Given, io: &mut Io<'_>) {
         let name = &name(path);
-        let line = |line: usize| Message::new("report-note-line").text("place", name).text("line", line);
+        let line = |line: usize| message!("report-note-line").text("place", name).text("line", line);
         let sizes = Sizes::of(given.plan.as_deref());
         given.read((path, file, work), &mut |item| match item {
             Item::Record { record, line: at, labels } => match given.judge.judged_of(&sizes, *record, &labels) {
@@ -145,7 +145,7 @@ impl Collected {
                 Err(error) => self.refuse(line(at), error.message(), io),
             },
             Item::Unjudged(unjudged) => self.refuse(line(unjudged.line), unjudged.why.message(), io),
-            Item::Error(error) => self.refuse(Message::new("report-note").text("place", name), error.message(), io),
+            Item::Error(error) => self.refuse(message!("report-note").text("place", name), error.message(), io),
             Item::Warning(warning) => {
                 if warning.what.kind.wants_a_look() {
                     io.look_first();
@@ -197,7 +197,7 @@ impl Collected {
 
     /// The notes of the report; the last one says how many more there are.
     pub(super) fn notes(self) -> Vec<Message> {
-        let more = (0 < self.more_notes).then(|| Message::new("report-note-more").count("count", self.more_notes));
+        let more = (0 < self.more_notes).then(|| message!("report-note-more").count("count", self.more_notes));
         self.notes.into_iter().chain(more).collect()
     }
 

@@ -3,7 +3,7 @@
 use super::super::CliRemark;
 use super::super::cycle::Source;
 use super::{Ended, Io, LONGEST_TEXT, Listener, place};
-use crate::message::Message;
+use crate::message::message;
 use crate::nc::machine::{BlockPlace, Fault, FileRead, Machine, Pause, ToolChanged, shown};
 use crate::text::cut;
 use crate::words::{Language, Words};
@@ -68,7 +68,7 @@ pub(super) fn notes(machine: &Machine, ended: &Ended, is_traced: bool, language:
         io.tell(format_args!("note: {file}:{line}: {}", words.told(remark)));
     }
     if 0 < machine.unlisted_remarks() {
-        let more = Message::new("machine-remark-more").text("count", machine.unlisted_remarks());
+        let more = message!("machine-remark-more").text("count", machine.unlisted_remarks());
         io.tell(format_args!("note: {}", words.say(&more)));
     }
     if let Some(passed_over) = machine.passed_over_message() {
