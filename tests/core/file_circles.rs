@@ -96,16 +96,8 @@ impl Crate {
     /// The files that lead back to themselves, each with where it leads to on the way.
     fn circles(&self) -> Vec<String> {
         let arrows = self.arrows();
-        let reached = |from: &Module| {
-            let mut reached = BTreeSet::new();
-            let mut open = vec![from];
-            while let Some(at) = open.pop() {
-                open.extend(arrows.get(at).into_iter().flatten().filter(|other| reached.insert(*other)));
-            }
-            reached
-        };
         let reached: BTreeMap<&Module, BTreeSet<&Module>> =
-            arrows.keys().map(|module| (*module, reached(module))).collect();
+            arrows.keys().map(|module| (*module, reached(&arrows, module))).collect();
         let leads_back = |from: &Module, to: &Module| reached.get(to).is_some_and(|there| there.contains(from));
         let circles = arrows.iter().filter(|(module, _)| leads_back(module, module)).map(|(module, others)| {
             let back = others.iter().filter(|other| leads_back(module, other)).map(|other| other.join("/"));
@@ -113,6 +105,18 @@ impl Crate {
         });
         circles.collect()
     }
+}
+
+/// The files that arrows lead to from a file.
+fn reached<'a>(arrows: &'a BTreeMap<&Module, BTreeSet<Module>>, from: &Module) -> BTreeSet<&'a Module> {
+    let mut reached = BTreeSet::new();
+    let mut open: Vec<&'a Module> = arrows.get(from).into_iter().flatten().collect();
+    while let Some(at) = open.pop() {
+        if reached.insert(at) {
+            open.extend(arrows.get(at).into_iter().flatten());
+        }
+    }
+    reached
 }
 
 /// The paths of every `use` of a text, written out one by one.
