@@ -3,6 +3,8 @@
 //! What a file names by `crate::`, `super::` and `self::` is followed through re-exports to the file where it is
 //! declared. Files that can all be reached from each other are a circle: none of them can be read first.
 
+#![cfg(test)]
+
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -121,8 +123,9 @@ fn reached<'a>(arrows: &'a BTreeMap<&Module, BTreeSet<Module>>, from: &Module) -
 
 /// The paths of every `use` of a text, written out one by one.
 fn used(text: &str) -> Vec<Names> {
-    let begins = text.match_indices("use ").filter(|(at, _)| !text[..*at].ends_with(|c: char| c.is_alphanumeric()));
-    let trees = begins.filter_map(|(at, word)| text[at + word.len()..].split_once(';')).map(|(tree, _)| tree);
+    let pieces = text.split("use ").zip(text.split("use ").skip(1));
+    let begun = pieces.filter(|(before, _)| !before.ends_with(|c: char| c.is_alphanumeric()));
+    let trees = begun.filter_map(|(_, rest)| rest.split_once(';')).map(|(tree, _)| tree);
     trees.filter(|tree| tree.contains("::")).flat_map(|tree| written_out(tree.trim())).collect()
 }
 
