@@ -13,7 +13,7 @@
 //! remembered by the SHA-256 of its bytes, which the journal keeps with every entry, so that a restart needs no other memory and a renamed
 //! file is not taken twice.
 //!
-//! Each file is in one of three states ([`folder::State`]):
+//! Each file is in one of three states (`folder::State`):
 //!
 //! ```text
 //!                    nothing of it is complete
@@ -29,8 +29,8 @@
 //!          └──────┘
 //! ```
 //!
-//! A file that is open and unchanged for [`QUIET`] is read. What of it is taken depends on how it stands to what was taken from files of its
-//! name ([`known::Standing`]), by the hash of all that comes before each line end:
+//! A file that is open and unchanged for `QUIET` is read. What of it is taken depends on how it stands to what was taken from files of its
+//! name (`known::Standing`), by the hash of all that comes before each line end:
 //!
 //! | it | then |
 //! |---|---|
@@ -45,7 +45,7 @@
 //! new. Its last line without a line end may be cut off in the middle of a number, so it waits until nothing was written for a while. A file
 //! of another form (XML, a workbook) is taken when it can be read to its end. What shows nothing of its end (AQDEF, CALYPSO, contacts) is taken
 //! when its writer has closed it, or where that is not known, when it was unchanged for a while: these are the stages of a file
-//! ([`folder::Stage`]).
+//! (`folder::Stage`).
 
 mod alone;
 mod closed;
