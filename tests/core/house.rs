@@ -55,6 +55,11 @@ fn name_of(path: &Path) -> String {
     }
 }
 
+/// Whether a file has only tests.
+fn is_of_tests(name: &str) -> bool {
+    name.ends_with("tests.rs") || name.contains("/tests/")
+}
+
 /// Every file of the program, by its name from its room on.
 fn all_files() -> Vec<(String, PathBuf)> {
     let all = source_folders().into_iter().flat_map(|folder| sources(&folder));
@@ -146,7 +151,7 @@ fn arrows_point_down() {
     let (mut wrong, mut arrows) = (Vec::new(), 0);
     for (name, path) in all_files() {
         let room = name.split('/').next().unwrap().trim_end_matches(".rs");
-        if ["lib", "main"].contains(&room) || name.ends_with("tests.rs") {
+        if ["lib", "main"].contains(&room) || is_of_tests(&name) {
             continue;
         }
         let Some((of, _, may)) = ROOMS.iter().find(|(_, known, _)| *known == room) else {
@@ -220,9 +225,8 @@ fn files_are_written_whole_in_one_place() {
 /// A cycle is one file: nothing else in the source names its number. The page of points has a format's own marks.
 #[test]
 fn no_cycle_is_named_outside_its_own_file() {
-    let others = |name: &str| {
-        !name.ends_with("tests.rs") && !name.starts_with("probing/cycles/") && !name.starts_with("tolerance/")
-    };
+    let others =
+        |name: &str| !is_of_tests(name) && !name.starts_with("probing/cycles/") && !name.starts_with("tolerance/");
     let cycles: Vec<String> = fitcheck::probing::cycles::CYCLES.iter().map(|cycle| cycle.number.to_string()).collect();
     let is_cycle = |word: &&str| {
         let word = word.trim_start_matches(['G', 'Q']).trim_end_matches("_u16");

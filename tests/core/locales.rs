@@ -14,8 +14,9 @@ use crate::house::source_folders;
 
 /// What comes before the name of a text in the source, `Message::new("file-missing")`: within these brackets every
 /// literal that looks like a name is one, so that `Message::new(match self { … })` is also searched.
-const CALLS: [&str; 9] = [
+const CALLS: [&str; 10] = [
     "Message::new(",
+    "message!(",
     "FoundName::new(",
     "Self::new(",
     "words.get(",
@@ -95,14 +96,18 @@ fn source() -> String {
     let assets = root().join("assets");
     let mut all: Vec<_> = source_folders().iter().flat_map(|folder| files(folder, "rs")).collect();
     all.extend([files(&assets, "html"), files(&assets, "svg")].concat());
-    let texts =
-        all.iter().filter(|path| !path.ends_with("tests.rs")).map(|path| std::fs::read_to_string(path).unwrap());
+    let texts = all.iter().filter(|path| !is_of_tests(path)).map(|path| std::fs::read_to_string(path).unwrap());
     let mut source = String::new();
     for text in texts {
         let lines = text.lines().take_while(|line| !line.ends_with("mod tests {"));
         source.extend(lines.map(str::trim).filter(|line| !line.starts_with("//")));
     }
     source
+}
+
+/// Whether a file has only tests.
+fn is_of_tests(path: &Path) -> bool {
+    path.ends_with("tests.rs") || path.strip_prefix(root()).unwrap().iter().any(|part| part == "tests")
 }
 
 /// The text within the bracket that was just opened.
@@ -134,12 +139,15 @@ fn derived() -> BTreeSet<String> {
     let mut found = BTreeSet::new();
     for path in source_folders().iter().flat_map(|folder| files(folder, "rs")) {
         let text = std::fs::read_to_string(path).unwrap();
-        for rest in text.split("#[say(prefix = \"").skip(1) {
+        let pieces = text.split("#[say(prefix = \"");
+        for (before, rest) in pieces.clone().zip(pieces.skip(1)) {
+            // Within a macro the type is indented.
+            let indent = before.rsplit('\n').next().unwrap();
             let (prefix, rest) = rest.split_once('"').unwrap();
-            let body = rest.split("\n}").next().unwrap();
+            let body = rest.split(&format!("\n{indent}}}")).next().unwrap();
             let variants = body.lines().filter_map(|line| {
-                let name =
-                    line.strip_prefix("    ").filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase()))?;
+                let name = line.strip_prefix(indent)?.strip_prefix("    ")?;
+                let name = Some(name).filter(|line| line.starts_with(|c: char| c.is_ascii_uppercase()))?;
                 name.split(|c: char| !c.is_alphanumeric()).next()
             });
             found.extend(variants.map(|variant| format!("{prefix}-{}", kebab(variant))));

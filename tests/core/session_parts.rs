@@ -9,6 +9,7 @@ use fitcheck::session::program::{Agreement, Document, NoteKind, Run, State, Work
 use fitcheck::session::{
     Command, Effect, FilesCommand, Page, ProgramCommand, Purpose, Session, WorkpieceCommand, feature_message,
 };
+use fitcheck::store::programs::Folders;
 use fitcheck::words::{Language, Words};
 use serde_json::Value as Json;
 
@@ -41,6 +42,7 @@ fn fitcheck(folder: &Path, args: &[&str]) -> String {
 /// The program page with a program of a folder.
 fn with(path: &Path) -> Session {
     let mut session = Session::new(Language::En);
+    session.use_program_files(|program| Box::new(Folders::beside(program)));
     send(&mut session, Command::OpenPage(Page::Program));
     let name = path.file_name().unwrap().to_str().unwrap();
     let (document, warnings) = Document::read(name, &std::fs::read(path).unwrap()).unwrap();

@@ -132,7 +132,7 @@ fn a_column_that_is_no_class_is_told_wherever_a_table_is_read() {
     for (column, cells, reason) in [
         ("P_F ", ["+1", "0"], by_name),
         ("NOTE", ["ab", "cd"], "was skipped, because it holds texts and no deviations"),
-        ("Pf  ", ["+1", "0"], "mixes upper and lower case, so it is not a tolerance class and was skipped"),
+        ("Pf  ", ["+1", "0"], "was skipped, because a tolerance class does not mix upper and lower case"),
     ] {
         let [upper, lower] = cells;
         let own = format!(

@@ -33,7 +33,7 @@ pub(in crate::cli) struct SourceArgs {
     /// Recorded contacts in probing order: x, y, z in mm, points of the surface; - reads standard input
     #[arg(long, value_name = "FILE.csv")]
     contacts: Option<PathBuf>,
-    /// Seed of the scatter, instead of the workpiece file's
+    /// Seed of the scatter, instead of that in the workpiece file
     #[arg(long, value_name = "N", requires = "workpiece", conflicts_with = "contacts")]
     seed: Option<u64>,
 }
