@@ -4,6 +4,7 @@
 //! A page changes its own state and this, never another page. It announces what others have to know as [`News`].
 
 use std::collections::{BTreeMap, VecDeque};
+use std::fmt;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -48,8 +49,15 @@ pub enum MaskChoice {
 
 /// Where the NC program of this file finds other files. No file is opened here, so the window hands it in; until then a
 /// program finds none.
-#[derive(Debug, Clone, Copy)]
+#[derive(Clone, Copy)]
 pub(super) struct ProgramFiles(pub fn(&Path) -> Box<dyn Store>);
+
+impl fmt::Debug for ProgramFiles {
+    // An address would differ from one run to the next.
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        f.write_str("ProgramFiles")
+    }
+}
 
 impl Default for ProgramFiles {
     fn default() -> Self {
