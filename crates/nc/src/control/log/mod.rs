@@ -88,7 +88,7 @@ pub fn layout(cycle: u16) -> Option<&'static TextLog> {
 /// A file without any log gives one error.
 ///
 /// ```
-/// let bytes = std::fs::read("tests/data/samples/logs/en/TCHPR421.TXT")?;
+/// let bytes = std::fs::read("../../tests/data/samples/logs/en/TCHPR421.TXT")?;
 /// let logs = fitcheck_nc::control::log::read(&bytes);
 /// let log = logs.first().and_then(|log| log.as_ref().ok());
 /// assert_eq!(log.map(|log| log.cycle), Some(421));
