@@ -241,7 +241,7 @@ impl Range {
     pub(super) fn read(self, text: &str) -> Result<Length, Message> {
         let value = text.parse::<Length>().map_err(|error| error.message())?;
         let largest = Length::from_nanometres(99_999_999_900).unwrap_or_default();
-        let outside = |id| Err(Message::new(id).mm("given", value).mm("limit", largest));
+        let outside = |id| Err(Message::new(id).number("given", value).number("limit", largest));
         match self {
             Self::ZeroOrMore if value < Length::ZERO => outside("field-not-negative"),
             Self::AboveZero if value <= Length::ZERO => outside("field-above-zero"),

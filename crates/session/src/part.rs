@@ -26,16 +26,16 @@ pub fn feature_message(feature: &PartFeature) -> Message {
     };
     let at = |message: Message, centre: [f64; 2]| {
         let ([first, second], [x, y]) = (surface.plane().axes(), centre);
-        message.text("first", first).text("second", second).mm("x", x).mm("y", y)
+        message.text("first", first).text("second", second).number("x", x).number("y", y)
     };
     match surface {
-        Surface::Round(round, _) => at(message("part-round").mm("size", round.diameter), round.centre),
+        Surface::Round(round, _) => at(message("part-round").number("size", round.diameter), round.centre),
         Surface::Walls(walls) => match walls.lengths {
-            (width, None) => at(message("part-width").mm("size", width), walls.centre),
-            (one, Some(other)) => at(message("part-sides").mm("size", one).mm("size2", other), walls.centre),
+            (width, None) => at(message("part-width").number("size", width), walls.centre),
+            (one, Some(other)) => at(message("part-sides").number("size", one).number("size2", other), walls.centre),
         },
         Surface::Face(Face { point: [x, y, z], .. }) | Surface::Point(FreePoint { point: [x, y, z], .. }) => {
-            message("part-face").mm("x", x).mm("y", y).mm("z", z)
+            message("part-face").number("x", x).number("y", y).number("z", z)
         }
     }
 }

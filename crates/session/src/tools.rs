@@ -182,10 +182,10 @@ pub fn tool_message(tool: &Tool) -> Message {
     let name = if tool.name.is_empty() { tool.number.to_string() } else { format!("{} {}", tool.number, tool.name) };
     Message::new(if tool.is_locked { "tools-row-locked" } else { "tools-row" })
         .text("tool", name)
-        .mm("length", tool.length)
-        .mm("radius", tool.radius)
-        .mm("delta-length", tool.delta_length)
-        .mm("delta-radius", tool.delta_radius)
-        .mm("length-breakage", tool.length_breakage.unwrap_or_default())
-        .mm("radius-breakage", tool.radius_breakage.unwrap_or_default())
+        .number("length", tool.length)
+        .number("radius", tool.radius)
+        .number("delta-length", tool.delta_length)
+        .number("delta-radius", tool.delta_radius)
+        .number("length-breakage", tool.length_breakage.unwrap_or_default())
+        .number("radius-breakage", tool.radius_breakage.unwrap_or_default())
 }

@@ -27,7 +27,7 @@ pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>) {
                 quiet(ui, &word);
                 let Some(found) = found else { return };
                 let um = format!("{:.3}", found.expanded());
-                let large = view.words.say(&message!("budget-page-expanded").mm("um", um));
+                let large = view.words.say(&message!("budget-page-expanded").number("um", um));
                 let wanted = (ui.available_width() * 0.14).min(ui.ctx().content_rect().height() * 0.08);
                 let galley = ui.painter().layout_no_wrap(large.clone(), theme::bold(wanted), Color32::PLACEHOLDER);
                 let size = wanted.min(wanted * ui.available_width() / galley.size().x.max(1.0)).floor();
@@ -46,8 +46,8 @@ fn covered(view: &View<'_>, found: &Assessment) -> String {
     let k = format!("{:.3}", found.k());
     let k = k.trim_end_matches('0').trim_end_matches('.').to_owned();
     view.words.say(&match found.answer {
-        Answer::Combined(_) => message!("budget-page-covered").mm("k", k),
-        Answer::Repeated(_) => message!("budget-page-covered-by").mm("k", k).text("method", found.method()),
+        Answer::Combined(_) => message!("budget-page-covered").number("k", k),
+        Answer::Repeated(_) => message!("budget-page-covered-by").number("k", k).text("method", found.method()),
     })
 }
 
@@ -104,7 +104,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn figures_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
-    let u = message!("budget-page-standard").mm("um", format!("{:.3}", found.u()));
+    let u = message!("budget-page-standard").number("um", format!("{:.3}", found.u()));
     ui.label(RichText::new(view.words.say(&u)).font(theme::bold(sizes().value)));
     if let Answer::Combined(evaluation) = &found.answer {
         let infinite = || view.text("budget-page-infinite");
@@ -131,7 +131,8 @@ fn help_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
     let Some(row) = evaluation.rows.get(evaluation.largest) else { return };
     ui.separator();
     heading(ui, view.text("budget-page-largest"));
-    let largest = message!("budget-page-largest-is").text("name", &row.name).mm("percent", format!("{:.1}", row.share));
+    let largest =
+        message!("budget-page-largest-is").text("name", &row.name).number("percent", format!("{:.1}", row.share));
     ui.label(view.words.say(&largest));
     heading(ui, view.text("budget-page-help"));
     for help in advice(evaluation) {

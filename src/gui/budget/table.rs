@@ -39,7 +39,7 @@ pub(super) fn table_ui(ui: &mut Ui, view: &View<'_>, found: &Assessment) {
             let own = || message!("budget-page-readings-own").count("count", repeated.readings);
             heading(ui, view.text("budget-page-readings"));
             ui.label(view.words.say(&from.unwrap_or_else(own)));
-            ui.label(view.words.say(&message!("budget-page-mean").mm("mm", mean)));
+            ui.label(view.words.say(&message!("budget-page-mean").number("mm", mean)));
             ui.separator();
         }
     }
@@ -82,10 +82,10 @@ fn contributions_ui(ui: &mut Ui, view: &View<'_>, evaluation: &Evaluation) {
         if let Some(geometry) = row.geometry {
             let factor = format!("{:.3}", geometry.factor);
             let message = match geometry.step_deg {
-                Some(step) => message!("budget-page-contacts-stepped").mm("step", step),
+                Some(step) => message!("budget-page-contacts-stepped").number("step", step),
                 None => message!("budget-page-contacts-used"),
             };
-            let said = view.words.say(&message.count("count", geometry.touches).mm("factor", factor));
+            let said = view.words.say(&message.count("count", geometry.touches).number("factor", factor));
             quiet(ui, format!("{}: {said}", row.name));
         }
     }

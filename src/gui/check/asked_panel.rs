@@ -67,7 +67,7 @@ fn limits_ui(ui: &mut Ui, view: &View<'_>, limits: &Limits) {
         ui.spacing_mut().interact_size.y = 0.0;
         feature_picture(ui, limits.feature, space(6.0));
         ui.label(view.text(feature_id(limits.feature)));
-        quiet(ui, view.words.say(&message!("nominal-is").mm("nominal", limits.nominal)));
+        quiet(ui, view.words.say(&message!("nominal-is").number("nominal", limits.nominal)));
     });
     limits::limits_ui(ui, view, limits);
     if let Source::Table { instead_of: Some(standard), .. } = &limits.source {

@@ -130,7 +130,7 @@ fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
         if is_picked {
             keep_focus(ui, &list);
         }
-        let said = message!("cycles-probe-is").mm("set-up", probe.set_up).mm("dist", probe.longest_path);
+        let said = message!("cycles-probe-is").number("set-up", probe.set_up).number("dist", probe.longest_path);
         quiet_cut(ui, view.words.say(&said));
     });
 }

@@ -49,7 +49,7 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
     let side = session.fit().side();
     ui.horizontal(|ui| {
         match session.fit().nominal() {
-            Some(nominal) => heading(ui, view.words.say(&message!("fit-classes").mm("nominal", nominal))),
+            Some(nominal) => heading(ui, view.words.say(&message!("fit-classes").number("nominal", nominal))),
             None => heading(ui, view.text("fit-classes-none")),
         };
         for feature in [Feature::Hole, Feature::Shaft] {

@@ -40,7 +40,7 @@ pub(super) fn picture_ui(ui: &mut Ui, view: &View<'_>, height: f32) {
 /// What the picture shows, in words, for users who cannot see it.
 fn describe(view: &View<'_>, fit: &Fit, picture: &Picture) -> String {
     let words = view.words;
-    let mut said = vec![words.say(&message!("fit-describe-zero").mm("nominal", fit.nominal()))];
+    let mut said = vec![words.say(&message!("fit-describe-zero").number("nominal", fit.nominal()))];
     for (limits, zone) in [(fit.hole(), &picture.hole), (fit.shaft(), &picture.shaft)] {
         said.push(describe_zone(view, limits));
         if zone.fundamental_um.is_some() {

@@ -60,7 +60,7 @@ fn lines(view: &View<'_>, number: usize, group: &Group, wanted: Wanted) -> Vec<S
     };
     let head = message!("pairing-page-group").text("number", number).count("count", group.pairs());
     let side = |id, count: usize, range: Range| {
-        words.say(&Message::new(id).count("count", count).mm("from", range.from).mm("to", range.to))
+        words.say(&Message::new(id).count("count", count).number("from", range.from).number("to", range.to))
     };
     let clearances = group
         .clearances

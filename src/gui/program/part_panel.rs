@@ -18,7 +18,7 @@ pub(super) fn part_ui(ui: &mut Ui, view: &mut View<'_>) {
     let Some(open) = view.session.part() else { return };
     let features = &open.part.features;
     let message = message!("part-of-features").text("name", &open.name).count("count", features.len());
-    quiet(ui, view.words.say(&message.mm("ball", open.part.probe.ball_radius)));
+    quiet(ui, view.words.say(&message.number("ball", open.part.probe.ball_radius)));
     let name = view.text("part-features");
     let row = sizes().small + space(1.5);
     let (id, size) = (Id::unique("part-features"), vec2(ui.available_width(), times(row, features.len().min(LINES))));

@@ -128,7 +128,7 @@ fn said_ui(ui: &mut Ui, view: &View<'_>, selected: &Selected<'_>, top: Pos2) {
 
 /// `over 18 up to 30 mm`.
 fn range_text(view: &View<'_>, (over, to): (Length, Length)) -> String {
-    view.words.say(&message!("limits-range").mm("over", over).mm("to", to))
+    view.words.say(&message!("limits-range").number("over", over).number("to", to))
 }
 
 /// `As in ISO 286`, or what differs by how much; for which sizes, where that is not the whole range.

@@ -138,7 +138,7 @@ fn cell_name(view: &View<'_>, document: &Document, place: &Place) -> String {
     };
     let id =
         if document.differences(place.column, place.range).is_empty() { "tables-cell" } else { "tables-cell-differs" };
-    let message = Message::new(id).text("class", place.class).mm("over", over).mm("to", to);
+    let message = Message::new(id).text("class", place.class).number("over", over).number("to", to);
     view.words.say(&message.message("figures", figures))
 }
 

@@ -74,9 +74,10 @@ impl Message {
         self.with(name, &count)
     }
 
-    /// A copy with one more decimal number: a length in millimetres, or an angle with its sign.
+    /// A copy with one more decimal number, as it is printed with a point: the language's decimal sign takes its place. The
+    /// text states the unit.
     #[must_use]
-    pub fn mm(mut self, name: &'static str, number: impl fmt::Display) -> Self {
+    pub fn number(mut self, name: &'static str, number: impl fmt::Display) -> Self {
         self.args.push((name, Arg::Number(number.to_string())));
         self
     }

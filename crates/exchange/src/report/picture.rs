@@ -206,7 +206,7 @@ pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::R
         zone_named: LABEL / 2.0 < good_to - good_from,
         ticks: ticks.collect(),
         nominal,
-        nominal_name: words.say(&message!("report-band-nominal").mm("size", limits.nominal)),
+        nominal_name: words.say(&message!("report-band-nominal").number("size", limits.nominal)),
         limits: both,
         marker: band.marker.map(|place| marker(&band, place, value, distances)),
     }

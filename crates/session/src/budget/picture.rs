@@ -28,7 +28,7 @@ fn shares(evaluation: &Evaluation) -> Vec<Bar> {
     let bar = |(name, share): (&str, f64)| Bar {
         name: message!("budget-page-named").text("name", name),
         length: (share / 100.0).clamp(0.0, 1.0),
-        amount: message!("budget-page-percent").mm("percent", format!("{share:.1}")),
+        amount: message!("budget-page-percent").number("percent", format!("{share:.1}")),
     };
     rows.into_iter().map(|row| bar((&row.name, row.share))).collect()
 }
@@ -44,7 +44,7 @@ fn terms(repeated: &Repeated) -> Vec<Bar> {
     let bar = |(name, um): (Message, f64)| Bar {
         name,
         length: (um.abs() / largest).clamp(0.0, 1.0),
-        amount: message!("budget-page-um").mm("um", format!("{um:.3}")),
+        amount: message!("budget-page-um").number("um", format!("{um:.3}")),
     };
     all.into_iter().map(bar).collect()
 }
@@ -61,12 +61,12 @@ pub fn advice(evaluation: &Evaluation) -> Vec<Message> {
                 Some(Kind::PartExpansion(_) | Kind::ScaleExpansion(_)) => "budget-page-help-expansion",
                 _ => "budget-page-help-halved",
             })
-            .mm("u", um(u)),
+            .number("u", um(u)),
             Help::FullCircle { touches, u } => {
-                message!("budget-page-help-full-circle").count("count", touches).mm("u", um(u))
+                message!("budget-page-help-full-circle").count("count", touches).number("u", um(u))
             }
             Help::MoreTouches { touches, u } => {
-                message!("budget-page-help-more-touches").count("count", touches).mm("u", um(u))
+                message!("budget-page-help-more-touches").count("count", touches).number("u", um(u))
             }
         }
     };

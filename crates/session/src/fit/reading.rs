@@ -95,7 +95,7 @@ impl FitPage {
             }
             match text.parse::<Length>() {
                 Ok(value) if above_zero && value <= Length::ZERO => {
-                    let problem = message!("field-above-zero").mm("given", value).mm("limit", Length::MAX);
+                    let problem = message!("field-above-zero").number("given", value).number("limit", Length::MAX);
                     self.errors.insert(field, problem);
                 }
                 Ok(value) => _ = self.lengths.insert(field, value),

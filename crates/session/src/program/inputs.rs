@@ -269,7 +269,7 @@ impl ProgramPage {
         ] {
             match run.length(parameter) {
                 Some(theirs) if theirs != own => {
-                    differences.push(Message::new(id).mm("program", theirs).mm("own", own));
+                    differences.push(Message::new(id).number("program", theirs).number("own", own));
                 }
                 _ => {}
             }

@@ -30,7 +30,7 @@ pub(super) fn ui(ui: &mut Ui, view: &View<'_>, result: &CycleResult) {
     let deviation = result.results.iter().find(|found| found.name == FoundName::DEVIATION_ALONG);
     match deviation.map(|found| &found.value) {
         Some(Value::Length(deviation)) => {
-            let said = message!("cycle-picture-deviation").mm("deviation", *deviation);
+            let said = message!("cycle-picture-deviation").number("deviation", *deviation);
             draw(ui, view.words, *deviation, None, &view.words.say(&said));
         }
         _ => _ = quiet(ui, view.text("cycle-picture-no-limits")),

@@ -46,14 +46,14 @@ display!(Range);
 impl Say for Range {
     fn message(&self) -> Message {
         match self {
-            Self::Length { least, most } => message!("cycle-length-range").mm("least", least).mm("most", most),
+            Self::Length { least, most } => message!("cycle-length-range").number("least", least).number("most", most),
             Self::Angle { most, smallest } if *smallest == Angle::default() => {
-                message!("cycle-angle-range").mm("most", most)
+                message!("cycle-angle-range").number("most", most)
             }
             Self::Angle { most, smallest } => {
-                message!("cycle-angle-size-range").mm("smallest", smallest).mm("most", most)
+                message!("cycle-angle-size-range").number("smallest", smallest).number("most", most)
             }
-            Self::OneOf(allowed) => message!("cycle-one-of").mm("allowed", listed(allowed)),
+            Self::OneOf(allowed) => message!("cycle-one-of").number("allowed", listed(allowed)),
             Self::Number { most } => message!("cycle-number-range").text("most", most),
             Self::Tool => message!("cycle-tool-range"),
             Self::Band => message!("cycle-band-range"),
@@ -73,7 +73,7 @@ impl Range {
 
     /// The range as a table shows it: `-99999.9999 … 99999.9999`, `0, 1, 2`.
     pub fn short(&self) -> Message {
-        let figures = |text: String| message!("cycle-range").mm("range", text);
+        let figures = |text: String| message!("cycle-range").number("range", text);
         match self {
             Self::Length { least, most } => figures(format!("{least} … {most}")),
             Self::Angle { most, smallest } => {
@@ -86,7 +86,7 @@ impl Range {
             }
             Self::OneOf(allowed) => figures(listed(allowed)),
             Self::Number { most } => figures(format!("-{most} … {most}")),
-            Self::Tool => message!("cycle-range-tool").mm("highest", HIGHEST_TOOL).text("longest", LONGEST_TEXT),
+            Self::Tool => message!("cycle-range-tool").number("highest", HIGHEST_TOOL).text("longest", LONGEST_TEXT),
             Self::Band => message!("cycle-range-band"),
         }
     }

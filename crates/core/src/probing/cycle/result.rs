@@ -316,9 +316,9 @@ impl Say for Check {
         };
         Message::new(id)
             .message("what", self.what.message())
-            .mm("measured", self.measured)
-            .mm("minimum", self.minimum)
-            .mm("maximum", self.maximum)
+            .number("measured", self.measured)
+            .number("minimum", self.minimum)
+            .number("maximum", self.maximum)
             .with("status", &self.status)
     }
 }

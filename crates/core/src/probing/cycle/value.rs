@@ -134,10 +134,10 @@ impl Value {
     /// The value with its unit. A text stays as it is; numbers are printed as each language prints them.
     pub fn with_unit(&self) -> Message {
         match self {
-            Self::Length(length) => message!("cycle-value-length").mm("value", length),
+            Self::Length(length) => message!("cycle-value-length").number("value", length),
             Self::Band(None) => message!("cycle-value-no-tolerance"),
             Self::Text(text) => message!("cycle-value").text("value", text),
-            _ => message!("cycle-value").mm("value", self),
+            _ => message!("cycle-value").number("value", self),
         }
     }
 }

@@ -287,9 +287,9 @@ impl Rule {
 
     /// The rest of what the sentence needs.
     fn told(&self, mut message: Message) -> Message {
-        message = message.mm("factor", thousandths(self.given.factor.unwrap_or(1000)));
+        message = message.number("factor", thousandths(self.given.factor.unwrap_or(1000)));
         let width = self.given.width.unwrap_or_default();
-        message = message.mm("width", width.exact(crate::length::Unit::Micrometre, 0));
+        message = message.number("width", width.exact(crate::length::Unit::Micrometre, 0));
         message.text("prover", if self.given.prover == Prover::Customer { "customer" } else { "supplier" })
     }
 }

@@ -119,7 +119,7 @@ impl Uncertainty {
 
 impl Say for Uncertainty {
     fn message(&self) -> Message {
-        message!("uncertainty").mm("u", self.um()).mm("expanded", self.expanded_um()).mm("k", self.k())
+        message!("uncertainty").number("u", self.um()).number("expanded", self.expanded_um()).number("k", self.k())
     }
 }
 

@@ -50,8 +50,8 @@ fn corrected(correction: &Correction, words: &Words) -> String {
     let Correction { measured, at_reference, part, .. } = *correction;
     let message = message!("report-corrected")
         .text("measured", mm(measured))
-        .mm("temperature", part.temperature)
-        .mm("expansion", part.expansion)
+        .number("temperature", part.temperature)
+        .number("expansion", part.expansion)
         .text("change", words.signed_um(correction.change()))
         .text("reference", mm(at_reference));
     format!("{}; {}", words.say(&message), scales(correction, words))
@@ -59,7 +59,9 @@ fn corrected(correction: &Correction, words: &Words) -> String {
 
 pub(super) fn scales(correction: &Correction, words: &Words) -> String {
     words.say(&match correction.scale {
-        Some(scale) => message!("report-scales").mm("temperature", scale.temperature).mm("expansion", scale.expansion),
+        Some(scale) => {
+            message!("report-scales").number("temperature", scale.temperature).number("expansion", scale.expansion)
+        }
         None => message!("report-scales-none"),
     })
 }
@@ -82,7 +84,7 @@ fn proof(decision: &Decision, words: &Words) -> Option<String> {
         decision.proven.map(|is_proven| words.get(if is_proven { "report-proven" } else { "report-not-proven" }));
     let conformity = decision
         .conformity
-        .map(|conformity| words.say(&message!("report-conformity").mm("percent", percent(conformity.within))));
+        .map(|conformity| words.say(&message!("report-conformity").number("percent", percent(conformity.within))));
     let said: Vec<String> = proven.into_iter().chain(conformity).collect();
     (!said.is_empty()).then(|| said.join("; "))
 }

@@ -58,8 +58,8 @@ impl Shared {
         });
         let correction = self.correction.map(|correction| {
             let part = correction.part;
-            let said = message!("report-all-corrected").mm("temperature", part.temperature);
-            format!("{}; {}", words.say(&said.mm("expansion", part.expansion)), origins::scales(&correction, words))
+            let said = message!("report-all-corrected").number("temperature", part.temperature);
+            format!("{}; {}", words.say(&said.number("expansion", part.expansion)), origins::scales(&correction, words))
         });
         let budget = self.budget.as_ref().map(|budget| origins::budget(budget, words));
         let all = [("report-verdict-from", rule), ("report-temperature", correction), ("report-budget", budget)];

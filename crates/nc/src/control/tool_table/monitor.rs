@@ -123,9 +123,9 @@ impl Say for ToolChange {
             Changed::Delta { column, from, to } => Message::new(self.corrected(from, to))
                 .text("tool", self.label())
                 .text("column", column.name())
-                .mm("from", from)
-                .mm("to", to)
-                .mm("by", self.correction.by),
+                .number("from", from)
+                .number("to", to)
+                .number("by", self.correction.by),
             Changed::Locked(_) => message!("tool-locked").text("tool", self.label()).text("to", &self.to),
         }
     }
@@ -137,9 +137,9 @@ impl Say for Breakage {
         let message = Message::new(id)
             .with("tool", &self.tool)
             .text("column", self.column.name())
-            .mm("by", self.by)
+            .number("by", self.by)
             .text("limit", self.column.breakage())
-            .mm("most", self.most);
+            .number("most", self.most);
         self.replacement.iter().fold(message, |message, tool| message.with("replacement", tool))
     }
 }
