@@ -9,7 +9,9 @@
 //! 2. Add its line to the table `subcommands!`, and declare what it answers with `row!` (CSV and JSON) or `object!` (JSON).
 //! 3. Add calls of it and of each option and value to the corpus and record the answers (`tests/core/corpus.rs`). A test names every
 //!    missing call.
-//! 4. Describe it in `docs/manual/command-line.md` and `CHANGELOG.md`.
+//! 4. Its errors are variants of `error.rs`, its warnings and remarks of `said.rs`; their texts are in `cli.ftl` in every folder of
+//!    `assets/locales`. Test it in `tests/core/NAME_cli.rs`.
+//! 5. Describe it in `docs/manual/command-line.md` and `CHANGELOG.md`.
 //!
 //! The subcommands share:
 //!

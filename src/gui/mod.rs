@@ -22,15 +22,16 @@
 //!
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
 //!
-//! To add a page, begin with the list in `session/mod.rs`, and then:
+//! To add a page, begin with the list in `crates/session/src/lib.rs`, and then:
 //!
 //! 1. Write its folder: `NAME_ui` in `mod.rs`, one file per panel. A panel draws from the session and sends commands.
 //! 2. Add its arm to `window_ui` in `app.rs`, and to `dropped` in `dialogs.rs`: what a file that is dropped on it is.
 //! 3. Carry out its new effects in `effects.rs`: what touches a file or takes long runs off the frame's thread.
 //! 4. Add its texts to every folder of `assets/locales`: a file `NAME-page.ftl`, with `page-NAME` for the top bar.
 //! 5. Test it by label and key in `tests/gui/NAME_page.rs`; add it to `sizes.rs` (every size and language) and, with its picture, to
-//!    `readme.rs` there.
-//! 6. Describe it in `docs/manual/` and `CHANGELOG.md`; add its words to `docs/TERMS.md`.
+//!    `readme.rs` there, and to `focus` in `actions.rs`. Both `main.rs` name the files of tests.
+//! 6. Describe it in `docs/manual/`, whose `README.md` lists the pages, its keys in `window.md`, and it in `CHANGELOG.md`; add its words to
+//!    `docs/TERMS.md`.
 
 mod app;
 mod budget;

@@ -31,10 +31,11 @@
 //! 1. Add a variant to [`Page`] and to `Page::ALL` with its length, and its own command to [`Command`] and `from_variants!` (`command.rs`).
 //! 2. Write its folder: `mod.rs` (state), `command.rs`, `field.rs`, `apply.rs`. A page changes itself and `shared`, and hears of other pages
 //!    by `News`.
-//! 3. Add its fields to [`Field`] (`field.rs`), its state to [`Session`], its command to `Session::apply`, and its reader to `readers.rs`.
+//! 3. Add its fields to [`Field`] (`field.rs`). Here, add its state to [`Session`] and `restore`, its command to `apply` and `apply_shared`, what
+//!    it follows to `apply`, its texts to `saved`, and its reader.
 //! 4. Add its arm to `Action::Open` in `action/table.rs` (Ctrl+1 to Ctrl+9 are taken), what Enter does to `action/keys.rs`, and its own
-//!    rows as a file of `action`.
-//! 5. Add what survives a restart to `saved.rs`, with a default where a state file lacks it.
+//!    rows as a file of `action`, with their variants in `action/list.rs`. A list or table that takes keys is a `Part` in `action/place.rs`.
+//! 5. Add what survives a restart beside texts to `saved.rs`, with a default where a state file lacks it.
 //! 6. Test it without a window in `tests/core/session_NAME.rs`.
 
 /// `From` the value of a variant, for variants that each hold a different type.

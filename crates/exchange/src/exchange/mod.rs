@@ -53,7 +53,8 @@
 //!
 //! To add a reader of measurements:
 //!
-//! 1. Write a file or folder with its `FORMAT`. Add its `mod` line, its row above and its line in [`FORMATS`].
+//! 1. Write a file or folder with its `FORMAT`. Add its `mod` line, its row above and its line in [`FORMATS`], before
+//!    formats that would take its files, too: the first that recognises a file reads it.
 //! 2. Add its errors as variants of [`ImportErrorKind`] (`error.rs`). Add their texts and `exchange-format-NAME` to `exchange.ftl`, or a
 //!    file of its own, in every folder of `assets/locales`.
 //! 3. For every row, ask `sink.is_full(line)`, refuse a line beyond `LONGEST_ROW`, and hand out a record, something set aside or an error.

@@ -18,9 +18,11 @@
 //! To add a rendering:
 //!
 //! 1. Write a file with its `RENDERING`. Add its `mod` line, its line in [`RENDERINGS`] and its row above.
-//! 2. Add `export-NAME` to `window.ftl` in every folder of `assets/locales`.
+//!    Its line comes last: Ctrl+S saves as the first one.
+//! 2. Add `export-NAME` to `window.ftl` and `walk-page-report-NAME` to `walk-page.ftl` in every folder of `assets/locales`.
 //! 3. Test it in `tests/core/renderings`. Add a call of `fitcheck report` to the corpus and record the answers
-//!    (`tests/core/corpus.rs`).
+//!    (`tests/core/corpus.rs`). The test `report` holds every rendering to small pieces: checks are written one by one.
+//! 4. Describe it in the help of `src/cli/report/mod.rs`, in `docs/manual/reports.md` and `formats.md`, and in `CHANGELOG.md`.
 //!
 //! The formats of the command line, the entries of the window's menus and the filters of its dialogs follow.
 

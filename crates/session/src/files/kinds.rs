@@ -2,10 +2,10 @@
 //!
 //! To add a kind of file:
 //!
-//! 1. Add a variant to [`Purpose`] in `session/command.rs`.
+//! 1. Add a variant to [`Purpose`] in `crates/session/src/command.rs`.
 //! 2. Add its lines here: `READERS` with its length if it is read, its name in the state file (`kind`), its endings, its page, and
 //!    `of_file` if its ending or content tells the kind. A kind that is written has a place in `knows_ending`.
-//! 3. Read it in `gui/reading.rs`, or make its bytes in `errand` in `session/files.rs`. Both matches have a default, as `page` has here:
+//! 3. Read it in `gui/reading.rs`, or make its bytes in `errand` in `crates/session/src/files/mod.rs`. Both matches have a default, as `page` has here:
 //!    the compiler does not name them.
 //! 4. Add the title of its dialog in `gui/dialogs.rs`, and there what a dropped file is. Add this text and `file-kind-KIND` to every
 //!    folder of `assets/locales`.
