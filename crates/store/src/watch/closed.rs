@@ -102,7 +102,7 @@ impl Ear {
     /// Who writes a file, by what was heard.
     #[cfg(not(windows))]
     pub(super) fn writer(&self, path: &Path) -> Writer {
-        self.writers.get(path).copied().unwrap_or_default()
+        self.writers.get(path).copied().unwrap_or(Writer::Unknown)
     }
 
     /// Whether somebody has a file open to write.
