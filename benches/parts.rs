@@ -6,6 +6,7 @@
 
 #![expect(clippy::expect_used, reason = "a bench may stop")]
 
+use fitcheck::session::PartsAction;
 use std::fmt::Write as _;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
@@ -67,7 +68,7 @@ fn frame(window: &mut Harness<'_, App>) -> usize {
 fn shown(folder: &Path) -> Harness<'static, App> {
     let mut window = window(folder, plan(folder));
     let ctx = window.ctx.clone();
-    let show = Action::ShowParts(PartsView::Plan).command(window.state().session()).expect("a view");
+    let show = PartsAction::ShowParts(PartsView::Plan).command(window.state().session()).expect("a view");
     window.state_mut().send(&ctx, show);
     window.run();
     window.get_by_label("1000 features");

@@ -1,5 +1,6 @@
 //! The columns of a file of measurements: its first rows, above each column what it is taken for, and what that makes of the rows.
 
+use crate::session::WindowAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, Grid, Id, Label, RichText, ScrollArea, Ui, vec2};
 
@@ -8,7 +9,7 @@ use super::theme::{self, control, sizes, space};
 use super::view::{View, heading, keep_focus, list_ui, live, problem, quiet};
 use crate::exchange::{DECIMAL_WORDS, Role, SEPARATOR_WORDS, UNIT_WORDS};
 use crate::message::{Message, message};
-use crate::session::{Action, ColumnChoice, ColumnsCommand, OpenColumns, role_id, unit_id};
+use crate::session::{ColumnChoice, ColumnsCommand, OpenColumns, role_id, unit_id};
 
 /// What a column may hold, in the order of the list.
 const ROLES: [Role; 14] = [
@@ -64,9 +65,9 @@ pub(super) fn columns_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
         said_ui(ui, view, open);
     });
     ui.horizontal_wrapped(|ui| {
-        let size = vec2(view.width_of(ui, &[Action::TakeColumns]), control(ui));
-        let take = view.named(Action::TakeColumns).min_size(size);
-        let take = view.button_as(ui, Action::TakeColumns, take);
+        let size = vec2(view.width_of(ui, &[WindowAction::TakeColumns]), control(ui));
+        let take = view.named(WindowAction::TakeColumns).min_size(size);
+        let take = view.button_as(ui, WindowAction::TakeColumns, take);
         if just_opened(ui, Id::unique("columns")) && open.refusal().is_none() {
             take.request_focus();
         }

@@ -1,5 +1,6 @@
 //! The file dialog with its typed path and its question, and notices.
 
+use crate::session::{FilesAction, WindowAction};
 use std::path::Path;
 
 use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Window, vec2};
@@ -13,8 +14,7 @@ use super::working::working_ui;
 use crate::message::{Message, message};
 use crate::session::parts::PlanCommand;
 use crate::session::{
-    Action, BudgetCommand, Command, CycleFile, Dialog, FilesCommand, Notice, Page, PairingCommand, PartsCommand,
-    Purpose,
+    BudgetCommand, Command, CycleFile, Dialog, FilesCommand, Notice, Page, PairingCommand, PartsCommand, Purpose,
 };
 use crate::tolerance::Feature;
 
@@ -247,7 +247,7 @@ fn path_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     }
     // There is nothing to delete: the key goes back.
     if field.has_focus() && dialog.path.is_empty() && ui.input(|input| input.key_pressed(Key::Backspace)) {
-        view.act(Action::FolderUp);
+        view.act(FilesAction::FolderUp);
     } else if field.changed() {
         view.send(Command::TypePath(path.clone()));
     }
@@ -277,8 +277,8 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     if ui.add_enabled(!dialog.busy, confirm).clicked() {
         view.send(Command::Confirm);
     }
-    let browse = view.named(Action::Browse).min_size(vec2(space(24.0), control(ui)));
-    view.button_as(ui, Action::Browse, browse);
+    let browse = view.named(FilesAction::Browse).min_size(vec2(space(24.0), control(ui)));
+    view.button_as(ui, FilesAction::Browse, browse);
     if ui.add(cancel).clicked() {
         view.send(Command::Close);
     }
@@ -290,13 +290,13 @@ fn replace_ui(ui: &mut Ui, view: &mut View<'_>, path: &Path) {
     let question = view.words.say(&message!("dialog-exists").text("name", name));
     problem(ui, question);
     let size = vec2(space(24.0), control(ui));
-    let keep = view.named(Action::KeepFile).min_size(size);
-    let keep = view.button_as(ui, Action::KeepFile, keep);
+    let keep = view.named(FilesAction::KeepFile).min_size(size);
+    let keep = view.button_as(ui, FilesAction::KeepFile, keep);
     if just_opened(ui, Id::unique("replace")) {
         keep.request_focus();
     }
-    let replace = view.named(Action::ReplaceFile).min_size(size);
-    view.button_as(ui, Action::ReplaceFile, replace);
+    let replace = view.named(FilesAction::ReplaceFile).min_size(size);
+    view.button_as(ui, FilesAction::ReplaceFile, replace);
 }
 
 /// A window that cannot be moved, at a distance below its anchor.
@@ -336,21 +336,22 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
         // Only what undo would take back now: other changes may have followed.
         if notice.change.is_some() && notice.change == view.session.history().last_change() {
             let undo = Button::new(view.text("undo")).min_size(vec2(space(24.0), control(ui)));
-            view.button_as(ui, Action::Undo, undo);
+            view.button_as(ui, WindowAction::Undo, undo);
         }
         if notice.records {
-            let again = view.named(Action::RecordAgain).min_size(vec2(space(24.0), control(ui)));
-            view.button_as(ui, Action::RecordAgain, again);
+            let again = view.named(WindowAction::RecordAgain).min_size(vec2(space(24.0), control(ui)));
+            view.button_as(ui, WindowAction::RecordAgain, again);
         }
         let of_columns = notice.columns.iter().flat_map(|columns| {
-            let forget = columns.shape.is_some().then_some(Action::ForgetColumns);
-            std::iter::once(Action::CorrectColumns).chain(forget)
+            let forget = columns.shape.is_some().then_some(WindowAction::ForgetColumns);
+            std::iter::once(WindowAction::CorrectColumns).chain(forget)
         });
         for action in of_columns {
             view.field_button(ui, action);
         }
-        let of_file = [Action::OpenWritten, Action::ShowWritten].into_iter().filter(|_| notice.file.is_some());
-        for action in of_file.chain([Action::Close]) {
+        let of_file =
+            [WindowAction::OpenWritten, WindowAction::ShowWritten].into_iter().filter(|_| notice.file.is_some());
+        for action in of_file.chain([WindowAction::Close]) {
             let button = view.named(action).min_size(vec2(space(24.0), control(ui)));
             view.button_as(ui, action, button);
         }

@@ -1,5 +1,6 @@
 //! The list of a folder in the file dialog. Tab passes over it: the arrow keys move in it while the path has the focus.
 
+use crate::session::FilesAction;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Frame, Id, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
@@ -7,7 +8,7 @@ use super::theme::{control, palette, space};
 use super::view::{View, problem, quiet, quiet_cut};
 use crate::files::{Entry, MOST_ENTRIES};
 use crate::message::{Message, message};
-use crate::session::{Action, Dialog, FilesCommand};
+use crate::session::{Dialog, FilesCommand};
 use crate::words::Words;
 
 /// What is beside the list in the dialog: texts and margins in steps, and rows of buttons and fields.
@@ -29,8 +30,8 @@ fn room(ui: &Ui) -> f32 {
 pub(super) fn folder_list_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     let list = &dialog.list;
     ui.horizontal_wrapped(|ui| {
-        view.button(ui, Action::FolderUp);
-        view.button(ui, Action::HomeFolder);
+        view.button(ui, FilesAction::FolderUp);
+        view.button(ui, FilesAction::HomeFolder);
         let folders = view.session.recent_folders();
         ui.add_enabled_ui(!folders.is_empty(), |ui| {
             ui.menu_button(view.text("dialog-recent-folders"), |ui| {
@@ -48,7 +49,7 @@ pub(super) fn folder_list_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) 
     quiet_cut(ui, view.words.say(&folder));
     rows_ui(ui, view, dialog);
     ui.horizontal_wrapped(|ui| {
-        view.checkbox(ui, Action::AllFiles);
+        view.checkbox(ui, FilesAction::AllFiles);
         let (more, left_out) = (list.has_more(), list.left_out());
         if more {
             quiet_cut(ui, view.words.say(&message!("dialog-list-more").count("most", MOST_ENTRIES)));

@@ -4,6 +4,7 @@
 //! It stands below what is asked and covers nothing. Keys act when released, are 15 mm or more on a 10 inch panel, and
 //! need no gesture; figures and signs on one page, letters for classes and names on another.
 
+use crate::session::TablesAction;
 use std::ops::Range;
 
 use eframe::egui::text::{CCursor, CCursorRange};
@@ -13,7 +14,7 @@ use eframe::egui::{Button, Context, Id, Panel, RichText, Ui, Vec2, vec2};
 use super::field;
 use super::theme::{self, sizes, space};
 use super::view::View;
-use crate::session::{Action, CheckField, Command, Field, Page};
+use crate::session::{CheckField, Command, Field, Page};
 
 /// What a key does.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -187,7 +188,7 @@ fn press(ui: &Ui, view: &mut View<'_>, field: Field, key: Key) {
         }
         Key::Enter => {
             if view.session.page() == Page::Tables {
-                view.act(Action::SetCell);
+                view.act(TablesAction::SetCell);
             } else {
                 view.send(Command::Enter(field));
             }

@@ -2,11 +2,11 @@
 //!
 //! A widget handles keys of its own itself (Enter in a field, Space on a list).
 
+use crate::session::{CheckAction, PartsAction};
 use eframe::egui::{self, Event, EventFilter, Id, KeyboardShortcut, Modifiers, Ui};
 
 use super::view::View;
-use super::{check, fit, pairing, parts, program, records, tables};
-use crate::session::action::{Action, Held, Key, Part, Shortcut};
+use crate::session::action::{Held, Keeps, Key, Part, Shortcut};
 
 /// Does what was pressed in this frame, before anything is drawn: a key that an action takes reaches no widget.
 pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
@@ -24,7 +24,7 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
                 |shortcut: &Shortcut| modifiers.matches_exact(held(shortcut.held)) && key == of_window(shortcut.key);
             let Some((shortcut, action)) = keys.iter().find(|(shortcut, _)| is_it(shortcut)) else { return true };
             // A key that is held answers no question.
-            if !(*action == Action::NextPart && is_repeated(event)) {
+            if !(*action == PartsAction::NextPart.into() && is_repeated(event)) {
                 pressed.push(*action);
             }
             // An open list closes with the same Escape.
@@ -33,7 +33,7 @@ pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {
     });
     // The Escape that closes a list ends no run.
     let closes_list = egui::Popup::is_any_open(ui.ctx());
-    for action in pressed.into_iter().filter(|action| !(closes_list && *action == Action::CancelRows)) {
+    for action in pressed.into_iter().filter(|action| !(closes_list && *action == CheckAction::CancelRows.into())) {
         view.act(action);
     }
 }
@@ -59,29 +59,22 @@ const fn is_repeated(event: &Event) -> bool {
 
 /// The part of the page that has the focus as a whole. Arrows stay in it.
 fn focused_part(ui: &Ui, view: &View<'_>) -> Option<Part> {
-    let on_page = Part::ALL.into_iter().filter(|part| part.page() == view.session.page());
-    let ids: Vec<_> = on_page.map(|part| (part, id(part, view))).collect();
     ui.memory_mut(|memory| {
-        let (part, id) = ids.into_iter().find(|(_, id)| memory.has_focus(*id))?;
-        let horizontal_arrows = matches!(part, Part::Classes | Part::Cells | Part::Plan);
-        let arrows = EventFilter { tab: part == Part::Plan, horizontal_arrows, vertical_arrows: true, escape: false };
-        memory.set_focus_lock_filter(id, arrows);
+        let part = Part::of(view.session.page()).find(|part| memory.has_focus(part_id(*part)))?;
+        let arrows = EventFilter {
+            tab: part.keeps == Keeps::CellsAndTab,
+            horizontal_arrows: part.keeps != Keeps::Rows,
+            vertical_arrows: true,
+            escape: false,
+        };
+        memory.set_focus_lock_filter(part_id(part), arrows);
         Some(part)
     })
 }
 
-fn id(part: Part, view: &View<'_>) -> Id {
-    match part {
-        Part::Classes => fit::map_id(view.session.fit().side()),
-        Part::Cells => tables::grid_id(),
-        Part::Listing => program::listing_id(),
-        Part::History => check::history_id(),
-        Part::Rows => check::rows_id(),
-        Part::Pairs => pairing::list_id(),
-        Part::Records => records::list_id(),
-        Part::Plan => parts::plan_id(),
-        Part::Sizes => parts::sizes_id(),
-    }
+/// The id with which a part takes the focus.
+pub(super) fn part_id(part: Part) -> Id {
+    Id::unique(part.name)
 }
 
 /// Keys as the system writes them.

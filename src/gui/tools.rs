@@ -1,5 +1,6 @@
 //! The tool table on the pages that measure: which one is open, a list to pick a tool from, and what a run has changed.
 
+use crate::session::WorkpieceAction;
 use std::fmt::Debug;
 use std::hash::Hash;
 use std::ops::Range;
@@ -14,7 +15,7 @@ use crate::control::tool_table::{Tool, ToolTable};
 use crate::control::variables::Parameter;
 use crate::length::Length;
 use crate::message::message;
-use crate::session::{Action, NamedTool, text_of_tool, tool_message};
+use crate::session::{NamedTool, text_of_tool, tool_message};
 use crate::text::cut;
 
 /// The widths of the list's columns in characters: T and NAME, then the lengths.
@@ -35,7 +36,7 @@ pub(super) fn table_list_ui(ui: &mut Ui, view: &mut View<'_>, salt: impl Hash + 
         None => view.text("tools-none"),
     };
     list_ui(ui, salt, shown, width, |ui| {
-        for action in [Action::OpenTools, Action::CloseTools] {
+        for action in [WorkpieceAction::OpenTools, WorkpieceAction::CloseTools] {
             if view.field_button(ui, action).clicked() {
                 ui.close();
             }

@@ -1,5 +1,6 @@
 //! Top: pages, import and export, and the menu of settings.
 
+use crate::session::{CheckAction, WindowAction};
 use eframe::egui::{Button, Id, Panel, RichText, Ui};
 
 use super::dialogs::title_id;
@@ -26,10 +27,10 @@ pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
             if has_room {
                 pages_ui(ui, view);
             } else {
-                let open = Action::Open(view.session.page()).text(view.session, view.words);
+                let open = WindowAction::Open(view.session.page()).text(view.session, view.words);
                 let text = RichText::new(format!("{open} ▾")).font(theme::bold(sizes().heading));
                 ui.menu_button(text, |ui| {
-                    for page in Page::ALL.map(Action::Open) {
+                    for page in Page::ALL.map(WindowAction::Open) {
                         view.menu_item(ui, page);
                     }
                 });
@@ -41,7 +42,7 @@ pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
             let shown = ui.horizontal(|ui| {
                 if has_room {
                     who_ui(ui, view);
-                    view.button(ui, Action::Import);
+                    view.button(ui, WindowAction::Import);
                     ui.menu_button(view.text("export"), |ui| export_ui(ui, view));
                 }
                 ui.menu_button(view.text("menu"), |ui| {
@@ -49,7 +50,7 @@ pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
                         if view.session.recording().is_on() {
                             ui.menu_button(view.text("records-page-who"), |ui| names_ui(ui, view));
                         }
-                        view.menu_item(ui, Action::Import);
+                        view.menu_item(ui, WindowAction::Import);
                         ui.menu_button(view.text("export"), |ui| export_ui(ui, view));
                         ui.separator();
                     }
@@ -67,7 +68,7 @@ pub(super) fn top_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// The pages by name.
 fn pages_ui(ui: &mut Ui, view: &mut View<'_>) {
-    for page in Page::ALL.map(Action::Open) {
+    for page in Page::ALL.map(WindowAction::Open) {
         let text = RichText::new(page.text(view.session, view.words)).font(theme::bold(sizes().heading));
         view.button_as(ui, page, Button::selectable(page.is_on(view.session) == Some(true), text));
     }
@@ -75,9 +76,9 @@ fn pages_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
     for number in 0..RENDERINGS.len() {
-        view.menu_item(ui, Action::Export(number));
+        view.menu_item(ui, WindowAction::Export(number));
     }
-    view.menu_item(ui, Action::ExportStatus);
+    view.menu_item(ui, WindowAction::ExportStatus);
     ui.separator();
     // What will be exported is said before it is.
     let history = view.session.history();
@@ -91,7 +92,13 @@ fn export_ui(ui: &mut Ui, view: &mut View<'_>) {
     };
     let said = rows.map_or(said, |rows| message!("rows-not-exported").text("name", rows.name()));
     quiet(ui, view.words.say(&said));
-    for action in [Action::ChooseBad, Action::ChooseAll, Action::ChooseNone, Action::CopyChecks] {
+    for action in [
+        WindowAction::ChooseBad.into(),
+        CheckAction::ChooseAll.into(),
+        WindowAction::ChooseNone.into(),
+        CheckAction::CopyChecks.into(),
+    ] as [Action; 4]
+    {
         view.menu_item(ui, action);
     }
 }
@@ -108,21 +115,23 @@ fn menu_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     });
     ui.menu_button(view.text("theme"), |ui| {
-        choices_ui(ui, view, [Theme::System, Theme::Light, Theme::Dark].map(Action::UseTheme));
+        choices_ui(ui, view, [Theme::System, Theme::Light, Theme::Dark].map(WindowAction::UseTheme));
     });
-    ui.menu_button(view.text("density"), |ui| choices_ui(ui, view, Density::ALL.map(Action::UseDensity)));
+    ui.menu_button(view.text("density"), |ui| choices_ui(ui, view, Density::ALL.map(WindowAction::UseDensity)));
     ui.menu_button(view.text("limits-from"), |ui| {
-        choices_ui(ui, view, Base::ALL.map(Action::UseSource));
+        choices_ui(ui, view, Base::ALL.map(WindowAction::UseSource));
         ui.separator();
-        view.checkbox(ui, Action::RoundJs);
-        view.checkbox(ui, Action::Edition1988);
+        view.checkbox(ui, WindowAction::RoundJs);
+        view.checkbox(ui, WindowAction::Edition1988);
     });
     ui.separator();
-    for action in [Action::ImportColumns, Action::LoadTables, Action::NoOwnTables, Action::LoadMask] {
+    for action in
+        [WindowAction::ImportColumns, WindowAction::LoadTables, WindowAction::NoOwnTables, WindowAction::LoadMask]
+    {
         view.menu_item(ui, action);
     }
     ui.separator();
-    for action in [Action::Undo, Action::ClearHistory] {
+    for action in [WindowAction::Undo, WindowAction::ClearHistory] {
         view.menu_item(ui, action);
     }
 }
@@ -145,13 +154,13 @@ fn recent_ui(ui: &mut Ui, view: &mut View<'_>) {
                 }
             }
             ui.separator();
-            view.menu_item(ui, Action::ForgetRecent);
+            view.menu_item(ui, WindowAction::ForgetRecent);
         });
     });
 }
 
 /// Choices that close their menu.
-fn choices_ui(ui: &mut Ui, view: &mut View<'_>, choices: impl IntoIterator<Item = Action>) {
+fn choices_ui(ui: &mut Ui, view: &mut View<'_>, choices: impl IntoIterator<Item = impl Into<Action>>) {
     for choice in choices {
         if view.radio(ui, choice) {
             ui.close();

@@ -1,5 +1,6 @@
 //! What every panel gets: the state, the words, and a place to put its commands.
 
+use crate::session::PartsAction;
 use std::fmt::Debug;
 use std::hash::Hash;
 
@@ -38,23 +39,27 @@ impl View<'_> {
     }
 
     /// Does an action, as its button and its keys do; nothing where it is not possible.
-    pub fn act(&mut self, action: Action) {
+    pub fn act(&mut self, action: impl Into<Action>) {
+        let action = action.into();
         self.commands.extend(action.command(self.session));
     }
 
     /// A button with the name of an action.
-    pub fn named(&self, action: Action) -> Button<'static> {
+    pub fn named(&self, action: impl Into<Action>) -> Button<'static> {
+        let action = action.into();
         Button::new(action.text(self.session, self.words))
     }
 
     /// Draws an action as a button.
-    pub fn button(&mut self, ui: &mut Ui, action: Action) -> Response {
+    pub fn button(&mut self, ui: &mut Ui, action: impl Into<Action>) -> Response {
+        let action = action.into();
         let button = self.named(action);
         self.button_as(ui, action, button)
     }
 
     /// Draws an action as a button of another look. Its keys show under the pointer.
-    pub fn button_as(&mut self, ui: &mut Ui, action: Action, button: Button<'_>) -> Response {
+    pub fn button_as(&mut self, ui: &mut Ui, action: impl Into<Action>, button: Button<'_>) -> Response {
+        let action = action.into();
         let mut response = ui.add_enabled(self.session.can(action), button);
         let keys = action.shortcut_shown(self.session.page()).map(|keys| told(ui, keys));
         let hint: Vec<String> = action.hint().map(|id| self.text(id)).into_iter().chain(keys).collect();
@@ -62,14 +67,15 @@ impl View<'_> {
             response = response.on_hover_text(hint.join("\n"));
         }
         // A key that is held on a button answers no question either.
-        if response.clicked() && !(action == Action::NextPart && is_held(ui)) {
+        if response.clicked() && !(action == PartsAction::NextPart.into() && is_held(ui)) {
             self.act(action);
         }
         response
     }
 
     /// Draws an action as a button as high as a text field.
-    pub fn field_button(&mut self, ui: &mut Ui, action: Action) -> Response {
+    pub fn field_button(&mut self, ui: &mut Ui, action: impl Into<Action>) -> Response {
+        let action = action.into();
         let button = self.named(action).min_size(vec2(0.0, control(ui)));
         self.button_as(ui, action, button)
     }
@@ -82,7 +88,8 @@ impl View<'_> {
     }
 
     /// The page's main action, in this size. While something is asked, only what Enter does looks like one.
-    pub fn main_button(&mut self, ui: &mut Ui, action: Action, size: Vec2) -> Response {
+    pub fn main_button(&mut self, ui: &mut Ui, action: impl Into<Action>, size: Vec2) -> Response {
+        let action = action.into();
         if self.session.answers().first().is_some_and(|first| *first != action) {
             let button = self.named(action).min_size(size);
             return self.button_as(ui, action, button);
@@ -101,17 +108,18 @@ impl View<'_> {
 
     /// The width of a main button that has room for each of these actions, so that it stays where it is when its
     /// word changes.
-    pub fn width_of(&self, ui: &Ui, actions: &[Action]) -> f32 {
-        let width = |action: &Action| {
+    pub fn width_of(&self, ui: &Ui, actions: &[impl Into<Action> + Copy]) -> f32 {
+        let width = |action: Action| {
             let (text, font) = (action.text(self.session, self.words), theme::bold(theme::sizes().body));
             ui.painter().layout_no_wrap(text, font, egui::Color32::PLACEHOLDER).size().x
         };
-        let widest = actions.iter().map(width).fold(0.0, f32::max);
+        let widest = actions.iter().map(|action| width((*action).into())).fold(0.0, f32::max);
         (widest + 2.0 * ui.spacing().button_padding.x).ceil()
     }
 
     /// Draws an action as an entry of a menu, followed by its keys.
-    pub fn menu_item(&mut self, ui: &mut Ui, action: Action) {
+    pub fn menu_item(&mut self, ui: &mut Ui, action: impl Into<Action>) {
+        let action = action.into();
         let name = action.text(self.session, self.words);
         let mut button = Button::new(&name);
         if let Some(keys) = action.shortcut_on(self.session.page()) {
@@ -124,7 +132,8 @@ impl View<'_> {
     }
 
     /// Draws an action as one of several choices; returns whether it was taken.
-    pub fn radio(&mut self, ui: &mut Ui, action: Action) -> bool {
+    pub fn radio(&mut self, ui: &mut Ui, action: impl Into<Action>) -> bool {
+        let action = action.into();
         let is_on = action.is_on(self.session).unwrap_or(false);
         let is_taken = ui.radio(is_on, action.text(self.session, self.words)).clicked();
         if is_taken {
@@ -134,7 +143,8 @@ impl View<'_> {
     }
 
     /// Draws an action that switches something on and off.
-    pub fn checkbox(&mut self, ui: &mut Ui, action: Action) {
+    pub fn checkbox(&mut self, ui: &mut Ui, action: impl Into<Action>) {
+        let action = action.into();
         let mut is_on = action.is_on(self.session).unwrap_or(false);
         if ui.checkbox(&mut is_on, action.text(self.session, self.words)).clicked() {
             self.act(action);

@@ -1,5 +1,6 @@
 //! Who is measuring: in the top bar, with the last names and a field for another one.
 
+use crate::session::WindowAction;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{PopupCloseBehavior, RichText, Ui};
 
@@ -7,7 +8,7 @@ use super::field::{Look, field_ui};
 use super::theme::{self, control, sizes, space};
 use super::view::{View, quiet};
 use crate::message::Message;
-use crate::session::{Action, Command, RecordsCommand, RecordsField};
+use crate::session::{Command, RecordsCommand, RecordsField};
 
 /// The button with the name, and its menu; nothing where nothing is recorded.
 pub(super) fn who_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -54,8 +55,8 @@ pub(super) fn names_ui(ui: &mut Ui, view: &mut View<'_>) {
     let look = Look { font: theme::font(sizes().body), ..Look::large(space(46.0)) };
     let before = view.commands.len();
     field_ui(ui, view, RecordsField::Who, name.id, look);
-    let button = view.named(Action::TakeName).min_size(eframe::egui::vec2(0.0, control(ui)));
-    view.button_as(ui, Action::TakeName, button);
+    let button = view.named(WindowAction::TakeName).min_size(eframe::egui::vec2(0.0, control(ui)));
+    view.button_as(ui, WindowAction::TakeName, button);
     let is_taken = view
         .commands
         .iter()

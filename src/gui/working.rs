@@ -1,6 +1,7 @@
 //! A file that is read or written on a thread says how far it is, and can be stopped: what was not read whole is not taken, and what was
 //! not written whole is not there.
 
+use crate::session::WindowAction;
 use std::cell::RefCell;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
@@ -17,7 +18,7 @@ use super::theme::space;
 use super::view::{View, quiet};
 use crate::exchange::Body;
 use crate::message::{Message, message};
-use crate::session::{Action, Working};
+use crate::session::Working;
 
 /// Before this nothing is said: most files are done by then.
 const PATIENCE: Duration = Duration::from_millis(300);
@@ -169,7 +170,7 @@ pub(super) fn working_ui(ui: &mut Ui, view: &mut View<'_>, working: &Working) {
             shown.widget_info(|| WidgetInfo::labeled(Role::ProgressIndicator, true, view.text("working-progress")));
         }
         quiet(ui, text);
-        view.field_button(ui, Action::StopWorking);
+        view.field_button(ui, WindowAction::StopWorking);
     });
 }
 

@@ -7,9 +7,9 @@ use fitcheck::journal::entry::Checked;
 use fitcheck::part::Document;
 use fitcheck::session::parts::{PlanCommand, WalkCommand};
 use fitcheck::session::{
-    Action, CheckCommand, CheckField, Command, Effect, Field, OpenJournal, Page, PartsCommand, PartsField,
-    RecordsCommand, Session,
+    CheckCommand, CheckField, Command, Effect, Field, OpenJournal, Page, PartsCommand, RecordsCommand, Session,
 };
+use fitcheck::session::{PartsAction, WalkField};
 use fitcheck::tolerance::Sources;
 use fitcheck::verdict::rules::RuleName;
 use fitcheck::words::{Language, Words};
@@ -91,8 +91,8 @@ fn by_session(ask: impl Fn(&mut Session)) -> Vec<(Verdict, String)> {
     let read = PlanCommand::Read { path: "/plans/p.csv".into(), result: Ok(Box::new(document)) };
     send(PartsCommand::Plan(read).into());
     ask(&mut session);
-    typed(&mut session, PartsField::Serial, "1");
-    let command = Action::BeginPart.command(&session).expect("a part can be begun");
+    typed(&mut session, WalkField::Serial, "1");
+    let command = PartsAction::BeginPart.command(&session).expect("a part can be begun");
     session.apply(command, now());
     let mut items = Vec::new();
     import_each("v.csv", VALUES.as_bytes(), &Sources::default(), now(), &mut |item| items.push(item));

@@ -371,7 +371,7 @@ fn a_csv_that_was_corrected_from_degrees_fahrenheit_is_refused() {
 
 /// The window, by commands.
 mod window {
-    use fitcheck::session::{Action, CheckCommand, CheckField, Command, Field, FitField, Session};
+    use fitcheck::session::{Action, CheckAction, CheckCommand, CheckField, Command, Field, FitField, Session};
     use fitcheck::tolerance::Feature;
     use fitcheck::verdict::Status;
     use fitcheck::words::{Language, Words};
@@ -422,8 +422,8 @@ mod window {
         let doubted = session.check().doubted().unwrap().clone();
         assert_eq!((doubted.field, doubted.meant.as_deref()), (CheckField::Callout, Some("25 +0.021 0")));
         let words = Words::new(Language::En);
-        assert_eq!(Action::TakeText.text(&session, &words), "Use 25 +0.021 0");
-        assert_eq!(Action::KeepText.text(&session, &words), "Judge by 25 +21 0 as it is");
+        assert_eq!(CheckAction::TakeText.text(&session, &words), "Use 25 +0.021 0");
+        assert_eq!(CheckAction::KeepText.text(&session, &words), "Judge by 25 +21 0 as it is");
         // Enter once more.
         run(&mut session, [CheckCommand::Measure.into()]);
         assert_eq!(status(&session), Some(Status::Good));
@@ -434,7 +434,7 @@ mod window {
     #[test]
     fn a_wide_zone_is_judged_by_the_button_that_says_so_and_never_by_enter() {
         let mut session = asked("25 +21/0", "30");
-        act(&mut session, Action::KeepText);
+        act(&mut session, CheckAction::KeepText.into());
         assert_eq!(status(&session), Some(Status::Good));
         assert_eq!(session.check().shown().unwrap().record.limits.maximum().to_string(), "46");
         // The next value of the same callout is judged; another callout asks again.
@@ -453,11 +453,11 @@ mod window {
         let mut session = asked("40/25", "30");
         run(&mut session, [CheckCommand::Measure.into(), CheckCommand::Measure.into()]);
         assert!(status(&session).is_none() && session.check().doubted().is_some());
-        assert!(!session.can(Action::TakeText) && session.can(Action::KeepText));
+        assert!(!session.can(CheckAction::TakeText) && session.can(CheckAction::KeepText));
         // What leaves nothing is no callout, and cannot be taken as it is.
         let mut session = asked("25 ±25", "25.012");
-        assert!(session.can(Action::TakeText) && !session.can(Action::KeepText));
-        act(&mut session, Action::TakeText);
+        assert!(session.can(CheckAction::TakeText) && !session.can(CheckAction::KeepText));
+        act(&mut session, CheckAction::TakeText.into());
         assert_eq!((status(&session), session.text(CheckField::Callout)), (Some(Status::Good), "25 ±0.025"));
     }
 
@@ -490,7 +490,7 @@ mod window {
                 CheckCommand::Measure.into(),
             ],
         );
-        act(&mut kept, Action::KeepText);
+        act(&mut kept, CheckAction::KeepText.into());
         assert_eq!(status(&kept), Some(Status::Rework));
     }
 
@@ -499,7 +499,7 @@ mod window {
         let mut session = Session::new(Language::En);
         let of = |session: &mut Session, degrees: &str| {
             run(session, [typed(FitField::Callout, "50 H7/p6"), typed(FitField::Temperature, degrees)]);
-            session.fit().error(FitField::Temperature).is_some()
+            session.error(FitField::Temperature).is_some()
         };
         assert_eq!(
             ["80", "250", "251", "680", "-196"].map(|degrees| of(&mut session, degrees)),

@@ -1,6 +1,7 @@
 //! The rows of a large file: what is kept of them agrees with what `batch` writes, wherever blocks are cut, and the session
 //! counts, filters and walks them by it.
 
+use fitcheck::session::CheckAction;
 use std::collections::BTreeSet;
 use std::io::Cursor;
 use std::path::PathBuf;
@@ -230,14 +231,18 @@ fn a_cancelled_run_keeps_its_rows_and_says_that_it_is_not_whole() {
     let count = rows(&session).count();
     assert!(0 < count && count < 101, "{count}");
     // Escape does it, also while somebody types.
-    let escape = Action::CancelRows.shortcuts().next().unwrap();
-    for (is_typing, part) in [(false, None), (true, None), (false, Some(Place::Rows))] {
+    let escape = Action::from(CheckAction::CancelRows).shortcuts().next().unwrap();
+    for (is_typing, part) in [
+        (false, None),
+        (true, None),
+        (false, Place::of(fitcheck::session::Page::Check).find(|part| part.name == "rows-list")),
+    ] {
         let keys = session.keys(part, is_typing);
         let first = keys.iter().find(|(shortcut, _)| *shortcut == escape).map(|(_, action)| *action);
-        assert_eq!(first, Some(Action::CancelRows));
+        assert_eq!(first, Some(CheckAction::CancelRows.into()));
     }
     assert_eq!(send(&mut session, RowsCommand::Cancel), [Effect::StopRows]);
-    assert!(!session.can(Action::CancelRows) && session.can(Action::JudgeRowsAgain));
+    assert!(!session.can(CheckAction::CancelRows) && session.can(CheckAction::JudgeRowsAgain));
     // At once, whatever its worker waits for.
     assert_eq!(rows(&session).end(), Some(&End::Cancelled));
     assert_eq!((rows(&session).count(), rows(&session).listed()), (count, usize::try_from(count).unwrap()));

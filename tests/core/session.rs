@@ -2,6 +2,7 @@
 
 #![cfg(test)]
 
+use fitcheck::session::WindowAction;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -11,7 +12,7 @@ use fitcheck::files::FileError;
 use fitcheck::journal::query::RecordId;
 use fitcheck::message::{Message, Say as _};
 use fitcheck::report::RENDERINGS;
-use fitcheck::session::{Action, CheckCommand, CheckField, Command, Effect, Field, MeasureBy, Purpose, Session};
+use fitcheck::session::{CheckCommand, CheckField, Command, Effect, Field, MeasureBy, Purpose, Session};
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
 use fitcheck::words::{Dialogue, Language, Words};
@@ -51,7 +52,7 @@ fn status(session: &Session) -> Option<Status> {
 }
 
 fn can_undo(session: &Session) -> bool {
-    session.can(Action::Undo)
+    session.can(WindowAction::Undo)
 }
 
 fn window(session: &Session) -> &str {

@@ -1,5 +1,6 @@
 //! The table of commands: complete, without duplicate keys, and the same as in the manual.
 
+use fitcheck::session::{CheckAction, CyclesAction, FilesAction, ProgramAction, TablesAction, WindowAction};
 use std::collections::{BTreeMap, BTreeSet};
 use std::path::Path;
 
@@ -109,14 +110,14 @@ fn the_keys_that_are_told_are_those_that_are_heard() {
 fn the_page_has_the_first_word() {
     let open = Shortcut { held: fitcheck::session::action::Held::Ctrl, key: Key::Character('O') };
     for (page, action, import) in [
-        (Page::Check, Action::Import, Some(open)),
-        (Page::Tables, Action::OpenTable, None),
-        (Page::Program, Action::OpenProgram, None),
+        (Page::Check, Action::from(WindowAction::Import), Some(open)),
+        (Page::Tables, TablesAction::OpenTable.into(), None),
+        (Page::Program, ProgramAction::OpenProgram.into(), None),
     ] {
         assert_eq!(action.shortcut_on(page), Some(open));
-        assert_eq!(Action::Import.shortcut_on(page), import, "{page:?}");
+        assert_eq!(Action::from(WindowAction::Import).shortcut_on(page), import, "{page:?}");
     }
-    assert_eq!(Action::OpenTable.shortcut_on(Page::Check), None);
+    assert_eq!(Action::from(TablesAction::OpenTable).shortcut_on(Page::Check), None);
 }
 
 #[test]
@@ -134,16 +135,16 @@ fn what_is_impossible_sends_nothing_and_hears_no_keys() {
     }
     let fresh = Session::new(Language::En);
     for action in [
-        Action::Export(0),
-        Action::ExportStatus,
-        Action::Undo,
-        Action::ClearHistory,
-        Action::CopyStatus,
-        Action::Close,
-        Action::SaveLog,
-        Action::UndoEdit,
-        Action::PauseProgram,
-        Action::ResetProgram,
+        Action::from(WindowAction::Export(0)),
+        WindowAction::ExportStatus.into(),
+        WindowAction::Undo.into(),
+        WindowAction::ClearHistory.into(),
+        CheckAction::CopyStatus.into(),
+        WindowAction::Close.into(),
+        CyclesAction::SaveLog.into(),
+        TablesAction::UndoEdit.into(),
+        ProgramAction::PauseProgram.into(),
+        ProgramAction::ResetProgram.into(),
     ] {
         assert!(!fresh.can(action), "{action:?}");
     }
@@ -166,11 +167,11 @@ fn a_dialog_hears_only_its_own_keys_and_what_closes_it() {
     let mut session = busy(Page::Program);
     session.apply(Command::OpenDialog(fitcheck::session::Purpose::Import), now());
     let keys: Vec<_> = session.keys(None, false).into_iter().map(|(_, action)| action).collect();
-    assert_eq!(keys, [Action::Close], "there is no folder to move in");
+    assert_eq!(keys, [WindowAction::Close.into()], "there is no folder to move in");
     session.apply(FilesCommand::Show("/shop".into()).into(), now());
     let keys: Vec<_> = session.keys(None, false).into_iter().map(|(_, action)| action).collect();
-    assert_eq!(keys, [Action::FolderUp, Action::Close]);
-    assert!(session.can(Action::AllFiles) && session.can(Action::Browse));
+    assert_eq!(keys, [FilesAction::FolderUp.into(), WindowAction::Close.into()]);
+    assert!(session.can(FilesAction::AllFiles) && session.can(FilesAction::Browse));
     for page in Page::ALL {
         let busy = busy(page);
         let dialog = |action: &Action| action.place() == Place::Dialog;
@@ -181,15 +182,15 @@ fn a_dialog_hears_only_its_own_keys_and_what_closes_it() {
 #[test]
 fn enter_measures_where_there_is_something_to_measure() {
     for (field, page, action) in [
-        (Field::from(CheckField::Measured), Page::Check, Some(Action::Measure)),
+        (Field::from(CheckField::Measured), Page::Check, Some(Action::from(CheckAction::Measure))),
         (FitField::HoleMeasured.into(), Page::Fit, None),
         (TablesField::Filter.into(), Page::Tables, None),
-        (TablesField::CellUpper.into(), Page::Tables, Some(Action::SetCell)),
-        (TablesField::To.into(), Page::Tables, Some(Action::MakeTable)),
-        (fitcheck::session::WorkpieceField::Seed.into(), Page::Cycles, Some(Action::RunCycle)),
-        (fitcheck::session::WorkpieceField::Seed.into(), Page::Program, Some(Action::RunProgram)),
+        (TablesField::CellUpper.into(), Page::Tables, Some(TablesAction::SetCell.into())),
+        (TablesField::To.into(), Page::Tables, Some(TablesAction::MakeTable.into())),
+        (fitcheck::session::WorkpieceField::Seed.into(), Page::Cycles, Some(CyclesAction::RunCycle.into())),
+        (fitcheck::session::WorkpieceField::Seed.into(), Page::Program, Some(ProgramAction::RunProgram.into())),
         (ProgramField::Filter.into(), Page::Program, None),
-        (ProgramField::Value.into(), Page::Program, Some(Action::GiveValue)),
+        (ProgramField::Value.into(), Page::Program, Some(ProgramAction::GiveValue.into())),
     ] {
         assert_eq!(Action::on_enter(field, page), action, "{field:?}");
     }

@@ -1,14 +1,15 @@
 //! The budget page without a window: figures as the command line has them, errors with their place, use for checks, what
 //! survives a restart, and readings from files and from checks.
 
+use fitcheck::session::BudgetAction;
 use std::path::{Path, PathBuf};
 use std::process::Command as Process;
 
 use fitcheck::budget::{Answer, Validity};
 use fitcheck::message::Message;
 use fitcheck::session::{
-    Action, BothSizes, BudgetCommand, BudgetField, CheckCommand, CheckField, Command, Effect, Field, FilesCommand,
-    MeasureBy, Page, Purpose, Saved, Session, UseOf, advice, bars,
+    BothSizes, BudgetCommand, BudgetField, CheckCommand, CheckField, Command, Effect, Field, FilesCommand, MeasureBy,
+    Page, Purpose, Saved, Session, UseOf, advice, bars,
 };
 use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
@@ -211,13 +212,13 @@ fn a_temperature_is_helped_by_measuring_it_better() {
 #[test]
 fn checks_use_the_budget_until_they_stop() {
     let mut session = Session::new(Language::En);
-    assert!(!session.can(Action::UseBudget) && !session.can(Action::LeaveBudget));
+    assert!(!session.can(BudgetAction::UseBudget) && !session.can(BudgetAction::LeaveBudget));
     open(&mut session, "station3.toml", Ok(sample("station3.toml")));
     send(&mut session, BudgetCommand::Use);
     let used = session.used_budget().unwrap();
     assert_eq!((used.file.as_str(), used.budget.name.as_str()), ("station3.toml", "Station 3, probe 1"));
     assert_eq!(notices(&session), Vec::<String>::new(), "the page says it");
-    assert!(!session.can(Action::UseBudget) && session.can(Action::LeaveBudget));
+    assert!(!session.can(BudgetAction::UseBudget) && session.can(BudgetAction::LeaveBudget));
     assert_eq!(session.saved().budget, Some(inputs().join("station3.toml")));
     edit(&mut session, "standard_um = 0.5", "standard_um = 0.6");
     assert_eq!(session.budget().use_of(session.used_budget()), UseOf::Another);
@@ -369,7 +370,7 @@ fn readings_of_a_file_are_those_of_the_command_line() {
     let path = folder.path().join("readings.csv");
     std::io::Write::write_all(&mut std::fs::File::create(&path).unwrap(), rows.as_bytes()).unwrap();
     let mut session = with("ring30.toml");
-    assert!(session.can(Action::OpenReadings) && !session.can(Action::OwnReadings));
+    assert!(session.can(BudgetAction::OpenReadings) && !session.can(BudgetAction::OwnReadings));
     let sizes = Box::new(BothSizes::read("readings.csv", rows.as_bytes()));
     send(&mut session, BudgetCommand::ReadingsRead { name: "readings.csv".to_owned(), result: Ok(sizes) });
     let arguments = ["ring30.toml", "--readings", path.to_str().unwrap()];
@@ -402,7 +403,7 @@ fn readings_of_a_file_are_those_of_the_command_line() {
 #[test]
 fn readings_are_the_chosen_checks_or_all() {
     let mut session = with("ring30.toml");
-    assert!(!session.can(Action::TakeReadings), "there is no check");
+    assert!(!session.can(BudgetAction::TakeReadings), "there is no check");
     let measured = ["30.0021", "30.0024", "30.0019", "30.0020"];
     for value in measured {
         for (field, text) in [(CheckField::Callout, "30 H7"), (CheckField::Measured, value)] {
@@ -440,16 +441,16 @@ fn readings_are_the_chosen_checks_or_all() {
 #[test]
 fn contacts_that_are_taken_count_until_others_are_typed() {
     let mut session = with("station3.toml");
-    assert!(!session.can(Action::ContactsOfCheck) && !session.can(Action::ContactsRecorded));
+    assert!(!session.can(BudgetAction::ContactsOfCheck) && !session.can(BudgetAction::ContactsRecorded));
     give(&mut session, CheckField::Callout, "25 H7");
     send(&mut session, CheckCommand::MeasureBy(MeasureBy::Simulating));
     send(&mut session, CheckCommand::Measure);
-    assert!(session.can(Action::ContactsOfCheck));
+    assert!(session.can(BudgetAction::ContactsOfCheck));
     give(&mut session, BudgetField::Touches, "3");
     give(&mut session, BudgetField::Step, "60");
     let factor = |session: &Session| session.budget().found().unwrap().geometry().unwrap().factor;
     assert!((factor(&session) - 3.464).abs() < 0.001);
-    let command = Action::ContactsOfCheck.command(&session).unwrap();
+    let command = BudgetAction::ContactsOfCheck.command(&session).unwrap();
     send(&mut session, command);
     assert!((factor(&session) - 1.0).abs() < 0.001);
     let taken = session.budget().contacts().unwrap();

@@ -1,12 +1,13 @@
 //! The columns of files without a window: asked about, corrected, taken, remembered, forgotten.
 
+use fitcheck::session::WindowAction;
 use std::path::PathBuf;
 
 use fitcheck::exchange::{Detected, FirstRows, Mapping, Role, import};
 use fitcheck::message::Message;
 use fitcheck::session::{
-    Action, AskedColumns, CheckCommand, ColumnChoice, ColumnsCommand, Command, Effect, ImportInto, OpenColumns,
-    Purpose, Saved, Session, UsedColumns,
+    AskedColumns, CheckCommand, ColumnChoice, ColumnsCommand, Command, Effect, ImportInto, OpenColumns, Purpose, Saved,
+    Session, UsedColumns,
 };
 use fitcheck::tolerance::Sources;
 use fitcheck::words::{Language, Words};
@@ -55,7 +56,7 @@ fn the_first_rows_tell_what_a_choice_makes_of_them() {
     let mut session = Session::new(Language::En);
     ask(&mut session, "a.csv", ODD);
     assert_eq!(said(open(&session).refusal().unwrap()), "No column holds the measured value: choose one");
-    assert!(!session.can(Action::TakeColumns));
+    assert!(!session.can(WindowAction::TakeColumns));
     assert_eq!(send(&mut session, ColumnsCommand::Take), []);
     assert!(session.open_columns().is_some(), "nothing is taken");
     choose_all(&mut session);
@@ -81,7 +82,7 @@ fn what_is_taken_is_read_with_it_and_remembered() {
     let mut session = Session::new(Language::En);
     ask(&mut session, "a.csv", ODD);
     choose_all(&mut session);
-    let action = Action::TakeColumns.command(&session).unwrap();
+    let action = WindowAction::TakeColumns.command(&session).unwrap();
     let effects = send(&mut session, action);
     let [Effect::ReadColumns { into: ImportInto::History, path, mapping }] = effects.as_slice() else {
         panic!("{effects:?}")
@@ -108,10 +109,10 @@ fn escape_leaves_a_file_alone_and_the_next_one_is_shown() {
     ask(&mut session, "a.csv", ODD);
     ask(&mut session, "b.csv", ODD);
     assert_eq!(open(&session).name(), "a.csv");
-    let close = Action::Close.command(&session).unwrap();
+    let close = WindowAction::Close.command(&session).unwrap();
     assert_eq!(send(&mut session, close), []);
     assert_eq!(open(&session).name(), "b.csv");
-    let close = Action::Close.command(&session).unwrap();
+    let close = WindowAction::Close.command(&session).unwrap();
     send(&mut session, close);
     assert!(session.open_columns().is_none());
     assert!(session.remembered_columns().is_empty() && session.notices().is_empty());
@@ -133,8 +134,8 @@ fn a_notice_says_what_the_columns_were_taken_for_and_offers_to_correct_it() {
     imported(&mut session, None);
     let lines: Vec<String> = session.notices()[0].details.iter().map(said).collect();
     assert_eq!(lines, ["Columns: id → name, callout → callout, measured → measured value; unit of sizes: mm"]);
-    assert!(!session.can(Action::ForgetColumns));
-    let correct = Action::CorrectColumns.command(&session).unwrap();
+    assert!(!session.can(WindowAction::ForgetColumns));
+    let correct = WindowAction::CorrectColumns.command(&session).unwrap();
     let effects = send(&mut session, correct);
     assert_eq!(effects, [Effect::Read(Purpose::AskColumns(ImportInto::History), PathBuf::from("/in/m.csv"))]);
 }
@@ -150,10 +151,10 @@ fn what_is_remembered_is_said_and_can_be_forgotten() {
     imported(&mut session, Some((shape, "2026-11-24".to_owned())));
     let lines: Vec<String> = session.notices()[0].details.iter().map(said).collect();
     assert_eq!(lines[0], "Columns read as corrected on 2026-11-24");
-    let forget = Action::ForgetColumns.command(&session).unwrap();
+    let forget = WindowAction::ForgetColumns.command(&session).unwrap();
     send(&mut session, forget);
     assert!(session.remembered_columns().is_empty());
-    assert!(!session.can(Action::ForgetColumns));
+    assert!(!session.can(WindowAction::ForgetColumns));
     assert!(said(&session.notices()[0].details[0]).starts_with("Columns forgotten"));
 }
 

@@ -99,11 +99,11 @@ fn what_is_typed_is_kept_for_each_cycle_and_over_a_restart() {
     send(&mut session, CyclesCommand::Choose(444));
     fill(&mut session, &["Q263=1", "QS400=0.4-0.1"]);
     send(&mut session, CyclesCommand::Choose(427));
-    assert_eq!(session.cycles().text(field(&session, "Q263")), "35,5");
+    assert_eq!(session.text(field(&session, "Q263")), "35,5");
     let (mut again, _) = Session::restore(Saved::read(&session.saved().write()).unwrap());
-    assert_eq!((again.cycles().cycle().number, again.cycles().text(field(&again, "Q263"))), (427, "35,5"));
+    assert_eq!((again.cycles().cycle().number, again.text(field(&again, "Q263"))), (427, "35,5"));
     send(&mut again, CyclesCommand::Choose(444));
-    assert_eq!(again.cycles().text(field(&again, "QS400")), "0.4-0.1");
+    assert_eq!(again.text(field(&again, "QS400")), "0.4-0.1");
     assert!(again.cycles().run().is_none());
 }
 
@@ -112,7 +112,7 @@ fn errors_stand_beside_their_field_as_soon_as_typed() {
     let words = Words::new(Language::En);
     let mut session = with(427, &FACE);
     let told = |session: &Session, name: &str| {
-        session.cycles().error(field(session, name)).map(|error| words.say(error)).unwrap_or_default()
+        session.error(field(session, name)).map(|error| words.say(error)).unwrap_or_default()
     };
     for (setting, said) in [
         ("Q263=x", "Q263 1ST POINT 1ST AXIS: x is not a number"),
@@ -121,7 +121,7 @@ fn errors_stand_beside_their_field_as_soon_as_typed() {
         ("Q272=4", "Q272 MEASURING AXIS = 4: expected one of 1, 2, 3"),
     ] {
         let name = setting.split_once('=').unwrap().0;
-        let before = session.cycles().text(field(&session, name)).to_owned();
+        let before = session.text(field(&session, name)).to_owned();
         fill(&mut session, &[setting]);
         assert_eq!(told(&session, name), said);
         apply(&mut session, Command::Cycles(CyclesCommand::Run));
@@ -145,7 +145,7 @@ fn predef_asks_for_what_it_stands_for() {
     assert!(session.cycles().is_predef(Key::Q(320)));
     for text in ["", "PREDEF", "-1"] {
         send(&mut session, CyclesCommand::Type(global, text.into()));
-        assert!(session.cycles().error(global).is_some(), "{text:?}");
+        assert!(session.error(global).is_some(), "{text:?}");
     }
     send(&mut session, CyclesCommand::Type(global, "4".into()));
     apply(&mut session, Command::Cycles(CyclesCommand::Run));
@@ -331,7 +331,7 @@ fn a_block_fills_the_form_or_changes_nothing() {
     send(&mut session, CyclesCommand::TypeBlock(block.replace(" ~\nQ999=+1 ;? ~\n", "\n")));
     send(&mut session, CyclesCommand::TakeBlock);
     assert_eq!((session.cycles().cycle().number, session.cycles().block()), (427, None));
-    assert_eq!(session.cycles().text(field(&session, "Q263")), "35");
+    assert_eq!(session.text(field(&session, "Q263")), "35");
     let effects = send(&mut session, CyclesCommand::CopyBlock);
     let [Effect::Copy(text)] = effects.as_slice() else { panic!("{effects:?}") };
     assert!(text.contains("Q263=+35"), "{text}");
@@ -358,7 +358,7 @@ fn the_status_window_speaks_the_language_of_the_window_or_of_the_mask() {
 fn half_a_position_is_refused() {
     let mut session = with(785, &["K=2", "RC=60"]);
     send(&mut session, CyclesCommand::Type(CycleField::Position(Axis::X), "1".into()));
-    assert!(session.cycles().error(CycleField::Position(Axis::Y)).is_some());
+    assert!(session.error(CycleField::Position(Axis::Y)).is_some());
     send(&mut session, CyclesCommand::Type(CycleField::Position(Axis::Y), "0".into()));
     send(&mut session, CyclesCommand::Type(CycleField::Position(Axis::Z), "-3,5".into()));
     assert_eq!(session.cycles().inputs().position(), Some([1.0, 0.0, -3.5]));

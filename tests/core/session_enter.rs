@@ -1,6 +1,7 @@
 //! What Enter does: the highlighted answer to what is asked, no answer in passing, and nothing twice.
 
-use fitcheck::session::{Action, CheckCommand, CheckField, Command, Effect, Field, Page, PartsField, Saved, Session};
+use fitcheck::session::{CheckAction, CheckCommand, CheckField, Command, Effect, Field, Page, Saved, Session};
+use fitcheck::session::{PartsAction, WalkField};
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;
 use fitcheck::words::Language;
@@ -42,26 +43,28 @@ fn measured(session: &Session) -> Vec<String> {
 fn enter_gives_the_highlighted_answer_of_every_question() {
     // 2501 mm is asked about, and "use 25.010" is what is highlighted.
     for (value, first, taken) in [
-        ("2501", Action::TakeMeant, "25.01"),
-        ("26", Action::JudgeAnyway, "26"),
-        ("250.12", Action::TakeMeant, "25.012"),
+        ("2501", CheckAction::TakeMeant, "25.01"),
+        ("26", CheckAction::JudgeAnyway, "26"),
+        ("250.12", CheckAction::TakeMeant, "25.012"),
     ] {
         let mut session = with("25 H7", value);
         enter(&mut session, CheckField::Measured, 0);
-        assert_eq!(session.answers().first(), Some(&first), "{value}");
-        assert_eq!(session.on_enter(CheckField::Measured.into()), Some(first));
+        assert_eq!(session.answers().first(), Some(&first.into()), "{value}");
+        assert_eq!(session.on_enter(CheckField::Measured.into()), Some(first.into()));
         enter(&mut session, CheckField::Measured, 600);
         assert_eq!(measured(&session), [taken], "{value}");
     }
-    for (value, first, taken) in [("25013", Action::TakeMeantValue, "25.013"), ("26", Action::TakeValue, "26")] {
+    for (value, first, taken) in
+        [("25013", PartsAction::TakeMeantValue, "25.013"), ("26", PartsAction::TakeValue, "26")]
+    {
         let mut session = session_walk::walking_by(
             "fitcheck_plan = 1\npart = \"Flange\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n",
         );
-        typed(&mut session, PartsField::Value, value);
-        enter(&mut session, PartsField::Value, 0);
-        assert_eq!(session.answers().first(), Some(&first), "{value}");
-        assert_eq!(session.on_enter(PartsField::Value.into()), Some(first));
-        enter(&mut session, PartsField::Value, 1_000);
+        typed(&mut session, WalkField::Value, value);
+        enter(&mut session, WalkField::Value, 0);
+        assert_eq!(session.answers().first(), Some(&first.into()), "{value}");
+        assert_eq!(session.on_enter(WalkField::Value.into()), Some(first.into()));
+        enter(&mut session, WalkField::Value, 1_000);
         assert_eq!(session.parts().walking().values(0)[0].record.measurement.diameter.to_string(), taken);
     }
 }
@@ -82,10 +85,10 @@ fn no_enter_answers_in_passing() {
 fn another_text_is_not_the_answer_to_a_question_about_the_one_before() {
     let plan = "fitcheck_plan = 1\npart = \"Flange\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n";
     let mut session = session_walk::walking_by(plan);
-    typed(&mut session, PartsField::Value, "25013");
-    enter(&mut session, PartsField::Value, 0);
-    typed(&mut session, PartsField::Value, "25.03");
-    enter(&mut session, PartsField::Value, 1_000);
+    typed(&mut session, WalkField::Value, "25013");
+    enter(&mut session, WalkField::Value, 0);
+    typed(&mut session, WalkField::Value, "25.03");
+    enter(&mut session, WalkField::Value, 1_000);
     assert_eq!(session.parts().walking().values(0)[0].record.measurement.diameter.to_string(), "25.03");
 }
 
@@ -159,13 +162,13 @@ fn a_serial_number_is_never_a_value() {
     let mut session = session_walk::walking_by(plan);
     let serial = session.parts().walking().serial().to_owned();
     for scanned in [serial.as_str(), "A-0100", "B-7788"] {
-        typed(&mut session, PartsField::Value, scanned);
-        assert_eq!(session.text(PartsField::Value), "", "{scanned} does not stay");
-        assert!(session.error(PartsField::Value).unwrap().to_string().contains("serial number"), "{scanned}");
-        assert_eq!(enter(&mut session, PartsField::Value, 10), []);
+        typed(&mut session, WalkField::Value, scanned);
+        assert_eq!(session.text(WalkField::Value), "", "{scanned} does not stay");
+        assert!(session.error(WalkField::Value).unwrap().to_string().contains("serial number"), "{scanned}");
+        assert_eq!(enter(&mut session, WalkField::Value, 10), []);
     }
-    typed(&mut session, PartsField::Value, "25.01");
-    enter(&mut session, PartsField::Value, 20);
+    typed(&mut session, WalkField::Value, "25.01");
+    enter(&mut session, WalkField::Value, 20);
     assert_eq!(session.parts().walking().values(0).len(), 1);
 }
 
@@ -173,12 +176,12 @@ fn a_serial_number_is_never_a_value() {
 fn the_page_is_about_the_size_whose_verdict_is_new_until_the_next_one_is_begun() {
     let plan = "fitcheck_plan = 1\npart = \"Flange\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n[[feature]]\nname = \"B\"\ncallout = \"20 H7\"\n";
     let mut session = session_walk::walking_by(plan);
-    typed(&mut session, PartsField::Value, "25.03");
-    enter(&mut session, PartsField::Value, 0);
+    typed(&mut session, WalkField::Value, "25.03");
+    enter(&mut session, WalkField::Value, 0);
     let faced = |session: &Session| session.parts().walking().faced();
     let walking = session.parts().walking();
     assert_eq!((walking.at(), walking.faced(), walking.faced_value().map(|(at, _)| at)), (Some(1), Some(0), Some(0)));
-    typed(&mut session, PartsField::Value, "2");
+    typed(&mut session, WalkField::Value, "2");
     assert_eq!((faced(&session), session.parts().walking().faced_value().is_none()), (Some(1), true));
     // A size that is chosen is begun, too.
     send(&mut session, fitcheck::session::parts::WalkCommand::Go(0));
@@ -188,7 +191,7 @@ fn the_page_is_about_the_size_whose_verdict_is_new_until_the_next_one_is_begun()
 #[test]
 fn enter_does_what_it_is_for_where_nothing_is_asked() {
     let session = with("25 H7", "25.012");
-    assert_eq!(session.on_enter(CheckField::Callout.into()), Some(Action::Measure));
+    assert_eq!(session.on_enter(CheckField::Callout.into()), Some(CheckAction::Measure.into()));
     assert_eq!(session.on_enter(CheckField::HistoryFilter.into()), None);
     assert_eq!((session.page(), session.answers()), (Page::Check, Vec::new()));
 }

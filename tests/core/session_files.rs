@@ -2,14 +2,15 @@
 
 #![cfg(test)]
 
+use fitcheck::session::{FilesAction, WindowAction};
 use std::path::{Path, PathBuf};
 
 use fitcheck::files::{Entry, FileError, Listing};
 use fitcheck::message::{Message, Say as _};
 use fitcheck::report::RENDERINGS;
 use fitcheck::session::{
-    Action, CheckCommand, CheckField, Command, CycleFile, Dialog, Effect, Fate, FilesCommand, Launch, Page, Purpose,
-    Saved, Session, Step,
+    CheckCommand, CheckField, Command, CycleFile, Dialog, Effect, Fate, FilesCommand, Launch, Page, Purpose, Saved,
+    Session, Step,
 };
 use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
@@ -93,10 +94,10 @@ fn the_list_shows_folders_and_files_that_fit() {
     let mut session = importing();
     assert_eq!(shown(&session), ["logs", "a.csv", "b.CSV"]);
     assert_eq!(dialog(&session).list.left_out(), 3);
-    let all = Action::AllFiles.command(&session).unwrap();
+    let all = FilesAction::AllFiles.command(&session).unwrap();
     send(&mut session, all);
-    assert_eq!((shown(&session).len(), Action::AllFiles.is_on(&session)), (6, Some(true)));
-    let fitting = Action::AllFiles.command(&session).unwrap();
+    assert_eq!((shown(&session).len(), FilesAction::AllFiles.is_on(&session)), (6, Some(true)));
+    let fitting = FilesAction::AllFiles.command(&session).unwrap();
     send(&mut session, fitting);
     assert_eq!(shown(&session).len(), 3);
 }
@@ -154,7 +155,7 @@ fn a_folder_is_gone_into_and_left_again() {
     assert_eq!(send(&mut session, FilesCommand::Select(0)), [Effect::List("/home/mia/logs".into())]);
     assert_eq!(send(&mut session, FilesCommand::Home), [Effect::List("/home/mia".into())]);
     send(&mut session, FilesCommand::Show("/".into()));
-    assert!(!session.can(Action::FolderUp), "there is nothing above the root");
+    assert!(!session.can(FilesAction::FolderUp), "there is nothing above the root");
 }
 
 #[test]
@@ -164,7 +165,11 @@ fn a_folder_that_cannot_be_read_is_told_in_the_dialog() {
     let missing = FileError::Missing { path: "/none".into() };
     send(&mut session, FilesCommand::Listed { folder: "/none".into(), result: Err(missing.clone()) });
     assert_eq!(dialog(&session).list.problem(), Some(&missing.message()));
-    assert!(!dialog(&session).list.is_reading() && session.can(Action::FolderUp) && session.can(Action::HomeFolder));
+    assert!(
+        !dialog(&session).list.is_reading()
+            && session.can(FilesAction::FolderUp)
+            && session.can(FilesAction::HomeFolder)
+    );
 }
 
 #[test]
@@ -306,7 +311,7 @@ fn asked() -> Session {
 fn a_file_that_exists_is_only_replaced_when_the_user_says_so() {
     let mut session = asked();
     assert_eq!(send(&mut session, Command::Confirm), [], "the question comes first");
-    assert!(!session.can(Action::Browse) && session.can(Action::KeepFile));
+    assert!(!session.can(FilesAction::Browse) && session.can(FilesAction::KeepFile));
     let effects = send(&mut session, FilesCommand::Replace(true));
     let Some(Effect::Replace(path, content)) = effects.first().map(Effect::errand) else { panic!("{effects:?}") };
     assert!(path == Path::new("/tmp/x.csv") && String::from_utf8_lossy(&content.bytes().unwrap()).contains("25.012"));
@@ -322,13 +327,14 @@ fn a_file_that_exists_is_only_replaced_when_the_user_says_so() {
 fn a_written_file_is_told_with_its_folder_and_can_be_opened() {
     let mut session = session();
     check(&mut session, "25 H7", "25.012");
-    assert!(!session.can(Action::OpenWritten));
+    assert!(!session.can(WindowAction::OpenWritten));
     send(&mut session, Command::OpenDialog(csv()));
     send(&mut session, Command::TypePath("/tmp/x.csv".into()));
     send(&mut session, Command::Confirm);
     answer(&mut session, Command::Saved { path: "/tmp/x.csv".into(), result: Ok(()) });
     assert_eq!(Words::new(Language::En).say(&session.notices()[0].message), "x.csv was written to /tmp");
-    for (action, how) in [(Action::OpenWritten, Launch::Open), (Action::ShowWritten, Launch::ShowInFolder)] {
+    for (action, how) in [(WindowAction::OpenWritten, Launch::Open), (WindowAction::ShowWritten, Launch::ShowInFolder)]
+    {
         let command = action.command(&session).unwrap();
         assert_eq!(send(&mut session, command), [Effect::Launch("/tmp/x.csv".into(), how)]);
     }
@@ -338,7 +344,7 @@ fn a_written_file_is_told_with_its_folder_and_can_be_opened() {
     assert!(session.notices()[0].is_problem && session.notices()[1].file.is_some());
     // The next dialog of the kind begins there, and one of another kind as well.
     assert_eq!(send(&mut session, Command::OpenDialog(csv())), [Effect::List("/tmp".into())]);
-    assert!(!session.can(Action::OpenWritten), "the dialog lies over the notice");
+    assert!(!session.can(WindowAction::OpenWritten), "the dialog lies over the notice");
     send(&mut session, Command::Close);
     assert_eq!(send(&mut session, Command::OpenDialog(Purpose::Import)), [Effect::List("/tmp".into())]);
 }
@@ -410,7 +416,7 @@ fn the_last_ten_files_that_were_read_are_remembered() {
     seen(&mut session, Purpose::LoadTables, "/tables", Fate::Read);
     assert_eq!(recent(&session).len(), 9);
     send(&mut session, FilesCommand::ForgetRecent);
-    assert!(recent(&session).is_empty() && !session.can(Action::ForgetRecent));
+    assert!(recent(&session).is_empty() && !session.can(WindowAction::ForgetRecent));
 }
 
 #[test]

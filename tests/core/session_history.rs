@@ -6,6 +6,7 @@ use fitcheck::report::RENDERINGS;
 use fitcheck::session::{
     Action, CheckCommand, CheckField, Command, Effect, Field, ListCommand, MeasureBy, Page, Purpose, Session, Step,
 };
+use fitcheck::session::{CheckAction, TablesAction, WindowAction};
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
 use jiff::civil::{DateTime, date};
@@ -142,16 +143,16 @@ fn a_filter_takes_no_verdict_away_and_is_not_kept() {
 #[test]
 fn only_bad_leaves_the_good_ones_out() {
     let mut session = four(Language::En);
-    assert_eq!(Action::OnlyBad.is_on(&session), Some(false));
-    let turn = Action::OnlyBad.command(&session).unwrap();
+    assert_eq!(CheckAction::OnlyBad.is_on(&session), Some(false));
+    let turn = CheckAction::OnlyBad.command(&session).unwrap();
     run(&mut session, [turn]);
-    assert_eq!((listed(&session).as_str(), Action::OnlyBad.is_on(&session)), ("B A2", Some(true)));
+    assert_eq!((listed(&session).as_str(), CheckAction::OnlyBad.is_on(&session)), ("B A2", Some(true)));
     // A new check joins the list only where it is bad.
     measure(&mut session, "D", "25 H7", "25.010");
     measure(&mut session, "E", "25 H7", "25.03");
     run(&mut session, [CheckCommand::MeasureBy(MeasureBy::Typing).into()]);
     assert_eq!(listed(&session), "E B A2");
-    let turn = Action::OnlyBad.command(&session).unwrap();
+    let turn = CheckAction::OnlyBad.command(&session).unwrap();
     run(&mut session, [turn]);
     assert_eq!(listed(&session), "E D C B A2 A10");
 }
@@ -185,7 +186,7 @@ fn the_keys_walk_the_rows_as_they_are_listed() {
     list(&mut session, ListCommand::Move(Step::Down));
     assert_eq!(cursor(&session), "P2");
     filter(&mut session, "P1");
-    assert!(!session.can(Action::ShowCheck), "a row out of sight is not shown by Enter");
+    assert!(!session.can(CheckAction::ShowCheck), "a row out of sight is not shown by Enter");
     list(&mut session, ListCommand::Move(Step::Down));
     assert_eq!(cursor(&session), "P1");
 }
@@ -194,11 +195,11 @@ fn the_keys_walk_the_rows_as_they_are_listed() {
 fn a_row_is_shown_and_chosen_by_its_action() {
     let mut session = four(Language::En);
     list(&mut session, ListCommand::Move(Step::Last));
-    let show = Action::ShowCheck.command(&session).unwrap();
+    let show = CheckAction::ShowCheck.command(&session).unwrap();
     run(&mut session, [show]);
     assert_eq!(session.check().shown().unwrap().record.id, "A10");
     for expected in [true, false, true] {
-        let choose = Action::ChooseCheck.command(&session).unwrap();
+        let choose = CheckAction::ChooseCheck.command(&session).unwrap();
         run(&mut session, [choose]);
         assert_eq!(session.history().is_chosen(RecordId(0)), expected);
     }
@@ -214,15 +215,15 @@ fn everything_listed_can_be_chosen_or_only_the_bad() {
     assert_eq!((session.history().chosen_count(), session.history().hidden_count()), (2, 2));
     filter(&mut session, "");
     assert_eq!(session.history().hidden_count(), 0);
-    assert_eq!(name(&session, Action::ChooseBad), "Choose 2 bad checks");
+    assert_eq!(name(&session, WindowAction::ChooseBad.into()), "Choose 2 bad checks");
     list(&mut session, ListCommand::ChooseBad);
     let chosen = |session: &Session| (0..4).filter(|id| session.history().is_chosen(RecordId(*id))).collect::<Vec<_>>();
     assert_eq!(chosen(&session), [1, 2], "the good ones are no longer chosen");
     list(&mut session, ListCommand::ChooseNone);
     assert_eq!(chosen(&session), [0_u64; 0]);
-    assert!(!session.can(Action::ChooseNone));
+    assert!(!session.can(WindowAction::ChooseNone));
     filter(&mut session, "good");
-    assert!(!session.can(Action::ChooseBad), "there is no bad one in the list");
+    assert!(!session.can(WindowAction::ChooseBad), "there is no bad one in the list");
 }
 
 #[test]
@@ -285,7 +286,13 @@ fn a_name_is_no_formula_and_stays_one_cell() {
 fn nothing_is_copied_where_there_is_nothing() {
     let mut session = Session::new(Language::En);
     assert!(list(&mut session, ListCommand::Copy).is_empty());
-    for action in [Action::CopyChecks, Action::ChooseAll, Action::ChooseBad, Action::ShowCheck, Action::FindInHistory] {
+    for action in [
+        Action::from(CheckAction::CopyChecks),
+        CheckAction::ChooseAll.into(),
+        WindowAction::ChooseBad.into(),
+        CheckAction::ShowCheck.into(),
+        CheckAction::FindInHistory.into(),
+    ] {
         assert!(!session.can(action), "{action:?}");
     }
 }
@@ -293,18 +300,18 @@ fn nothing_is_copied_where_there_is_nothing() {
 #[test]
 fn clearing_says_how_many_and_undo_says_what() {
     let mut session = four(Language::En);
-    assert_eq!(name(&session, Action::Undo), "Undo: add 1 check");
+    assert_eq!(name(&session, WindowAction::Undo.into()), "Undo: add 1 check");
     list(&mut session, ListCommand::ChooseBad);
     let before = listed(&session);
     run(&mut session, [CheckCommand::ClearHistory.into()]);
     assert_eq!((listed(&session).as_str(), session.history().len()), ("", 0));
     assert_eq!(notices(&session), ["4 checks removed from the history. Undo (Ctrl+Z) brings them back."]);
-    assert_eq!(name(&session, Action::Undo), "Undo: clear history");
-    let undo = Action::Undo.command(&session).unwrap();
+    assert_eq!(name(&session, WindowAction::Undo.into()), "Undo: clear history");
+    let undo = WindowAction::Undo.command(&session).unwrap();
     run(&mut session, [undo]);
     assert_eq!((listed(&session), session.history().chosen_count()), (before, 2));
     assert!(notices(&session).is_empty(), "what was brought back is no longer said to be removed");
-    assert_eq!(name(&session, Action::Undo), "Undo: add 1 check");
+    assert_eq!(name(&session, WindowAction::Undo.into()), "Undo: add 1 check");
 }
 
 #[test]
@@ -313,7 +320,7 @@ fn an_import_is_one_step_that_names_its_size() {
     let rows = b"id,callout,measured\nX1,25 H7,25.012\nX2,25 H7,25.030\nX3,25 H7,24.9\n";
     let result = Ok(Box::new(import("lot.csv", rows, session.sources(), now())));
     run(&mut session, [CheckCommand::Imported { name: "lot.csv".to_owned(), result }.into()]);
-    assert_eq!(name(&session, Action::Undo), "Undo: add 3 checks");
+    assert_eq!(name(&session, WindowAction::Undo.into()), "Undo: add 3 checks");
     run(&mut session, [CheckCommand::Choose(RecordId(0), true).into(), CheckCommand::Choose(RecordId(5), true).into()]);
     run(&mut session, [CheckCommand::Undo.into()]);
     // Only what was added goes, with its choice.
@@ -325,15 +332,16 @@ fn undo_is_one_action_on_every_page_and_says_what_is_not_in_sight() {
     for page in [Page::Fit, Page::Cycles, Page::Program, Page::Check] {
         let mut session = four(Language::En);
         run(&mut session, [CheckCommand::ClearHistory.into(), Command::Close, Command::OpenPage(page)]);
-        let undo =
-            |session: &Session| session.keys(None, false).into_iter().find(|(_, action)| *action == Action::Undo);
+        let undo = |session: &Session| {
+            session.keys(None, false).into_iter().find(|(_, action)| *action == WindowAction::Undo.into())
+        };
         assert_eq!(undo(&session).unwrap().0.to_string(), "Ctrl+Z", "{page:?}");
         run(&mut session, [CheckCommand::Undo.into()]);
         assert_eq!(session.history().len(), 4);
         let told: &[&str] = if page == Page::Check { &[] } else { &["Undone: clear history"] };
         assert_eq!(notices(&session), told, "{page:?}");
         assert!(
-            session.keys(None, true).iter().all(|(_, action)| *action != Action::Undo),
+            session.keys(None, true).iter().all(|(_, action)| *action != WindowAction::Undo.into()),
             "a text field undoes itself"
         );
     }
@@ -343,7 +351,7 @@ fn undo_is_one_action_on_every_page_and_says_what_is_not_in_sight() {
 fn the_tables_own_undo_keeps_its_keys_even_while_there_is_nothing_to_undo() {
     let mut session = four(Language::En);
     run(&mut session, [Command::OpenPage(Page::Tables)]);
-    assert!(session.can(Action::Undo) && !session.can(Action::UndoEdit));
+    assert!(session.can(WindowAction::Undo) && !session.can(TablesAction::UndoEdit));
     let keys = session.keys(None, false);
     assert!(keys.iter().all(|(shortcut, _)| shortcut.to_string() != "Ctrl+Z"), "{keys:?}");
 }
@@ -358,7 +366,7 @@ fn many_steps_are_undone_and_records_are_not_copied_for_it() {
     // The history holds it once; this test a second time.
     assert_eq!(std::sync::Arc::strong_count(&record), 2);
     let mut steps = 0;
-    while let Some(undo) = Action::Undo.command(&session) {
+    while let Some(undo) = WindowAction::Undo.command(&session) {
         run(&mut session, [undo]);
         steps += 1;
     }

@@ -2,6 +2,7 @@
 
 #![cfg(test)]
 
+use fitcheck::session::PairingAction;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 
@@ -10,8 +11,8 @@ use fitcheck::message::Message;
 use fitcheck::report::pairing::FORMATS;
 use fitcheck::report::pairing::Parts;
 use fitcheck::session::{
-    Action, CheckCommand, CheckField, Command, Content, Effect, Field, FilesCommand, MeasureBy, Page, Paired,
-    PairingCommand, PairingField, Purpose, Saved, Session, Step, usable,
+    CheckCommand, CheckField, Command, Content, Effect, Field, FilesCommand, MeasureBy, Page, Paired, PairingCommand,
+    PairingField, Purpose, Saved, Session, Step, usable,
 };
 use fitcheck::tolerance::{Base, Feature};
 use fitcheck::words::{Language, Words};
@@ -199,7 +200,7 @@ fn a_change_clears_the_answer_at_once_and_an_older_answer_is_dropped() {
     let first = type_wanted(&mut session, "0.010..0.015");
     let [Effect::Pair { run, asked }] = first.as_slice() else { panic!("{first:?}") };
     assert!(session.pairing().paired().is_none() && session.pairing().is_pairing());
-    assert!(!session.can(Action::SavePairs(0)) && !session.can(Action::CopyPairs));
+    assert!(!session.can(PairingAction::SavePairs(0)) && !session.can(PairingAction::CopyPairs));
     // Only one question is being answered at a time.
     assert_eq!(type_wanted(&mut session, "0.010..0.016"), []);
     let late = PairingCommand::Paired { run: *run, paired: Arc::new(Paired::of(asked.as_ref().clone())) };
@@ -286,7 +287,7 @@ fn the_history_is_a_source_and_says_what_is_simulated() {
         }
         apply(session, CheckCommand::Measure);
     };
-    assert!(!session.can(Action::HistoryParts(Feature::Hole)), "there is no history");
+    assert!(!session.can(PairingAction::HistoryParts(Feature::Hole)), "there is no history");
     check(&mut session, "25 H7", "A", "25.012");
     apply(&mut session, PairingCommand::TakeHistory(Feature::Shaft));
     let notice = told(session.notices().last().map(|notice| &notice.message));

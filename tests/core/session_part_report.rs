@@ -1,5 +1,6 @@
 //! The part that is measured as a report, without a window: its status, its picture, and why there is none.
 
+use fitcheck::session::{PartsAction, WalkField};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -7,7 +8,7 @@ use fitcheck::message::Message;
 use fitcheck::part::Document;
 use fitcheck::report::image::Image;
 use fitcheck::session::parts::{PartPicture, PlanCommand, WalkCommand};
-use fitcheck::session::{Action, Command, Content, Effect, Field, Page, PartsCommand, PartsField, Purpose, Session};
+use fitcheck::session::{Command, Content, Effect, Field, Page, PartsCommand, Purpose, Session};
 use fitcheck::words::Language;
 use jiff::civil::{DateTime, date};
 
@@ -35,9 +36,9 @@ fn measured(result: Option<Result<PartPicture, Message>>) -> Session {
         let path = PathBuf::from("/plans/flange.svg");
         send(&mut session, PartsCommand::Plan(PlanCommand::PictureRead { path, result: result.map(Arc::new) }));
     }
-    assert!(!session.can(Action::ReportPart(0)));
+    assert!(!session.can(PartsAction::ReportPart(0)));
     send(&mut session, WalkCommand::Begin);
-    let typed = Field::from(PartsField::Value).typed("25.012".to_owned());
+    let typed = Field::from(WalkField::Value).typed("25.012".to_owned());
     send(&mut session, typed);
     send(&mut session, WalkCommand::Take);
     session
@@ -45,7 +46,7 @@ fn measured(result: Option<Result<PartPicture, Message>>) -> Session {
 
 /// The report, as a format of the list.
 fn report(session: &mut Session, format: usize) -> String {
-    let open = Action::ReportPart(format).command(session).unwrap();
+    let open = PartsAction::ReportPart(format).command(session).unwrap();
     send(session, open);
     assert_eq!(session.dialog().unwrap().purpose, Purpose::ReportPart(format));
     send(session, Command::TypePath("/reports/part.out".to_owned()));

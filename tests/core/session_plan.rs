@@ -1,5 +1,6 @@
 //! The plan of a part as a table, without a window: typing, pasting, sorting, undo, faults, balloons and the picture.
 
+use fitcheck::session::{PartsAction, WalkField};
 use std::path::PathBuf;
 use std::sync::Arc;
 
@@ -9,7 +10,7 @@ use fitcheck::part::{Column, Document, Draft, HeadField, Row, Spot};
 use fitcheck::report::image::Image;
 use fitcheck::session::action::Part;
 use fitcheck::session::parts::{PartPicture, PartsView, PlanCommand, PlanField, Sight};
-use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, PartsField, Purpose, Session, Step};
+use fitcheck::session::{Action, Command, Effect, Field, Page, PartsCommand, Purpose, Session, Step};
 use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Status;
 use fitcheck::words::{Language, Words};
@@ -77,15 +78,15 @@ fn a_word_typed_into_a_cell_is_one_change() {
     assert_eq!(column(&session, Column::Callout), ["30 H7", "20 H7", "16 H7"]);
     assert_eq!(session.parts().sheet().at(), (1, Column::Callout));
     type_cell(&mut session, "18 H8");
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Callout), ["30 H7", "20 H7", "16 H7"]);
     assert_eq!(session.parts().sheet().at(), (1, Column::Callout), "the keys are where something changed");
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Callout), ["25 H7", "20 H7", "16 H7"]);
-    assert!(!session.can(Action::UndoPlan));
+    assert!(!session.can(PartsAction::UndoPlan));
     assert!(!session.parts().is_unsaved(), "back to what the file holds, with its lines");
-    act(&mut session, Action::RedoPlan);
-    act(&mut session, Action::RedoPlan);
+    act(&mut session, PartsAction::RedoPlan.into());
+    act(&mut session, PartsAction::RedoPlan.into());
     assert_eq!(column(&session, Column::Callout), ["30 H7", "18 H8", "16 H7"]);
 }
 
@@ -94,7 +95,7 @@ fn a_feature_is_checked_while_it_is_typed_and_escape_takes_it_back() {
     let mut session = opened(PLATE);
     go(&mut session, 1, Column::Callout);
     plan(&mut session, PlanCommand::Edit(None));
-    assert_eq!(session.text(Field::Plan(PlanField::Cell)), "20 H7");
+    assert_eq!(session.text(Field::from(PlanField::Cell)), "20 H7");
     plan(&mut session, PlanCommand::Type(PlanField::Cell, "20 H".to_owned()));
     let document = session.parts().document();
     assert_eq!(document.findings().len(), 1);
@@ -103,14 +104,14 @@ fn a_feature_is_checked_while_it_is_typed_and_escape_takes_it_back() {
     // The others keep their limits.
     assert!(document.feature(0).is_some() && document.feature(1).is_none() && document.feature(2).is_some());
     plan(&mut session, PlanCommand::Leave);
-    assert_eq!(session.text(Field::Plan(PlanField::Cell)), "20 H7");
+    assert_eq!(session.text(Field::from(PlanField::Cell)), "20 H7");
     assert!(session.parts().document().findings().is_empty());
-    assert!(!session.can(Action::UndoPlan) && !session.can(Action::RedoPlan));
+    assert!(!session.can(PartsAction::UndoPlan) && !session.can(PartsAction::RedoPlan));
     // Typed back to what it was, it is no change, either.
     plan(&mut session, PlanCommand::Edit(Some("2".to_owned())));
     plan(&mut session, PlanCommand::Type(PlanField::Cell, "20 H7".to_owned()));
     plan(&mut session, PlanCommand::Take(None));
-    assert!(!session.can(Action::UndoPlan));
+    assert!(!session.can(PartsAction::UndoPlan));
 }
 
 #[test]
@@ -124,7 +125,7 @@ fn typing_below_the_last_feature_begins_the_next_one() {
     assert_eq!(session.parts().sheet().at(), (4, Column::Name));
     plan(&mut session, PlanCommand::Move(Step::Down, false));
     assert_eq!(session.parts().sheet().at(), (4, Column::Name), "there is one row for the next feature");
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Name).len(), 3);
 }
 
@@ -143,12 +144,12 @@ fn a_block_of_a_spreadsheet_is_pasted_as_one_change_and_adds_rows() {
     assert_eq!(column(&session, Column::X), ["40", "60", "80", ""]);
     assert_eq!(session.parts().sheet().selected_rows(), 1..=3);
     // The same block comes out again.
-    let effects = act(&mut session, Action::CopyPlanCells);
+    let effects = act(&mut session, PartsAction::CopyPlanCells.into());
     let text = "B1\tdiameter\t30 H7\nB2\twidth\t12 H8\n\"B \"\"3\"\"\"\t\t10 H7";
     assert_eq!(effects, [Effect::Copy(text.to_owned())]);
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Name), ["A1", "A2", "A10"]);
-    assert!(!session.can(Action::UndoPlan));
+    assert!(!session.can(PartsAction::UndoPlan));
 }
 
 #[test]
@@ -192,30 +193,30 @@ fn a_pasted_header_with_a_name_that_no_plan_has_is_a_header_all_the_same() {
 #[test]
 fn a_change_that_was_taken_back_can_be_made_again_after_a_cell_was_left_with_escape() {
     let mut session = opened(PLATE);
-    act(&mut session, Action::SortPlan);
+    act(&mut session, PartsAction::SortPlan.into());
     go(&mut session, 0, Column::Name);
     type_cell(&mut session, "B");
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
     go(&mut session, 1, Column::Callout);
     plan(&mut session, PlanCommand::Edit(Some("9".to_owned())));
-    assert!(!session.can(Action::RedoPlan), "not while something is typed");
+    assert!(!session.can(PartsAction::RedoPlan), "not while something is typed");
     plan(&mut session, PlanCommand::Leave);
-    act(&mut session, Action::RedoPlan);
+    act(&mut session, PartsAction::RedoPlan.into());
     assert_eq!(column(&session, Column::Name)[0], "B");
     // Typed back to what it was, too; something else that is typed is a change.
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
     go(&mut session, 1, Column::Callout);
     type_cell(&mut session, "20 H7");
-    assert!(session.can(Action::RedoPlan));
+    assert!(session.can(PartsAction::RedoPlan));
     type_cell(&mut session, "21 H7");
-    assert!(!session.can(Action::RedoPlan));
+    assert!(!session.can(PartsAction::RedoPlan));
 }
 
 #[test]
 fn names_that_look_like_formulas_are_copied_and_pasted_as_they_are() {
     let mut session = opened("name;callout;axis\n-A;25 H7;-Z\nB;20 H7;\n");
     plan(&mut session, PlanCommand::Go(0, Column::Name, false));
-    let effects = act(&mut session, Action::CopyPlanCells);
+    let effects = act(&mut session, PartsAction::CopyPlanCells.into());
     let [Effect::Copy(text)] = effects.as_slice() else { panic!("{effects:?}") };
     assert_eq!(text, "'-A", "a spreadsheet does not compute it");
     go(&mut session, 1, Column::Name);
@@ -235,7 +236,7 @@ fn an_empty_clipboard_changes_nothing_and_adds_no_feature() {
         }
     }
     assert_eq!(column(&session, Column::Callout), ["25 H7", "20 H7", "16 H7"]);
-    assert!(!session.can(Action::UndoPlan));
+    assert!(!session.can(PartsAction::UndoPlan));
     // Empty rows of a block empty cells, and are no features below the last one.
     go(&mut session, 2, Column::Name);
     plan(&mut session, PlanCommand::Paste("N\t\n\t\n\t\n".to_owned()));
@@ -253,7 +254,7 @@ fn a_word_begun_below_the_last_feature_and_erased_leaves_no_row() {
     plan(&mut session, PlanCommand::Type(PlanField::Cell, String::new()));
     plan(&mut session, PlanCommand::Take(None));
     assert_eq!((draft(&session).rows.len(), session.parts().document().faults()), (3, 0));
-    assert!(!session.can(Action::UndoPlan) && !session.parts().is_unsaved());
+    assert!(!session.can(PartsAction::UndoPlan) && !session.parts().is_unsaved());
 }
 
 #[test]
@@ -285,21 +286,21 @@ fn features_without_a_name_keep_what_they_are_called_when_their_rows_get_other_p
     let mut session = opened(nameless);
     assert_eq!(names(&session), ["F1 3", "F2 1", "F3 2"]);
     go(&mut session, 0, Column::X);
-    act(&mut session, Action::SortPlan);
+    act(&mut session, PartsAction::SortPlan.into());
     assert_eq!(names(&session), ["F2 1", "F3 2", "F1 3"]);
     let mut session = opened(nameless);
     go(&mut session, 0, Column::X);
-    act(&mut session, Action::MovePlanRows(Step::Down));
+    act(&mut session, PartsAction::MovePlanRows(Step::Down).into());
     assert_eq!(names(&session), ["F2 1", "F1 3", "F3 2"]);
     let mut session = opened(nameless);
     go(&mut session, 1, Column::X);
-    act(&mut session, Action::InsertPlanRow);
+    act(&mut session, PartsAction::InsertPlanRow.into());
     assert_eq!(names(&session), ["F1 3", "F2 1", "F3 2"]);
     // The new one has a name that no other one has.
     assert_eq!(column(&session, Column::Name), ["F1", "F4", "F2", "F3"]);
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
     go(&mut session, 0, Column::X);
-    act(&mut session, Action::DeletePlanRows);
+    act(&mut session, PartsAction::DeletePlanRows.into());
     assert_eq!(names(&session), ["F2 1", "F3 2"]);
     go(&mut session, 2, Column::Callout);
     type_cell(&mut session, "12 H7");
@@ -316,9 +317,9 @@ fn one_cell_fills_a_block_and_delete_empties_it() {
     plan(&mut session, PlanCommand::Paste("7,5".to_owned()));
     assert_eq!(column(&session, Column::X), ["7,5"; 3]);
     assert_eq!(column(&session, Column::Y), ["7,5"; 3]);
-    act(&mut session, Action::EmptyPlanCells);
+    act(&mut session, PartsAction::EmptyPlanCells.into());
     assert_eq!(column(&session, Column::Y), [""; 3]);
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Y), ["7,5"; 3]);
 }
 
@@ -327,32 +328,32 @@ fn rows_are_inserted_deleted_moved_sorted_and_numbered() {
     let mut session = opened(PLATE);
     let names = |session: &Session| column(session, Column::Name).join(" ");
     go(&mut session, 0, Column::Name);
-    act(&mut session, Action::MovePlanRows(Step::Down));
+    act(&mut session, PartsAction::MovePlanRows(Step::Down).into());
     assert_eq!((names(&session).as_str(), session.parts().sheet().at().0), ("A2 A1 A10", 1));
-    act(&mut session, Action::MovePlanRows(Step::Down));
-    act(&mut session, Action::MovePlanRows(Step::Down));
+    act(&mut session, PartsAction::MovePlanRows(Step::Down).into());
+    act(&mut session, PartsAction::MovePlanRows(Step::Down).into());
     assert_eq!(names(&session), "A2 A10 A1", "it stops at the end");
     // As people count: A2 before A10. Once more, the other way round.
-    act(&mut session, Action::SortPlan);
+    act(&mut session, PartsAction::SortPlan.into());
     assert_eq!(names(&session), "A1 A2 A10");
-    act(&mut session, Action::SortPlan);
+    act(&mut session, PartsAction::SortPlan.into());
     assert_eq!(names(&session), "A10 A2 A1");
-    act(&mut session, Action::RenumberPlan);
+    act(&mut session, PartsAction::RenumberPlan.into());
     assert_eq!(column(&session, Column::Number), ["1", "2", "3"]);
     go(&mut session, 1, Column::Name);
-    act(&mut session, Action::InsertPlanRow);
+    act(&mut session, PartsAction::InsertPlanRow.into());
     assert_eq!(names(&session), "A10  A2 A1");
     plan(&mut session, PlanCommand::Move(Step::Down, true));
-    act(&mut session, Action::DeletePlanRows);
+    act(&mut session, PartsAction::DeletePlanRows.into());
     assert_eq!(names(&session), "A10 A1");
     // Two rows at once.
     plan(&mut session, PlanCommand::Go(0, Column::Name, false));
     plan(&mut session, PlanCommand::Go(1, Column::Name, true));
-    act(&mut session, Action::MovePlanRows(Step::Up));
+    act(&mut session, PartsAction::MovePlanRows(Step::Up).into());
     assert_eq!(names(&session), "A10 A1");
     for _ in 0..20 {
-        if session.can(Action::UndoPlan) {
-            act(&mut session, Action::UndoPlan);
+        if session.can(PartsAction::UndoPlan) {
+            act(&mut session, PartsAction::UndoPlan.into());
         }
     }
     assert_eq!(names(&session), "A1 A2 A10");
@@ -362,9 +363,9 @@ fn rows_are_inserted_deleted_moved_sorted_and_numbered() {
 fn numbers_are_sorted_by_their_value_and_empty_cells_are_last() {
     let mut session = opened("name;callout;x\nA;25 H7;10\nB;25 H7;9,5\nC;25 H7;\nD;25 H7;-20\nE;25 H7;9.25\n");
     go(&mut session, 0, Column::X);
-    act(&mut session, Action::SortPlan);
+    act(&mut session, PartsAction::SortPlan.into());
     assert_eq!(column(&session, Column::Name), ["D", "E", "B", "A", "C"]);
-    act(&mut session, Action::SortPlan);
+    act(&mut session, PartsAction::SortPlan.into());
     assert_eq!(column(&session, Column::Name), ["A", "B", "E", "D", "C"]);
 }
 
@@ -413,15 +414,15 @@ fn a_plan_with_every_kind_of_mistake_opens_and_shows_all_of_them() {
     // Axis is shown, although nothing is written in it.
     assert!(session.parts().sheet().columns().contains(&Column::Axis));
     // F4 goes from one to the next, and round again.
-    act(&mut session, Action::NextFinding);
+    act(&mut session, PartsAction::NextFinding.into());
     let mut seen = vec![session.parts().sheet().at()];
     for _ in 0..3 {
-        act(&mut session, Action::NextFinding);
+        act(&mut session, PartsAction::NextFinding.into());
         seen.push(session.parts().sheet().at());
     }
     assert_eq!(seen, [(0, Column::Callout), (1, Column::Name), (1, Column::X), (2, Column::Axis)]);
-    let effects = act(&mut session, Action::NextFinding);
-    assert_eq!(effects, [Effect::Focus(Field::Plan(PlanField::Head(HeadField::Material)))]);
+    let effects = act(&mut session, PartsAction::NextFinding.into());
+    assert_eq!(effects, [Effect::Focus(Field::from(PlanField::Head(HeadField::Material)))]);
     let effects = plan(&mut session, PlanCommand::GoToFinding(3));
     // What is typed next goes there.
     assert_eq!((effects.as_slice(), session.parts().sheet().at()), ([Effect::FocusTable].as_slice(), (1, Column::X)));
@@ -456,20 +457,20 @@ fn a_plan_that_could_not_be_read_whole_measures_nothing_until_the_rest_is_left_o
         assert_eq!(document.faults(), document.problems().len(), "{text}");
         assert!(document.plan().is_none() && 0 < document.faults(), "{text}");
         // It is not lost by the way, either.
-        assert!(!session.can(Action::SavePlan(0)) && !session.can(Action::SavePlan(1)), "{text}");
+        assert!(!session.can(PartsAction::SavePlan(0)) && !session.can(PartsAction::SavePlan(1)), "{text}");
         let count = document.faults();
         apply(&mut session, PartsCommand::Show(PartsView::Walk));
-        assert!(!session.can(Action::BeginPart) && !session.can(Action::WatchFolder), "{text}");
+        assert!(!session.can(PartsAction::BeginPart) && !session.can(PartsAction::WatchFolder), "{text}");
         apply(&mut session, PartsCommand::Show(PartsView::Plan));
-        act(&mut session, Action::LeaveOutOfPlan);
+        act(&mut session, PartsAction::LeaveOutOfPlan.into());
         let notice = session.notices().last().unwrap();
         assert!(said(&notice.message).contains("left out of the plan"), "{}", said(&notice.message));
         assert_eq!(notice.details.len(), count);
         // The file has it still, so that this plan is one that no file holds.
         assert!(session.parts().document().plan().is_some() && session.parts().is_unsaved(), "{text}");
-        assert!(session.can(Action::SavePlan(0)) && !session.can(Action::LeaveOutOfPlan), "{text}");
+        assert!(session.can(PartsAction::SavePlan(0)) && !session.can(PartsAction::LeaveOutOfPlan), "{text}");
         apply(&mut session, PartsCommand::Show(PartsView::Walk));
-        assert!(session.can(Action::BeginPart) && session.can(Action::WatchFolder), "{text}");
+        assert!(session.can(PartsAction::BeginPart) && session.can(PartsAction::WatchFolder), "{text}");
     }
 }
 
@@ -514,15 +515,17 @@ fn keys_of_the_table_do_nothing_where_it_is_not_shown_or_a_field_of_the_part_is_
     plan(&mut session, PlanCommand::Undo);
     plan(&mut session, PlanCommand::Go(1, Column::Name, false));
     type_cell(&mut session, "B");
-    let of_rows = [Action::InsertPlanRow, Action::DeletePlanRows, Action::MovePlanRows(Step::Up)];
-    let table = heard(&session, Some(Part::Plan), false);
-    assert!(of_rows.iter().all(|action| table.contains(action)) && table.contains(&Action::UndoPlan));
+    let of_rows = [PartsAction::InsertPlanRow, PartsAction::DeletePlanRows, PartsAction::MovePlanRows(Step::Up)];
+    let of_rows = of_rows.map(Action::from);
+    let undo = PartsAction::UndoPlan.into();
+    let table = heard(&session, Part::of(Page::Parts).find(|part| part.name == "plan-grid"), false);
+    assert!(of_rows.iter().all(|action| table.contains(action)) && table.contains(&undo));
     let field = heard(&session, None, true);
     assert!(!of_rows.iter().any(|action| field.contains(action)), "{field:?}");
     apply(&mut session, PartsCommand::Show(PartsView::Walk));
     let walk = heard(&session, None, false);
-    assert!(!walk.contains(&Action::UndoPlan) && !of_rows.iter().any(|action| walk.contains(action)), "{walk:?}");
-    assert!(!session.can(Action::UndoPlan) && !session.can(Action::RedoPlan));
+    assert!(!walk.contains(&undo) && !of_rows.iter().any(|action| walk.contains(action)), "{walk:?}");
+    assert!(!session.can(PartsAction::UndoPlan) && !session.can(PartsAction::RedoPlan));
 }
 
 #[test]
@@ -536,15 +539,15 @@ fn fields_of_the_part_are_one_change_each() {
     // The third feature is at X 80.
     let far = |session: &Session| session.parts().document().findings().len();
     assert_eq!(far(&session), 2);
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!((far(&session), draft(&session).text(HeadField::Part)), (0, Some("Plate")));
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(draft(&session).text(HeadField::Part), None);
 }
 
 /// Saves the plan in a format of the list: what the file gets.
 fn save(session: &mut Session, format: usize, path: &str) -> String {
-    act(session, Action::SavePlan(format));
+    act(session, PartsAction::SavePlan(format).into());
     apply(session, Command::TypePath(path.to_owned()));
     let effects = apply(session, Command::Confirm);
     let [Effect::ForDialog(number, effect)] = effects.as_slice() else { panic!("{effects:?}") };
@@ -629,7 +632,7 @@ fn a_part_keeps_the_picture_that_its_plan_had_when_it_was_begun() {
     let text = "fitcheck_plan = 1\npicture = \"a.png\"\n[[feature]]\nname = \"A\"\ncallout = \"25 H7\"\n";
     let mut session = opened_at(text, "/plans/plate.toml");
     apply(&mut session, PartsCommand::Show(PartsView::Walk));
-    act(&mut session, Action::BeginPart);
+    act(&mut session, PartsAction::BeginPart.into());
     // Another plan with a feature of the same name is opened before the picture was read.
     let other = Document::read(text.replace("a.png", "b.png").replace("25 H7", "10 H7").as_bytes()).unwrap();
     let read = PlanCommand::Read { path: "/other/plate.toml".into(), result: Ok(Box::new(other)) };
@@ -642,9 +645,9 @@ fn a_part_keeps_the_picture_that_its_plan_had_when_it_was_begun() {
     plan(&mut session, PlanCommand::PictureRead { path: "/plans/a.png".into(), result: Ok(Arc::clone(&own)) });
     assert_eq!(session.parts().walk_sight(), Some(Sight::Seen(own)));
     assert_eq!(session.parts().sight(), Some(Sight::Seen(dots())), "the plan that is edited has its own");
-    act(&mut session, Action::NextPart);
-    act(&mut session, Action::NextPart);
-    act(&mut session, Action::BeginPart);
+    act(&mut session, PartsAction::NextPart.into());
+    act(&mut session, PartsAction::NextPart.into());
+    act(&mut session, PartsAction::BeginPart.into());
     assert_eq!(session.parts().walk_sight(), Some(Sight::Seen(dots())));
 }
 
@@ -654,9 +657,9 @@ fn a_verdict_is_shown_on_the_plan_that_it_was_made_by_alone() {
     let status = |session: &Session| session.parts().balloons()[0].status;
     let mut session = opened_at(text, "/plans/plate.toml");
     apply(&mut session, PartsCommand::Show(PartsView::Walk));
-    act(&mut session, Action::BeginPart);
-    apply(&mut session, Field::from(PartsField::Value).typed("25.010".to_owned()));
-    act(&mut session, Action::TakeValue);
+    act(&mut session, PartsAction::BeginPart.into());
+    apply(&mut session, Field::from(WalkField::Value).typed("25.010".to_owned()));
+    act(&mut session, PartsAction::TakeValue.into());
     assert_eq!(status(&session), Some(Status::Good));
     // Its balloon may be moved, and other limits have no verdict yet.
     plan(&mut session, PlanCommand::PlaceBalloon { row: 0, at: [0.5, 0.5], is_done: true });
@@ -684,13 +687,13 @@ fn a_balloon_is_dragged_as_one_change_and_moved_by_steps() {
     assert_eq!(at(&session), Some([1.0, 0.25]), "it stays on the picture");
     plan(&mut session, PlanCommand::NudgeBalloon(1, Step::Left));
     assert_eq!(at(&session), Some([0.995, 0.25]));
-    act(&mut session, Action::UndoPlan);
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
+    act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(at(&session), None);
-    assert!(!session.can(Action::UndoPlan));
+    assert!(!session.can(PartsAction::UndoPlan));
     // Where balloons are is on the picture, and in the table once every column is shown.
     assert!(!session.parts().sheet().columns().contains(&Column::BalloonX));
-    act(&mut session, Action::ShowAllColumns);
+    act(&mut session, PartsAction::ShowAllColumns.into());
     assert_eq!(session.parts().sheet().columns().len(), Column::ALL.len());
 }
 
@@ -710,9 +713,9 @@ fn a_thousand_features_cost_little_for_each_change_that_can_be_taken_back() {
         plan(&mut session, PlanCommand::Type(PlanField::Cell, text.to_owned()));
     }
     plan(&mut session, PlanCommand::Take(None));
-    act(&mut session, Action::SortPlan);
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::SortPlan.into());
+    act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Name)[500], "New");
-    act(&mut session, Action::UndoPlan);
+    act(&mut session, PartsAction::UndoPlan.into());
     assert_eq!(column(&session, Column::Name)[500], "H500");
 }

@@ -76,8 +76,8 @@ fn the_shipped_program_of_the_language_is_open() {
         assert_eq!(session.program().main().unwrap().title(), name);
         let inputs: Vec<_> = session.program().inputs().collect();
         assert_eq!(inputs, Input::ALL);
-        assert_eq!(session.program().text(ProgramField::Input(Input::Size)), "25");
-        assert_eq!(session.program().text(ProgramField::Input(Input::Class)), "H7");
+        assert_eq!(session.text(ProgramField::Input(Input::Size)), "25");
+        assert_eq!(session.text(ProgramField::Input(Input::Class)), "H7");
     }
 }
 
@@ -208,10 +208,7 @@ fn an_unreadable_input_keeps_the_program_from_running() {
     let mut session = session();
     let field = ProgramField::Input(Input::Height);
     type_text(&mut session, field, "deep");
-    assert_eq!(
-        session.program().error(field).map(said).as_deref(),
-        Some("Q261 MEASURING HEIGHT: deep is not a number")
-    );
+    assert_eq!(session.error(field).map(said).as_deref(), Some("Q261 MEASURING HEIGHT: deep is not a number"));
     for command in [ProgramCommand::Run, ProgramCommand::Step] {
         send(&mut session, command);
         assert!(session.program().run().is_none());
@@ -415,7 +412,7 @@ fn only_plain_values_before_the_first_call_are_inputs() {
         5 Q31 = - 5.5\n6 Q1 = 30\n7 CALL PGM y.h\n8 Q41 = 0";
     let session = opened(body);
     let program = session.program();
-    let found: Vec<_> = program.inputs().map(|input| (input, program.text(ProgramField::Input(input)))).collect();
+    let found: Vec<_> = program.inputs().map(|input| (input, session.text(ProgramField::Input(input)))).collect();
     assert_eq!(found, [(Input::Size, "25"), (Input::Class, "H7"), (Input::Height, "-5.5")]);
 }
 
@@ -438,7 +435,7 @@ fn a_program_without_a_class_may_begin_with_a_q1_of_zero() {
     assert!(!program.has_inputs());
     assert_eq!(program.inputs().collect::<Vec<_>>(), [], "nothing is asked of a Q1 that is no nominal size");
     for input in Input::ALL {
-        assert_eq!(program.error(ProgramField::Input(input)), None, "{input:?}");
+        assert_eq!(session.error(ProgramField::Input(input)), None, "{input:?}");
     }
     send(&mut session, ProgramCommand::Run);
     assert_eq!(state(&session), "Ended after 5 blocks");
@@ -456,7 +453,7 @@ fn what_is_given_to_an_input_is_in_its_field_its_workpiece_and_its_block() {
     for (name, value) in [("Q1", "30"), ("qs1", "g6"), ("Q11", "45,5")] {
         give(&mut session, name, value);
     }
-    let text = |session: &Session, input| session.program().text(ProgramField::Input(input)).to_owned();
+    let text = |session: &Session, input| session.text(ProgramField::Input(input)).to_owned();
     assert_eq!([Input::Size, Input::Class, Input::CentreX].map(|input| text(&session, input)), ["30", "g6", "45,5"]);
     let limits = session.program().limits(session.sources()).unwrap().unwrap();
     assert_eq!((limits.minimum().to_string(), limits.maximum().to_string()), ("29.98".into(), "29.993".into()));
@@ -478,19 +475,19 @@ fn form_and_given_values_are_one_truth() {
     type_text(&mut session, ProgramField::Input(Input::Size), "25.0");
     assert_eq!(given(&session), ["Q5 = 2"]);
     give(&mut session, "Q1", "40");
-    assert_eq!(session.program().text(ProgramField::Input(Input::Size)), "40");
+    assert_eq!(session.text(ProgramField::Input(Input::Size)), "40");
     send(&mut session, ProgramCommand::DropValue(Parameter::q(1)));
-    assert_eq!(session.program().text(ProgramField::Input(Input::Size)), "25");
+    assert_eq!(session.text(ProgramField::Input(Input::Size)), "25");
     assert_eq!(given(&session), ["Q5 = 2"]);
     // What the input does not allow is refused where it is typed, and nothing changes.
     give(&mut session, "Q1", "0");
-    let error = session.program().error(ProgramField::Value).map(said).unwrap_or_default();
+    let error = session.error(ProgramField::Value).map(said).unwrap_or_default();
     assert!(error.contains("is not above 0"), "{error}");
-    assert_eq!(session.program().text(ProgramField::Input(Input::Size)), "25");
+    assert_eq!(session.text(ProgramField::Input(Input::Size)), "25");
     // Another program begins with its own values.
     give(&mut session, "Q1", "40");
     send(&mut session, ProgramCommand::OpenShipped("8255_de.h"));
-    assert_eq!((session.program().text(ProgramField::Input(Input::Size)), given(&session)), ("25", Vec::new()));
+    assert_eq!((session.text(ProgramField::Input(Input::Size)), given(&session)), ("25", Vec::new()));
 }
 
 #[test]
@@ -520,7 +517,7 @@ fn parameters_are_named_as_on_the_control() {
         type_text(&mut session, ProgramField::Value, "7");
         send(&mut session, ProgramCommand::SetValue);
         assert_eq!(session.program().given().map(|(parameter, _)| parameter).next(), expected, "{name}");
-        assert_eq!(session.program().error(ProgramField::Name).is_none(), expected.is_some(), "{name}");
+        assert_eq!(session.error(ProgramField::Name).is_none(), expected.is_some(), "{name}");
     }
     check("q5", Some(Parameter::q(5)));
     check(" QS 12", Some(Parameter::qs(12)));

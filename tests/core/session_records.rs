@@ -1,5 +1,6 @@
 //! What the session records, and the records page: without a window, a file or a thread.
 
+use fitcheck::session::{RecordsAction, WindowAction};
 use std::sync::Arc;
 
 use fitcheck::journal::Record;
@@ -10,7 +11,7 @@ use fitcheck::message::Message;
 use fitcheck::probing::{Measurement, Origin};
 use fitcheck::session::records::{Found, Numbers, PAGE, Shorthand, Walk};
 use fitcheck::session::{
-    Action, CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, ListCommand, MeasureBy, OpenJournal, Page,
+    CheckCommand, CheckField, Command, CyclesCommand, Effect, Field, ListCommand, MeasureBy, OpenJournal, Page,
     ProgramCommand, RESTORED, RecordRow, Recorded, RecordsCommand, RecordsField, Saved, Session, Step,
 };
 use fitcheck::tolerance::Sources;
@@ -189,7 +190,7 @@ fn what_fails_stays_and_is_written_again_in_its_order() {
         send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(number)]) });
     }
     assert_eq!(session.check_recorded(), Some(Recorded::Kept(3)));
-    assert!(!session.would_lose() && !session.can(Action::RecordAgain) && session.notices().is_empty());
+    assert!(!session.would_lose() && !session.can(WindowAction::RecordAgain) && session.notices().is_empty());
 }
 
 #[test]
@@ -231,7 +232,7 @@ fn the_newest_checks_of_the_journal_are_the_history_without_those_that_stand_no_
     // Undo takes back what was done here, and nothing else.
     send(&mut session, CheckCommand::Undo);
     assert_eq!(session.history().len(), 2);
-    assert!(!session.can(Action::Undo));
+    assert!(!session.can(WindowAction::Undo));
 }
 
 #[test]
@@ -407,7 +408,7 @@ fn a_withdrawal_and_what_is_corrected_already_cannot_be_corrected() {
     let back = Correction { target: head(3), reason: "test".to_owned(), by: "Bert".to_owned() };
     for row in [check_row(8, 4, Some(9)), row(9, Content::Withdrawal(back), None)] {
         let mut session = opened(vec![row]);
-        assert!(!session.can(Action::CorrectRecord));
+        assert!(!session.can(RecordsAction::CorrectRecord));
         send(&mut session, RecordsCommand::Correct(true));
         assert!(session.records().correcting().is_none());
     }
@@ -438,7 +439,7 @@ fn what_is_taken_back_leaves_the_history_of_checks_too_and_undo_does_not_bring_i
     assert_eq!(history(&session).len(), 2, "it stands until the journal has answered");
     send(&mut session, RecordsCommand::Kept { run, result: Ok(vec![head(9)]) });
     assert_eq!(history(&session), ["25.001"]);
-    if let Some(undo) = Action::Undo.command(&session) {
+    if let Some(undo) = WindowAction::Undo.command(&session) {
         send(&mut session, undo);
     }
     assert!(!history(&session).contains(&"25.004".to_owned()));
@@ -447,7 +448,7 @@ fn what_is_taken_back_leaves_the_history_of_checks_too_and_undo_does_not_bring_i
 #[test]
 fn measure_again_takes_callout_part_serial_and_rule() {
     let mut session = opened(vec![check_row(8, -3, None)]);
-    let again = Action::MeasureAgain.command(&session).unwrap();
+    let again = RecordsAction::MeasureAgain.command(&session).unwrap();
     send(&mut session, again);
     assert_eq!(session.page(), Page::Check);
     assert_eq!((session.text(CheckField::Callout), session.text(CheckField::Part)), ("25 H7", "P8"));
@@ -494,7 +495,7 @@ fn a_row_that_can_be_no_entry_holds_no_other_up_and_is_told() {
     }
     assert_eq!(recorded, [3, 0, 2]);
     // Nothing is to be tried again, and nothing more is lost with the window.
-    assert!(!session.can(Action::RecordAgain) && !session.would_lose());
+    assert!(!session.can(WindowAction::RecordAgain) && !session.would_lose());
 }
 
 #[test]

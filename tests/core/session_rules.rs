@@ -93,7 +93,7 @@ fn a_rule_that_needs_an_uncertainty_judges_nothing_without_one() {
     run(&mut session, [CheckCommand::UseRule(RuleName::Iso14253Of2017)]);
     measured(&mut session, "25 H7", "25.012");
     assert!(session.check().shown().is_none());
-    let error = session.check().error(CheckField::Uncertainty).unwrap().to_string();
+    let error = session.error(CheckField::Uncertainty).unwrap().to_string();
     assert_eq!(error, "rule iso14253-2017 needs the uncertainty of the measured value");
     run(&mut session, [typed(CheckField::Uncertainty, "1,2"), CheckCommand::Measure]);
     assert_eq!(shown(&session).verdict.status(), Status::Good);
@@ -107,13 +107,13 @@ fn a_rule_that_needs_an_uncertainty_judges_nothing_without_one() {
     ] {
         run(&mut session, [typed(field, text), typed(CheckField::Measured, "25.012"), CheckCommand::Measure]);
         assert!(session.check().shown().is_none(), "{text}");
-        assert_eq!(session.check().error(field).unwrap().to_string(), said);
+        assert_eq!(session.error(field).unwrap().to_string(), said);
         run(&mut session, [typed(CheckField::Uncertainty, "1.2"), typed(CheckField::Coverage, "2")]);
     }
     run(&mut session, [CheckCommand::UseRule(RuleName::Fixed)]);
-    assert!(session.check().error(CheckField::GuardWidth).is_some());
+    assert!(session.error(CheckField::GuardWidth).is_some());
     run(&mut session, [CheckCommand::UseRule(RuleName::IlacG8), typed(CheckField::GuardFactor, "0")]);
-    assert!(session.check().error(CheckField::GuardFactor).is_some());
+    assert!(session.error(CheckField::GuardFactor).is_some());
 }
 
 #[test]
@@ -133,7 +133,7 @@ fn an_expanded_uncertainty_is_divided_by_its_factor() {
         assert_eq!(shown(&session).verdict.status(), status, "{size}");
     }
     assert_eq!(shown(&session).verdict.rule.uncertainty().unwrap().um(), "1.2");
-    assert_eq!(session.check().text(CheckField::Uncertainty), "2.4", "what was typed stays");
+    assert_eq!(session.text(CheckField::Uncertainty), "2.4", "what was typed stays");
 }
 
 #[test]
@@ -160,13 +160,13 @@ fn a_check_shown_again_stands_beside_its_own_rule_and_lends_it_to_nothing() {
     run(&mut session, [CheckCommand::Show(RecordId(0))]);
     let page = session.check();
     assert_eq!(page.asked().worth().judging().rule, RuleName::Iso14253Of2017);
-    assert_eq!((page.text(CheckField::Uncertainty), page.text(CheckField::PartTemperature)), ("1.2", "24"));
-    assert_eq!(page.text(CheckField::Measured), "25.012", "as it was typed");
+    assert_eq!((session.text(CheckField::Uncertainty), session.text(CheckField::PartTemperature)), ("1.2", "24"));
+    assert_eq!(session.text(CheckField::Measured), "25.012", "as it was typed");
     assert_eq!(session.saved().inputs.judging.rule, RuleName::Simple, "the user's own is kept");
     run(&mut session, [typed(CheckField::Measured, "25.014")]);
     let page = session.check();
     assert_eq!(page.asked().worth().judging().rule, RuleName::Simple);
-    assert_eq!((page.text(CheckField::Uncertainty), page.text(CheckField::PartTemperature)), ("", ""));
+    assert_eq!((session.text(CheckField::Uncertainty), session.text(CheckField::PartTemperature)), ("", ""));
     // An edit of the rule itself takes what stands there.
     run(&mut session, [CheckCommand::Show(RecordId(0)), typed(CheckField::Uncertainty, "1.3")]);
     assert_eq!(session.check().asked().worth().judging().rule, RuleName::Iso14253Of2017);
@@ -186,7 +186,7 @@ fn a_warm_part_is_brought_to_twenty_degrees_and_says_so() {
         (Status::Rework, "80".into())
     );
     run(&mut session, [typed(CheckField::PartTemperature, "")]);
-    assert!(session.check().error(CheckField::PartTemperature).is_some(), "scales without a part");
+    assert!(session.error(CheckField::PartTemperature).is_some(), "scales without a part");
     run(&mut session, [typed(CheckField::Measured, "80"), CheckCommand::Measure]);
     assert!(session.check().shown().is_none(), "nothing is judged that cannot be brought to 20 °C");
 }
@@ -245,7 +245,7 @@ fn what_the_process_makes_tells_the_risks() {
     let guarded = session.check().asked().worth().risks().unwrap();
     assert!(guarded.consumer < simple.consumer / 10.0 && simple.producer < guarded.producer, "{guarded:?}");
     run(&mut session, [typed(CheckField::ProcessSpread, "0")]);
-    assert_eq!(session.check().error(CheckField::ProcessSpread).unwrap().to_string(), "0: expected a number above 0");
+    assert_eq!(session.error(CheckField::ProcessSpread).unwrap().to_string(), "0: expected a number above 0");
 }
 
 #[test]
@@ -255,7 +255,7 @@ fn without_a_budget_in_use_nothing_is_judged_by_one() {
     run(&mut session, [CheckCommand::TellUncertainty(UncertaintyFrom::Budget)]);
     measured(&mut session, "25 H7", "25.012");
     assert!(session.check().shown().is_none());
-    let said = session.check().error(CheckField::Uncertainty).unwrap().to_string();
+    let said = session.error(CheckField::Uncertainty).unwrap().to_string();
     assert_eq!(said, "no budget is in use: open one on the budget page and use it for checks");
 }
 
@@ -350,9 +350,9 @@ fn an_edit_of_one_temperature_takes_the_others_that_stand_there() {
     measured(&mut session, "80 H7", "80.02");
     run(&mut session, [typed(CheckField::PartTemperature, ""), typed(CheckField::PartExpansion, "11.5")]);
     run(&mut session, [CheckCommand::Show(RecordId(0)), typed(CheckField::PartExpansion, "23.2")]);
-    assert_eq!(session.check().text(CheckField::PartTemperature), "28");
+    assert_eq!(session.text(CheckField::PartTemperature), "28");
     run(&mut session, [CheckCommand::Show(RecordId(0)), typed(CheckField::PartTemperature, "29")]);
-    assert_eq!(session.check().text(CheckField::PartExpansion), "23.1");
+    assert_eq!(session.text(CheckField::PartExpansion), "23.1");
 }
 
 #[test]

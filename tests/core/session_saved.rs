@@ -3,9 +3,10 @@
 #![cfg(test)]
 
 use fitcheck::message::Message;
+use fitcheck::session::WindowAction;
 use fitcheck::session::{
-    Action, CheckCommand, CheckField, Command, Effect, Field, FilesCommand, FitField, MeasureBy, Purpose, Saved,
-    SavedError, Session, TablesField, Theme,
+    CheckCommand, CheckField, Command, Effect, Field, FilesCommand, FitField, MeasureBy, Purpose, Saved, SavedError,
+    Session, TablesField, Theme,
 };
 use fitcheck::tolerance::table::Column;
 use fitcheck::tolerance::{Base, DeviationTable, Deviations};
@@ -209,11 +210,11 @@ fn what_is_judged_without_the_own_tables_says_so() {
     type_check(&mut session, "25 H7", "25.015");
     assert!(judged(&session)[1].ends_with(why), "{:?}", judged(&session));
     // Whoever wants no own tables says so once.
-    let none = Action::NoOwnTables.command(&session).unwrap();
-    assert!(session.can(Action::NoOwnTables));
+    let none = WindowAction::NoOwnTables.command(&session).unwrap();
+    assert!(session.can(WindowAction::NoOwnTables));
     session.apply(none, now());
     type_check(&mut session, "25 H7", "25.015");
-    assert!(!judged(&session)[2].contains(why) && !session.can(Action::NoOwnTables));
+    assert!(!judged(&session)[2].contains(why) && !session.can(WindowAction::NoOwnTables));
     assert_eq!(session.saved().tables_folder, None);
 }
 

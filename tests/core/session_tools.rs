@@ -189,13 +189,13 @@ fn a_tool_that_cannot_be_read_keeps_the_program_from_running() {
     let mut session = with(&program("", "Q330=+Q5"), "25");
     let field = ProgramField::Tool(Parameter::q(5));
     give(&mut session, Parameter::q(5), "MILL");
-    assert_eq!(session.program().error(field).map(said).as_deref(), Some("MILL is not a number"));
+    assert_eq!(session.error(field).map(said).as_deref(), Some("MILL is not a number"));
     send(&mut session, ProgramCommand::Run);
     assert!(session.program().run().is_none());
     assert_eq!(said(&session.program().state_message()), "An input cannot be read");
     // A tool that the table does not have is the control's own error.
     give(&mut session, Parameter::q(5), "7");
-    assert_eq!(session.program().error(field), None);
+    assert_eq!(session.error(field), None);
     send(&mut session, ProgramCommand::Run);
     let note = said(&session.program().note(0).unwrap().message);
     assert!(note.contains("Q330 = 7: the tool table has no such tool; it has 0, 3, 4, 5, 6, 9"), "{note}");

@@ -189,20 +189,20 @@ fn the_check_page_agrees_with_itself(session: &Session) {
     assert!(session.history().iter().any(|of_history| Arc::ptr_eq(of_history, record)));
     assert_eq!(page.asked().limits(), Some(&record.limits));
     for field in [CheckField::Callout, CheckField::Measured] {
-        assert_eq!(page.error(field), None, "{field:?}");
+        assert_eq!(session.error(field), None, "{field:?}");
     }
-    assert_eq!((page.culprit(CheckField::Callout), page.refusal()), (None, None));
+    assert_eq!((session.culprit(CheckField::Callout), page.refusal()), (None, None));
     the_position_agrees(session, record);
-    assert_eq!(page.text(CheckField::Part).trim(), record.id);
+    assert_eq!(session.text(CheckField::Part).trim(), record.id);
     let callout = page.asked().callout().map(|callout| callout.of_part(record.limits.feature));
     assert_eq!(callout, record.callout);
-    assert_eq!(callout.is_none(), page.text(CheckField::Callout).is_empty());
+    assert_eq!(callout.is_none(), session.text(CheckField::Callout).is_empty());
     match record.measurement.origin {
         Origin::Typed => {
             let measured = record.correction.map_or(record.measurement.diameter, |correction| correction.measured);
-            assert_eq!(page.text(CheckField::Measured).parse::<Length>().unwrap(), measured);
+            assert_eq!(session.text(CheckField::Measured).parse::<Length>().unwrap(), measured);
         }
-        _ => assert_eq!(page.text(CheckField::Measured), ""),
+        _ => assert_eq!(session.text(CheckField::Measured), ""),
     }
     let again = judge_by(record.verdict.rule, &record.limits, record.measurement.diameter, record.verdict.position);
     assert_eq!(again, record.verdict);
@@ -229,7 +229,7 @@ fn the_position_agrees(session: &Session, record: &Record) {
     let Origin::Simulated { seed, .. } = record.measurement.origin else { return };
     let mut again = Session::new(Language::En);
     again.apply(Command::UseSource(session.sources().base()), now());
-    run(&mut again, [typed(CheckField::Callout, page.text(CheckField::Callout))]);
+    run(&mut again, [typed(CheckField::Callout, session.text(CheckField::Callout))]);
     run(
         &mut again,
         [CheckCommand::ChooseFeature(record.limits.feature), CheckCommand::MeasureBy(MeasureBy::Simulating)],
@@ -238,7 +238,7 @@ fn the_position_agrees(session: &Session, record: &Record) {
     run(&mut again, [CheckCommand::UseRule(judging.rule), CheckCommand::LetProve(judging.prover)]);
     run(&mut again, [CheckCommand::TellUncertainty(judging.from)]);
     for field in SIMULATION.into_iter().chain(WORTH) {
-        run(&mut again, [typed(field, page.text(field))]);
+        run(&mut again, [typed(field, session.text(field))]);
     }
     if again.check().asked().limits() == Some(&record.limits) {
         run(&mut again, [typed(CheckField::Seed, &seed.to_string()), CheckCommand::Measure]);
@@ -453,7 +453,7 @@ fn shown_by_another_source() -> Session {
 }
 
 fn error(session: &Session, field: CheckField) -> Option<String> {
-    session.check().error(field).map(ToString::to_string)
+    session.error(field).map(ToString::to_string)
 }
 
 #[test]

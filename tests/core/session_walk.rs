@@ -1,5 +1,6 @@
 //! The walk through a part, without a window: values from everywhere, recorded, interrupted and brought back; the watched folder.
 
+use fitcheck::session::{PartsAction, WalkField};
 use std::path::PathBuf;
 
 use fitcheck::control::mask::Mask;
@@ -11,8 +12,8 @@ use fitcheck::message::{Message, Say as _};
 use fitcheck::part::{Column, Document};
 use fitcheck::session::parts::{PlanCommand, WalkCommand, WatchNews, WatchedFile};
 use fitcheck::session::{
-    Action, CheckField, Command, Effect, Field, FilesCommand, OpenJournal, Page, PartsCommand, PartsField, Purpose,
-    RecordRow, RecordsCommand, Saved, Session, Step,
+    Action, CheckField, Command, Effect, Field, FilesCommand, OpenJournal, Page, PartsCommand, Purpose, RecordRow,
+    RecordsCommand, Saved, Session, Step,
 };
 use fitcheck::tolerance::Sources;
 use fitcheck::verdict::Status;
@@ -116,15 +117,15 @@ pub fn walking_by(plan: &str) -> Session {
     send(&mut session, Command::OpenPage(Page::Parts));
     read_plan(&mut session, plan);
     assert_eq!(session.parts().document().findings().len(), 0);
-    typed(&mut session, PartsField::Serial, "A-0099");
-    let effects = act(&mut session, Action::BeginPart);
-    assert_eq!(effects, [Effect::Focus(PartsField::Value.into())]);
+    typed(&mut session, WalkField::Serial, "A-0099");
+    let effects = act(&mut session, PartsAction::BeginPart.into());
+    assert_eq!(effects, [Effect::Focus(WalkField::Value.into())]);
     session
 }
 
 pub fn take(session: &mut Session, text: &str) -> Vec<Effect> {
-    typed(session, PartsField::Value, text);
-    act(session, Action::TakeValue)
+    typed(session, WalkField::Value, text);
+    act(session, PartsAction::TakeValue.into())
 }
 
 /// Does an action some milliseconds later.
@@ -186,7 +187,7 @@ fn a_typed_value_is_judged_recorded_and_the_next_size_is_asked_for() {
     );
     assert_eq!(size(entry).verdict.status(), Status::Good);
     assert_eq!(asked(&session).as_deref(), Some("PIN"));
-    assert_eq!(session.text(PartsField::Value), "");
+    assert_eq!(session.text(WalkField::Value), "");
     let walking = session.parts().walking();
     let (at, value) = walking.shown().unwrap();
     assert_eq!((at, walking.name(at)), (0, "BORE"));
@@ -208,7 +209,7 @@ fn a_gauge_types_its_line_and_what_was_taken_is_said() {
     let remarks: Vec<_> = value.remarks.iter().map(said).collect();
     assert!(remarks.contains(&"from channel 01".to_owned()), "{remarks:?}");
     take(&mut session, "20 12");
-    assert!(said(session.error(PartsField::Value).unwrap()).contains("20 12"));
+    assert!(said(session.error(WalkField::Value).unwrap()).contains("20 12"));
     assert_eq!(asked(&session).as_deref(), Some("PIN"), "nothing was taken");
 }
 
@@ -219,7 +220,7 @@ fn a_doubtful_value_is_asked_about_first() {
     assert!(session.parts().walking().question().is_some());
     assert_eq!(asked(&session).as_deref(), Some("BORE"));
     // Enter once more takes it.
-    kept(&act_after(&mut session, Action::TakeValue, 600));
+    kept(&act_after(&mut session, PartsAction::TakeValue.into(), 600));
     assert_eq!(session.parts().walking().shown().unwrap().1.record.measurement.diameter.to_string(), "1.203");
 }
 
@@ -228,7 +229,7 @@ fn a_size_is_measured_again_and_both_values_stay() {
     let mut session = walking();
     take(&mut session, "12.07");
     assert_eq!(session.parts().walking().status(), Some(Status::Scrap));
-    act(&mut session, Action::SizeAgain);
+    act(&mut session, PartsAction::SizeAgain.into());
     assert_eq!(asked(&session).as_deref(), Some("BORE"));
     take(&mut session, "12.03");
     assert_eq!(session.parts().walking().values(0).len(), 2);
@@ -242,7 +243,7 @@ fn every_kind_is_simulated_by_its_cycle_and_a_simulated_part_is_never_good() {
     let mut session = walking();
     let mut recorded = Vec::new();
     while asked(&session).is_some() {
-        let effects = act(&mut session, Action::SimulateValue);
+        let effects = act(&mut session, PartsAction::SimulateValue.into());
         let refusal = session.parts().walking().refusal().map(said);
         assert_eq!(refusal, None);
         recorded.extend(kept(&effects).1);
@@ -264,14 +265,14 @@ fn every_kind_is_simulated_by_its_cycle_and_a_simulated_part_is_never_good() {
 #[test]
 fn a_size_is_left_out_for_a_reason_alone() {
     let mut session = walking();
-    act(&mut session, Action::SkipSize);
+    act(&mut session, PartsAction::SkipSize.into());
     assert!(session.parts().walking().is_skipping());
-    typed(&mut session, PartsField::Reason, "  ");
-    act(&mut session, Action::SkipFor);
-    assert!(session.error(PartsField::Reason).is_some());
+    typed(&mut session, WalkField::Reason, "  ");
+    act(&mut session, PartsAction::SkipFor.into());
+    assert!(session.error(WalkField::Reason).is_some());
     assert_eq!(asked(&session).as_deref(), Some("BORE"));
-    typed(&mut session, PartsField::Reason, "probe broken");
-    act(&mut session, Action::SkipFor);
+    typed(&mut session, WalkField::Reason, "probe broken");
+    act(&mut session, PartsAction::SkipFor.into());
     assert_eq!(asked(&session).as_deref(), Some("PIN"));
     assert_eq!(standing(&session), "0 measured, 4 missing, 1 skipped");
     // Measured later all the same.
@@ -284,20 +285,20 @@ fn a_size_is_left_out_for_a_reason_alone() {
 fn the_next_part_counts_up_and_what_is_missing_is_said_first() {
     let mut session = walking();
     take(&mut session, "12.03");
-    assert_eq!(act(&mut session, Action::NextPart), []);
+    assert_eq!(act(&mut session, PartsAction::NextPart.into()), []);
     assert!(session.parts().walking().is_warned() && session.parts().walking().is_begun());
-    assert_eq!(act(&mut session, Action::NextPart), [Effect::Focus(PartsField::Serial.into())]);
+    assert_eq!(act(&mut session, PartsAction::NextPart.into()), [Effect::Focus(WalkField::Serial.into())]);
     assert!(!session.parts().walking().is_begun());
-    assert_eq!(session.text(PartsField::Serial), "A-0100");
-    act(&mut session, Action::CountUp);
-    assert_eq!(session.text(PartsField::Serial), "A-0101");
+    assert_eq!(session.text(WalkField::Serial), "A-0100");
+    act(&mut session, PartsAction::CountUp.into());
+    assert_eq!(session.text(WalkField::Serial), "A-0101");
 }
 
 #[test]
 fn the_list_is_walked_by_key() {
     let mut session = walking();
     for (step, name) in [(Step::Down, "PIN"), (Step::Last, "TOP"), (Step::Up, "K1 Y"), (Step::First, "BORE")] {
-        act(&mut session, Action::MoveSize(step));
+        act(&mut session, PartsAction::MoveSize(step).into());
         assert_eq!(asked(&session).as_deref(), Some(name));
     }
 }
@@ -325,8 +326,8 @@ fn a_file_that_is_dropped_on_a_walk_is_read_for_it() {
     assert_eq!(effects, [Effect::Read(Purpose::ImportValues(1), path)]);
     assert_eq!(session.page(), Page::Parts);
     // It comes when the part was ended already.
-    act(&mut session, Action::NextPart);
-    act(&mut session, Action::NextPart);
+    act(&mut session, PartsAction::NextPart.into());
+    act(&mut session, PartsAction::NextPart.into());
     assert_eq!(import(&mut session, "name;measured\nBORE;12.03\n"), []);
     assert!(session.history().is_empty());
 }
@@ -358,7 +359,7 @@ fn the_plans_rule_counts_and_else_the_rule_of_the_check_page() {
     let mut session = walking();
     typed(&mut session, CheckField::Uncertainty, "not a number");
     assert_eq!(take(&mut session, "12.03"), [], "a rule that cannot be read judges nothing");
-    assert!(session.error(PartsField::Value).is_some());
+    assert!(session.error(WalkField::Value).is_some());
     typed(&mut session, CheckField::Uncertainty, "");
     kept(&take(&mut session, "12.03"));
     // At 30 °C a steel pin of 20 mm is 2.3 µm longer.
@@ -384,7 +385,7 @@ pub fn rows(entries: &[Entry], first: u64) -> Vec<RecordRow> {
 fn an_interrupted_part_comes_back_with_its_values_and_reasons() {
     let mut session = walking();
     let mut entries = kept(&take(&mut session, "12.07")).1;
-    act(&mut session, Action::SizeAgain);
+    act(&mut session, PartsAction::SizeAgain.into());
     entries.extend(kept(&take(&mut session, "12.03")).1);
     send(&mut session, WalkCommand::Skip("probe broken".to_owned()));
     let saved = Saved::read(&session.saved().write()).unwrap();
@@ -413,8 +414,8 @@ fn an_interrupted_part_comes_back_with_its_values_and_reasons() {
     send(&mut back, WalkCommand::Came { run, result: Ok(rows(&entries, 8)) });
     assert_eq!(back.parts().walking().values(0).len(), 2);
     // Ended, it does not come back.
-    act(&mut back, Action::NextPart);
-    act(&mut back, Action::NextPart);
+    act(&mut back, PartsAction::NextPart.into());
+    act(&mut back, PartsAction::NextPart.into());
     assert_eq!(back.saved().walk, Saved::default().walk);
 }
 
@@ -490,7 +491,7 @@ fn a_watch_begins_anew_only_once_what_it_found_before_is_on_disk() {
         let (batch, _) = kept(&send(&mut session, WalkCommand::Watched { run, news: Box::new(news) }));
         // What is on its way to the disk is not known there yet.
         if stops {
-            assert_eq!(act(&mut session, Action::StopWatch), [Effect::StopWatch]);
+            assert_eq!(act(&mut session, PartsAction::StopWatch.into()), [Effect::StopWatch]);
             let again = send(&mut session, WalkCommand::Watch { folder: "/in".into(), is_folder: true });
             assert_eq!(again, []);
         } else {
@@ -523,7 +524,7 @@ fn a_watch_begins_anew_when_values_are_brought_to_20_degrees_from_another_temper
 fn a_watch_that_was_ended_changes_nothing_any_more() {
     let mut session = walking();
     let run = watched(&mut session);
-    assert_eq!(act(&mut session, Action::StopWatch), [Effect::StopWatch]);
+    assert_eq!(act(&mut session, PartsAction::StopWatch.into()), [Effect::StopWatch]);
     let news = look(&session, 1, "name;measured\nBORE;12.03\n");
     assert_eq!(send(&mut session, WalkCommand::Watched { run, news: Box::new(news) }), []);
     assert!(session.history().is_empty());
@@ -595,7 +596,7 @@ fn a_folder_that_is_judged_by_an_older_plan_says_so() {
     assert!(!session.parts().watches_other_plan());
     // A part that is begun is judged by the plan as it is, and so is the folder from then on.
     change(&mut session, "12 H7");
-    let effects = act(&mut session, Action::BeginPart);
+    let effects = act(&mut session, PartsAction::BeginPart.into());
     assert!(matches!(effects[..], [_, Effect::Watch { .. }] | [Effect::Watch { .. }, _]), "{effects:?}");
     assert!(!session.parts().watches_other_plan());
 }
@@ -608,7 +609,7 @@ fn a_folder_that_is_watched_by_a_plan_that_no_file_holds_is_not_watched_by_an_ol
     assert!(matches!(again[..], [Effect::Watch { .. }]), "{again:?}");
     assert!(!session.parts().watched().comes_back() && session.saved().walk.watched.is_none());
     // Saved, it can be read again.
-    act(&mut session, Action::SavePlan(0));
+    act(&mut session, PartsAction::SavePlan(0).into());
     send(&mut session, Command::TypePath("/plans/new.toml".to_owned()));
     let effects = send(&mut session, Command::Confirm);
     let [Effect::ForDialog(number, _)] = &effects[..] else { panic!("{effects:?}") };
@@ -715,7 +716,7 @@ fn a_value_that_is_corrected_counts_as_corrected_in_the_place_of_the_old_one() {
         session.notices()
     );
     // It was measured again before the first value was corrected: what was measured last counts, after a restart as well.
-    act(&mut session, Action::SizeAgain);
+    act(&mut session, PartsAction::SizeAgain.into());
     let (_, again) = kept(&take(&mut session, "12.03"));
     let saved = Saved::read(&session.saved().write()).unwrap();
     let (mut back, _) = Session::restore(saved);

@@ -1,5 +1,6 @@
 //! A value is of the size, the part and the limits that it was measured for, whatever comes meanwhile from files, keys and a restart.
 
+use fitcheck::session::{PartsAction, WalkField};
 use std::path::PathBuf;
 
 use fitcheck::exchange::{FirstRows, Mapping};
@@ -8,8 +9,8 @@ use fitcheck::journal::entry::Entry;
 use fitcheck::message::Message;
 use fitcheck::session::parts::{PlanCommand, WalkCommand};
 use fitcheck::session::{
-    Action, AskedColumns, ColumnsCommand, Command, Effect, Field, ImportInto, OpenJournal, Page, PartsCommand,
-    PartsField, RecordsCommand, Saved, Session, Step,
+    AskedColumns, ColumnsCommand, Command, Effect, Field, ImportInto, OpenJournal, Page, PartsCommand, RecordsCommand,
+    Saved, Session, Step,
 };
 use fitcheck::verdict::Status;
 use fitcheck::words::Language;
@@ -113,7 +114,7 @@ fn a_feature_without_a_name_gives_its_value_to_no_other_row() {
     let plan = "fitcheck_plan = 1\n[[feature]]\ncallout = \"25 H7\"\n[[feature]]\ncallout = \"25 H7\"\n";
     let mut session = walking_by(plan);
     let entries = kept(&take(&mut session, "25.06")).1;
-    act(&mut session, Action::SkipSize);
+    act(&mut session, PartsAction::SkipSize.into());
     send(&mut session, WalkCommand::Skip("no gauge".to_owned()));
     let same = restarted(&session, &entries, plan);
     assert_eq!(standing(&same), "1 measured, 0 missing, 1 skipped");
@@ -130,11 +131,11 @@ fn a_feature_without_a_name_gives_its_value_to_no_other_row() {
 fn a_file_that_comes_while_a_value_is_typed_does_not_move_the_size_that_it_is_typed_for() {
     let mut session = walking();
     let run = watched(&mut session);
-    typed(&mut session, PartsField::Value, "25.010");
+    typed(&mut session, WalkField::Value, "25.010");
     let news = look(&session, 1, "name;measured\nA;25.012\n");
     send(&mut session, WalkCommand::Watched { run, news: Box::new(news) });
     assert_eq!(asked(&session).as_deref(), Some("A"));
-    assert_eq!(told(&kept(&act(&mut session, Action::TakeValue)).1), ["Flange A-0099 A 25.01"]);
+    assert_eq!(told(&kept(&act(&mut session, PartsAction::TakeValue.into())).1), ["Flange A-0099 A 25.01"]);
     assert_eq!(asked(&session).as_deref(), Some("B"));
     import(&mut session, "name;measured\nB;25.012\n");
     assert_eq!(asked(&session).as_deref(), Some("C"), "nobody is at B");
@@ -144,7 +145,7 @@ fn a_file_that_comes_while_a_value_is_typed_does_not_move_the_size_that_it_is_ty
 fn a_size_that_was_chosen_stays_until_it_has_its_value() {
     let mut session = walking();
     take(&mut session, "25.030");
-    act(&mut session, Action::SizeAgain);
+    act(&mut session, PartsAction::SizeAgain.into());
     import(&mut session, "name;measured\nC;19.985\n");
     assert_eq!(asked(&session).as_deref(), Some("A"));
     assert_eq!(told(&kept(&take(&mut session, "25.010")).1), ["Flange A-0099 A 25.01"]);
@@ -159,9 +160,9 @@ fn a_question_and_the_panel_of_reasons_stay_with_their_size_when_a_file_comes() 
     import(&mut session, "name;measured\nA;25.01\n");
     assert!(session.parts().walking().question().is_some());
     assert_eq!(asked(&session).as_deref(), Some("A"));
-    typed(&mut session, PartsField::Value, "");
+    typed(&mut session, WalkField::Value, "");
     send(&mut session, WalkCommand::Go(1));
-    act(&mut session, Action::SkipSize);
+    act(&mut session, PartsAction::SkipSize.into());
     import(&mut session, "name;measured\nB;25.01\n");
     assert!(session.parts().walking().is_skipping());
     assert_eq!(asked(&session).as_deref(), Some("B"));
@@ -170,21 +171,21 @@ fn a_question_and_the_panel_of_reasons_stay_with_their_size_when_a_file_comes() 
 #[test]
 fn a_value_is_taken_for_the_size_alone_that_it_was_typed_for() {
     let mut session = walking();
-    typed(&mut session, PartsField::Value, "25.010");
+    typed(&mut session, WalkField::Value, "25.010");
     send(&mut session, WalkCommand::Go(1));
-    assert_eq!(act(&mut session, Action::TakeValue), []);
-    let refusal = said(session.error(PartsField::Value).unwrap());
+    assert_eq!(act(&mut session, PartsAction::TakeValue.into()), []);
+    let refusal = said(session.error(WalkField::Value).unwrap());
     assert_eq!(refusal, "the value was typed for A, and B is asked for now: type it again");
     assert_eq!(told(&kept(&take(&mut session, "25.010")).1), ["Flange A-0099 B 25.01"]);
     // Leaving a size out moves on as well.
-    typed(&mut session, PartsField::Value, "19.985");
+    typed(&mut session, WalkField::Value, "19.985");
     let at = asked(&session).unwrap();
-    act(&mut session, Action::SkipSize);
+    act(&mut session, PartsAction::SkipSize.into());
     send(&mut session, WalkCommand::Skip("no gauge".to_owned()));
     assert_ne!(asked(&session).unwrap(), at);
-    assert_eq!(act(&mut session, Action::TakeValue), []);
-    act(&mut session, Action::MoveSize(Step::Last));
-    assert_eq!(session.text(PartsField::Value), "19.985", "nothing that was typed is lost");
+    assert_eq!(act(&mut session, PartsAction::TakeValue.into()), []);
+    act(&mut session, PartsAction::MoveSize(Step::Last).into());
+    assert_eq!(session.text(WalkField::Value), "19.985", "nothing that was typed is lost");
 }
 
 #[test]
@@ -194,9 +195,9 @@ fn a_file_that_was_read_for_one_part_is_not_taken_for_the_next_one() {
     let command =
         WalkCommand::Imported { run: session.parts().walking().run(), name: "m.csv".to_owned(), result: Ok(late) };
     for _ in 0..2 {
-        act(&mut session, Action::NextPart);
+        act(&mut session, PartsAction::NextPart.into());
     }
-    act(&mut session, Action::BeginPart);
+    act(&mut session, PartsAction::BeginPart.into());
     assert_eq!(session.parts().walking().serial(), "A-0100");
     assert_eq!(send(&mut session, command), []);
     assert_eq!(standing(&session), "0 measured, 3 missing, 0 skipped");
@@ -212,9 +213,9 @@ fn columns_that_are_chosen_when_the_next_part_is_begun_read_nothing_into_it() {
     let into = ImportInto::Part(session.parts().walking().run());
     let asked = AskedColumns { name, path, into, first, mapping, is_wanted: true };
     for _ in 0..2 {
-        act(&mut session, Action::NextPart);
+        act(&mut session, PartsAction::NextPart.into());
     }
-    act(&mut session, Action::BeginPart);
+    act(&mut session, PartsAction::BeginPart.into());
     send(&mut session, ColumnsCommand::Ask(Box::new(asked)));
     assert!(session.open_columns().is_none());
     assert!(noticed(&session).contains("a.csv was read after the part had ended"), "{}", noticed(&session));
@@ -259,14 +260,14 @@ fn a_simulated_value_never_takes_the_place_of_a_measured_one() {
     let mut session = walking();
     take(&mut session, "25.06");
     assert_eq!(session.parts().walking().status(), Some(Status::Scrap));
-    act(&mut session, Action::SizeAgain);
-    assert_eq!(act(&mut session, Action::SimulateValue), []);
+    act(&mut session, PartsAction::SizeAgain.into());
+    assert_eq!(act(&mut session, PartsAction::SimulateValue.into()), []);
     let refusal = said(session.parts().walking().refusal().unwrap());
     assert_eq!(refusal, "A is measured: a simulated value never takes the place of a measured one");
     assert_eq!(session.parts().walking().status(), Some(Status::Scrap));
     // A measured one takes the place of a simulated one.
     send(&mut session, WalkCommand::Go(1));
-    act(&mut session, Action::SimulateValue);
+    act(&mut session, PartsAction::SimulateValue.into());
     assert_eq!(session.parts().walking().standing().simulated, 1);
     send(&mut session, WalkCommand::Go(1));
     take(&mut session, "25.01");
@@ -279,11 +280,11 @@ fn a_scanner_that_sends_enter_twice_answers_no_question() {
     assert_eq!(take(&mut session, "25013"), []);
     assert!(session.parts().walking().question().is_some());
     for after in [0, 30, 499, 998] {
-        assert_eq!(act_after(&mut session, Action::TakeValue, after), [], "{after} ms");
+        assert_eq!(act_after(&mut session, PartsAction::TakeValue.into(), after), [], "{after} ms");
     }
     assert!(session.parts().walking().question().is_some());
     // What it may have been has a button of its own.
-    kept(&act(&mut session, Action::TakeMeantValue));
+    kept(&act(&mut session, PartsAction::TakeMeantValue.into()));
     assert_eq!(session.parts().walking().shown().unwrap().1.record.measurement.diameter.to_string(), "25.013");
 }
 
@@ -292,14 +293,17 @@ fn a_serial_number_that_was_measured_already_is_asked_about_once() {
     let mut session = walking();
     take(&mut session, "25.06");
     for _ in 0..2 {
-        act(&mut session, Action::NextPart);
+        act(&mut session, PartsAction::NextPart.into());
     }
-    typed(&mut session, PartsField::Serial, "A-0099");
-    assert_eq!(act(&mut session, Action::BeginPart), []);
-    let question = said(session.error(PartsField::Serial).unwrap());
+    typed(&mut session, WalkField::Serial, "A-0099");
+    assert_eq!(act(&mut session, PartsAction::BeginPart.into()), []);
+    let question = said(session.error(WalkField::Serial).unwrap());
     assert!(question.starts_with("Serial number A-0099 has been measured already."), "{question}");
-    assert_eq!(act_after(&mut session, Action::BeginPart, 20), [], "a scanner sends Enter twice");
-    assert_eq!(act_after(&mut session, Action::BeginPart, 600), [Effect::Focus(Field::from(PartsField::Value))]);
+    assert_eq!(act_after(&mut session, PartsAction::BeginPart.into(), 20), [], "a scanner sends Enter twice");
+    assert_eq!(
+        act_after(&mut session, PartsAction::BeginPart.into(), 600),
+        [Effect::Focus(Field::from(WalkField::Value))]
+    );
     assert_eq!(session.parts().walking().serial(), "A-0099");
     // A part with values from a file is known, too.
     let mut values = items("name;measured\nA;25.012\n");
@@ -312,12 +316,12 @@ fn a_serial_number_that_was_measured_already_is_asked_about_once() {
         WalkCommand::Imported { run: session.parts().walking().run(), name: "m.csv".to_owned(), result: Ok(values) };
     kept(&send(&mut session, command));
     for _ in 0..2 {
-        act(&mut session, Action::NextPart);
+        act(&mut session, PartsAction::NextPart.into());
     }
-    typed(&mut session, PartsField::Serial, "B-7");
-    assert_eq!(act(&mut session, Action::BeginPart), []);
-    typed(&mut session, PartsField::Serial, "B-8");
-    act(&mut session, Action::BeginPart);
+    typed(&mut session, WalkField::Serial, "B-7");
+    assert_eq!(act(&mut session, PartsAction::BeginPart.into()), []);
+    typed(&mut session, WalkField::Serial, "B-8");
+    act(&mut session, PartsAction::BeginPart.into());
     assert_eq!(session.parts().walking().serial(), "B-8");
 }
 
@@ -331,9 +335,9 @@ fn a_serial_number_among_the_newest_records_is_asked_about_after_a_restart() {
     send(&mut back, RecordsCommand::Opened(Ok((Box::new(journal), rows(&entries, 8)))));
     send(&mut back, Command::OpenPage(Page::Parts));
     read_plan(&mut back, PLAN);
-    typed(&mut back, PartsField::Serial, "A-0099");
-    assert_eq!(act(&mut back, Action::BeginPart), []);
-    act_after(&mut back, Action::BeginPart, 600);
+    typed(&mut back, WalkField::Serial, "A-0099");
+    assert_eq!(act(&mut back, PartsAction::BeginPart.into()), []);
+    act_after(&mut back, PartsAction::BeginPart.into(), 600);
     assert!(back.parts().walking().is_begun());
 }
 
@@ -351,8 +355,8 @@ fn an_interrupted_part_that_waits_for_its_plan_is_not_given_up_silently() {
     let document = fitcheck::part::Document::read(PLAN.as_bytes()).unwrap();
     let read = PlanCommand::Read { path: "/plans/other.toml".into(), result: Ok(Box::new(document)) };
     send(&mut back, PartsCommand::Plan(read));
-    typed(&mut back, PartsField::Serial, "T-1");
-    act(&mut back, Action::BeginPart);
+    typed(&mut back, WalkField::Serial, "T-1");
+    act(&mut back, PartsAction::BeginPart.into());
     let said = noticed(&back);
     assert!(said.starts_with("The interrupted part A-0099 is not restored"), "{said}");
 }
@@ -366,7 +370,7 @@ fn an_answer_of_the_journal_for_a_part_that_was_ended_is_not_said() {
     read_plan(&mut back, PLAN);
     open_journal(&mut back, 8);
     for _ in 0..2 {
-        act(&mut back, Action::NextPart);
+        act(&mut back, PartsAction::NextPart.into());
     }
     let before = back.notices().len();
     send(&mut back, WalkCommand::Came { run: 1, result: Ok(rows(&entries, 8)) });
@@ -378,9 +382,9 @@ fn what_was_left_out_is_said_when_the_part_is_ended() {
     let mut session = walking();
     take(&mut session, "25.01");
     take(&mut session, "25.01");
-    act(&mut session, Action::SkipSize);
+    act(&mut session, PartsAction::SkipSize.into());
     send(&mut session, WalkCommand::Skip("no gauge".to_owned()));
-    act(&mut session, Action::NextPart);
+    act(&mut session, PartsAction::NextPart.into());
     assert!(!session.parts().walking().is_begun());
     assert_eq!(noticed(&session), "Not used for the part A-0099, which has ended\nC: no gauge");
 }
@@ -409,7 +413,7 @@ fn two_values_of_a_size_in_one_file_are_a_question_and_not_good() {
     assert_eq!(decided(&session), (Some(Status::Scrap), Some("A")));
     assert!(all_noticed(&session).contains("A: values contradict each other"), "{}", all_noticed(&session));
     // Somebody chooses.
-    act(&mut session, Action::CountNewest);
+    act(&mut session, PartsAction::CountNewest.into());
     assert_eq!(decided(&session), (Some(Status::Good), None));
     assert!(noticed(&session).contains("the last value counts, as chosen"), "{}", noticed(&session));
 }

@@ -1,5 +1,6 @@
 //! Every key does what its action does: a window driven by keys stays equal to a session that gets the commands.
 
+use fitcheck::session::{CheckAction, CyclesAction, ProgramAction, WindowAction};
 use std::collections::BTreeSet;
 
 use eframe::egui::accesskit::Role;
@@ -79,7 +80,7 @@ impl Pair {
     fn press(&mut self, shortcut: Shortcut) {
         self.focus();
         let page = self.session.page();
-        let part = Part::ALL.into_iter().find(|part| part.page() == page);
+        let part = Part::of(page).next();
         let heard = self.session.keys(part, false).into_iter().find(|(heard, _)| *heard == shortcut);
         press(&mut self.window, shortcut);
         if let Some((_, action)) = heard {
@@ -129,7 +130,9 @@ impl Pair {
     fn check_done(&self) {
         let page = self.session.page();
         // The rows of a large file have keys of their own, which `rows` presses.
-        let is_of_rows = |action: &Action| matches!(action, Action::CancelRows | Action::MoveRow(_) | Action::ShowRow);
+        let is_of_rows = |action: &Action| {
+            matches!(action, Action::Check(CheckAction::CancelRows | CheckAction::MoveRow(_) | CheckAction::ShowRow))
+        };
         for action in Action::all().filter(|action| action.shortcut_on(page).is_some() && !is_of_rows(action)) {
             for shortcut in action.shortcuts() {
                 let name = format!("{action:?} {shortcut}");
@@ -189,12 +192,12 @@ fn keys_of_the_check_page() {
     );
     pair.send(CheckCommand::Imported { name: "parts.csv".to_owned(), result: Ok(Box::new(imported)) });
     for step in [Step::Right, Step::Left, Step::Last, Step::First] {
-        pair.press(Action::ShowInLot(step).shortcuts().next().unwrap());
+        pair.press(Action::from(CheckAction::ShowInLot(step)).shortcuts().next().unwrap());
     }
     pair.send(Command::Close);
     pair.send(Command::OpenDialog(Purpose::Import));
-    pair.press(Action::Import.shortcuts().next().unwrap());
-    pair.press(Action::Close.shortcuts().next().unwrap());
+    pair.press(Action::from(WindowAction::Import).shortcuts().next().unwrap());
+    pair.press(Action::from(WindowAction::Close).shortcuts().next().unwrap());
     assert!(pair.session.dialog().is_none());
     pair.check_done();
 }
@@ -235,7 +238,7 @@ fn keys_of_the_cycles_page() {
     pair.send(CyclesCommand::TypeBlock(block.to_owned()));
     pair.send(CyclesCommand::TakeBlock);
     pair.press_all();
-    pair.press(Action::StepPath(Step::Left).shortcuts().next().unwrap());
+    pair.press(Action::from(CyclesAction::StepPath(Step::Left)).shortcuts().next().unwrap());
     let done = pair.done.iter().filter(|name| name.starts_with("StepPath") || name.starts_with("RunCycle")).count();
     assert_eq!(done, 5);
 }
@@ -287,8 +290,8 @@ fn keys_of_the_program_page() {
     pair.press_all();
     // A key that another page uses too may have run the program to its end.
     pair.send(ProgramCommand::Reset);
-    for action in [Action::StepProgram, Action::StepOver] {
-        pair.press(action.shortcuts().next().unwrap());
+    for action in [ProgramAction::StepProgram, ProgramAction::StepOver] {
+        pair.press(Action::from(action).shortcuts().next().unwrap());
     }
     for name in ["RunProgram", "StepProgram", "StepOver", "RunToSelected", "ToggleBreakpoint", "ResetProgram"] {
         assert!(pair.done.iter().any(|done| done.starts_with(name)), "{name} was never possible");
@@ -299,6 +302,6 @@ fn keys_of_the_program_page() {
     pair.send(ProgramCommand::Reset);
     pair.send(ProgramCommand::Run);
     assert!(pair.session.program().is_running());
-    press(&mut pair.window, Action::PauseProgram.shortcuts().next().unwrap());
+    press(&mut pair.window, Action::from(ProgramAction::PauseProgram).shortcuts().next().unwrap());
     assert!(!pair.window.state().session().program().is_running());
 }

@@ -1,5 +1,6 @@
 //! Questions and Enter in the window; what is recorded of a file; what is exported; a budget that is nobody's yet.
 
+use fitcheck::session::{BudgetAction, WalkField, WindowAction};
 use std::path::Path;
 use std::process::Command as Process;
 
@@ -88,8 +89,8 @@ fn a_serial_number_that_is_scanned_while_a_part_is_measured_is_no_value() {
     let mut page = begun(folder.path());
     scan(&mut page, "A-0099⏎");
     let session = page.state().session();
-    assert_eq!(session.text(PartsField::Value), "");
-    assert!(!session.error(PartsField::Value).unwrap().to_string().contains("is not a number"));
+    assert_eq!(session.text(WalkField::Value), "");
+    assert!(!session.error(WalkField::Value).unwrap().to_string().contains("is not a number"));
     // In the same frame as the key that ends the part.
     let key = |key, pressed| eframe::egui::Event::Key {
         key,
@@ -196,7 +197,7 @@ fn the_rows_of_a_large_file_are_not_exported_as_the_history() {
     check(&mut window, "25 H7", "25.012");
     drop_file(&mut window, path);
     assert!(window.state().session().lists_rows());
-    assert!(!window.state().session().can(Action::Export(0)));
+    assert!(!window.state().session().can(WindowAction::Export(0)));
     click(&mut window, Role::Button, "Export");
     window.get_by_label_contains("The listed rows of big.csv are not exported here");
 }
@@ -209,7 +210,7 @@ fn a_budget_of_the_template_is_used_by_no_check() {
     page.key_press_modifiers(Modifiers::COMMAND, Key::N);
     page.run();
     page.get_by_label_contains("It still has entries from the template: the name, who created it, all figures");
-    assert!(!page.state().session().can(Action::UseBudget));
+    assert!(!page.state().session().can(BudgetAction::UseBudget));
     let ctx = page.ctx.clone();
     let toml = page.state().session().budget().toml().to_owned();
     let named = toml.replace("Station 1, probe 1", "Mill 3").replace("Who made it", "JJ");
@@ -218,5 +219,5 @@ fn a_budget_of_the_template_is_used_by_no_check() {
     page.get_by_label_contains("It still has entries from the template: all figures.");
     page.state_mut().send(&ctx, BudgetCommand::Edit(named.replace("standard_um = 0.5", "standard_um = 0.7")).into());
     page.run();
-    assert!(page.state().session().can(Action::UseBudget));
+    assert!(page.state().session().can(BudgetAction::UseBudget));
 }

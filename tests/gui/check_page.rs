@@ -267,7 +267,7 @@ fn a_refused_simulation_says_why_in_the_verdict_s_place_and_beside_the_field() {
     window.run();
     window.key_press(Key::Enter);
     window.run();
-    let error = window.state().session().check().error(CheckField::OffsetX).map(ToString::to_string).unwrap();
+    let error = window.state().session().error(CheckField::OffsetX).map(ToString::to_string).unwrap();
     assert_eq!(verdict(&window), format!("No result. Nothing was measured. {error}"));
     window.get_by_role_and_label(Role::TextInput, "Offset X");
     assert_eq!(window.get_all_by_label(&error).count(), 2, "in the card and below the field");

@@ -538,8 +538,8 @@ fn the_keypad_types_into_a_parameter_and_runs() {
     for pressed in ["Decimal sign", "Key 2", "Measure with Enter"] {
         click(&mut window, Role::Button, pressed);
     }
-    let cycles = window.state().session().cycles();
-    assert_eq!(cycles.text(CycleField::Parameter(288.into())), "5.2");
+    let session = window.state().session();
+    assert_eq!(session.text(CycleField::Parameter(288.into())), "5.2");
     assert!(simulated(&window).starts_with("GOOD"), "{}", simulated(&window));
 }
 
@@ -555,7 +555,7 @@ fn choices_are_made_by_typing_their_number_too() {
         window.get_by_role_and_label(Role::ComboBox, &name).type_text(typed);
         window.run();
         let key = window.state().session().cycles().cycle().parameter_named(parameter).unwrap().key;
-        assert_eq!(window.state().session().cycles().text(CycleField::Parameter(key)), chosen, "{parameter} {typed}");
+        assert_eq!(window.state().session().text(CycleField::Parameter(key)), chosen, "{parameter} {typed}");
     }
 }
 
@@ -589,7 +589,7 @@ fn a_choice_by_key_keeps_the_focus_on_its_list() {
         assert_eq!(focused(&window), list);
     }
     assert_eq!(window.state().session().cycles().cycle().code, "422");
-    assert_eq!(window.state().session().cycles().text(CycleField::Parameter(301.into())), "1");
+    assert_eq!(window.state().session().text(CycleField::Parameter(301.into())), "1");
 }
 
 #[test]
@@ -613,10 +613,10 @@ fn predef_can_be_chosen_where_there_is_a_list() {
     let name = name(&window, "Q301");
     click(&mut window, Role::ComboBox, &name);
     click(&mut window, Role::Button, "PREDEF");
-    let cycles = window.state().session().cycles();
-    assert_eq!(cycles.text(CycleField::Parameter(301.into())), "PREDEF");
-    assert!(cycles.is_predef(301.into()));
-    assert!(cycles.error(CycleField::Global(301.into())).is_some());
+    let session = window.state().session();
+    assert_eq!(session.text(CycleField::Parameter(301.into())), "PREDEF");
+    assert!(session.cycles().is_predef(301.into()));
+    assert!(session.error(CycleField::Global(301.into())).is_some());
     type_into(&mut window, "Q301  PREDEF stands for", "1");
     assert!(window.state().session().cycles().is_complete());
 }
@@ -634,7 +634,7 @@ fn a_run_that_cannot_begin_leads_to_the_first_field_that_is_wrong() {
     window.get_by_role_and_label(Role::TextInput, &name(&window, "Q280")).type_text("0,1");
     click(&mut window, Role::Button, "Run");
     assert!(simulated(&window).starts_with("GOOD"), "{}", simulated(&window));
-    assert_eq!(window.state().session().cycles().text(CycleField::Parameter(280.into())), "0,1");
+    assert_eq!(window.state().session().text(CycleField::Parameter(280.into())), "0,1");
 }
 
 #[test]

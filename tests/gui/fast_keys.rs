@@ -6,6 +6,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::part::Column;
+use fitcheck::session::PartsAction;
 use fitcheck::session::{Action, BudgetCommand, CheckField, Command, Field, FitField, Page, RecordsField};
 
 use crate::harness::{DESK, click, press, scan, settle, verdict, window};
@@ -162,7 +163,8 @@ fn cells_of_a_plan_are_typed_one_after_the_other() {
     let folder = tempfile::tempdir().unwrap();
     let mut page = window_of(folder.path(), DESK).open();
     let ctx = page.ctx.clone();
-    let show = Action::ShowParts(fitcheck::session::parts::PartsView::Plan).command(page.state().session()).unwrap();
+    let show =
+        PartsAction::ShowParts(fitcheck::session::parts::PartsView::Plan).command(page.state().session()).unwrap();
     page.state_mut().send(&ctx, show);
     page.run();
     click(&mut page, Role::GridCell, "Row 1, Name, BORE");

@@ -1,5 +1,6 @@
 //! The plan of a part as a table, by label and key: typing, pasting, undo, faults, the picture and its balloons.
 
+use fitcheck::session::PartsAction;
 use std::path::{Path, PathBuf};
 
 use eframe::egui::accesskit::{Invalid, Role};
@@ -75,7 +76,8 @@ fn open(window: Window, path: &Path) -> Page {
     let files = vec![(Purpose::OpenPlan, path.to_owned())];
     let mut page = Window { files, ..window }.open();
     let ctx = page.ctx.clone();
-    let show = Action::ShowParts(fitcheck::session::parts::PartsView::Plan).command(page.state().session()).unwrap();
+    let show =
+        PartsAction::ShowParts(fitcheck::session::parts::PartsView::Plan).command(page.state().session()).unwrap();
     page.state_mut().send(&ctx, show);
     page.run();
     page

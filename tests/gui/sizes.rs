@@ -3,6 +3,7 @@
 //!
 //! `PICTURES=FOLDER cargo test --all-features --test gui sizes` also writes a picture of every page at every size.
 
+use fitcheck::session::WalkField;
 use std::borrow::Cow;
 use std::io::Write as _;
 use std::sync::Arc;
@@ -340,7 +341,7 @@ fn walk(size: (f32, f32, f32), tongue: Tongue) -> Vec<String> {
     send(&mut window, PartsCommand::Plan(PlanCommand::Read { path: "/plans/flange.csv".into(), result }));
     let mut found = faults(&window, tongue, &format!("{what}, begin"));
     send(&mut window, WalkCommand::Begin);
-    typed(&mut window, PartsField::Value, "25.0134");
+    typed(&mut window, WalkField::Value, "25.0134");
     send(&mut window, WalkCommand::Take);
     send(&mut window, WalkCommand::Simulate);
     paint(&mut window, &what);

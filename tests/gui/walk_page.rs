@@ -1,6 +1,7 @@
 //! The walk through a part in the window, by label and key: values typed, gauged, simulated, from files and from a watched folder; touch
 //! alone; interrupted and brought back.
 
+use fitcheck::session::WalkField;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};
@@ -166,7 +167,7 @@ fn twelve_features_are_measured_from_everywhere() {
     assert_eq!(recorded(folder.path()), 13);
     // The next part.
     press(&mut page, Key::F8);
-    assert_eq!(page.state().session().text(fitcheck::session::PartsField::Serial), "A-0100");
+    assert_eq!(page.state().session().text(fitcheck::session::WalkField::Serial), "A-0100");
     press(&mut page, Key::Enter);
     assert_eq!(asked(&page).as_deref(), Some("BORE"));
     assert_eq!(page.state().session().parts().walking().serial(), "A-0100");
@@ -476,7 +477,7 @@ fn touch_alone_does_the_walk() {
         click(&mut page, Role::Button, "Next part");
     }
     assert!(!page.state().session().parts().walking().is_begun());
-    assert_eq!(page.state().session().text(fitcheck::session::PartsField::Serial), "2");
+    assert_eq!(page.state().session().text(fitcheck::session::WalkField::Serial), "2");
 }
 
 #[test]
@@ -556,19 +557,19 @@ fn picture(name: &str, size: Vec2, language: Language, theme: Theme) {
     let folder = tempfile::tempdir().unwrap();
     let mut page = Window { theme, language, ..window_of(folder.path(), size) }.open();
     let ctx = page.ctx.clone();
-    let typed = |page: &mut Harnessed, field: fitcheck::session::PartsField, text: &str| {
+    let typed = |page: &mut Harnessed, field: fitcheck::session::WalkField, text: &str| {
         let command = fitcheck::session::Field::from(field).typed(text.to_owned());
         page.state_mut().send(&ctx, command);
     };
-    typed(&mut page, fitcheck::session::PartsField::Serial, "A-0099");
+    typed(&mut page, fitcheck::session::WalkField::Serial, "A-0099");
     page.state_mut().send(&ctx, WalkCommand::Begin.into());
     for value in ["25.0134", "19,97"] {
-        typed(&mut page, fitcheck::session::PartsField::Value, value);
+        typed(&mut page, fitcheck::session::WalkField::Value, value);
         page.state_mut().send(&ctx, WalkCommand::Take.into());
     }
     page.state_mut().send(&ctx, WalkCommand::Simulate.into());
     page.state_mut().send(&ctx, WalkCommand::Skip("pin".to_owned()).into());
-    typed(&mut page, fitcheck::session::PartsField::Value, "9,99");
+    typed(&mut page, fitcheck::session::WalkField::Value, "9,99");
     page.state_mut().send(&ctx, WalkCommand::Take.into());
     page.run();
     page.remove_cursor();

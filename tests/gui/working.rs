@@ -1,5 +1,6 @@
 //! Long work in the window: how far a file is, the button that stops it, and the report of the part that is measured.
 
+use fitcheck::session::WindowAction;
 use std::path::Path;
 
 use eframe::egui::Key;
@@ -33,7 +34,7 @@ fn a_file_that_takes_long_says_its_figures_and_can_be_stopped() {
     click(&mut window, Role::Button, "Stop");
     send(&mut window, FilesCommand::Working(None));
     assert!(window.query_by_label(line).is_none());
-    assert!(!window.state().session().can(Action::StopWorking));
+    assert!(!window.state().session().can(WindowAction::StopWorking));
     send(&mut window, far(true));
     window.get_by_label("Writing report.html: 3.1 MB, 0.5 s");
 }

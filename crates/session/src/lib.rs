@@ -3,8 +3,9 @@
 //! Menu, key, button, file and test send a [`Command`]; [`Session::apply`] changes the state and answers with
 //! [`Effect`]s for the world outside. No file, thread, clock or window is touched here: the time comes in.
 //!
-//! Nine pages of the same shape, each in a folder of its name, as in `gui`: its state, its text fields (`field`), what
-//! can be done (`command`) and how (`apply`). A page changes itself and what belongs to all (`shared`).
+//! Pages of the same shape, each in a folder of its name, as in `gui`: its state, its text fields (`field`), what can be
+//! done (`command`, `actions`) and how (`apply`). A page changes itself and what belongs to all (`shared`), never another
+//! page. One line in `page` ties it to everything that has to name every page.
 //!
 //! | file | what |
 //! |---|---|
@@ -20,7 +21,10 @@
 //! | `rows` | the rows of a file that is too large for the history |
 //! | `shared`, `history`, `recording`, `workpiece`, `part`, `tools` | what belongs to every page; `readers` reads it |
 //! | `asking` | questions that Enter answers, and none in passing |
-//! | `command`, `field`, `step` | every command, every text field, every step from one thing to the next |
+//! | `page`, `state` | the list of the pages; what every page is |
+//! | `command`, `effect` | every command, and what it asks of the outside world |
+//! | `field`, `texts`, `typing` | every text field, the texts in them, and what typing does |
+//! | `purpose`, `settings`, `step` | what files are for; how the window looks; every step from one thing to the next |
 //! | `action` | what a user can do by menu, button or key |
 //! | `files` | dialogs, and what comes back from files |
 //! | `columns` | the columns of files of measurements, as they are corrected and remembered |
@@ -28,15 +32,12 @@
 //!
 //! To add a page, begin here; `gui/mod.rs` has the other half:
 //!
-//! 1. Add a variant to [`Page`] and to `Page::ALL` with its length, and its own command to [`Command`] and `from_variants!` (`command.rs`).
-//! 2. Write its folder: `mod.rs` (state), `command.rs`, `field.rs`, `apply.rs`. A page changes itself and `shared`, and hears of other pages
-//!    by `News`.
-//! 3. Add its fields to [`Field`] (`field.rs`). Here, add its state to [`Session`] and `restore`, its command to `apply` and `apply_shared`, what
-//!    it follows to `apply`, its texts to `saved`, and its reader.
-//! 4. Add its arm to `Action::Open` in `action/table.rs` (Ctrl+1 to Ctrl+9 are taken), what Enter does to `action/keys.rs`, and its own
-//!    rows as a file of `action`, with their variants in `action/list.rs`. A list or table that takes keys is a `Part` in `action/place.rs`.
-//! 5. Add what survives a restart beside texts to `saved.rs`, with a default where a state file lacks it.
-//! 6. Test it without a window in `tests/core/session_NAME.rs`.
+//! 1. Write its folder: `mod.rs` (state), `field.rs` (text fields), `command.rs` and `apply.rs` (what can be done, and how: the trait
+//!    `PageState` in `state.rs`), `actions.rs` (menus, buttons, keys, what Enter does, and the [`action::Part`] of a list or table that
+//!    takes keys). `pairing` is a small one to read first.
+//! 2. Add its line to `page.rs`, its `mod` and `pub use` here. Ctrl with a digit opens the first nine pages.
+//! 3. Add what survives a restart beside texts to `saved.rs`, with a default where a state file lacks it.
+//! 4. Test it without a window in `tests/core/session_NAME.rs`.
 
 /// `From` the value of a variant, for variants that each hold a different type.
 macro_rules! from_variants {
@@ -56,51 +57,63 @@ mod check;
 mod columns;
 mod command;
 mod cycles;
+mod effect;
 mod field;
 mod files;
 mod fit;
 mod history;
+mod page;
 mod pairing;
 mod part;
 pub mod parts;
 pub mod program;
+mod purpose;
 mod readers;
 mod recording;
 pub mod records;
 mod rows;
 mod saved;
+mod settings;
 mod shared;
+mod state;
 mod step;
 pub mod tables;
+mod texts;
 mod tools;
+mod typing;
 mod workpiece;
 
 use std::sync::Arc;
 
 use jiff::civil::DateTime;
 
-pub use action::Action;
+pub use action::{Action, WindowAction, WorkpieceAction};
 pub use budget::{
-    Asks, Bar, BothSizes, BudgetCommand, BudgetField, BudgetPage, OpenBudget, Readings, TakenContacts, UseOf, advice,
-    bars,
+    Asks, Bar, BothSizes, BudgetAction, BudgetCommand, BudgetField, BudgetPage, OpenBudget, Readings, TakenContacts,
+    UseOf, advice, bars,
 };
 pub use check::{
-    Asked, CheckCommand, CheckField, CheckPage, Doubted, Judging, Lot, MeasureBy, Question, Shown, UncertaintyFrom,
-    Worth,
+    Asked, CheckAction, CheckCommand, CheckField, CheckPage, Doubted, Judging, Lot, MeasureBy, Question, Shown,
+    UncertaintyFrom, Worth,
 };
 pub use columns::{
     Asked as AskedColumns, ColumnChoice, ColumnsCommand, NoticeColumns, OpenColumns, UsedColumns, refusal, role_id,
     unit_id,
 };
-pub use command::{Command, CycleFile, Density, DialogId, Effect, ImportInto, Page, Purpose, Theme};
+pub use command::Command;
 pub use cycles::{
-    Axis, ContactsFrom, CycleField, CycleRun, CyclesCommand, CyclesPage, RunLog, Standing, WorkpieceField,
-    WorkpieceForm,
+    Axis, ContactsFrom, CycleField, CycleRun, CyclesAction, CyclesCommand, CyclesPage, RunLog, Standing,
+    WorkpieceField, WorkpieceForm,
 };
+pub use effect::Effect;
 pub use field::Field;
-pub use files::{Content, Dialog, Fate, FilesCommand, FolderList, HEAD, Launch, OpenError, RecentFile, Working};
+pub use files::{
+    Content, Dialog, DialogId, Fate, FilesAction, FilesCommand, FolderList, HEAD, Launch, OpenError, RecentFile,
+    Working,
+};
 pub use fit::{
-    ClassMap, Equivalent, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone, WarmFit, extremes,
+    ClassMap, Equivalent, FitAction, FitCommand, FitField, FitPage, MapCell, Mark, Parts, Picture, PictureZone,
+    WarmFit, extremes,
 };
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 use fitcheck_core::tolerance::{Absent, Sources};
@@ -109,45 +122,91 @@ use fitcheck_core::words::Language;
 use fitcheck_nc::control::mask::Mask;
 use fitcheck_nc::control::shipped_tables;
 pub use history::{ChangeId, History, ListCommand, status_text};
+pub use page::Page;
 pub use pairing::{
-    Bin, FromMiddle, Marks, PairRow, Paired, PairingCommand, PairingField, PairingPage, PairsPicture, Sight, usable,
+    Bin, FromMiddle, Marks, PairRow, Paired, PairingAction, PairingCommand, PairingField, PairingPage, PairsPicture,
+    Sight, usable,
 };
 pub use part::{feature_message, shape_id};
-pub use parts::{PartsCommand, PartsField, PartsPage};
-pub use program::{ProgramCommand, ProgramField, ProgramPage};
+pub use parts::{PartsAction, PartsCommand, PartsField, PartsPage, PlanField, WalkField};
+pub use program::{ProgramAction, ProgramCommand, ProgramField, ProgramPage};
+pub use purpose::{CycleFile, ImportInto, Purpose};
 pub use recording::{Keeping, MOST_NAMES, Named, OpenJournal, RESTORED, Recorded, Recording};
-pub use records::{RecordRow, RecordsCommand, RecordsField, RecordsPage};
+pub use records::{RecordRow, RecordsAction, RecordsCommand, RecordsField, RecordsPage};
 pub use rows::{End, LARGE, Large, Listed, News, Rows, RowsCommand, ShownRow};
 pub use saved::{
     Saved, SavedCycles, SavedError, SavedFile, SavedFiles, SavedInputs, SavedRecords, SavedWalk, SavedWatch,
 };
+pub use settings::{Density, Theme};
 use shared::OwnMask;
 pub use shared::{MaskChoice, Notice};
 pub use step::Step;
-pub use tables::{TablesCommand, TablesField, TablesPage};
+pub use tables::{TablesAction, TablesCommand, TablesField, TablesPage};
 pub use tools::{Monitoring, NamedTool, OpenTools, ToolsCommand, text_of_tool, tool_message};
 pub use workpiece::{OpenPart, RecordedContacts, WorkpieceCommand};
 
 use self::asking::Asking;
 use self::files::Places;
-use self::shared::{PageState as _, Shared};
+use self::page::pages;
+use self::shared::Shared;
+use self::state::PageState as _;
 
-/// The state of the application.
-#[derive(Debug)]
-pub struct Session {
-    shared: Shared,
-    check: CheckPage,
-    fit: FitPage,
-    cycles: CyclesPage,
-    tables: TablesPage,
-    program: ProgramPage,
-    pairing: PairingPage,
-    budget: BudgetPage,
-    records: RecordsPage,
-    parts: PartsPage,
-    /// When a page asked something last.
-    asking: Asking,
+macro_rules! session {
+    ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal;)+) => {
+        /// The state of the application.
+        #[derive(Debug)]
+        pub struct Session {
+            shared: Shared,
+            $($folder: $State,)+
+            /// When a page asked something last.
+            asking: Asking,
+        }
+
+        impl Session {
+            /// Every page as it was left.
+            fn with_pages(saved: &Saved, shared: Shared) -> Self {
+                Self { $($folder: $State::restored(saved, &shared),)+ asking: Asking::default(), shared }
+            }
+
+            /// Adds what every page keeps.
+            fn save_pages(&self, saved: &mut Saved) {
+                $(self.$folder.save(saved);)+
+            }
+
+            /// Does a command: one of a page, or one that belongs to no page.
+            fn apply_command(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
+                match command {
+                    $(Command::$page(command) => self.$folder.apply(command, &mut self.shared, now),)+
+                    command => self.apply_shared(command, now),
+                }
+            }
+
+            /// Every page hears what happened elsewhere; what it has to do outside comes back.
+            fn spread_news(&mut self) -> Vec<Effect> {
+                while let Some(news) = self.shared.next_news() {
+                    $(self.$folder.follow(&news, &mut self.shared);)+
+                }
+                let mut errands = Vec::new();
+                $(errands.extend(self.$folder.take_errands());)+
+                errands
+            }
+
+            $($(#[$doc])*
+            pub const fn $folder(&self) -> &$State {
+                &self.$folder
+            })+
+        }
+
+        /// The pattern of every command of a page.
+        macro_rules! of_a_page {
+            () => {
+                $(Command::$page(_))|+
+            };
+        }
+    };
 }
+
+pages!(session);
 
 impl Session {
     /// A session with ISO 286 as source of limits and empty fields.
@@ -158,11 +217,11 @@ impl Session {
     /// A session from what was saved. The tables' folder and the budget that checks used are read by the effects that come
     /// with it; until the answer of the first comes, nothing is judged by a class.
     pub fn restore(saved: Saved) -> (Self, Vec<Effect>) {
-        let mut shared = Shared::new(saved.language, saved.theme, saved.records);
+        let mut shared = Shared::new(saved.language, saved.theme, saved.records.clone());
         shared.keypad = saved.keypad;
-        shared.places = Places::restore(saved.files);
+        shared.places = Places::restore(saved.files.clone());
         shared.density = saved.density;
-        shared.columns = columns::Columns::restore(saved.columns);
+        shared.columns = columns::Columns::restore(saved.columns.clone());
         let awaited = saved.tables_folder.as_ref().map(|folder| Absent::Awaited(folder.to_string_lossy().into()));
         let sources = Sources::default().with_base(saved.source, shipped_tables).with_options(saved.standard);
         shared.sources = Arc::new(sources.with_absent(awaited));
@@ -173,19 +232,7 @@ impl Session {
         // A folder that cannot be read now may be there the next time.
         shared.tables_folder.clone_from(&saved.tables_folder);
         shared.own_mask = saved.mask.clone().map(OwnMask::Awaited).unwrap_or_default();
-        let session = Self {
-            check: CheckPage::new(&saved.inputs, &shared.sources),
-            fit: FitPage::new(&saved.inputs, &shared.sources),
-            cycles: CyclesPage::new(&saved.cycles),
-            tables: TablesPage::new(&saved.inputs),
-            program: ProgramPage::default(),
-            pairing: PairingPage::new(&saved.inputs, &shared.sources),
-            budget: BudgetPage::new(&saved.inputs, saved.budget.clone()),
-            records: RecordsPage::default(),
-            parts: PartsPage::new(&saved.inputs, saved.walk.clone()),
-            asking: Asking::default(),
-            shared,
-        };
+        let session = Self::with_pages(&saved, shared);
         let tables = saved.tables_folder.map(|folder| Effect::Read(Purpose::LoadTables, folder));
         let mask = saved.mask.map(|path| Effect::Read(Purpose::LoadMask, path));
         let budget = saved.budget.map(|path| Effect::Read(Purpose::UseBudget, path));
@@ -197,9 +244,7 @@ impl Session {
 
     /// What survives a restart.
     pub fn saved(&self) -> Saved {
-        let texts = self.check.texts().chain(self.fit.texts()).chain(self.tables.texts());
-        let texts = texts.chain(self.pairing.texts()).chain(self.budget.texts()).chain(self.parts.texts());
-        Saved {
+        let mut saved = Saved {
             language: self.shared.language,
             theme: self.shared.theme,
             keypad: self.shared.keypad,
@@ -207,17 +252,15 @@ impl Session {
             // A path that is not text cannot be written.
             tables_folder: self.shared.tables_folder.clone().filter(|folder| folder.to_str().is_some()),
             mask: self.shared.mask_file().filter(|path| path.to_str().is_some()),
-            budget: self.budget.used_file().cloned().filter(|path| path.to_str().is_some()),
             source: self.shared.sources.base(),
             standard: self.shared.sources.options(),
-            inputs: SavedInputs { texts: texts.collect(), by: self.check.by(), judging: self.check.own_judging() },
-            cycles: self.cycles.saved(),
             files: self.shared.places.saved(),
             columns: self.shared.columns.saved(),
             records: self.shared.recording.saved(),
-            walk: self.parts.saved_walk(),
             ..Saved::default()
-        }
+        };
+        self.save_pages(&mut saved);
+        saved
     }
 
     /// The user's own mask by its name: what it has printed is read back through it. Nothing where a built-in one is chosen.
@@ -240,44 +283,14 @@ impl Session {
         self.budget.see_day(now.date());
         self.records.see_time(now);
         self.shared.recording.named = self.check.named();
+        self.shared.take_worth(self.check.own_worth());
+        let mut effects = self.apply_command(command, now);
+        self.shared.take_worth(self.check.own_worth());
+        let errands = self.spread_news();
         let shared = &mut self.shared;
-        let mut effects = match command {
-            Command::Check(command) => {
-                let effects = self.check.apply(command, shared, now);
-                shared.take_worth(self.check.own_worth());
-                effects
-            }
-            Command::Fit(command) => self.fit.apply(command, shared, now),
-            Command::Cycles(command) => self.cycles.apply(command, shared, now),
-            Command::Tables(command) => self.tables.apply(command, shared, now),
-            Command::Program(command) => self.program.apply(command, shared, now),
-            Command::Pairing(command) => self.pairing.apply(command, shared, now),
-            Command::Budget(command) => self.budget.apply(command, shared, now),
-            Command::Records(command) => self.records.apply(command, shared, now),
-            Command::Parts(command) => {
-                shared.take_worth(self.check.own_worth());
-                self.parts.apply(command, shared, now)
-            }
-            command => self.apply_shared(command, now),
-        };
-        let shared = &mut self.shared;
-        while let Some(news) = shared.next_news() {
-            self.check.follow(&news, shared);
-            self.fit.follow(&news, shared);
-            self.cycles.follow(&news, shared);
-            self.tables.follow(&news, shared);
-            self.program.follow(&news, shared);
-            self.pairing.follow(&news, shared);
-            self.budget.follow(&news, shared);
-            self.records.follow(&news, shared);
-            self.parts.follow(&news, shared);
-        }
         let to_read = shared.dialog.as_mut().and_then(|dialog| dialog.list.take_unread());
         effects.extend(to_read.map(Effect::List));
-        effects.extend(self.check.take_errands());
-        effects.extend(self.pairing.take_errands());
-        effects.extend(self.records.take_errands());
-        effects.extend(self.parts.take_errands());
+        effects.extend(errands);
         effects.extend(shared.recording.take_errands());
         let effects = shared.in_order(effects);
         if !was_asking && !self.answers().is_empty() {
@@ -303,17 +316,8 @@ impl Session {
     fn apply_shared(&mut self, command: Command, now: DateTime) -> Vec<Effect> {
         let shared = &mut self.shared;
         match command {
-            Command::Check(_)
-            | Command::Fit(_)
-            | Command::Cycles(_)
-            | Command::Tables(_)
-            | Command::Program(_)
-            | Command::Pairing(_)
-            | Command::Budget(_)
-            | Command::Records(_)
-            | Command::Parts(_) => {}
-            // Their commands were taken out of them.
-            Command::Answered(..) | Command::Enter(_) => return Vec::new(),
+            // They went to their pages, or were taken apart.
+            of_a_page!() | Command::Answered(..) | Command::Enter(_) => {}
             Command::Workpiece(command) => {
                 let (cycles, program) = (&self.cycles, &self.program);
                 shared.apply_workpiece(command, |shared| match shared.page {
@@ -368,29 +372,9 @@ impl Session {
         Vec::new()
     }
 
-    pub const fn check(&self) -> &CheckPage {
-        &self.check
-    }
-
     /// From which temperature the values of files are brought to 20 °C; `None` where they count as they are.
     pub fn temperature(&self) -> Option<Temperature> {
         self.check.own_worth().temperature()
-    }
-
-    pub const fn fit(&self) -> &FitPage {
-        &self.fit
-    }
-
-    pub const fn cycles(&self) -> &CyclesPage {
-        &self.cycles
-    }
-
-    pub const fn tables(&self) -> &TablesPage {
-        &self.tables
-    }
-
-    pub const fn program(&self) -> &ProgramPage {
-        &self.program
     }
 
     /// The rule that the next value of the check page is judged by, as far as it is known before the value is.
@@ -407,17 +391,5 @@ impl Session {
     /// Whether the rows of a large file are listed in the place of the history.
     pub fn lists_rows(&self) -> bool {
         self.shared.page == Page::Check && self.check.shows_rows()
-    }
-
-    pub const fn pairing(&self) -> &PairingPage {
-        &self.pairing
-    }
-
-    pub const fn parts(&self) -> &PartsPage {
-        &self.parts
-    }
-
-    pub const fn budget(&self) -> &BudgetPage {
-        &self.budget
     }
 }

@@ -11,12 +11,12 @@ use fitcheck_nc::control::mask::Mask;
 use fitcheck_nc::machine::Store;
 
 use super::Session;
-use super::command::{Density, Page, Theme};
 use super::cycles::WorkpieceForm;
 use super::files::{Dialog, RecentFile, Working};
 use super::history::History;
+use super::page::Page;
 use super::recording::{Recorded, Recording};
-use super::records::RecordsPage;
+use super::settings::{Density, Theme};
 use super::shared::{MaskChoice, Notice, ProgramFiles};
 use super::workpiece::{OpenPart, RecordedContacts};
 
@@ -168,10 +168,6 @@ impl Session {
     /// What has become of the shown check on its way to the journal; `None` where it was not sent.
     pub fn check_recorded(&self) -> Option<Recorded<'_>> {
         self.shared.recording.of_check(self.check.shown()?.id?)
-    }
-
-    pub const fn records(&self) -> &RecordsPage {
-        &self.records
     }
 
     /// The names of tables and of a budget with unsaved changes.

@@ -12,7 +12,7 @@ use fitcheck_exchange::exchange::Remembered;
 use serde::{Deserialize, Serialize};
 
 use super::check::{Judging, MeasureBy};
-use super::command::{Density, Theme};
+use super::settings::{Density, Theme};
 
 /// The version that is written.
 const VERSION: u32 = 1;

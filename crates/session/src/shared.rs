@@ -16,16 +16,18 @@ use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::entry::Entry;
 use fitcheck_nc::control::mask::Mask;
 use fitcheck_nc::machine::{NcPath, Store};
-use jiff::civil::DateTime;
 
 use super::budget::OpenBudget;
 use super::check::Worth;
 use super::columns::{Columns, NoticeColumns};
-use super::command::{Density, DialogId, Effect, Page, Purpose, Theme};
-use super::files::{Dialog, Places, Working};
+use super::effect::Effect;
+use super::files::{Dialog, DialogId, Places, Working};
 use super::history::{ChangeId, History};
+use super::page::Page;
+use super::purpose::Purpose;
 use super::recording::Recording;
 use super::saved::SavedRecords;
+use super::settings::{Density, Theme};
 use super::tools::OpenTools;
 use super::workpiece::SimulatedWorkpiece;
 
@@ -149,18 +151,6 @@ pub(super) enum News {
         part: String,
         serial: String,
     },
-}
-
-/// What every page does: follow its commands and the news of the others.
-pub(super) trait PageState {
-    /// What can be done on the page.
-    type Command;
-
-    /// Does a command of the page.
-    fn apply(&mut self, command: Self::Command, shared: &mut Shared, now: DateTime) -> Vec<Effect>;
-
-    /// Follows what happened elsewhere.
-    fn follow(&mut self, news: &News, shared: &mut Shared);
 }
 
 /// What belongs to every page.

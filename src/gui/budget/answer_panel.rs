@@ -1,6 +1,7 @@
 //! Right: the answer. U and whether the budget is valid as a card, then how it came about, what would help most, and its
 //! use for checks.
 
+use crate::session::BudgetAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Ui, vec2};
 
@@ -10,7 +11,7 @@ use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, live, problem, quiet};
 use crate::message::message;
-use crate::session::{Action, UseOf, advice};
+use crate::session::{UseOf, advice};
 use crate::verdict::Status;
 
 /// U and the validity. It is not a verdict on a part, so it does not have the colour of one.
@@ -157,7 +158,7 @@ fn use_ui(ui: &mut Ui, view: &mut View<'_>) {
         let what = placeholders.iter().map(|what| view.words.say(what)).collect::<Vec<_>>().join(", ");
         problem(ui, view.words.say(&message!("budget-page-placeholders").text("what", what)));
     }
-    let width = view.width_of(ui, &[Action::UseBudget]);
-    view.main_button(ui, Action::UseBudget, vec2(width, control(ui)));
-    view.field_button(ui, Action::LeaveBudget);
+    let width = view.width_of(ui, &[BudgetAction::UseBudget]);
+    view.main_button(ui, BudgetAction::UseBudget, vec2(width, control(ui)));
+    view.field_button(ui, BudgetAction::LeaveBudget);
 }

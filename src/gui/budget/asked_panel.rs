@@ -1,12 +1,13 @@
 //! Left, below the text: what the budget is evaluated for. Only what it asks for is shown.
 
+use crate::session::BudgetAction;
 use eframe::egui::Ui;
 
 use crate::gui::field::{Pairs, pairs_ui};
 use crate::gui::theme::space;
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
-use crate::session::{Action, BudgetField, Readings};
+use crate::session::{BudgetField, Readings};
 
 /// How many notes on readings are shown; a notice had all of them.
 const NOTES: usize = 5;
@@ -52,7 +53,7 @@ fn contacts_ui(ui: &mut Ui, view: &mut View<'_>, pairs: &Pairs<impl Fn(&str) -> 
         Some(taken) => quiet(ui, view.words.say(&taken.of)),
         None => quiet(ui, view.text("budget-page-contacts-hint")),
     };
-    buttons_ui(ui, view, &[Action::ContactsOfCheck, Action::ContactsRecorded, Action::OwnContacts]);
+    buttons_ui(ui, view, &[BudgetAction::ContactsOfCheck, BudgetAction::ContactsRecorded, BudgetAction::OwnContacts]);
 }
 
 fn readings_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -69,10 +70,10 @@ fn readings_ui(ui: &mut Ui, view: &mut View<'_>) {
         let count = view.session.budget().own_readings();
         ui.label(view.words.say(&message!("budget-page-readings-own").count("count", count)));
     }
-    buttons_ui(ui, view, &[Action::OpenReadings, Action::TakeReadings, Action::OwnReadings]);
+    buttons_ui(ui, view, &[BudgetAction::OpenReadings, BudgetAction::TakeReadings, BudgetAction::OwnReadings]);
 }
 
-fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, actions: &[Action]) {
+fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, actions: &[BudgetAction]) {
     ui.horizontal_wrapped(|ui| {
         for action in actions {
             view.field_button(ui, *action);

@@ -1,5 +1,6 @@
 //! Left: the budget as TOML, edited in place, and what is wrong with it.
 
+use crate::session::BudgetAction;
 use eframe::egui::accesskit::Invalid;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{Id, ScrollArea, Stroke, TextBuffer, TextEdit, Ui};
@@ -8,7 +9,7 @@ use crate::gui::columns::is_low;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::message;
-use crate::session::{Action, BudgetCommand};
+use crate::session::BudgetCommand;
 
 /// The lines of the text that are in sight at least.
 const LEAST_ROWS: usize = 8;
@@ -16,7 +17,7 @@ const LEAST_ROWS: usize = 8;
 /// New, open, save.
 pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
-        for action in [Action::NewBudget, Action::OpenBudget, Action::SaveBudget] {
+        for action in [BudgetAction::NewBudget, BudgetAction::OpenBudget, BudgetAction::SaveBudget] {
             view.field_button(ui, action);
         }
     });

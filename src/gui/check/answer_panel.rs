@@ -1,5 +1,6 @@
 //! Right, above: the answer. One word that can be read from two metres, its shape, and what to do.
 
+use crate::session::CheckAction;
 use eframe::egui::{CollapsingHeader, Ui, vec2};
 
 use crate::gui::check::record_panel::recorded_ui;
@@ -11,7 +12,7 @@ use crate::gui::view::{Digits, View, doubt_text, heading, quiet};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Message, Say, message};
-use crate::session::{Action, Doubted, Lot, Question, Step};
+use crate::session::{Doubted, Lot, Question, Step};
 use crate::tolerance::Source;
 use crate::verdict::{PositionVerdict, Status};
 use crate::words::Words;
@@ -84,11 +85,11 @@ fn doubted_ui(ui: &mut Ui, view: &mut View<'_>, doubted: &Doubted) {
     ui.add_space(space(1.0));
     let size = vec2(ui.available_width(), control(ui));
     if doubted.meant.is_some() {
-        view.main_button(ui, Action::TakeText, size);
+        view.main_button(ui, CheckAction::TakeText, size);
     }
     if doubted.can_stay {
-        let anyway = view.named(Action::KeepText).min_size(size);
-        view.button_as(ui, Action::KeepText, anyway);
+        let anyway = view.named(CheckAction::KeepText).min_size(size);
+        view.button_as(ui, CheckAction::KeepText, anyway);
     }
 }
 
@@ -121,7 +122,7 @@ fn lot_ui(ui: &mut Ui, view: &mut View<'_>, lot: &Lot) {
     ui.label(words.say(&shown));
     ui.horizontal(|ui| {
         for step in Step::PATH {
-            view.field_button(ui, Action::ShowInLot(step));
+            view.field_button(ui, CheckAction::ShowInLot(step));
         }
     });
     ui.add_space(space(1.0));

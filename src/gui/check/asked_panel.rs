@@ -1,5 +1,6 @@
 //! Left: what is asked. Callout, limits, measured value, probe position, simulated workpiece.
 
+use crate::session::{CheckAction, WindowAction};
 use eframe::egui::{Align, CollapsingHeader, Grid, Key, Layout, Rect, Sense, Ui, UiBuilder, vec2};
 
 use crate::gui::check::record_panel::record_ui;
@@ -10,7 +11,7 @@ use crate::gui::limits::{self, feature_id};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
-use crate::session::{Action, CheckCommand, CheckField, Command, MeasureBy};
+use crate::session::{CheckCommand, CheckField, Command, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
 
 /// The panel's content.
@@ -104,15 +105,15 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
     }
     ui.horizontal(|ui| {
         for by in [MeasureBy::Typing, MeasureBy::Simulating] {
-            view.radio(ui, Action::MeasureBy(by));
+            view.radio(ui, CheckAction::MeasureBy(by));
         }
-        let keypad = view.named(Action::Keypad).selected(view.session.has_keypad());
-        view.button_as(ui, Action::Keypad, keypad);
+        let keypad = view.named(WindowAction::Keypad).selected(view.session.has_keypad());
+        view.button_as(ui, WindowAction::Keypad, keypad);
     });
     ui.horizontal(|ui| {
-        view.main_button(ui, Action::Measure, vec2(width * 0.6, control(ui)));
-        let clear = view.named(Action::ClearResult).min_size(vec2(0.0, control(ui)));
-        view.button_as(ui, Action::ClearResult, clear);
+        view.main_button(ui, CheckAction::Measure, vec2(width * 0.6, control(ui)));
+        let clear = view.named(CheckAction::ClearResult).min_size(vec2(0.0, control(ui)));
+        view.button_as(ui, CheckAction::ClearResult, clear);
     });
 }
 
@@ -168,7 +169,7 @@ fn simulation_ui(ui: &mut Ui, view: &mut View<'_>) {
         (CheckField::ProbeScatter, "probe-scatter", "mm"),
     ];
     // An error is never folded away.
-    let is_wrong = fields.iter().any(|(field, ..)| view.session.check().error(*field).is_some());
+    let is_wrong = fields.iter().any(|(field, ..)| view.session.error(*field).is_some());
     let header = CollapsingHeader::new(view.text("simulated-workpiece")).id_salt("simulated");
     header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
         quiet(ui, view.text("simulated-hint"));

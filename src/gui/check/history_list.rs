@@ -1,5 +1,6 @@
 //! The rows in sight of the history, and heads that sort. The list takes the focus as a whole.
 
+use crate::session::CheckAction;
 use std::ops::Range;
 use std::sync::Arc;
 
@@ -18,7 +19,7 @@ use crate::gui::view::{Digits, View, focus_soon, quiet, take_focus};
 use crate::journal::Record;
 use crate::journal::query::{Column, RecordId, TIME, callout};
 use crate::message::{Message, Say as _, message};
-use crate::session::{Action, CheckCommand, status_text};
+use crate::session::{CheckCommand, status_text};
 use crate::verdict::Status;
 use crate::words::Words;
 
@@ -90,7 +91,7 @@ fn heads_ui(ui: &mut Ui, view: &mut View<'_>, columns: &Columns, height: Rangef)
     let sort = view.session.history().listed().query().sort;
     for (column, across) in Column::ALL.into_iter().zip(columns.iter().skip(1)) {
         let Some(across) = across else { continue };
-        let action = Action::SortHistory(column);
+        let action = CheckAction::SortHistory(column);
         let name = action.text(view.session, view.words);
         let ascending = sort.filter(|sort| sort.column == column).map(|sort| sort.ascending);
         let told = |id| view.words.say(&Message::new(id).text("column", &name));

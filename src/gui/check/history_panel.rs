@@ -1,6 +1,7 @@
 //! Bottom: earlier checks. A title row with the filter, and the list below it; on a small window a strip with the last
 //! ones.
 
+use crate::session::{CheckAction, WindowAction};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Frame, Id, Key, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 
@@ -14,7 +15,7 @@ use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
 use crate::journal::query::callout;
 use crate::message::{Message, message};
-use crate::session::{Action, CheckField, Field, status_text};
+use crate::session::{CheckField, Field, status_text};
 
 /// How many checks the strip shows.
 const LAST: usize = 4;
@@ -57,7 +58,7 @@ pub(super) fn history_ui(ui: &mut Ui, view: &mut View<'_>, can_fold: bool) {
         if !view.session.history().is_empty() {
             ui.separator();
             filter_ui(ui, view);
-            view.checkbox(ui, Action::OnlyBad);
+            view.checkbox(ui, CheckAction::OnlyBad);
             chosen_ui(ui, view);
         }
     });
@@ -97,7 +98,7 @@ fn filter_ui(ui: &mut Ui, view: &mut View<'_>) {
     let filter = field_ui(ui, view, CheckField::HistoryFilter, name.id, look);
     let left = filter.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
     // A notice over the page takes Escape first.
-    if left && !view.session.can(Action::Close) {
+    if left && !view.session.can(WindowAction::Close) {
         view.send(Field::from(CheckField::HistoryFilter).typed(String::new()));
         ui.memory_mut(|memory| memory.request_focus(history_list::id()));
     }

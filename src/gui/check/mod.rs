@@ -26,9 +26,8 @@ mod worth_lines;
 
 pub(super) use answer_panel::card as check_card;
 use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
-pub(super) use history_list::{PAD, id as history_id, text_ui};
+pub(super) use history_list::{PAD, text_ui};
 pub(super) use record_panel::recorded_ui;
-pub(super) use rows_list::id as rows_id;
 pub(super) use rows_panel::grouped;
 pub(super) use status_panel::mask_chooser_ui;
 pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};

@@ -1,12 +1,13 @@
 //! What is recorded with the next checks, and what has become of the shown one.
 
+use crate::session::WindowAction;
 use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
 
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::message;
-use crate::session::{Action, CheckField, Keeping, Recorded};
+use crate::session::{CheckField, Keeping, Recorded};
 
 /// Left: serial number and remark, and whether checks are recorded.
 pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -53,8 +54,8 @@ pub(in crate::gui) fn recorded_ui(ui: &mut Ui, view: &mut View<'_>, recorded: Op
             let said = view.words.say(&message!("records-page-not-recorded").message("why", why.clone()));
             let text = RichText::new(said).font(theme::bold(sizes().body)).color(palette(ui.ctx()).error.0);
             ui.add(Label::new(text).wrap());
-            if view.session.can(Action::RecordAgain) {
-                view.field_button(ui, Action::RecordAgain);
+            if view.session.can(WindowAction::RecordAgain) {
+                view.field_button(ui, WindowAction::RecordAgain);
             }
         }
     }

@@ -1,6 +1,7 @@
 //! Bottom, in the place of the history: the rows of a large file. How far it is judged, how many rows have which verdict
 //! (each count lists its rows), the classes, and what was remarked.
 
+use crate::session::CheckAction;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, ComboBox, Label, Layout, PopupCloseBehavior, ProgressBar, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui,
@@ -13,7 +14,7 @@ use crate::gui::shapes::{self, share};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
 use crate::message::{Message, message};
-use crate::session::{Action, End, LARGE, Large, Rows, RowsCommand};
+use crate::session::{End, LARGE, Large, Rows, RowsCommand};
 use crate::tolerance::ToleranceClass;
 use crate::verdict::Status;
 use crate::words::Words;
@@ -24,7 +25,9 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
         ui.spacing_mut().item_spacing.y = space(1.0);
         switch_ui(ui, view);
         // Each stands in the place of the other, and numbers that grow move nothing that is pressed.
-        for action in [Action::CancelRows, Action::JudgeRowsAgain, Action::CloseRows, Action::KeepRow] {
+        for action in
+            [CheckAction::CancelRows, CheckAction::JudgeRowsAgain, CheckAction::CloseRows, CheckAction::KeepRow]
+        {
             if view.session.can(action) {
                 view.button(ui, action);
             }
@@ -58,7 +61,7 @@ pub(super) fn rows_ui(ui: &mut Ui, view: &mut View<'_>, rows: &Rows) {
 /// Which of the two lists is in sight. Where no large file was opened, there is nothing to choose.
 pub(super) fn switch_ui(ui: &mut Ui, view: &mut View<'_>) {
     for shows_rows in [true, false] {
-        let action = Action::ShowRows(shows_rows);
+        let action = CheckAction::ShowRows(shows_rows);
         if view.session.can(action) {
             let button = view.named(action).selected(action.is_on(view.session) == Some(true));
             view.button_as(ui, action, button);

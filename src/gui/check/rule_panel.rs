@@ -1,5 +1,6 @@
 //! Left: what a measured value is worth. The decision rule, the uncertainty, what the process makes; the temperature.
 
+use crate::session::WindowAction;
 use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
 
 use crate::gui::check::asked_panel::pairs_ui;
@@ -9,7 +10,7 @@ use crate::gui::theme::space;
 use crate::gui::view::{View, list_ui, quiet};
 use crate::length::Length;
 use crate::message::{Message, message};
-use crate::session::{Action, CheckCommand, CheckField, Page, UncertaintyFrom, Worth};
+use crate::session::{CheckCommand, CheckField, Page, UncertaintyFrom, Worth};
 use crate::verdict::rules::{Prover, RuleName, percent};
 
 /// The fields that the header of the rule folds away.
@@ -31,9 +32,8 @@ pub(super) fn worth_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = view.text(&name_id(worth(view).judging().rule));
     let header = view.words.say(&message!("check-rule-header").text("rule", name));
     // An error is never folded away.
-    let is_wrong = |view: &View<'_>, fields: &[CheckField]| {
-        fields.iter().any(|field| view.session.check().error(*field).is_some())
-    };
+    let is_wrong =
+        |view: &View<'_>, fields: &[CheckField]| fields.iter().any(|field| view.session.error(*field).is_some());
     let open = is_wrong(view, &OF_RULE).then_some(true);
     CollapsingHeader::new(header).id_salt("rule").open(open).show_unindented(ui, |ui| rule_ui(ui, view));
     let temperature = view.session.text(CheckField::PartTemperature).trim().to_owned();
@@ -119,7 +119,7 @@ fn uncertainty_ui(ui: &mut Ui, view: &mut View<'_>) {
             }
             (None, None) => _ = quiet(ui, view.text("check-budget-none")),
         }
-        view.field_button(ui, Action::Open(Page::Budget));
+        view.field_button(ui, WindowAction::Open(Page::Budget));
         error_ui(ui, view, CheckField::Uncertainty);
         return;
     }

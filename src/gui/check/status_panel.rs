@@ -1,5 +1,6 @@
 //! Right, below: the status window, as the control's pop-up prints it.
 
+use crate::session::CheckAction;
 use eframe::egui::{ComboBox, Ui};
 
 use crate::gui::popup::popup_ui;
@@ -7,7 +8,7 @@ use crate::gui::view::{Digits, View, quiet};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::message;
-use crate::session::{Action, Command, MaskChoice, Purpose};
+use crate::session::{Command, MaskChoice, Purpose};
 use crate::words::{Dialogue, Words};
 
 /// The pop-up and what can be done with it.
@@ -19,7 +20,7 @@ pub(super) fn status_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.label(view.words.say(&message!("popup-exact").text("values", values)));
     }
     ui.horizontal(|ui| {
-        view.button(ui, Action::CopyStatus);
+        view.button(ui, CheckAction::CopyStatus);
         mask_chooser_ui(ui, view);
     });
 }

@@ -1,5 +1,6 @@
 //! Right: the verdict, the status window, the result parameters as the control lists them, and what is worth knowing.
 
+use crate::session::{CyclesAction, WorkpieceAction};
 use eframe::egui::{Align, Color32, Label, Layout, RichText, Ui, vec2};
 
 use crate::gui::check::mask_chooser_ui;
@@ -12,7 +13,7 @@ use crate::gui::view::{Digits, View, by_limits_ui, heading, quiet, quiet_height,
 use crate::length::{Length, Unit};
 use crate::message::{Message, message};
 use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Value};
-use crate::session::{Action, CycleRun, RunLog};
+use crate::session::{CycleRun, RunLog};
 use crate::verdict::Status;
 use crate::words::Words;
 
@@ -27,7 +28,7 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     let empty = if is_measured { "cycles-no-window" } else { "popup-empty" };
     popup_ui(ui, view, window.as_ref(), empty, run.is_some_and(|run| run.is_simulated));
     ui.horizontal(|ui| {
-        view.button(ui, Action::CopyCycleStatus);
+        view.button(ui, CyclesAction::CopyCycleStatus);
         mask_chooser_ui(ui, view);
     });
     monitoring_ui(ui, view, run);
@@ -207,7 +208,7 @@ fn results_ui(ui: &mut Ui, view: &mut View<'_>, result: &CycleResult) {
     ui.horizontal(|ui| {
         heading(ui, view.text("cycles-results"));
         ui.with_layout(Layout::right_to_left(Align::Center), |ui| {
-            view.button(ui, Action::CopyResults);
+            view.button(ui, CyclesAction::CopyResults);
         });
     });
     let decimals = decimals(result);
@@ -245,7 +246,7 @@ fn log_ui(ui: &mut Ui, view: &mut View<'_>, log: &RunLog) {
         let text = RichText::new(text).font(theme::mono(sizes().small));
         ui.add(Label::new(text).selectable(true).wrap());
     }
-    view.button(ui, Action::SaveLog);
+    view.button(ui, CyclesAction::SaveLog);
 }
 
 /// What the monitoring of the tool gave: a changed cell of the tool table, or why the control stops.
@@ -256,7 +257,7 @@ fn monitoring_ui(ui: &mut Ui, view: &mut View<'_>, run: Option<&CycleRun>) {
     }
     if let Some(change) = monitoring.change() {
         quiet(ui, view.words.told(change));
-        view.button(ui, Action::SaveTools);
+        view.button(ui, WorkpieceAction::SaveTools);
         quiet(ui, view.text("tools-save-hint"));
     }
 }

@@ -1,11 +1,12 @@
 //! An NC block, typed or pasted, that fills the form.
 
+use crate::session::CyclesAction;
 use eframe::egui::{Align2, Button, Id, TextEdit, Ui, vec2};
 
 use crate::gui::dialogs::{fixed_window, just_opened};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, problem, quiet};
-use crate::session::{Action, CyclesCommand};
+use crate::session::CyclesCommand;
 
 /// The window, where it is open.
 pub(super) fn block_ui(ui: &Ui, view: &mut View<'_>) {
@@ -31,8 +32,8 @@ pub(super) fn block_ui(ui: &Ui, view: &mut View<'_>) {
         }
         ui.horizontal(|ui| {
             let size = vec2(space(24.0), control(ui));
-            let fill = view.named(Action::TakeBlock).min_size(size);
-            view.button_as(ui, Action::TakeBlock, fill);
+            let fill = view.named(CyclesAction::TakeBlock).min_size(size);
+            view.button_as(ui, CyclesAction::TakeBlock, fill);
             if ui.add(Button::new(view.text("dialog-cancel")).min_size(size)).clicked() {
                 view.send(CyclesCommand::ShowBlock(false));
             }

@@ -1,5 +1,6 @@
 //! Left: the cycle, where its contacts come from, and its parameters, made from the declaration.
 
+use crate::session::{CyclesAction, WindowAction, WorkpieceAction};
 use eframe::egui::{CollapsingHeader, Id, Ui, vec2};
 
 use super::opener_ui;
@@ -9,7 +10,7 @@ use crate::gui::view::{View, heading, keep_focus, list_ui, problem, quiet, quiet
 use crate::message::message;
 use crate::probing::cycle::{Cycle, Key};
 use crate::probing::cycles::CYCLES;
-use crate::session::{Action, Axis, ContactsFrom, CycleField, CyclesCommand};
+use crate::session::{Axis, ContactsFrom, CycleField, CyclesCommand};
 
 /// What stands above the form: the cycle, where contacts come from, and what runs it.
 pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -88,12 +89,12 @@ fn source_ui(ui: &mut Ui, view: &mut View<'_>) {
 }
 
 fn simulated_ui(ui: &mut Ui, view: &mut View<'_>) {
-    opener_ui(ui, view, Action::EditWorkpiece, view.session.workpiece_is_open());
-    view.button(ui, Action::SuitWorkpiece);
+    opener_ui(ui, view, WorkpieceAction::EditWorkpiece, view.session.workpiece_is_open());
+    view.button(ui, WorkpieceAction::SuitWorkpiece);
 }
 
 fn recorded_ui(ui: &mut Ui, view: &mut View<'_>) {
-    view.button(ui, Action::OpenContacts);
+    view.button(ui, WorkpieceAction::OpenContacts);
     match view.session.recorded() {
         Some(recorded) => {
             let said = message!("cycles-contacts-of").count("count", recorded.contacts.len());
@@ -118,10 +119,10 @@ fn probe_ui(ui: &mut Ui, view: &mut View<'_>) {
                     ui.close();
                 }
             }
-            if view.button(ui, Action::OpenProbes).clicked() {
+            if view.button(ui, CyclesAction::OpenProbes).clicked() {
                 ui.close();
             }
-            if page.probes_name().is_some() && view.button(ui, Action::ShippedProbes).clicked() {
+            if page.probes_name().is_some() && view.button(ui, CyclesAction::ShippedProbes).clicked() {
                 is_picked = true;
                 ui.close();
             }
@@ -146,11 +147,11 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
         };
         let widths = [small(ui, "clear"), small(ui, "keypad")];
         let width = ui.available_width() - widths.iter().sum::<f32>() - space(5.0);
-        view.main_button(ui, Action::RunCycle, vec2(width, control(ui)));
-        let clear = view.named(Action::ClearCycle).min_size(vec2(0.0, control(ui)));
-        view.button_as(ui, Action::ClearCycle, clear);
-        let keypad = view.named(Action::Keypad).selected(view.session.has_keypad());
-        view.button_as(ui, Action::Keypad, keypad.min_size(vec2(0.0, control(ui))));
+        view.main_button(ui, CyclesAction::RunCycle, vec2(width, control(ui)));
+        let clear = view.named(CyclesAction::ClearCycle).min_size(vec2(0.0, control(ui)));
+        view.button_as(ui, CyclesAction::ClearCycle, clear);
+        let keypad = view.named(WindowAction::Keypad).selected(view.session.has_keypad());
+        view.button_as(ui, WindowAction::Keypad, keypad.min_size(vec2(0.0, control(ui))));
     });
 }
 
@@ -173,8 +174,8 @@ fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let idle = || cycle.parameters.iter().filter(|parameter| !parameter.has_effect);
     if idle().next().is_some() {
-        let page = view.session.cycles();
-        let is_wrong = idle().any(|parameter| page.error(CycleField::Parameter(parameter.key)).is_some());
+        let _page = view.session.cycles();
+        let is_wrong = idle().any(|parameter| view.session.error(CycleField::Parameter(parameter.key)).is_some());
         let header = CollapsingHeader::new(view.text("cycles-without-effect")).id_salt("without-effect");
         header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
             for parameter in idle() {
@@ -191,8 +192,8 @@ fn parameters_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// Where the ball stands before the cycle.
 fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let page = view.session.cycles();
-    let is_wrong = Axis::ALL.iter().any(|axis| page.error(CycleField::Position(*axis)).is_some());
+    let _page = view.session.cycles();
+    let is_wrong = Axis::ALL.iter().any(|axis| view.session.error(CycleField::Position(*axis)).is_some());
     // An error is never folded away.
     let header = CollapsingHeader::new(view.text("cycles-position")).id_salt("cycle-position");
     header.open(is_wrong.then_some(true)).show_unindented(ui, |ui| {
@@ -206,7 +207,7 @@ fn position_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn block_buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal_wrapped(|ui| {
-        opener_ui(ui, view, Action::PasteBlock, view.session.cycles().block().is_some());
-        view.button(ui, Action::CopyBlock);
+        opener_ui(ui, view, CyclesAction::PasteBlock, view.session.cycles().block().is_some());
+        view.button(ui, CyclesAction::CopyBlock);
     });
 }

@@ -69,11 +69,11 @@ fn wrong_field(ui: &Ui, view: &View<'_>) -> Option<CycleField> {
     }
     let page = view.session.cycles();
     let last = form_panel::last_focused(ui).map(CycleField::Parameter);
-    last.filter(|field| page.error(*field).is_some()).or_else(|| page.first_wrong())
+    last.filter(|field| view.session.error(*field).is_some()).or_else(|| page.first_wrong())
 }
 
 /// A button that opens a dialog; it gets the focus back when the dialog is closed.
-fn opener_ui(ui: &mut Ui, view: &mut View<'_>, action: Action, is_open: bool) {
+fn opener_ui(ui: &mut Ui, view: &mut View<'_>, action: impl Into<Action>, is_open: bool) {
     let button = view.button(ui, action);
     let was_open = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(button.id.with("open")), is_open));
     if was_open && !is_open {

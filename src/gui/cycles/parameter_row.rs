@@ -206,7 +206,7 @@ fn choice_ui(
 ) -> bool {
     let key = parameter.key;
     let said = |number| choice_text(view, parameter, number);
-    let typed = view.session.cycles().text(CycleField::Parameter(key)).trim().to_owned();
+    let typed = view.session.text(CycleField::Parameter(key)).trim().to_owned();
     let chosen = match (parameter.read(&typed).ok(), parameter.default_value()) {
         (Some(Value::Whole(number)), _) => Some(number),
         (_, Some(Value::Whole(number))) if typed.is_empty() => Some(number),

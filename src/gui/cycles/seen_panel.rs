@@ -1,5 +1,6 @@
 //! Middle: the parameter in focus, the path step by step, contacts with their deviations, criteria side by side.
 
+use crate::session::CyclesAction;
 use eframe::egui::{Label, Slider, Ui, vec2};
 
 use super::form_panel::last_focused;
@@ -10,7 +11,7 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::{Message, message};
 use crate::probing::cycle::{Move, Parameter, Phase, Range};
-use crate::session::{Action, CycleRun, CyclesCommand, Step};
+use crate::session::{CycleRun, CyclesCommand, Step};
 use crate::words::Words;
 
 /// From this width things stand beside each other.
@@ -167,7 +168,7 @@ fn path_picture(ui: &mut Ui, view: &View<'_>, run: &CycleRun, height: f32) {
 fn steps_ui(ui: &mut Ui, view: &mut View<'_>, count: usize, step: usize) {
     let buttons_ui = |ui: &mut Ui, view: &mut View<'_>| {
         ui.spacing_mut().item_spacing.x = space(1.0);
-        for step in Step::PATH.map(Action::StepPath) {
+        for step in Step::PATH.map(CyclesAction::StepPath) {
             let button = view.named(step).min_size(vec2(space(14.0), control(ui)));
             view.button_as(ui, step, button);
         }

@@ -1,5 +1,6 @@
 //! The dialog of the simulated workpiece: surface, probe, scatter, temperature, all from one seed and one file.
 
+use crate::session::WorkpieceAction;
 use eframe::egui::{Align2, Button, Id, ScrollArea, Ui, vec2};
 
 use super::parameter_row::figure_ui;
@@ -9,7 +10,7 @@ use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::Shape;
-use crate::session::{Action, WorkpieceCommand, WorkpieceField, shape_id};
+use crate::session::{WorkpieceCommand, WorkpieceField, shape_id};
 
 /// The window, where it is open. What is typed counts at once.
 pub(in crate::gui) fn workpiece_ui(ui: &Ui, view: &mut View<'_>) {
@@ -88,7 +89,7 @@ fn fields_ui(ui: &mut Ui, view: &mut View<'_>, fields: &[WorkpieceField]) {
 fn buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal(|ui| {
         let size = vec2(space(20.0), control(ui));
-        for action in [Action::SuitWorkpiece, Action::OpenWorkpiece, Action::SaveWorkpiece] {
+        for action in [WorkpieceAction::SuitWorkpiece, WorkpieceAction::OpenWorkpiece, WorkpieceAction::SaveWorkpiece] {
             let button = view.named(action).min_size(size);
             view.button_as(ui, action, button);
         }

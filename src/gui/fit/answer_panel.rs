@@ -1,5 +1,6 @@
 //! Right: the answer. The kind of fit as a word and a shape, then the figures, and what follows from them.
 
+use crate::session::FitAction;
 use eframe::egui::accesskit::{Live, Role};
 use eframe::egui::{Align, Button, Color32, Frame, Grid, Layout, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 
@@ -13,7 +14,7 @@ use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, doubt_text, heading, live, problem, quiet};
 use crate::length::Length;
 use crate::message::{Message, Say as _, message};
-use crate::session::{Action, Equivalent, FitCommand, Parts, WarmFit, extremes};
+use crate::session::{Equivalent, FitCommand, Parts, WarmFit, extremes};
 use crate::tolerance::Feature;
 use crate::tolerance::fit::preferred::{function, preference};
 use crate::tolerance::fit::{Fit, Kind, basis};
@@ -135,7 +136,7 @@ fn limits_ui(ui: &mut Ui, view: &mut View<'_>, fit: &Fit) {
         let class = view.session.fit().class(limits.feature);
         let class = class.map(|class| class.to_string()).unwrap_or_default();
         let name = format!("{} {class}", view.text(feature_id(limits.feature)));
-        let action = Action::CheckPart(limits.feature);
+        let action = FitAction::CheckPart(limits.feature);
         // Where both have no room in one line the button goes below the name.
         let width =
             |text: String| ui.painter().layout_no_wrap(text, theme::bold(sizes().body), Color32::PLACEHOLDER).size().x;

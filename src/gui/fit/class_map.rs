@@ -3,6 +3,7 @@
 //! One widget for the keyboard (arrows go to the next defined class), one node a class for screen readers and the
 //! pointer.
 
+use crate::session::FitAction;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align2, Button, Id, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
@@ -13,7 +14,7 @@ use crate::gui::class_chooser::feature_classes_id;
 use crate::gui::theme::{self, Palette, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
-use crate::session::{Action, ClassMap, FitCommand, MapCell};
+use crate::session::{ClassMap, FitCommand, MapCell};
 use crate::tolerance::iso286::{self, Grade, Letter};
 use crate::tolerance::{Feature, ToleranceClass};
 
@@ -53,7 +54,7 @@ pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {
             None => heading(ui, view.text("fit-classes-none")),
         };
         for feature in [Feature::Hole, Feature::Shaft] {
-            let show = Action::ShowClasses(feature);
+            let show = FitAction::ShowClasses(feature);
             let button = Button::selectable(side == feature, show.text(session, view.words));
             view.button_as(ui, show, button.min_size(vec2(0.0, control(ui))));
         }
@@ -92,8 +93,8 @@ pub(super) fn letter_text(letter: Letter, side: Feature) -> String {
 }
 
 /// The id of a side's map: it takes the focus as a whole.
-pub(in crate::gui) fn map_id(side: Feature) -> Id {
-    Id::unique(("fit-map", side))
+pub(in crate::gui) fn map_id() -> Id {
+    Id::unique("fit-map")
 }
 
 fn grid_ui(ui: &mut Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<ToleranceClass>, row: f32) {
@@ -101,7 +102,7 @@ fn grid_ui(ui: &mut Ui, view: &mut View<'_>, map: &ClassMap, chosen: Option<Tole
     let grades: Vec<Grade> = map.grades().collect();
     let count = f32::from(u8::try_from(grades.len()).unwrap_or(u8::MAX)) + 1.0;
     let (rect, _) = ui.allocate_exact_size(vec2(ui.available_width(), row * count), Sense::hover());
-    let id = map_id(side);
+    let id = map_id();
     let whole = ui.interact(rect, id, Sense::click());
     let name = view.text(feature_classes_id(side));
     whole.widget_info(|| WidgetInfo::labeled(Role::RadioGroup, true, &name));

@@ -19,8 +19,6 @@ mod staircase;
 
 use eframe::egui::{Id, Ui};
 
-pub(super) use class_map::map_id;
-
 use super::columns::{Page, column_ui, columns_ui};
 use super::dialogs::just_opened;
 use super::field;

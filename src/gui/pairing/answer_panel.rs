@@ -1,5 +1,6 @@
 //! Right: the answer. How many pairs, their clearances, what is left over and what grinding would save, and its files.
 
+use crate::session::PairingAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Align, Frame, Grid, Layout, Margin, RichText, Sense, Ui, vec2};
 
@@ -11,7 +12,7 @@ use crate::gui::view::{View, heading, live, quiet};
 use crate::message::message;
 use crate::pairing::Grinding;
 use crate::report::pairing::FORMATS;
-use crate::session::{Action, Paired};
+use crate::session::Paired;
 
 /// The number of pairs, their clearances and what is left over. It is not a verdict, so it does not have the colour of one.
 pub(super) fn count_ui(ui: &mut Ui, view: &View<'_>) {
@@ -73,9 +74,9 @@ pub(super) fn answer_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.y = space(1.0);
-        view.field_button(ui, Action::CopyPairs);
+        view.field_button(ui, PairingAction::CopyPairs);
         for format in 0..FORMATS.len() {
-            view.field_button(ui, Action::SavePairs(format));
+            view.field_button(ui, PairingAction::SavePairs(format));
         }
     });
     if !is_tiny(ui) {

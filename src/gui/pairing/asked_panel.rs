@@ -1,5 +1,6 @@
 //! Left: the wanted clearance or fit, the measured parts with everything about them that has to be said, the groups.
 
+use crate::session::PairingAction;
 use eframe::egui::{RichText, ScrollArea, Ui, vec2};
 
 use crate::exchange::ImportError;
@@ -9,7 +10,7 @@ use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
 use crate::message::{Located, Message, Say as _, message};
 use crate::report::pairing::{Note, Parts, PartsFrom};
-use crate::session::{Action, PairingField};
+use crate::session::PairingField;
 use crate::tolerance::Feature;
 
 /// How many refused rows, and how many notes, stand in the column; more of them open with a button.
@@ -35,7 +36,7 @@ fn wanted_ui(ui: &mut Ui, view: &mut View<'_>) {
     let page = view.session.pairing();
     if let Some(understood) = page.understood() {
         quiet(ui, view.words.say(&understood));
-    } else if page.error(PairingField::Wanted).is_none() {
+    } else if view.session.error(PairingField::Wanted).is_none() {
         quiet(ui, view.text("pairing-page-wanted-hint"));
     }
 }
@@ -77,8 +78,8 @@ fn parts_ui(ui: &mut Ui, view: &mut View<'_>, feature: Feature) {
     }
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.y = space(1.0);
-        view.field_button(ui, Action::OpenParts(feature));
-        view.field_button(ui, Action::HistoryParts(feature));
+        view.field_button(ui, PairingAction::OpenParts(feature));
+        view.field_button(ui, PairingAction::HistoryParts(feature));
     });
 }
 

@@ -16,8 +16,6 @@ mod picture;
 
 use eframe::egui::{Id, Ui};
 
-pub(super) use pairs_list::id as list_id;
-
 use super::columns::{Page, columns_ui, of_height};
 use super::dialogs::just_opened;
 use super::field;

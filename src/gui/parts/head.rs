@@ -1,27 +1,27 @@
 //! Above both views: the switch between them, new, open, save, and the plan's name.
 
+use crate::session::PartsAction;
 use eframe::egui::{Button, Ui, vec2};
 
 use crate::gui::theme::control;
 use crate::gui::view::{View, quiet};
 use crate::message::message;
-use crate::session::Action;
 use crate::session::parts::PartsView;
 
 pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
         for part in PartsView::ALL {
-            let show = Action::ShowParts(part);
+            let show = PartsAction::ShowParts(part);
             let text = show.text(view.session, view.words);
             let button = Button::selectable(show.is_on(view.session) == Some(true), text);
             view.button_as(ui, show, button.min_size(vec2(0.0, control(ui))));
         }
         ui.separator();
-        for action in [Action::NewPlan, Action::OpenPlan, Action::SavePlan(0)] {
+        for action in [PartsAction::NewPlan, PartsAction::OpenPlan, PartsAction::SavePlan(0)] {
             view.field_button(ui, action);
         }
         if view.session.parts().view() == PartsView::Plan {
-            view.field_button(ui, Action::SavePlan(1));
+            view.field_button(ui, PartsAction::SavePlan(1));
         }
         let document = view.session.parts().document();
         if document.is_unsaved() {

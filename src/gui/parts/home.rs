@@ -1,11 +1,12 @@
 //! Where the focus goes when whatever had it is gone: Escape was pressed, or a dialog or a notice was closed.
 
+use crate::session::WalkField;
 use eframe::egui::{Id, Key, Popup, Ui};
 
 use super::{plan_id, sizes_id};
 use crate::gui::field;
 use crate::gui::view::View;
-use crate::session::parts::{PartsField, PartsView, PlanField};
+use crate::session::parts::{PartsView, PlanField};
 
 /// What lies over the page.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -57,16 +58,16 @@ pub(super) fn home_ui(ui: &Ui, view: &View<'_>) {
 /// What on the page can have the focus for long, the most important one first.
 fn stops(view: &View<'_>) -> Vec<Id> {
     let parts = view.session.parts();
-    let field = |field: PartsField| field::id(field);
+    let field = |field: WalkField| field::id(field);
     match parts.view() {
         PartsView::Plan if parts.document().is_empty() => Vec::new(),
         PartsView::Plan => {
             let heads = crate::part::HeadField::ALL.map(|head| field::id(PlanField::Head(head)));
             std::iter::once(plan_id()).chain(heads).collect()
         }
-        PartsView::Walk if parts.walking().is_skipping() => vec![field(PartsField::Reason)],
-        PartsView::Walk if parts.walking().at().is_some() => vec![field(PartsField::Value), sizes_id()],
+        PartsView::Walk if parts.walking().is_skipping() => vec![field(WalkField::Reason)],
+        PartsView::Walk if parts.walking().at().is_some() => vec![field(WalkField::Value), sizes_id()],
         PartsView::Walk if parts.walking().is_begun() => vec![sizes_id()],
-        PartsView::Walk => parts.document().plan().map(|_| field(PartsField::Serial)).into_iter().collect(),
+        PartsView::Walk => parts.document().plan().map(|_| field(WalkField::Serial)).into_iter().collect(),
     }
 }

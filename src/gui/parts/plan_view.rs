@@ -1,5 +1,6 @@
 //! The plan as a table, with its picture beside it and what is wrong with it below.
 
+use crate::session::PartsAction;
 use eframe::egui::{CentralPanel, Frame, Ui, vec2};
 
 use super::picture;
@@ -8,7 +9,6 @@ use crate::gui::columns::{Side, column_ui, of_height, panel_ui};
 use crate::gui::keypad::keypad_ui;
 use crate::gui::theme::{control, space};
 use crate::gui::view::{View, quiet};
-use crate::session::Action;
 
 /// The least size of a window in which table, picture and faults stand beside each other.
 const ROOM: [f32; 2] = [225.0, 160.0];
@@ -32,7 +32,7 @@ fn none_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(ui.available_height() * 0.3);
     ui.vertical_centered(|ui| {
         quiet(ui, view.text("parts-page-no-plan"));
-        let actions = [Action::OpenPlan, Action::NewPlan];
+        let actions = [PartsAction::OpenPlan, PartsAction::NewPlan];
         let size = vec2(view.width_of(ui, &actions), control(ui));
         for action in actions {
             let button = view.named(action).min_size(size);

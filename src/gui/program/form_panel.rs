@@ -1,5 +1,6 @@
 //! Left: the inputs of 8255, what is measured, and below them program and native answer side by side.
 
+use crate::session::WorkpieceAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, Grid, RichText, Sense, Ui, vec2};
 
@@ -13,7 +14,7 @@ use crate::gui::verdict_card::status_id;
 use crate::gui::view::{View, heading, list_ui, live, problem, quiet};
 use crate::message::message;
 use crate::session::program::{Agreement, Input, Run, WorkpieceFrom};
-use crate::session::{Action, Field, ProgramCommand, ProgramField};
+use crate::session::{Field, ProgramCommand, ProgramField};
 use crate::verdict::Status;
 
 /// The panel's content.
@@ -169,7 +170,7 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
         WorkpieceFrom::Simulated => {
             let button = Button::new(view.text("program-page-edit-workpiece")).min_size(vec2(0.0, control(ui)));
-            view.button_as(ui, Action::EditWorkpiece, button);
+            view.button_as(ui, WorkpieceAction::EditWorkpiece, button);
             if let Some(error) = view.session.workpiece().problem() {
                 problem(ui, view.words.say(&error));
             }
@@ -181,7 +182,7 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
                 quiet(ui, view.words.say(&message.count("count", recorded.contacts.len())));
             }
             let button = Button::new(view.text("program-page-open-contacts")).min_size(vec2(0.0, control(ui)));
-            view.button_as(ui, Action::OpenContacts, button);
+            view.button_as(ui, WorkpieceAction::OpenContacts, button);
         }
     }
 }

@@ -27,7 +27,6 @@ mod watch_panel;
 use std::time::Duration;
 
 use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
-pub(super) use listing::id as listing_id;
 
 use super::columns::{Side, column_ui, of_height, panel_ui};
 use super::cycles::workpiece_window;

@@ -1,5 +1,6 @@
 //! Left: the simulated part of several features, listed by name, kind, size and place. The list takes the focus as a whole.
 
+use crate::session::ProgramAction;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{EventFilter, Id, Key, Label, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
@@ -7,14 +8,14 @@ use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::message::message;
-use crate::session::{Action, feature_message};
+use crate::session::feature_message;
 
 /// How many features are visible without scrolling.
 const LINES: usize = 6;
 
 /// The part, and a button that opens another one. Only the features in sight are drawn: there may be a thousand.
 pub(super) fn part_ui(ui: &mut Ui, view: &mut View<'_>) {
-    view.field_button(ui, Action::OpenPart);
+    view.field_button(ui, ProgramAction::OpenPart);
     let Some(open) = view.session.part() else { return };
     let features = &open.part.features;
     let message = message!("part-of-features").text("name", &open.name).count("count", features.len());

@@ -1,5 +1,6 @@
 //! Above: which program; run, pause, single block, breakpoints, speed; what the run does, in words.
 
+use crate::session::ProgramAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Align, Button, Layout, RichText, ScrollArea, Sense, Ui, vec2};
 
@@ -8,7 +9,7 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, list_height, list_ui, live};
 use crate::nc::machine::Shipped;
 use crate::session::program::{Document, EntryKind, Origin, Run, Speed, State, Switch};
-use crate::session::{Action, Command, ProgramCommand, Purpose};
+use crate::session::{Command, ProgramCommand, Purpose};
 
 /// The width of the list of places to go to.
 const OUTLINE: f32 = 78.0;
@@ -92,17 +93,21 @@ fn choice_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     });
     list.accessible_name(name);
-    view.field_button(ui, Action::OpenProgram);
+    view.field_button(ui, ProgramAction::OpenProgram);
 }
 
 fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let (run, pause) = (Action::RunProgram, Action::PauseProgram);
+    let (run, pause) = (ProgramAction::RunProgram, ProgramAction::PauseProgram);
     let width = view.width_of(ui, &[run, pause]).max(space(20.0));
     let action = if view.session.program().is_running() { pause } else { run };
     view.main_button(ui, action, vec2(width, control(ui)));
-    for action in
-        [Action::StepProgram, Action::StepOver, Action::RunToSelected, Action::ToggleBreakpoint, Action::ResetProgram]
-    {
+    for action in [
+        ProgramAction::StepProgram,
+        ProgramAction::StepOver,
+        ProgramAction::RunToSelected,
+        ProgramAction::ToggleBreakpoint,
+        ProgramAction::ResetProgram,
+    ] {
         view.field_button(ui, action);
     }
 }
@@ -131,7 +136,7 @@ fn speed_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn options_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.menu_button(view.text("program-page-options"), |ui| {
         for switch in Switch::ALL {
-            view.checkbox(ui, Action::Switch(switch));
+            view.checkbox(ui, ProgramAction::Switch(switch));
         }
     });
 }

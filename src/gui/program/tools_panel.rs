@@ -1,5 +1,6 @@
 //! Left: the tool table, and the tools of Q330; right: what a run has changed in the table.
 
+use crate::session::WorkpieceAction;
 use eframe::egui::{Button, Id, RichText, Ui, vec2};
 
 use crate::control::variables::Parameter;
@@ -9,7 +10,7 @@ use crate::gui::tools::{Pick, named_ui, pick_ui, table_list_ui};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::{Say as _, message};
 use crate::session::program::{Document, Run, ToolOf};
-use crate::session::{Action, ProgramCommand, ProgramField};
+use crate::session::{ProgramCommand, ProgramField};
 
 /// The most tools and changes that are drawn.
 const MOST: usize = 20;
@@ -92,6 +93,6 @@ pub(super) fn changes_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
             view.send(ProgramCommand::GoTo(changed.place.clone()));
         }
     }
-    view.field_button(ui, Action::SaveTools);
+    view.field_button(ui, WorkpieceAction::SaveTools);
     quiet(ui, view.text("tools-save-hint"));
 }

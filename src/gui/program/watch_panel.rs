@@ -1,5 +1,6 @@
 //! Right, below: parameters with names and values; what the last command changed stands out, by more than colour.
 
+use crate::session::ProgramAction;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextWrapping};
 use eframe::egui::{Align2, Button, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
@@ -11,7 +12,7 @@ use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::nc::machine::shown;
 use crate::session::program::{Name, Watched};
-use crate::session::{Action, ProgramCommand, ProgramField};
+use crate::session::{ProgramCommand, ProgramField};
 
 /// The panel's content.
 pub(super) fn watch_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -55,7 +56,7 @@ fn given_ui(ui: &mut Ui, view: &mut View<'_>) {
         value.widget_info(|| WidgetInfo::labeled(Role::Label, true, view.text("program-page-value")));
         field_ui(ui, view, ProgramField::Value, id, small(width));
         let button = Button::new(give).min_size(vec2(0.0, control(ui)));
-        view.button_as(ui, Action::GiveValue, button);
+        view.button_as(ui, ProgramAction::GiveValue, button);
     });
     error_ui(ui, view, ProgramField::Name);
     error_ui(ui, view, ProgramField::Value);

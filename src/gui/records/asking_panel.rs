@@ -1,5 +1,6 @@
 //! Above: the question, the words of it that have a button, and how many records answer it.
 
+use crate::session::{RecordsAction, WindowAction};
 use eframe::egui::{Id, Key, Label, RichText, Ui, vec2};
 
 use super::list;
@@ -11,7 +12,7 @@ use crate::gui::view::{View, problem, quiet};
 use crate::message::{Message, message};
 use crate::report::RENDERINGS;
 use crate::session::records::{LeftOut, Shorthand};
-use crate::session::{Action, Field, RecordsField};
+use crate::session::{Field, RecordsField};
 
 /// The question, and what comes of it. In a very low window its buttons are in a menu, so that rows stay in sight.
 pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -24,7 +25,7 @@ pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
         if is_tiny {
             ui.menu_button(view.text("records-page-more-actions"), |ui| more_ui(ui, view));
         } else {
-            for action in Shorthand::ALL.map(Action::AskRecords) {
+            for action in Shorthand::ALL.map(RecordsAction::AskRecords) {
                 let button = view.named(action).selected(action.is_on(view.session) == Some(true));
                 view.button_as(ui, action, button.min_size(vec2(0.0, control(ui))));
             }
@@ -46,7 +47,7 @@ fn question_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
     let asked = field_ui(ui, view, RecordsField::Question, name, look);
     let left = asked.lost_focus() && ui.input(|input| input.key_pressed(Key::Escape));
     // What lies over the page takes Escape first.
-    if left && !view.session.can(Action::Close) {
+    if left && !view.session.can(WindowAction::Close) {
         view.send(Field::from(RecordsField::Question).typed(String::new()));
         ui.memory_mut(|memory| memory.request_focus(list::id()));
     }
@@ -55,14 +56,19 @@ fn question_ui(ui: &mut Ui, view: &mut View<'_>, name: Id, width: f32) {
 
 /// Everything that has no room beside the question.
 fn more_ui(ui: &mut Ui, view: &mut View<'_>) {
-    for action in Shorthand::ALL.map(Action::AskRecords).into_iter().chain([Action::WithSimulated]) {
+    for action in Shorthand::ALL.map(RecordsAction::AskRecords).into_iter().chain([RecordsAction::WithSimulated]) {
         view.checkbox(ui, action);
     }
     ui.separator();
     for number in 0..RENDERINGS.len() {
-        view.menu_item(ui, Action::ReportRecords(number));
+        view.menu_item(ui, RecordsAction::ReportRecords(number));
     }
-    for action in [Action::CopyRecords, Action::ChooseNoRecords, Action::VerifyRecords, Action::CancelVerify] {
+    for action in [
+        RecordsAction::CopyRecords,
+        RecordsAction::ChooseNoRecords,
+        RecordsAction::VerifyRecords,
+        RecordsAction::CancelVerify,
+    ] {
         view.menu_item(ui, action);
     }
 }
@@ -94,19 +100,19 @@ fn chosen_ui(ui: &mut Ui, view: &mut View<'_>) {
     let LeftOut { simulated: without, replaced, cycles, unread } = page.left_out();
     ui.horizontal_wrapped(|ui| {
         quiet(ui, view.words.say(&message!("records-page-chosen").count("count", count)));
-        let can_report = view.session.can(Action::ReportRecords(0));
+        let can_report = view.session.can(RecordsAction::ReportRecords(0));
         ui.add_enabled_ui(can_report, |ui| {
             ui.menu_button(view.text("records-page-report"), |ui| {
                 for number in 0..RENDERINGS.len() {
-                    view.menu_item(ui, Action::ReportRecords(number));
+                    view.menu_item(ui, RecordsAction::ReportRecords(number));
                 }
             });
         });
-        for action in [Action::CopyRecords, Action::ChooseNoRecords] {
+        for action in [RecordsAction::CopyRecords, RecordsAction::ChooseNoRecords] {
             view.field_button(ui, action);
         }
         if 0 < simulated {
-            view.checkbox(ui, Action::WithSimulated);
+            view.checkbox(ui, RecordsAction::WithSimulated);
         }
         for (id, count) in [
             ("records-page-out-simulated", without),

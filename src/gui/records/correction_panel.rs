@@ -1,18 +1,19 @@
 //! The form of a correction: what the record should say, and why. The old entry stays.
 
+use crate::session::{RecordsAction, WindowAction};
 use eframe::egui::{Ui, vec2};
 
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::message;
+use crate::session::RecordsField;
 use crate::session::records::Correcting;
-use crate::session::{Action, RecordsField};
 
 pub(super) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
     heading(ui, view.text("records-page-correction"));
     quiet(ui, view.text("records-page-correction-hint"));
-    view.checkbox(ui, Action::WithdrawRecord);
+    view.checkbox(ui, RecordsAction::WithdrawRecord);
     if let Some(number) = view.session.records().corrects().filter(|_| form.withdraws) {
         quiet(ui, view.words.say(&message!("records-page-withdraw-neither").text("number", number.to_string())));
     }
@@ -35,11 +36,11 @@ pub(super) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting)
         problem(ui, view.words.say(why));
     }
     ui.horizontal_wrapped(|ui| {
-        let width = view.width_of(ui, &[Action::SendCorrection]);
-        view.main_button(ui, Action::SendCorrection, vec2(width, control(ui)));
-        view.field_button(ui, Action::LeaveCorrection);
-        if form.problem.is_some() && view.session.can(Action::RecordAgain) {
-            view.field_button(ui, Action::RecordAgain);
+        let width = view.width_of(ui, &[RecordsAction::SendCorrection]);
+        view.main_button(ui, RecordsAction::SendCorrection, vec2(width, control(ui)));
+        view.field_button(ui, RecordsAction::LeaveCorrection);
+        if form.problem.is_some() && view.session.can(WindowAction::RecordAgain) {
+            view.field_button(ui, WindowAction::RecordAgain);
         } else if form.run.is_some() {
             quiet(ui, view.text("records-page-waiting"));
         }

@@ -1,5 +1,6 @@
 //! Below: where records are kept, how many there are, what is wrong; and the walk along the chain.
 
+use crate::session::{RecordsAction, WindowAction};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{ProgressBar, Ui, WidgetInfo};
 
@@ -11,20 +12,20 @@ use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::{Message, message};
 use crate::session::records::{Verified, Walk};
-use crate::session::{Action, Keeping, RecordsField};
+use crate::session::{Keeping, RecordsField};
 
 /// The foot of the page.
 pub(super) fn foot_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.y = space(1.0);
         // Each stands in the place of the other.
-        for action in [Action::VerifyRecords, Action::CancelVerify] {
+        for action in [RecordsAction::VerifyRecords, RecordsAction::CancelVerify] {
             if view.session.can(action) && !is_tiny(ui) {
                 view.button(ui, action);
             }
         }
-        if view.session.can(Action::AskForServer) && !is_tiny(ui) {
-            view.button(ui, Action::AskForServer);
+        if view.session.can(RecordsAction::AskForServer) && !is_tiny(ui) {
+            view.button(ui, RecordsAction::AskForServer);
         }
         walk_ui(ui, view);
         wrong_ui(ui, view);
@@ -60,8 +61,8 @@ fn server_ui(ui: &mut Ui, view: &mut View<'_>) {
     field_ui(ui, view, RecordsField::Server, name.id, look);
     error_ui(ui, view, RecordsField::Server);
     ui.horizontal_wrapped(|ui| {
-        view.button(ui, Action::TakeServer);
-        view.button(ui, Action::LeaveServer);
+        view.button(ui, RecordsAction::TakeServer);
+        view.button(ui, RecordsAction::LeaveServer);
         quiet(ui, view.text("records-page-server-passwords"));
     });
 }
@@ -76,12 +77,12 @@ fn wrong_ui(ui: &mut Ui, view: &mut View<'_>) {
     if 0 < failed {
         problem(ui, view.words.say(&message!("records-page-failed").count("count", failed)));
     }
-    if view.session.can(Action::RecordAgain) {
-        view.button(ui, Action::RecordAgain);
+    if view.session.can(WindowAction::RecordAgain) {
+        view.button(ui, WindowAction::RecordAgain);
     }
     if let Some(why) = view.session.recording().trouble() {
         problem(ui, view.words.say(&message!("records-page-not-sent").message("why", why.clone())));
-        view.button(ui, Action::SendAgain);
+        view.button(ui, RecordsAction::SendAgain);
     }
 }
 

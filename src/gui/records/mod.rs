@@ -18,7 +18,6 @@ mod reasons;
 mod record_panel;
 
 use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
-pub(super) use list::id as list_id;
 
 use super::columns::{Side, column_ui, panel_ui};
 use super::dialogs::just_opened;

@@ -1,5 +1,6 @@
 //! The record that is open: its verdict, its whole reasoning, and what can be done with it.
 
+use crate::session::RecordsAction;
 use eframe::egui::{Align, Label, Layout, RichText, Ui, vec2};
 
 use super::cells::Cells;
@@ -11,7 +12,7 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::chip_ui;
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::{Message, message};
-use crate::session::{Action, RecordRow, RecordsCommand};
+use crate::session::{RecordRow, RecordsCommand};
 use crate::words::Words;
 
 /// The panel.
@@ -20,7 +21,7 @@ pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
     let Some(open) = session.records().opened() else { return };
     ui.horizontal_wrapped(|ui| {
         heading(ui, view.words.say(&message!("records-page-record").text("number", open.number)));
-        view.button(ui, Action::CloseRecord);
+        view.button(ui, RecordsAction::CloseRecord);
     });
     let row = match &open.row {
         Some(Ok(row)) => row,
@@ -33,7 +34,7 @@ pub(super) fn record_ui(ui: &mut Ui, view: &mut View<'_>) {
         }
     };
     ui.horizontal_wrapped(|ui| {
-        for action in [Action::MeasureAgain, Action::CorrectRecord, Action::CopyRecords] {
+        for action in [RecordsAction::MeasureAgain, RecordsAction::CorrectRecord, RecordsAction::CopyRecords] {
             view.button(ui, action);
         }
     });

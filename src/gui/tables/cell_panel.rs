@@ -1,5 +1,6 @@
 //! Right: the selected cell against ISO 286, and the fields that change it.
 
+use crate::session::TablesAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Align, Grid, Id, Key, Layout, Pos2, Rect, Response, RichText, Sense, Ui, vec2};
 
@@ -10,7 +11,7 @@ use crate::gui::view::{View, live, quiet};
 use crate::length::Length;
 use crate::message::{Message, Say as _, message};
 use crate::session::tables::{Document, Origin};
-use crate::session::{Action, TablesCommand, TablesField};
+use crate::session::{TablesCommand, TablesField};
 use crate::tolerance::compare::Difference;
 use crate::tolerance::{Deviations, ToleranceClass, iso286};
 
@@ -168,7 +169,7 @@ fn difference_text(view: &View<'_>, difference: &Difference) -> Message {
 
 fn buttons_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
-        for action in [Action::SetCell, Action::TakeStandard, Action::EmptyCell] {
+        for action in [TablesAction::SetCell, TablesAction::TakeStandard, TablesAction::EmptyCell] {
             view.button(ui, action);
         }
     });

@@ -1,11 +1,12 @@
 //! Right, below: classes of ISO 286 as columns of this table, or as a table of their own.
 
+use crate::session::TablesAction;
 use eframe::egui::Ui;
 
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, heading, quiet};
-use crate::session::{Action, TablesField};
+use crate::session::TablesField;
 
 /// The panel's content.
 pub(super) fn classes_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -16,9 +17,9 @@ pub(super) fn classes_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
     field_ui(ui, view, TablesField::Classes, name.id, look);
     error_ui(ui, view, TablesField::Classes);
     ui.horizontal_wrapped(|ui| {
-        view.button(ui, Action::AddColumns);
-        if view.session.can(Action::RemoveColumn) {
-            view.button(ui, Action::RemoveColumn);
+        view.button(ui, TablesAction::AddColumns);
+        if view.session.can(TablesAction::RemoveColumn) {
+            view.button(ui, TablesAction::RemoveColumn);
         }
     });
     ui.add_space(space(1.0));
@@ -26,7 +27,7 @@ pub(super) fn classes_panel_ui(ui: &mut Ui, view: &mut View<'_>) {
         let name = ui.label(view.text("tables-up-to"));
         field_ui(ui, view, TablesField::To, name.id, Look::number(space(18.0)));
         quiet(ui, "mm");
-        view.button(ui, Action::MakeTable);
+        view.button(ui, TablesAction::MakeTable);
     });
     error_ui(ui, view, TablesField::To);
 }

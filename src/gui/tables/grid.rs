@@ -1,5 +1,6 @@
 //! The cells in sight: size ranges down, classes across, heads that stay. The grid takes the focus as a whole.
 
+use crate::session::TablesAction;
 use eframe::egui::accesskit::Role;
 use eframe::egui::scroll_area::ScrollAreaOutput;
 use eframe::egui::style::ScrollAnimation;
@@ -11,8 +12,8 @@ use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
 use crate::message::{Message, message};
+use crate::session::TablesCommand;
 use crate::session::tables::Document;
-use crate::session::{Action, TablesCommand};
 use crate::tolerance::ToleranceClass;
 
 /// The id of the grid: it takes the focus as a whole.
@@ -123,7 +124,7 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, place: &Place) {
         ui.memory_mut(|memory| memory.request_focus(id()));
     }
     if response.double_clicked() {
-        view.act(Action::EditCell);
+        view.act(TablesAction::EditCell);
     }
 }
 

@@ -15,7 +15,6 @@ mod paint;
 mod tool_bar;
 
 use eframe::egui::{CentralPanel, Frame, Panel, ScrollArea, Ui};
-pub(super) use grid::id as grid_id;
 
 use super::columns::{Side, panel_ui};
 use super::keypad::{self, keypad_ui};

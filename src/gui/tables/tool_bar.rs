@@ -1,5 +1,6 @@
 //! Above the cells: which table, filter, save as, and whether the table agrees with ISO 286.
 
+use crate::session::TablesAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Label, RichText, Sense, Ui, vec2};
 
@@ -11,7 +12,7 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, list_ui, live, quiet, quiet_cut};
 use crate::message::message;
 use crate::session::tables::{Origin, TableChoice};
-use crate::session::{Action, TablesCommand, TablesField};
+use crate::session::{TablesCommand, TablesField};
 use crate::verdict::Status;
 
 /// From this width what the comparison found stands beside the filter.
@@ -22,18 +23,18 @@ pub(super) fn tool_bar_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.add_space(space(1.0));
     ui.horizontal_wrapped(|ui| {
         choice_ui(ui, view);
-        view.field_button(ui, Action::OpenTable);
+        view.field_button(ui, TablesAction::OpenTable);
         ui.menu_button(view.text("tables-save"), |ui| {
             for number in 0..TABLE_FORMATS.len() {
-                view.menu_item(ui, Action::SaveTable(number));
+                view.menu_item(ui, TablesAction::SaveTable(number));
             }
         });
         // No lines between: one would hang at the end of a row where the window is narrow.
         ui.add_space(space(2.0));
-        view.field_button(ui, Action::UndoEdit);
-        view.field_button(ui, Action::RedoEdit);
+        view.field_button(ui, TablesAction::UndoEdit);
+        view.field_button(ui, TablesAction::RedoEdit);
         ui.add_space(space(2.0));
-        view.field_button(ui, Action::UseTable);
+        view.field_button(ui, TablesAction::UseTable);
     });
     let is_wide = space(WIDE) < ui.available_width();
     ui.horizontal_wrapped(|ui| {
@@ -133,8 +134,8 @@ fn summary_ui(ui: &mut Ui, view: &mut View<'_>) {
     let label = ui.label(RichText::new(&said).font(theme::bold(sizes().body)));
     live(ui, &label, &said, Live::Polite);
     if 0 < found {
-        view.field_button(ui, Action::PreviousDifference);
-        view.field_button(ui, Action::NextDifference);
+        view.field_button(ui, TablesAction::PreviousDifference);
+        view.field_button(ui, TablesAction::NextDifference);
     }
 }
 

@@ -3,16 +3,19 @@
 //! One rule for every question: its first answer is the highlighted one, and Enter gives that one and no other.
 
 use super::Action;
-use crate::parts::PartsView;
+use crate::check::CheckAction;
+use crate::cycles::CyclesAction;
+use crate::parts::{PartsAction, PartsView};
 use crate::{Field, Page, Session};
 
 impl Session {
     /// The answers to what the open page asks, the highlighted one first; none where nothing is asked.
     pub fn answers(&self) -> Vec<Action> {
-        let (question, meant, as_it_is) = match self.page() {
-            Page::Check => (self.check().question(), Action::TakeMeant, Action::JudgeAnyway),
+        let (question, meant, as_it_is): (_, Action, Action) = match self.page() {
+            Page::Check => (self.check().question(), CheckAction::TakeMeant.into(), CheckAction::JudgeAnyway.into()),
             Page::Parts if self.parts().view() == PartsView::Walk => {
-                (self.parts().walking().question(), Action::TakeMeantValue, Action::TakeValue)
+                let question = self.parts().walking().question();
+                (question, PartsAction::TakeMeantValue.into(), PartsAction::TakeValue.into())
             }
             _ => return Vec::new(),
         };
@@ -23,15 +26,15 @@ impl Session {
     /// What Enter does in a text field of the open page now.
     pub fn on_enter(&self, field: Field) -> Option<Action> {
         let usual = Action::on_enter(field, self.page())?;
-        let is_asked = matches!(usual, Action::Measure | Action::TakeValue);
+        let is_asked = matches!(usual, Action::Check(CheckAction::Measure) | Action::Parts(PartsAction::TakeValue));
         self.answers().into_iter().next().filter(|_| is_asked).or(Some(usual))
     }
 
     /// Whether an action would only do once more what stands on screen: Enter repeats nothing, its button and keys do.
     pub(crate) fn repeats(&self, action: Action) -> bool {
         match action {
-            Action::Measure => self.check().would_repeat(),
-            Action::RunCycle => self.cycles().would_repeat(),
+            Action::Check(CheckAction::Measure) => self.check().would_repeat(),
+            Action::Cycles(CyclesAction::RunCycle) => self.cycles().would_repeat(),
             _ => false,
         }
     }

@@ -1,10 +1,9 @@
 //! The keys of actions: which are shown beside them, which are heard now, and which action takes them where two could.
 
+use super::window::WindowAction;
 use super::{Action, Key, Part, Place, Shortcut};
-use crate::parts::PlanField;
-use crate::program::ProgramField;
-use crate::tables::TablesField;
-use crate::{CheckField, Field, Page, PartsField, RecordsField, Session};
+use crate::Session;
+use crate::page::Page;
 
 impl Action {
     /// All its keys, even those that another action takes first. The first one is shown to the user.
@@ -34,32 +33,6 @@ impl Action {
         // Escape belongs to whatever can use it: a run that goes on, or what lies over the page.
         keys.key != Key::Escape && Self::all().any(takes)
     }
-
-    /// What Enter does in a text field of a page.
-    pub const fn on_enter(field: Field, page: Page) -> Option<Self> {
-        match (field, page) {
-            (
-                Field::Program(ProgramField::Filter)
-                | Field::Check(CheckField::HistoryFilter)
-                | Field::Records(RecordsField::Question),
-                _,
-            ) => None,
-            (Field::Parts(PartsField::Serial), _) => Some(Self::BeginPart),
-            (Field::Parts(PartsField::Value), _) => Some(Self::TakeValue),
-            (Field::Parts(PartsField::Reason), _) => Some(Self::SkipFor),
-            (Field::Records(RecordsField::Who), _) => Some(Self::TakeName),
-            (Field::Records(RecordsField::Server), _) => Some(Self::TakeServer),
-            (Field::Records(_), _) => Some(Self::SendCorrection),
-            (Field::Program(ProgramField::Name | ProgramField::Value), _) => Some(Self::GiveValue),
-            (Field::Tables(TablesField::CellUpper | TablesField::CellLower), _) => Some(Self::SetCell),
-            (Field::Tables(TablesField::To), _) => Some(Self::MakeTable),
-            (Field::Plan(PlanField::Cell), _) => Some(Self::TakePlanCell),
-            (_, Page::Check) => Some(Self::Measure),
-            (_, Page::Cycles) => Some(Self::RunCycle),
-            (_, Page::Program) => Some(Self::RunProgram),
-            (_, Page::Fit | Page::Tables | Page::Pairing | Page::Budget | Page::Records | Page::Parts) => None,
-        }
-    }
 }
 
 impl Session {
@@ -75,10 +48,10 @@ impl Session {
             // The workpiece's window lies over the listing, and takes Escape.
             Place::Page(Page::Program) if self.workpiece_is_open() => false,
             Place::Dialog => false,
-            Place::Part(of) => part == Some(of) && of.page() == self.page(),
+            Place::Part(of) => part == Some(of) && of.page == self.page(),
             place => place.is_on(self.page()),
         };
-        let is_of_cover = |action: Action| action == Action::Close || action.place() == Place::Dialog;
+        let is_of_cover = |action: Action| action == WindowAction::Close.into() || action.place() == Place::Dialog;
         let heard = Action::all().filter(|action| if is_covered { is_of_cover(*action) } else { is_heard(*action) });
         let mut keys: Vec<_> = heard
             .flat_map(|action| action.shortcuts().map(move |shortcut| (shortcut, action)))

@@ -1,14 +1,14 @@
 //! Everything that a user can do by menu, button or key: what it is called, its keys, where it applies, whether it is
 //! possible now, and the command that it sends.
 //!
+//! The actions of a page are in its own folder. Here is what belongs to all of them:
+//!
 //! | file | what |
 //! |---|---|
 //! | here | what is asked of an action: its name, whether it is possible, its command |
-//! | `list` | every action |
-//! | `table` | a row for every action |
-//! | `program`, `pairing`, `budget`, `records`, `parts` | the rows of these pages |
-//! | `row` | what a row says |
-//! | `possible`, `switches` | the conditions of the rows; what switches are set to |
+//! | `row` | what is to be known of an action, and how a list of actions is written |
+//! | `window`, `workpiece` | the actions of every page, and of the pages that measure a workpiece |
+//! | `possible` | conditions that several pages share |
 //! | `place` | where an action applies |
 //! | `shortcut` | keys, without a window |
 //! | `keys` | which keys are heard and shown |
@@ -18,51 +18,114 @@
 //!
 //! To add an action (menu, button or key):
 //!
-//! 1. Add a variant to `list`.
-//! 2. Add its row to `table`, or to the file of its page: text, keys, where it applies, when it is possible, and the command that it sends.
-//! 3. Add its texts to every folder of `assets/locales`.
-//! 4. Name the action in one line of `gui/` where it is a button or an entry of a menu. Keys and tooltips follow from the row.
-//! 5. Write a new key into the tables of `docs/manual/window.md`: the test `session_actions` compares them.
+//! 1. Add a variant and its row to the `actions.rs` of its page, or to `window`: text, keys, where it applies, when it is possible, and
+//!    the command that it sends.
+//! 2. Add its texts to every folder of `assets/locales`.
+//! 3. Name the action in one line of `gui/` where it is a button or an entry of a menu. Keys and tooltips follow from the row.
+//! 4. Write a new key into the tables of `docs/manual/window.md`: the test `session_actions` compares them.
 
 mod answers;
-mod budget;
 mod keys;
-mod list;
-mod pairing;
-mod parts;
 mod place;
-mod possible;
-mod program;
-mod records;
-mod row;
+pub(crate) mod possible;
+pub(crate) mod row;
 mod shortcut;
-mod switches;
-mod table;
+mod window;
+mod workpiece;
 
-pub use list::Action;
-pub use place::{Part, Place};
+pub use place::{Keeps, Part, Place};
 pub use shortcut::{Held, Key, Shortcut};
+pub use window::WindowAction;
+pub use workpiece::WorkpieceAction;
 
-use fitcheck_core::length::Length;
-use fitcheck_core::message::{Message, message};
+use std::sync::LazyLock;
+
 use fitcheck_core::verdict::Status;
 use fitcheck_core::words::Words;
-use fitcheck_exchange::exchange::tables::TABLE_FORMATS;
-use fitcheck_exchange::report::RENDERINGS;
-use fitcheck_exchange::report::pairing::FORMATS as PAIR_FORMATS;
 
-use self::row::Row;
+use self::row::{Actions, Row};
 use super::budget::BudgetCommand;
 use super::columns::ColumnsCommand;
 use super::cycles::CyclesCommand;
+use super::field::Field;
+use super::files::FilesAction;
+use super::page::pages;
 use super::parts::{PartsCommand, PlanCommand, WalkCommand};
-use super::tables;
 use super::workpiece::WorkpieceCommand;
 use super::{Command, Page, RecordsCommand, Session};
 
+macro_rules! action {
+    ($($(#[$doc:meta])* $page:ident: $folder:ident, $State:ident, $Command:ident, $Field:ident, $Action:ident, $name:literal;)+) => {
+        /// Something that a user can do by menu, button or key.
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum Action {
+            /// On every page.
+            Window(WindowAction),
+            /// In the file dialog.
+            Files(FilesAction),
+            /// On the pages that measure a workpiece.
+            Workpiece(WorkpieceAction),
+            $($(#[$doc])* $page(super::$folder::$Action),)+
+        }
+
+        impl Action {
+            /// Every action, in the order of the pages.
+            pub fn all() -> impl Iterator<Item = Self> {
+                let window = WindowAction::all().map(Self::Window).chain(FilesAction::all().map(Self::Files));
+                window$(.chain(super::$folder::$Action::all().map(Self::$page)))+
+                    .chain(WorkpieceAction::all().map(Self::Workpiece))
+            }
+
+            fn list(&self) -> &dyn Actions {
+                match self {
+                    Self::Window(action) => action,
+                    Self::Files(action) => action,
+                    Self::Workpiece(action) => action,
+                    $(Self::$page(action) => action,)+
+                }
+            }
+
+            /// What Enter does in a text field of a page.
+            pub fn on_enter(field: Field, page: Page) -> Option<Self> {
+                let window = WindowAction::on_enter(field, page).map(Self::Window);
+                window$(.or_else(|| super::$folder::$Action::on_enter(field, page).map(Self::$page)))+
+            }
+        }
+
+        $(impl From<super::$folder::$Action> for Action {
+            fn from(action: super::$folder::$Action) -> Self {
+                Self::$page(action)
+            }
+        })+
+    };
+}
+
+pages!(action);
+from_variants!(Action: Window(WindowAction), Files(FilesAction), Workpiece(WorkpieceAction));
+
+/// What takes the focus as a whole, on all pages.
+static PARTS: LazyLock<Vec<Part>> = LazyLock::new(|| {
+    let mut parts = Vec::new();
+    for action in Action::all() {
+        if let Place::Part(part) = action.place()
+            && !parts.contains(&part)
+        {
+            parts.push(part);
+        }
+    }
+    parts
+});
+
+impl Part {
+    /// The parts of a page that take keys.
+    pub fn of(page: Page) -> impl Iterator<Item = Self> {
+        PARTS.iter().copied().filter(move |part| part.page == page)
+    }
+}
+
 impl Action {
     fn row(self) -> Row {
-        table::row(self)
+        self.list().row()
     }
 
     /// Where it applies.
@@ -72,62 +135,7 @@ impl Action {
 
     /// Its name, in the words of a language.
     pub fn text(self, session: &Session, words: &Words) -> String {
-        match self {
-            Self::Export(number) => {
-                RENDERINGS.get(number).map(|to| words.get(&format!("export-{}", to.name))).unwrap_or_default()
-            }
-            Self::ReportPart(number) => {
-                RENDERINGS.get(number).map(|to| words.get(&format!("walk-page-report-{}", to.name))).unwrap_or_default()
-            }
-            Self::ReportRecords(number) => {
-                RENDERINGS.get(number).map(|to| words.get(&format!("export-{}", to.name))).unwrap_or_default()
-            }
-            Self::SavePairs(number) => PAIR_FORMATS
-                .get(number)
-                .map(|to| words.get(&format!("pairing-page-save-{}", to.name)))
-                .unwrap_or_default(),
-            Self::SaveTable(number) => {
-                let format = TABLE_FORMATS.get(number).map(|format| words.get(format.description));
-                capitalised(&format.map(|format| format!("{format}…")).unwrap_or_default())
-            }
-            Self::RemoveColumn => {
-                let selected = session.tables().shown().and_then(tables::Document::selected);
-                let class = selected.map_or_else(|| words.get("class-none"), |(class, _)| class.to_string());
-                words.say(&message!("tables-remove-column").text("class", class))
-            }
-            Self::JudgeAnyway | Self::TakeMeant => {
-                let mm = |length: Option<Length>| length.map(|length| words.mm(length, 3)).unwrap_or_default();
-                let question = session.check().question();
-                let message = Message::new(self.row().text)
-                    .text("measured", mm(question.map(|question| question.measured)))
-                    .text("meant", mm(question.and_then(|question| question.doubt.meant())));
-                words.say(&message)
-            }
-            Self::TakeText | Self::KeepText => {
-                let doubted = session.check().doubted();
-                let given = doubted.map(|doubted| words.number(&doubted.text)).unwrap_or_default();
-                let meant = doubted.and_then(|doubted| doubted.meant.as_ref());
-                let meant = meant.map(|meant| words.number(meant)).unwrap_or_default();
-                words.say(&Message::new(self.row().text).text("given", given).text("meant", meant))
-            }
-            Self::TakeMeantCell => {
-                let meant = session.parts().meant_here().map(|meant| words.number(&meant)).unwrap_or_default();
-                words.say(&Message::new(self.row().text).text("meant", meant))
-            }
-            Self::TakeMeantValue => {
-                let question = session.parts().walking().question();
-                let meant = question.and_then(|question| question.doubt.meant());
-                let meant = meant.map(|meant| words.mm(meant, 3)).unwrap_or_default();
-                words.say(&Message::new(self.row().text).text("meant", meant))
-            }
-            Self::Undo => {
-                let what = session.history().undoes();
-                what.map_or_else(|| words.get("undo"), |what| words.say(&message!("undo-what").message("what", what)))
-            }
-            Self::ChooseBad => words.say(&message!("choose-bad").count("count", session.bad_count())),
-            Self::UseTable if session.tables().is_used(session.sources()) => words.get("tables-in-use"),
-            _ => words.get(self.row().text),
-        }
+        self.list().name(session, words).unwrap_or_else(|| words.get(self.row().text))
     }
 
     /// The id of a further explanation.
@@ -137,7 +145,7 @@ impl Action {
 
     /// Whether what it switches is on, where it switches something.
     pub fn is_on(self, session: &Session) -> Option<bool> {
-        switches::is_on(self, session)
+        self.list().is_on(session)
     }
 
     /// The command that it sends now; `None` where it is not possible.
@@ -149,8 +157,8 @@ impl Action {
 
 impl Session {
     /// Whether something can be done now.
-    pub fn can(&self, action: Action) -> bool {
-        (action.row().possible)(self)
+    pub fn can(&self, action: impl Into<Action>) -> bool {
+        (action.into().row().possible)(self)
     }
 
     /// How many listed checks are not good.
@@ -189,10 +197,4 @@ impl Session {
             None
         }
     }
-}
-
-/// Capitalised, as an entry of a menu.
-fn capitalised(text: &str) -> String {
-    let mut chars = text.chars();
-    chars.next().map(|first| first.to_uppercase().chain(chars).collect()).unwrap_or_default()
 }

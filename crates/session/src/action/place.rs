@@ -1,6 +1,6 @@
 //! Where an action applies: everywhere, on a page, or in a part of one.
 
-use crate::Page;
+use crate::page::Page;
 
 /// Where an action applies.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
@@ -16,54 +16,42 @@ pub enum Place {
     Dialog,
 }
 
-/// A part of a page that takes the focus as a whole.
+/// A part of a page that takes the focus as a whole: a list, a table, a map.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
-pub enum Part {
-    /// The map of classes on the fit page.
-    Classes,
-    /// The cells of the table page.
-    Cells,
-    /// The listing of the program page.
-    Listing,
-    /// The list of checks on the check page.
-    History,
-    /// The list of the rows of a large file, in its place.
+pub struct Part {
+    /// The page that it belongs to.
+    pub page: Page,
+    /// Its name: no other part has it.
+    pub name: &'static str,
+    /// The keys that go on inside it instead of leaving it.
+    pub keeps: Keeps,
+}
+
+/// Keys that a part keeps to itself.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+pub enum Keeps {
+    /// Up and down: a list.
     Rows,
-    /// The list of pairs on the pairing page.
-    Pairs,
-    /// The list of the records page.
-    Records,
-    /// The table of the plan on the parts page.
-    Plan,
-    /// The sizes of the part on the parts page.
-    Sizes,
+    /// All arrows: cells.
+    Cells,
+    /// All arrows, and Tab: a table that is typed into.
+    CellsAndTab,
 }
 
 impl Part {
-    /// The parts of all pages.
-    pub const ALL: [Self; 9] = [
-        Self::Classes,
-        Self::Cells,
-        Self::Listing,
-        Self::History,
-        Self::Rows,
-        Self::Pairs,
-        Self::Records,
-        Self::Plan,
-        Self::Sizes,
-    ];
+    /// A list.
+    pub const fn list(page: Page, name: &'static str) -> Self {
+        Self { page, name, keeps: Keeps::Rows }
+    }
 
-    /// The page that it belongs to.
-    pub const fn page(self) -> Page {
-        match self {
-            Self::Classes => Page::Fit,
-            Self::Cells => Page::Tables,
-            Self::Listing => Page::Program,
-            Self::History | Self::Rows => Page::Check,
-            Self::Pairs => Page::Pairing,
-            Self::Records => Page::Records,
-            Self::Plan | Self::Sizes => Page::Parts,
-        }
+    /// A grid of cells.
+    pub const fn cells(page: Page, name: &'static str) -> Self {
+        Self { page, name, keeps: Keeps::Cells }
+    }
+
+    /// A grid of cells that is typed into.
+    pub const fn sheet(page: Page, name: &'static str) -> Self {
+        Self { page, name, keeps: Keeps::CellsAndTab }
     }
 }
 
@@ -72,8 +60,7 @@ impl Place {
         match self {
             Self::Everywhere => true,
             Self::Workpiece => matches!(page, Page::Cycles | Page::Program),
-            Self::Page(of) => of == page,
-            Self::Part(part) => part.page() == page,
+            Self::Page(of) | Self::Part(Part { page: of, .. }) => of == page,
             Self::Dialog => false,
         }
     }

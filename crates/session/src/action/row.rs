@@ -1,11 +1,78 @@
-//! What a row of the table says about an action, and the usual kinds of rows.
+//! What a row says about an action, and the usual kinds of rows.
 
-use super::possible::free_dialog;
-use super::{Part, Place, Shortcut};
-use crate::{Command, Page, Session};
+use fitcheck_core::words::Words;
 
-/// A row of the table.
-pub(super) struct Row {
+use super::{Held, Key, Part, Place, Shortcut};
+use crate::Session;
+use crate::command::Command;
+use crate::field::Field;
+use crate::page::Page;
+use crate::step::Step;
+
+/// The actions of a page, or of what lies over every page.
+pub(crate) trait Actions {
+    /// What is to be known of an action: menus, buttons, tooltips and keys are made from it.
+    fn row(&self) -> Row;
+
+    /// Its name, where that depends on the state or on a list; otherwise that of its row.
+    fn name(&self, _session: &Session, _words: &Words) -> Option<String> {
+        None
+    }
+
+    /// Whether what it switches is on; `None` where it switches nothing.
+    fn is_on(&self, _session: &Session) -> Option<bool> {
+        None
+    }
+
+    /// What Enter does in a text field while a page is open.
+    fn on_enter(_field: Field, _page: Page) -> Option<Self>
+    where
+        Self: Sized,
+    {
+        None
+    }
+}
+
+/// A list of actions; one with a value is one action for each of its values.
+macro_rules! actions {
+    ($(#[$whole:meta])* $list:ident $($(#[$doc:meta])* $name:ident $(($of:ty): $all:expr)?;)*) => {
+        $(#[$whole])*
+        #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
+        pub enum $list {
+            $($(#[$doc])* $name $(($of))?,)*
+        }
+
+        impl $list {
+            pub(crate) fn all() -> impl Iterator<Item = Self> {
+                let mut all = Vec::new();
+                $($crate::action::row::actions!(@add all $name $($all)?);)*
+                all.into_iter()
+            }
+
+            /// The command that it sends now; `None` where it is not possible.
+            pub fn command(self, session: &$crate::Session) -> Option<$crate::Command> {
+                $crate::Action::from(self).command(session)
+            }
+
+            /// Its name, in the words of a language.
+            pub fn text(self, session: &$crate::Session, words: &fitcheck_core::words::Words) -> String {
+                $crate::Action::from(self).text(session, words)
+            }
+
+            /// Whether what it switches is on, where it switches something.
+            pub fn is_on(self, session: &$crate::Session) -> Option<bool> {
+                $crate::Action::from(self).is_on(session)
+            }
+        }
+    };
+    (@add $list:ident $name:ident) => { $list.push(Self::$name) };
+    (@add $list:ident $name:ident $all:expr) => { $list.extend($all.into_iter().map(Self::$name)) };
+}
+
+pub(crate) use actions;
+
+/// What is to be known of an action.
+pub(crate) struct Row {
     /// The id of its text.
     pub text: &'static str,
     /// The id of a further explanation.
@@ -17,7 +84,7 @@ pub(super) struct Row {
 }
 
 /// What an action sends.
-pub(super) enum Sends {
+pub(crate) enum Sends {
     Always(Command),
     /// A command that depends on the state: a switch is turned to its other side.
     FromState(fn(&Session) -> Command),
@@ -54,27 +121,32 @@ impl Row {
     }
 }
 
-pub(super) fn everywhere(text: &'static str, command: Command) -> Row {
+pub(crate) fn everywhere(text: &'static str, command: Command) -> Row {
     Row::new(Place::Everywhere, text, Sends::Always(command))
 }
 
-pub(super) fn switch(text: &'static str, command: fn(&Session) -> Command) -> Row {
-    Row::new(Place::Everywhere, text, Sends::FromState(command))
-}
-
-pub(super) fn of_workpiece(text: &'static str, command: impl Into<Command>) -> Row {
-    Row::new(Place::Workpiece, text, Sends::Always(command.into()))
-}
-
-pub(super) fn on(page: Page, text: &'static str, command: impl Into<Command>) -> Row {
+pub(crate) fn on(page: Page, text: &'static str, command: impl Into<Command>) -> Row {
     Row::new(Place::Page(page), text, Sends::Always(command.into()))
 }
 
-pub(super) fn within(part: Part, text: &'static str, command: impl Into<Command>) -> Row {
+/// In a part that has the focus as a whole.
+pub(crate) fn within(part: Part, text: &'static str, command: impl Into<Command>) -> Row {
     Row::new(Place::Part(part), text, Sends::Always(command.into()))
 }
 
-/// In the file dialog, while it waits for nothing.
-pub(super) fn in_dialog(text: &'static str, command: impl Into<Command>) -> Row {
-    Row::new(Place::Dialog, text, Sends::Always(command.into())).when(|session| free_dialog(session).is_some())
+/// The keys of a step.
+pub(crate) const fn keys(step: Step) -> Shortcut {
+    let key = match step {
+        Step::Left => Key::Left,
+        Step::Right => Key::Right,
+        Step::Up => Key::Up,
+        Step::Down => Key::Down,
+        Step::PageUp => Key::PageUp,
+        Step::PageDown => Key::PageDown,
+        Step::First => Key::Home,
+        Step::Last => Key::End,
+        Step::Top => return Shortcut { held: Held::Ctrl, key: Key::Home },
+        Step::Bottom => return Shortcut { held: Held::Ctrl, key: Key::End },
+    };
+    Shortcut::plain(key)
 }

@@ -46,20 +46,20 @@ pub enum Key {
 }
 
 impl Shortcut {
-    pub(super) const fn plain(key: Key) -> Self {
+    pub(crate) const fn plain(key: Key) -> Self {
         Self { held: Held::Nothing, key }
     }
 
-    pub(super) const fn shift(key: Key) -> Self {
+    pub(crate) const fn shift(key: Key) -> Self {
         Self { held: Held::Shift, key }
     }
 
-    pub(super) const fn ctrl(key: char) -> Self {
+    pub(crate) const fn ctrl(key: char) -> Self {
         Self { held: Held::Ctrl, key: Key::Character(key) }
     }
 
     /// Whether a text field that has the focus uses the keys itself, to undo its own edits.
-    pub(super) const fn is_of_text(self) -> bool {
+    pub(crate) const fn is_of_text(self) -> bool {
         matches!(self, Self { held: Held::Ctrl | Held::CtrlShift, key: Key::Character('Z' | 'Y') })
     }
 }

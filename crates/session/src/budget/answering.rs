@@ -7,7 +7,7 @@ use fitcheck_core::message::{Message, Say as _, message};
 use jiff::civil::Date;
 
 use super::{Asks, BudgetField, BudgetPage, Readings};
-use crate::field::{Range, whole};
+use crate::texts::{Range, whole};
 
 /// The field that was refused, and why.
 type Refusal = (BudgetField, Message);

@@ -10,11 +10,27 @@ use jiff::civil::DateTime;
 use super::document::Document;
 use super::readings::Source;
 use super::{BudgetCommand, BudgetField, BudgetPage, TakenContacts};
-use crate::command::Effect;
-use crate::shared::{News, PageState, Shared};
+use crate::effect::Effect;
+use crate::saved::Saved;
+use crate::shared::{News, Shared};
+use crate::state::PageState;
+use crate::texts::Texts;
 
 impl PageState for BudgetPage {
     type Command = BudgetCommand;
+    type Field = BudgetField;
+
+    fn restored(saved: &Saved, _shared: &Shared) -> Self {
+        let used_file = saved.budget.clone();
+        let awaits_used = used_file.is_some();
+        Self { texts: Texts::restored(&saved.inputs.texts), used_file, awaits_used, ..Self::default() }
+    }
+
+    fn save(&self, saved: &mut Saved) {
+        saved.inputs.texts.extend(self.texts.saved().filter(|(key, _)| BudgetField::is_kept(key)));
+        // A path that is not text cannot be written.
+        saved.budget = self.used_file.clone().filter(|path| path.to_str().is_some());
+    }
 
     fn apply(&mut self, command: BudgetCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         match command {
@@ -60,6 +76,18 @@ impl PageState for BudgetPage {
     }
 
     fn follow(&mut self, _news: &News, _shared: &mut Shared) {}
+
+    fn typed(field: BudgetField, text: String) -> BudgetCommand {
+        BudgetCommand::Type(field, text)
+    }
+
+    fn text(&self, field: BudgetField) -> &str {
+        self.texts.text(field)
+    }
+
+    fn error(&self, field: BudgetField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
 }
 
 impl BudgetPage {

@@ -1,6 +1,6 @@
 //! The text fields of the budget page.
 
-use crate::field::kept_fields;
+use crate::texts::kept_fields;
 
 kept_fields! {
     /// A text field of the budget page.
@@ -19,7 +19,7 @@ kept_fields! {
 impl BudgetField {
     /// Whether its text survives a restart: contacts and a day that were tried out would be forgotten in the fields.
     pub(super) fn is_kept(key: &str) -> bool {
-        use crate::field::KeptField as _;
+        use crate::texts::KeptField as _;
         key == Self::Size.declared().0
     }
 }

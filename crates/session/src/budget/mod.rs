@@ -11,12 +11,14 @@
 //! | `picture` | the bars, and what would help most |
 //! | `using` | which budget checks use |
 
+mod actions;
 mod answering;
 mod apply;
 mod command;
 mod contacts;
 mod document;
 mod field;
+mod open;
 mod picture;
 mod readings;
 mod using;
@@ -28,17 +30,18 @@ use fitcheck_core::budget::{Assessment, Basis, Budget, BudgetError};
 use fitcheck_core::message::{Located, Message};
 use jiff::civil::Date;
 
+pub use actions::BudgetAction;
 pub use command::BudgetCommand;
 pub use contacts::TakenContacts;
 pub use field::BudgetField;
+pub use open::OpenBudget;
 pub use picture::{Bar, advice, bars};
 pub use readings::{BothSizes, Readings};
-pub use using::{OpenBudget, UseOf};
+pub use using::UseOf;
 
 use self::document::Document;
 use self::readings::Source;
-use super::field::Texts;
-use super::saved::SavedInputs;
+use super::texts::Texts;
 
 /// What a budget asks for besides its text: as long as the text cannot be read, what it asked for before.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq)]
@@ -78,30 +81,6 @@ pub struct BudgetPage {
 }
 
 impl BudgetPage {
-    /// The page with what was saved, or with empty fields.
-    pub(super) fn new(saved: &SavedInputs, used_file: Option<PathBuf>) -> Self {
-        let awaits_used = used_file.is_some();
-        Self { texts: Texts::restored(&saved.texts), used_file, awaits_used, ..Self::default() }
-    }
-
-    pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
-        self.texts.saved().filter(|(key, _)| BudgetField::is_kept(key))
-    }
-
-    /// The file of the budget that checks use, where one holds it.
-    pub(super) const fn used_file(&self) -> Option<&PathBuf> {
-        self.used_file.as_ref()
-    }
-
-    pub fn text(&self, field: BudgetField) -> &str {
-        self.texts.text(field)
-    }
-
-    /// What is wrong with a field.
-    pub fn error(&self, field: BudgetField) -> Option<&Message> {
-        self.errors.get(&field)
-    }
-
     pub fn toml(&self) -> &str {
         &self.document.text
     }

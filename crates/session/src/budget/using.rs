@@ -6,21 +6,10 @@ use std::sync::Arc;
 use fitcheck_core::budget::template::Placeholder;
 use fitcheck_core::budget::{Basis, Budget, Validity};
 use fitcheck_core::message::{Message, Say as _, message};
-use fitcheck_exchange::journal::chain::Hash;
 
 use super::document::Document;
-use super::{BudgetPage, Readings};
+use super::{BudgetPage, OpenBudget, Readings};
 use crate::shared::{News, Shared};
-
-/// A budget whose uncertainty checks may use.
-#[derive(Debug, Clone, PartialEq)]
-pub struct OpenBudget {
-    /// Its file's name without the folder.
-    pub file: String,
-    pub budget: Budget,
-    /// SHA-256 of the file, where it holds this budget.
-    pub sha256: Option<Hash>,
-}
 
 /// Which budget checks use, seen from the page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,7 +1,9 @@
 //! How commands and news change the check page.
 
+use std::ops::Range;
 use std::sync::Arc;
 
+use fitcheck_core::message::Message;
 use fitcheck_core::message::{Say as _, message};
 use fitcheck_core::probing::Origin;
 use fitcheck_core::tolerance::{Callout, Feature, Sources};
@@ -16,13 +18,27 @@ use super::{
     Asked, CheckCommand, CheckField, CheckPage, Doubted, Judging, MeasureBy, Question, Shown, UncertaintyFrom, Worth,
     class_text, measuring, nominal_text, worth,
 };
-use crate::command::{Effect, Page};
+use crate::effect::Effect;
+use crate::page::Page;
 use crate::recording::used;
 use crate::rows::Rows;
-use crate::shared::{News, PageState, Shared};
+use crate::saved::Saved;
+use crate::shared::{News, Shared};
+use crate::state::PageState;
 
 impl PageState for CheckPage {
     type Command = CheckCommand;
+    type Field = CheckField;
+
+    fn restored(saved: &Saved, shared: &Shared) -> Self {
+        Self::new(&saved.inputs, &shared.sources)
+    }
+
+    fn save(&self, saved: &mut Saved) {
+        saved.inputs.texts.extend(self.texts());
+        saved.inputs.by = self.by;
+        saved.inputs.judging = self.own_judging();
+    }
 
     fn apply(&mut self, command: CheckCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         match command {
@@ -136,6 +152,30 @@ impl PageState for CheckPage {
             | News::Kept(..)
             | News::Budget => {}
         }
+    }
+
+    fn take_errands(&mut self) -> Vec<Effect> {
+        std::mem::take(&mut self.errands)
+    }
+
+    fn typed(field: CheckField, text: String) -> CheckCommand {
+        CheckCommand::Type(field, text)
+    }
+
+    fn text(&self, field: CheckField) -> &str {
+        self.texts.text(field)
+    }
+
+    fn error(&self, field: CheckField) -> Option<&Message> {
+        self.asked.error(field)
+    }
+
+    fn culprit(&self, field: CheckField) -> Option<&Range<usize>> {
+        self.asked.culprit().filter(|_| field == CheckField::Callout)
+    }
+
+    fn is_free_text(&self, field: CheckField) -> bool {
+        matches!(field, CheckField::Part | CheckField::Serial | CheckField::Remark | CheckField::HistoryFilter)
     }
 }
 

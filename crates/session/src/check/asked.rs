@@ -11,9 +11,10 @@ use fitcheck_core::tolerance::callout::halves;
 use fitcheck_core::tolerance::{Callout, Feature, Limits, LimitsError, Sources};
 
 use super::CheckField;
+use super::Judging;
 use super::doubted::{Doubted, Meant};
-use super::worth::{Judging, Worth};
-use crate::field::{Range, Texts, whole};
+use super::worth::Worth;
+use crate::texts::{Range, Texts, whole};
 
 /// The meaning of the fields. Made anew at every change.
 #[derive(Debug, Clone, Default)]

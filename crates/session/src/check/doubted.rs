@@ -8,7 +8,7 @@ use fitcheck_core::tolerance::fit::thermal::{Temperature, ThermalDoubt};
 use fitcheck_core::tolerance::{Callout, CalloutError, CalloutErrorKind, ZoneDoubt};
 
 use super::CheckField;
-use crate::field::Texts;
+use crate::texts::Texts;
 
 /// A text that is asked about.
 #[derive(Debug, Clone, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! The text fields of the check page.
 
-use crate::field::kept_fields;
+use crate::texts::kept_fields;
 
 kept_fields! {
     /// A text field of the check page.

@@ -19,6 +19,7 @@ use crate::budget::OpenBudget;
 use crate::recording::used;
 use crate::rows::Rows;
 use crate::shared::{Notice, Shared};
+use crate::state::PageState as _;
 
 impl CheckPage {
     /// What the user's own fields say, whatever a shown record lent them: it judges what a file holds.

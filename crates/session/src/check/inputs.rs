@@ -8,7 +8,7 @@ use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::query::RecordId;
 
 use super::CheckField;
-use crate::field::Texts;
+use crate::texts::Texts;
 
 /// Where the nominal centre lies, and how far off the centre may be.
 const POSITION: [CheckField; 3] = [CheckField::CentreX, CheckField::CentreY, CheckField::CentreTolerance];

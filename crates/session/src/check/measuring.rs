@@ -13,7 +13,8 @@ use jiff::civil::DateTime;
 use super::inputs::SIMULATION;
 use super::{Asked, CheckField, CheckPage, MeasureBy};
 use crate::budget::OpenBudget;
-use crate::field::KeptField as _;
+use crate::state::PageState as _;
+use crate::texts::KeptField as _;
 
 /// The field that measuring refused, and why.
 type Refusal = (CheckField, Message);

@@ -5,6 +5,7 @@
 //! | here | the state |
 //! | `field` | the text fields |
 //! | `command`, `apply` | what can be done, and doing it |
+//! | `choices` | what is chosen beside them |
 //! | `asked` | what the texts mean: callout, limits, errors beside their fields |
 //! | `doubted` | texts that may not mean what they say, and those that do |
 //! | `measuring` | from the fields to a measurement |
@@ -13,8 +14,10 @@
 //! | `inputs` | what a check was made with, besides callout and value |
 //! | `lot` | the rows of an imported file: how many are what, worst first |
 
+mod actions;
 mod apply;
 mod asked;
+mod choices;
 mod command;
 mod doubted;
 mod field;
@@ -26,7 +29,6 @@ mod rows;
 mod worth;
 
 use std::collections::BTreeMap;
-use std::ops::Range;
 use std::sync::Arc;
 
 use fitcheck_core::length::Length;
@@ -36,35 +38,26 @@ use fitcheck_core::verdict::Doubt;
 use fitcheck_core::verdict::rules::RuleName;
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::query::RecordId;
-use serde::{Deserialize, Serialize};
 
+pub use actions::CheckAction;
 pub use asked::Asked;
 pub(super) use asked::{class_text, nominal_text};
+pub use choices::{Judging, MeasureBy, UncertaintyFrom};
 pub use command::CheckCommand;
 pub use doubted::Doubted;
 pub use field::CheckField;
 pub use lot::Lot;
-pub use worth::{Judging, UncertaintyFrom, Worth};
+pub use worth::Worth;
 
 use self::doubted::Meant;
 use self::inputs::Inputs;
 use super::asking::Asking;
-use super::command::Effect;
-use super::field::{KeptField as _, Texts};
+use super::effect::Effect;
 use super::recording::Named;
 use super::rows::Rows;
 use super::saved::SavedInputs;
-
-/// Where the next measurement comes from.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum MeasureBy {
-    /// A cycle on the simulated workpiece.
-    Simulating,
-    /// A diameter that is typed.
-    #[default]
-    Typing,
-}
+use super::texts::{KeptField as _, Texts};
+use crate::state::PageState as _;
 
 /// A record that is shown, and what the mask makes of it.
 #[derive(Debug, Clone)]
@@ -162,7 +155,7 @@ impl CheckPage {
 
     /// The texts that are kept: the user's own, without a value that was judged. A forgotten filter would hide checks
     /// after the next start.
-    pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
+    pub(super) fn texts(&self) -> Vec<(String, String)> {
         let mut texts = self.texts.clone();
         for (field, text) in &self.own {
             texts.set(*field, text.clone());
@@ -170,11 +163,8 @@ impl CheckPage {
         let (filter, _) = CheckField::HistoryFilter.declared();
         let (measured, _) = CheckField::Measured.declared();
         let is_judged = self.measured_is_used;
-        texts
-            .saved()
-            .filter(|(key, _)| key != filter && !(is_judged && key == measured))
-            .collect::<Vec<_>>()
-            .into_iter()
+        let is_kept = |key: &str| key != filter && !(is_judged && key == measured);
+        texts.saved().filter(|(key, _)| is_kept(key)).collect()
     }
 
     /// What the user names beside the next check, whatever a shown one lent.
@@ -190,20 +180,6 @@ impl CheckPage {
     /// How the next part is judged, for the state file.
     pub(super) fn own_judging(&self) -> Judging {
         self.own_judging.unwrap_or(self.judging)
-    }
-
-    pub fn text(&self, field: CheckField) -> &str {
-        self.texts.text(field)
-    }
-
-    /// What is wrong with a field.
-    pub fn error(&self, field: CheckField) -> Option<&Message> {
-        self.asked.error(field)
-    }
-
-    /// Where in a field's text an error shows: characters counted from 0.
-    pub fn culprit(&self, field: CheckField) -> Option<&Range<usize>> {
-        self.asked.culprit().filter(|_| field == CheckField::Callout)
     }
 
     /// What the fields mean.

@@ -8,7 +8,7 @@ use fitcheck_exchange::journal::entry::FileRole;
 use jiff::civil::DateTime;
 
 use super::CheckPage;
-use crate::command::Effect;
+use crate::effect::Effect;
 use crate::recording::used;
 use crate::rows::{Rows, RowsCommand};
 use crate::shared::Shared;

@@ -14,42 +14,13 @@ use fitcheck_core::verdict::rules::{
 };
 use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::planned::Beside;
-use serde::{Deserialize, Serialize};
 
-use super::CheckField;
+use super::{CheckField, Judging, UncertaintyFrom};
 use crate::budget::OpenBudget;
-use crate::field::{KeptField as _, Range, Texts};
+use crate::texts::{KeptField as _, Range, Texts};
 
 /// The field that was refused, and why.
 pub(crate) type Refusal = (CheckField, Message);
-
-/// How the uncertainty of a measured value is told.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
-pub enum UncertaintyFrom {
-    #[default]
-    Standard,
-    /// As an expanded one, with its coverage factor.
-    Expanded,
-    /// By the budget in use, for each value and its contacts.
-    Budget,
-}
-
-impl UncertaintyFrom {
-    /// Every way.
-    pub const ALL: [Self; 3] = [Self::Standard, Self::Expanded, Self::Budget];
-}
-
-/// What is chosen, besides the fields.
-#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, Serialize, Deserialize)]
-#[serde(default)]
-pub struct Judging {
-    pub rule: RuleName,
-    /// Who has to prove.
-    pub prover: Prover,
-    /// How the uncertainty is told.
-    pub from: UncertaintyFrom,
-}
 
 /// The fields of rule and uncertainty.
 const OF_RULE: [CheckField; 4] =

@@ -8,7 +8,8 @@ use jiff::civil::DateTime;
 
 use super::{Asked, ColumnsCommand, OpenColumns};
 use crate::Session;
-use crate::command::{Effect, ImportInto, Purpose};
+use crate::effect::Effect;
+use crate::purpose::{ImportInto, Purpose};
 use crate::shared::News;
 
 impl Session {

@@ -11,35 +11,18 @@
 mod apply;
 mod command;
 mod open;
+mod told;
 
 use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use fitcheck_core::message::message;
-use fitcheck_core::words::Words;
-use fitcheck_exchange::exchange::{Detected, Remembered, Role};
+use fitcheck_exchange::exchange::{Remembered, Role};
 
-pub use command::{ColumnChoice, ColumnsCommand};
-pub use open::{Asked, OpenColumns, refusal};
+pub use command::ColumnsCommand;
+pub use open::{Asked, ColumnChoice, OpenColumns, UsedColumns, refusal};
 
-use super::command::ImportInto;
-use super::shared::{Notice, Shared};
-
-/// What the columns of a file were taken for.
-#[derive(Debug, Clone, PartialEq)]
-pub struct UsedColumns {
-    /// The file's name without its folder.
-    pub name: String,
-    /// The file.
-    pub path: PathBuf,
-    /// Where its values go.
-    pub into: ImportInto,
-    /// What each column holds.
-    pub detected: Detected,
-    /// The shape and the day of the mapping that was remembered for it.
-    pub remembered: Option<(String, String)>,
-}
+use super::purpose::ImportInto;
 
 /// What a notice offers about the columns of its file.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -93,31 +76,5 @@ pub fn unit_id(word: Option<&str>) -> &'static str {
         Some("um") => "columns-page-unit-um",
         Some("inch") => "columns-page-unit-inch",
         _ => "columns-page-unit-names",
-    }
-}
-
-impl Shared {
-    /// A notice of a file says what its columns were taken for, and offers to correct that.
-    pub fn add_columns(&mut self, notice: &mut Notice, name: &str) {
-        let Some(used) = self.columns.used.take().filter(|used| used.name == name) else { return };
-        let words = Words::new(self.language);
-        let detected = &used.detected;
-        let of_column = |(at, role): (usize, &Option<Role>)| {
-            let name = detected.names.get(at).filter(|name| !name.is_empty()).cloned();
-            let message = message!("columns-page-taken-one")
-                .text("column", name.unwrap_or_else(|| (at + 1).to_string()))
-                .text("role", words.get(&role_id(Some((*role)?))));
-            Some(words.say(&message))
-        };
-        let columns: Vec<String> = (0..).zip(&detected.roles).filter_map(of_column).collect();
-        let message = message!("columns-page-taken")
-            .text("columns", columns.join(", "))
-            .text("unit", words.get(unit_id(detected.mapping.unit_word())));
-        let remembered = used.remembered.as_ref();
-        let said = remembered.map(|(_, day)| message!("columns-page-remembered").text("day", day));
-        let from = detected.unit_from.as_ref().map(|from| message!("columns-page-unit-from").text("from", from));
-        notice.details.extend(said.into_iter().chain([message]).chain(from));
-        let shape = remembered.map(|(shape, _)| shape.clone());
-        notice.columns = Some(NoticeColumns { path: used.path, into: used.into, shape });
     }
 }

@@ -5,11 +5,25 @@ use std::path::PathBuf;
 use fitcheck_core::message::{Located, Message, Say as _, message};
 use fitcheck_core::part::Plan;
 use fitcheck_core::tolerance::Sources;
-use fitcheck_exchange::exchange::{ByPlan, Choice, FirstRows, Given, Item, Kept, Mapping, Role};
+use fitcheck_exchange::exchange::{ByPlan, Choice, Detected, FirstRows, Given, Item, Kept, Mapping, Role};
 use jiff::civil::DateTime;
 
-use super::ColumnChoice;
-use crate::command::ImportInto;
+use crate::purpose::ImportInto;
+
+/// What the columns of a file were taken for.
+#[derive(Debug, Clone, PartialEq)]
+pub struct UsedColumns {
+    /// The file's name without its folder.
+    pub name: String,
+    /// The file.
+    pub path: PathBuf,
+    /// Where its values go.
+    pub into: ImportInto,
+    /// What each column holds.
+    pub detected: Detected,
+    /// The shape and the day of the mapping that was remembered for it.
+    pub remembered: Option<(String, String)>,
+}
 
 /// A file whose columns are asked about.
 #[derive(Debug, Clone, PartialEq)]
@@ -26,6 +40,25 @@ pub struct Asked {
     pub mapping: Mapping,
     /// Whether the user asked to see its columns; otherwise they are not certain.
     pub is_wanted: bool,
+}
+
+/// What is chosen.
+#[derive(Debug, Clone, PartialEq, Eq)]
+pub enum ColumnChoice {
+    /// What a column holds, from 0.
+    Role(usize, Option<Role>),
+    /// The sheet of a workbook; its columns are detected anew.
+    Sheet(String),
+    /// The word of the separator; the columns are detected anew.
+    Separator(&'static str),
+    /// The word of the decimal sign; `None` as in the file.
+    Decimal(Option<&'static str>),
+    /// The word of the unit of sizes; `None` as the names of the columns say.
+    Unit(Option<&'static str>),
+    /// The word of the unit of X, Y and Z; `None` as the names of the columns say.
+    PlaceUnit(Option<&'static str>),
+    /// The line of the first row; `None` below the header.
+    FirstRow(Option<usize>),
 }
 
 /// A file whose columns are being looked at.

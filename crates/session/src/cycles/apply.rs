@@ -1,14 +1,29 @@
 //! How commands and news change the cycles page.
 
+use fitcheck_core::message::Message;
 use fitcheck_core::message::message;
+use fitcheck_core::probing::cycle;
 use jiff::civil::DateTime;
 
 use super::{ContactsFrom, CycleField, CyclesCommand, CyclesPage};
-use crate::command::Effect;
-use crate::shared::{News, PageState, Shared};
+use crate::effect::Effect;
+use crate::saved::Saved;
+use crate::shared::{News, Shared};
+use crate::state::PageState;
 
 impl PageState for CyclesPage {
     type Command = CyclesCommand;
+    type Field = CycleField;
+
+    fn restored(saved: &Saved, _shared: &Shared) -> Self {
+        let mut page = Self::default();
+        page.restore(&saved.cycles);
+        page
+    }
+
+    fn save(&self, saved: &mut Saved) {
+        saved.cycles = self.saved();
+    }
 
     fn apply(&mut self, command: CyclesCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         match command {
@@ -63,6 +78,29 @@ impl PageState for CyclesPage {
             News::ContactsTaken => self.take_from(ContactsFrom::Recorded),
             _ => {}
         }
+    }
+
+    fn typed(field: CycleField, text: String) -> CyclesCommand {
+        CyclesCommand::Type(field, text)
+    }
+
+    fn text(&self, field: CycleField) -> &str {
+        let text = match field {
+            CycleField::Parameter(key) => self.texts.get(&(self.cycle.number, key)),
+            CycleField::Global(key) => self.globals.get(&(self.cycle.number, key)),
+            CycleField::Position(axis) => self.position.get(&axis),
+        };
+        text.map_or("", String::as_str)
+    }
+
+    fn error(&self, field: CycleField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    fn is_free_text(&self, field: CycleField) -> bool {
+        // A tool may be called by its name.
+        let CycleField::Parameter(key) = field else { return false };
+        self.cycle().parameter(key).is_some_and(|parameter| parameter.range == cycle::Range::Tool)
     }
 }
 

@@ -12,6 +12,7 @@
 //!
 //! A result is kept with what it was made with: any change of an input clears it.
 
+mod actions;
 mod apply;
 mod command;
 mod field;
@@ -29,13 +30,14 @@ use fitcheck_core::probing::cycle::{Cycle, Inputs, Key, Parameter, Unset, Value}
 use fitcheck_core::probing::cycles::CYCLES;
 use fitcheck_nc::control::probe_table::ProbeTable;
 
+use crate::state::PageState as _;
+
+pub use actions::CyclesAction;
 pub use command::CyclesCommand;
 pub use field::{Axis, CycleField};
 pub use running::{CycleRun, RunLog};
 pub use workpiece::WorkpieceForm;
 pub use workpiece_field::WorkpieceField;
-
-use super::saved::SavedCycles;
 
 /// Where contacts come from.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
@@ -115,31 +117,9 @@ impl CyclesPage {
         self.run.is_some() && self.from != ContactsFrom::Simulated
     }
 
-    /// The page with what was saved, or with empty fields.
-    pub(super) fn new(saved: &SavedCycles) -> Self {
-        let mut page = Self::default();
-        page.restore(saved);
-        page
-    }
-
     /// The chosen cycle.
     pub const fn cycle(&self) -> &'static Cycle {
         self.cycle
-    }
-
-    /// The text of a field; empty where nothing was typed.
-    pub fn text(&self, field: CycleField) -> &str {
-        let text = match field {
-            CycleField::Parameter(key) => self.texts.get(&(self.cycle.number, key)),
-            CycleField::Global(key) => self.globals.get(&(self.cycle.number, key)),
-            CycleField::Position(axis) => self.position.get(&axis),
-        };
-        text.map_or("", String::as_str)
-    }
-
-    /// What is wrong with a field.
-    pub fn error(&self, field: CycleField) -> Option<&Message> {
-        self.errors.get(&field)
     }
 
     /// The value of a parameter: what was typed or its default, where that can be used.

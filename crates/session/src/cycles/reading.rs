@@ -5,6 +5,7 @@ use fitcheck_core::message::{Say as _, message};
 use fitcheck_core::probing::cycle::{Inputs, Parameter, Value};
 
 use super::{Axis, CycleField, CyclesPage};
+use crate::state::PageState as _;
 
 impl CyclesPage {
     /// Reads the fields anew.

@@ -11,7 +11,7 @@ use fitcheck_core::probing::simulated::{
 use fitcheck_core::tolerance::Feature;
 
 use super::workpiece_field::WorkpieceField;
-use crate::field::whole;
+use crate::texts::whole;
 
 /// The simulated workpiece, its probe and its seed as they are typed.
 #[derive(Debug, Clone)]

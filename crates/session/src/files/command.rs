@@ -5,8 +5,8 @@ use std::path::PathBuf;
 use fitcheck_core::message::Message;
 use fitcheck_files::{FileError, Listing};
 
-use crate::command::Purpose;
 use crate::files::Working;
+use crate::purpose::Purpose;
 use crate::step::Step;
 
 /// Something about files.

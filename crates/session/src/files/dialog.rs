@@ -8,7 +8,11 @@ use fitcheck_core::message::{Message, Say as _};
 use super::command::FilesCommand;
 use super::ending;
 use super::folder_list::FolderList;
-use crate::command::{DialogId, Purpose};
+use crate::purpose::Purpose;
+
+/// The number of a dialog among all that were opened.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
+pub struct DialogId(pub(crate) u64);
 
 /// An open file dialog. A path can be typed, or chosen in the list.
 #[derive(Debug, Clone, PartialEq, Eq)]

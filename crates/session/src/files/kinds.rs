@@ -25,7 +25,8 @@ use fitcheck_exchange::exchange::{self, tables::TABLE_FORMATS};
 use fitcheck_exchange::report::RENDERINGS;
 use fitcheck_exchange::report::pairing::FORMATS as PAIR_FORMATS;
 
-use crate::command::{CycleFile, ImportInto, Page, Purpose};
+use crate::page::Page;
+use crate::purpose::{CycleFile, ImportInto, Purpose};
 
 /// How much of a file is looked at to find out what it is.
 pub const HEAD: usize = 64 << 10;

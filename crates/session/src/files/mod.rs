@@ -11,6 +11,7 @@
 //! | `places` | last folders and recent files |
 //! | `working` | the file that is being read or written |
 
+mod actions;
 mod command;
 mod content;
 mod dialog;
@@ -32,9 +33,10 @@ use fitcheck_files::FileError;
 use fitcheck_nc::control::mask::Mask;
 use jiff::civil::DateTime;
 
+pub use actions::FilesAction;
 pub use command::{Fate, FilesCommand, Launch};
 pub use content::Content;
-pub use dialog::Dialog;
+pub use dialog::{Dialog, DialogId};
 pub use folder_list::FolderList;
 pub use kinds::{HEAD, OpenError};
 pub(super) use places::Places;
@@ -42,7 +44,9 @@ pub use places::RecentFile;
 pub use working::Working;
 
 use super::Session;
-use super::command::{Effect, Page, Purpose};
+use super::effect::Effect;
+use super::page::Page;
+use super::purpose::Purpose;
 use super::shared::{MaskChoice, News, Notice, OwnMask};
 
 impl Session {

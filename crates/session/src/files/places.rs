@@ -4,7 +4,7 @@ use std::collections::BTreeMap;
 use std::path::{Path, PathBuf};
 
 use super::command::Fate;
-use crate::command::Purpose;
+use crate::purpose::Purpose;
 use crate::saved::{SavedFile, SavedFiles};
 
 /// How many files are remembered.

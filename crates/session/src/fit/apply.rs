@@ -1,16 +1,34 @@
 //! How commands and news change the fit page.
 
+use std::ops::Range;
+
+use fitcheck_core::message::Message;
 use fitcheck_core::tolerance::{Feature, ToleranceClass};
 use jiff::civil::DateTime;
 
 use super::{FitCommand, FitField, FitPage};
 use crate::Step;
 use crate::check::nominal_text;
-use crate::command::{Effect, Page};
-use crate::shared::{News, PageState, Shared};
+use crate::effect::Effect;
+use crate::page::Page;
+use crate::saved::Saved;
+use crate::shared::{News, Shared};
+use crate::state::PageState;
+use crate::texts::Texts;
 
 impl PageState for FitPage {
     type Command = FitCommand;
+    type Field = FitField;
+
+    fn restored(saved: &Saved, shared: &Shared) -> Self {
+        let mut page = Self { texts: Texts::restored(&saved.inputs.texts), ..Self::default() };
+        page.read(&shared.sources);
+        page
+    }
+
+    fn save(&self, saved: &mut Saved) {
+        saved.inputs.texts.extend(self.texts.saved());
+    }
 
     fn apply(&mut self, command: FitCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
         match command {
@@ -38,6 +56,22 @@ impl PageState for FitPage {
         if *news == News::Sources {
             self.read(&shared.sources);
         }
+    }
+
+    fn typed(field: FitField, text: String) -> FitCommand {
+        FitCommand::Type(field, text)
+    }
+
+    fn text(&self, field: FitField) -> &str {
+        self.texts.text(field)
+    }
+
+    fn error(&self, field: FitField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    fn culprit(&self, field: FitField) -> Option<&Range<usize>> {
+        self.culprit.as_ref().filter(|_| field == FitField::Callout)
     }
 }
 

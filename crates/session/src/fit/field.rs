@@ -2,7 +2,7 @@
 
 use fitcheck_core::tolerance::Feature;
 
-use crate::field::kept_fields;
+use crate::texts::kept_fields;
 
 kept_fields! {
     /// A text field of the fit page.

@@ -11,6 +11,7 @@
 //!
 //! What takes longer than a frame may (every class, every pair) is kept until the size or the sources change.
 
+mod actions;
 mod apply;
 mod class_map;
 mod command;
@@ -32,9 +33,9 @@ use fitcheck_core::tolerance::{Feature, Sources, ToleranceClass};
 use fitcheck_core::verdict::fit::{Actual, Possible};
 use fitcheck_core::verdict::{Doubt, doubt};
 
-use super::field::Texts;
-use super::saved::SavedInputs;
+use super::texts::Texts;
 
+pub use actions::FitAction;
 pub use class_map::{ClassMap, MapCell};
 pub use command::FitCommand;
 pub use field::FitField;
@@ -128,21 +129,6 @@ pub fn extremes(minimum: Length, maximum: Length) -> [(&'static str, Length); 2]
 }
 
 impl FitPage {
-    /// The page with what was saved, or with empty fields.
-    pub(super) fn new(saved: &SavedInputs, sources: &Arc<Sources>) -> Self {
-        let mut page = Self { texts: Texts::restored(&saved.texts), ..Self::default() };
-        page.read(sources);
-        page
-    }
-
-    pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
-        self.texts.saved()
-    }
-
-    pub fn text(&self, field: FitField) -> &str {
-        self.texts.text(field)
-    }
-
     /// The nominal size, even of an unfinished callout.
     pub const fn nominal(&self) -> Option<Length> {
         self.nominal
@@ -169,16 +155,6 @@ impl FitPage {
     /// The same fit in the other basis, where there is one.
     pub const fn equivalent(&self) -> Option<&Equivalent> {
         self.equivalent.as_ref()
-    }
-
-    /// What is wrong with a field.
-    pub fn error(&self, field: FitField) -> Option<&Message> {
-        self.errors.get(&field)
-    }
-
-    /// Where in a field's text an error shows: characters counted from 0.
-    pub fn culprit(&self, field: FitField) -> Option<&ops::Range<usize>> {
-        self.culprit.as_ref().filter(|_| field == FitField::Callout)
     }
 
     /// The length in a field, when it can be read.

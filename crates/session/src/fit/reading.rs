@@ -13,6 +13,7 @@ use fitcheck_core::tolerance::{Callout, Feature, Limits, Sources, ToleranceClass
 
 use super::{Asking, ClassMap, Equivalent, FitField, FitPage, Maps};
 use crate::check::{class_text, nominal_text};
+use crate::state::PageState as _;
 
 /// The most pairs that a search lists; the total is counted in any case.
 const MOST_FOUND: usize = 500;

@@ -10,12 +10,26 @@ use fitcheck_exchange::report::pairing::{Asked, Parts};
 use jiff::civil::DateTime;
 
 use super::{Paired, PairingCommand, PairingField, PairingPage};
-use crate::command::Effect;
+use crate::effect::Effect;
 use crate::files::Content;
-use crate::shared::{News, PageState, Shared};
+use crate::saved::Saved;
+use crate::shared::{News, Shared};
+use crate::state::PageState;
+use crate::texts::Texts;
 
 impl PageState for PairingPage {
     type Command = PairingCommand;
+    type Field = PairingField;
+
+    fn restored(saved: &Saved, shared: &Shared) -> Self {
+        let mut page = Self { texts: Texts::restored(&saved.inputs.texts), ..Self::default() };
+        page.read(&shared.sources);
+        page
+    }
+
+    fn save(&self, saved: &mut Saved) {
+        saved.inputs.texts.extend(self.texts.saved());
+    }
 
     fn apply(&mut self, command: PairingCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
         match command {
@@ -50,6 +64,27 @@ impl PageState for PairingPage {
             self.read(&shared.sources);
             self.ask();
         }
+    }
+
+    fn take_errands(&mut self) -> Vec<Effect> {
+        std::mem::take(&mut self.errands)
+    }
+
+    fn typed(field: PairingField, text: String) -> PairingCommand {
+        PairingCommand::Type(field, text)
+    }
+
+    fn text(&self, field: PairingField) -> &str {
+        self.texts.text(field)
+    }
+
+    fn error(&self, field: PairingField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    fn is_free_text(&self, field: PairingField) -> bool {
+        // Two points stand between two clearances.
+        field == PairingField::Wanted
     }
 }
 

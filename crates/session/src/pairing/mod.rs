@@ -12,6 +12,7 @@
 //! Pairing takes longer than a frame may, so it is an errand: [`Effect::Pair`] asks for it with a number, and an answer with
 //! another number than the last one is dropped.
 
+mod actions;
 mod apply;
 mod command;
 mod field;
@@ -24,9 +25,10 @@ use std::path::PathBuf;
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, Say};
-use fitcheck_core::tolerance::{Feature, Sources};
+use fitcheck_core::tolerance::Feature;
 use fitcheck_exchange::report::pairing::Parts;
 
+pub use actions::PairingAction;
 pub use apply::usable;
 pub use command::PairingCommand;
 pub use field::PairingField;
@@ -34,9 +36,8 @@ pub use paired::{FromMiddle, PairRow, Paired};
 pub use picture::{Bin, Marks, PairsPicture, Sight};
 
 use self::reading::WantedOf;
-use super::command::Effect;
-use super::field::Texts;
-use super::saved::SavedInputs;
+use super::effect::Effect;
+use super::texts::Texts;
 
 /// The state of the pairing page.
 #[derive(Debug, Default)]
@@ -70,26 +71,6 @@ struct Side {
 }
 
 impl PairingPage {
-    /// The page with what was saved, or with empty fields.
-    pub(super) fn new(saved: &SavedInputs, sources: &Sources) -> Self {
-        let mut page = Self { texts: Texts::restored(&saved.texts), ..Self::default() };
-        page.read(sources);
-        page
-    }
-
-    pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
-        self.texts.saved()
-    }
-
-    pub fn text(&self, field: PairingField) -> &str {
-        self.texts.text(field)
-    }
-
-    /// What is wrong with a field.
-    pub fn error(&self, field: PairingField) -> Option<&Message> {
-        self.errors.get(&field)
-    }
-
     /// Why the parts are not sorted into the groups that were asked for.
     pub fn group_error(&self) -> Option<Message> {
         let sorted = self.paired.as_ref()?.answer.sorted.as_ref()?;

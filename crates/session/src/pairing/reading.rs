@@ -7,7 +7,8 @@ use fitcheck_core::tolerance::{Callout, Sources};
 
 use super::paired::middle_um;
 use super::{PairingField, PairingPage};
-use crate::field::whole;
+use crate::state::PageState as _;
+use crate::texts::whole;
 
 /// What the wanted clearances are, and the fit that they are of.
 #[derive(Debug, Clone, PartialEq)]

@@ -11,25 +11,48 @@ use super::document::PlanDocument;
 use super::picture::Shown;
 use super::sheet::Sheet;
 use super::{PartsCommand, PartsField, PartsPage, PartsView, PlanCommand, Saving, serials};
-use crate::command::{Effect, Page};
-use crate::shared::{News, PageState, Shared};
+use crate::effect::Effect;
+use crate::page::Page;
+use crate::parts::PlanField;
+use crate::parts::WalkField;
+use crate::parts::resume::Resume;
+use crate::saved::Saved;
+use crate::shared::{News, Shared};
+use crate::state::PageState;
+use crate::texts::KeptField as _;
+use crate::texts::Texts;
 
 impl PageState for PartsPage {
     type Command = PartsCommand;
+    type Field = PartsField;
+
+    fn restored(saved: &Saved, _shared: &Shared) -> Self {
+        let walk = saved.walk.clone();
+        // A window with an interrupted part opens there.
+        let is_shown = walk.plan.is_some();
+        Self { is_shown, texts: Texts::restored(&saved.inputs.texts), resume: Resume::new(walk), ..Self::default() }
+    }
+
+    fn save(&self, saved: &mut Saved) {
+        // A value that was not taken is typed again.
+        let passing = [WalkField::Value, WalkField::Reason].map(|field| field.declared().0);
+        saved.inputs.texts.extend(self.texts.saved().filter(|(key, _)| !passing.contains(&key.as_str())));
+        saved.walk = self.saved_walk();
+    }
 
     fn apply(&mut self, command: PartsCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         let mut effects = Vec::new();
         match command {
             PartsCommand::Type(field, text) => {
                 match field {
-                    PartsField::Value => self.type_value(&text),
-                    PartsField::Serial => self.again = None,
-                    PartsField::Reason => {}
+                    WalkField::Value => self.type_value(&text),
+                    WalkField::Serial => self.again = None,
+                    WalkField::Reason => {}
                 }
                 self.texts.set(field, text);
                 self.errors.remove(&field);
                 // Of what is typed a letter at a time only its own serial number is told before Enter.
-                if field == PartsField::Value && serials::is_named(self.text(field), self.walking.serial()) {
+                if field == WalkField::Value && serials::is_named(self.texts.text(field), self.walking.serial()) {
                     self.refuse_serial(shared);
                 }
             }
@@ -75,6 +98,37 @@ impl PageState for PartsPage {
         if !was_begun && self.walking.is_begun() {
             self.ask_for_keys();
         }
+    }
+
+    fn take_errands(&mut self) -> Vec<Effect> {
+        std::mem::take(&mut self.errands)
+    }
+
+    fn typed(field: PartsField, text: String) -> PartsCommand {
+        match field {
+            PartsField::Walk(field) => PartsCommand::Type(field, text),
+            PartsField::Plan(field) => PartsCommand::Plan(PlanCommand::Type(field, text)),
+        }
+    }
+
+    fn text(&self, field: PartsField) -> &str {
+        match field {
+            PartsField::Walk(field) => self.texts.text(field),
+            PartsField::Plan(field) => self.plan_text(field),
+        }
+    }
+
+    fn error(&self, field: PartsField) -> Option<&Message> {
+        match field {
+            PartsField::Walk(field) => self.errors.get(&field),
+            PartsField::Plan(PlanField::Head(field)) => self.document().head_error(field),
+            PartsField::Plan(PlanField::Cell) => None,
+        }
+    }
+
+    fn is_free_text(&self, field: PartsField) -> bool {
+        // A callout, a name and a place are typed into the same cell.
+        field != PartsField::Walk(WalkField::Value)
     }
 }
 
@@ -141,9 +195,9 @@ impl PartsPage {
             PartsView::Plan if self.document.is_empty() => None,
             PartsView::Plan => Some(Effect::FocusTable),
             PartsView::Walk if self.walking.is_begun() => {
-                self.walking.at().map(|_| Effect::Focus(PartsField::Value.into()))
+                self.walking.at().map(|_| Effect::Focus(WalkField::Value.into()))
             }
-            PartsView::Walk => self.document.plan().map(|_| Effect::Focus(PartsField::Serial.into())),
+            PartsView::Walk => self.document.plan().map(|_| Effect::Focus(WalkField::Serial.into())),
         };
         self.errands.extend(effect.filter(|_| self.is_shown));
     }

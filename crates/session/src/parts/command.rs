@@ -7,16 +7,17 @@ use fitcheck_core::message::Message;
 use fitcheck_core::part::{Column, Document};
 use fitcheck_exchange::exchange::Item;
 
-use super::watched::WatchNews;
-use super::{PartPicture, PartsField, PartsView, PlanField};
+use super::watch_news::WatchNews;
+use super::{PartPicture, PartsView, PlanField};
 use crate::Step;
+use crate::parts::WalkField;
 use crate::records::RecordRow;
 
 /// What can be done on the parts page.
 #[derive(Debug, Clone)]
 pub enum PartsCommand {
     /// Replaces the text of a field.
-    Type(PartsField, String),
+    Type(WalkField, String),
     /// Opens a view.
     Show(PartsView),
     /// Does something to the plan.

@@ -3,15 +3,15 @@
 use std::sync::Arc;
 
 use fitcheck_core::message::{Say, message};
-use fitcheck_core::part::{Column, Draft, HeadField, MOST_FEATURES, Row, Spot};
+use fitcheck_core::part::{Draft, HeadField, MOST_FEATURES, Spot};
 use fitcheck_core::tolerance::Sources;
 
 use super::document::Typing;
+use super::draft_cells::{selected, write};
 use super::rows::fresh;
 use super::sheet::Sheet;
 use super::{PartsPage, PlanCommand, PlanField};
-use crate::Field;
-use crate::command::Effect;
+use crate::effect::Effect;
 use crate::shared::Shared;
 
 impl PartsPage {
@@ -173,7 +173,7 @@ impl PartsPage {
                 self.sheet.show(row, column.unwrap_or(here), &self.document);
                 Some(Effect::FocusTable)
             }
-            Spot::Head(field) => Some(Effect::Focus(Field::Plan(PlanField::Head(field)))),
+            Spot::Head(field) => Some(Effect::Focus(PlanField::Head(field).into())),
             Spot::Plan => None,
         }
     }
@@ -207,34 +207,8 @@ impl PartsPage {
     }
 }
 
-/// Writes a cell, unless that is what it has: a text that a file has stays where it is.
-pub(super) fn write(row: &mut Row, column: Column, text: &str) {
-    if row.cell(column).text != text {
-        row.set(column, text.to_owned());
-    }
-}
-
 fn write_head(draft: &mut Draft, field: HeadField, text: &str) {
     if draft.cell(field).text != text {
         draft.set(field, text.to_owned());
-    }
-}
-
-/// The selected features.
-pub(super) fn selected<'a>(draft: &'a mut Draft, rows: &std::ops::RangeInclusive<usize>) -> &'a mut [Row] {
-    let rows = clamped(rows, draft.rows.len());
-    draft.rows.get_mut(rows).unwrap_or_default()
-}
-
-/// Selected rows as far as there are features.
-pub(super) fn clamped(rows: &std::ops::RangeInclusive<usize>, count: usize) -> std::ops::Range<usize> {
-    (*rows.start()).min(count)..(*rows.end() + 1).min(count)
-}
-
-/// Puts the balloon of a row on the picture.
-pub(super) fn place(draft: &mut Draft, row: usize, at: [f64; 2]) {
-    let Some(row) = draft.rows.get_mut(row) else { return };
-    for (column, share) in [Column::BalloonX, Column::BalloonY].into_iter().zip(at) {
-        write(row, column, &format!("{:.4}", share.clamp(0.0, 1.0)));
     }
 }

@@ -5,14 +5,15 @@ use std::sync::Arc;
 use fitcheck_core::message::{Message, message};
 use jiff::civil::DateTime;
 
-use super::{PartsField, PartsPage, serials};
-use crate::command::Effect;
+use super::{PartsPage, serials};
+use crate::effect::Effect;
+use crate::parts::WalkField;
 use crate::shared::Shared;
 
 impl PartsPage {
     /// Begins a part; a serial number that was measured already is asked about once.
     pub(super) fn begin(&mut self, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
-        let serial = self.text(PartsField::Serial).trim().to_owned();
+        let serial = self.texts.text(WalkField::Serial).trim().to_owned();
         let Some(plan) = self.document.plan().map(Arc::clone) else { return Vec::new() };
         if self.is_measured_already(&plan.head.part, &serial, shared) {
             let is_new = self.again.as_ref() != Some(&serial);
@@ -21,7 +22,7 @@ impl PartsPage {
             }
             if is_new || !self.asking.is_answered(now) {
                 let question = message!("walk-page-serial-again").text("serial", &serial);
-                self.errors.insert(PartsField::Serial, question);
+                self.errors.insert(WalkField::Serial, question);
                 self.again = Some(serial);
                 return Vec::new();
             }
@@ -36,7 +37,7 @@ impl PartsPage {
         self.clear_value();
         self.errors.clear();
         self.watch_plan(&plan, shared);
-        vec![Effect::Focus(PartsField::Value.into())]
+        vec![Effect::Focus(WalkField::Value.into())]
     }
 
     /// Whether a part of this serial number was measured since the window was opened, has values from files that were read meanwhile, or
@@ -48,8 +49,8 @@ impl PartsPage {
 
     /// Puts another serial number into the field.
     pub(super) fn set_serial(&mut self, serial: String) {
-        self.texts.set(PartsField::Serial, serial);
-        self.errors.remove(&PartsField::Serial);
+        self.texts.set(WalkField::Serial, serial);
+        self.errors.remove(&WalkField::Serial);
         self.again = None;
     }
 
@@ -73,7 +74,7 @@ impl PartsPage {
         self.errors.clear();
         self.set_serial(next);
         self.clear_value();
-        vec![Effect::Focus(PartsField::Serial.into())]
+        vec![Effect::Focus(WalkField::Serial.into())]
     }
 
     /// The sizes without a value and the reasons: no record has them.

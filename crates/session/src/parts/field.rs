@@ -2,11 +2,18 @@
 
 use fitcheck_core::part::HeadField;
 
-use crate::field::kept_fields;
+use crate::texts::kept_fields;
+
+/// A text field of the parts page.
+#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]
+pub enum PartsField {
+    Walk(WalkField),
+    Plan(PlanField),
+}
 
 kept_fields! {
-    /// A text field of the parts page.
-    PartsField
+    /// A text field of the walk through a part.
+    WalkField
 
     /// The serial number of the part that is measured.
     Serial: "parts-serial", "";

@@ -15,26 +15,27 @@ use jiff::civil::DateTime;
 use super::judging::judged;
 use super::serials;
 use super::walking::Value;
-use super::{PartsField, PartsPage, WalkCommand};
+use super::{PartsPage, WalkCommand};
 use crate::Question;
-use crate::command::Effect;
-use crate::field::Range;
+use crate::effect::Effect;
+use crate::parts::WalkField;
 use crate::recording::{Named, Sent, ToKeep, used};
 use crate::shared::Shared;
+use crate::texts::Range;
 
 impl PartsPage {
     pub(super) fn apply_walk(&mut self, command: WalkCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         match command {
             WalkCommand::Begin => return self.begin(shared, now),
             WalkCommand::CountUp => {
-                let next = serials::next(self.text(PartsField::Serial));
+                let next = serials::next(self.texts.text(WalkField::Serial));
                 self.set_serial(next);
             }
             WalkCommand::Go(at) => {
                 self.walking.go(at);
-                self.errors.remove(&PartsField::Value);
+                self.errors.remove(&WalkField::Value);
                 // What a gauge types next is a value of it.
-                return vec![Effect::Focus(PartsField::Value.into())];
+                return vec![Effect::Focus(WalkField::Value.into())];
             }
             WalkCommand::Move(step) => {
                 if let Some(last) = self.walking.count().checked_sub(1) {
@@ -44,7 +45,7 @@ impl PartsPage {
             WalkCommand::Take => self.take_typed(shared, now),
             WalkCommand::TakeMeant => {
                 if let Some(meant) = self.walking.question.take().and_then(|question| question.doubt.meant()) {
-                    self.texts.set(PartsField::Value, meant.to_string());
+                    self.texts.set(WalkField::Value, meant.to_string());
                     self.take_typed(shared, now);
                 }
             }
@@ -52,7 +53,7 @@ impl PartsPage {
             WalkCommand::Again => {
                 if let Some((at, _)) = self.walking.shown() {
                     self.walking.go(at);
-                    return vec![Effect::Focus(PartsField::Value.into())];
+                    return vec![Effect::Focus(WalkField::Value.into())];
                 }
             }
             WalkCommand::CountNewest => {
@@ -64,7 +65,7 @@ impl PartsPage {
                 self.walking.quiet();
                 self.walking.is_skipping = is_open && self.walking.at().is_some();
                 if !is_open {
-                    return vec![Effect::Focus(PartsField::Value.into())];
+                    return vec![Effect::Focus(WalkField::Value.into())];
                 }
             }
             WalkCommand::Skip(reason) => return self.skip(&reason),
@@ -86,7 +87,7 @@ impl PartsPage {
         if let Some(typed_at) = self.walking.typed_elsewhere() {
             let [name, asked] = [typed_at, at].map(|at| self.walking.name(at));
             let refusal = message!("walk-page-typed-elsewhere").text("name", name).text("asked", asked);
-            self.errors.insert(PartsField::Value, refusal);
+            self.errors.insert(WalkField::Value, refusal);
             return;
         }
         if self.refuse_serial(shared) {
@@ -94,7 +95,7 @@ impl PartsPage {
         }
         let range = if self.walking.may_be_any() { Range::Any } else { Range::AboveZero };
         let asked = self.walking.asked().map(|size| size.limits.nominal);
-        let gauged = gauge::read(self.text(PartsField::Value), asked).map_err(|error| error.message());
+        let gauged = gauge::read(self.texts.text(WalkField::Value), asked).map_err(|error| error.message());
         let read = gauged.and_then(|gauged| {
             // The range of the other fields.
             let value = range.read(&gauged.value.to_string())?;
@@ -108,7 +109,7 @@ impl PartsPage {
         let (record, remarks) = match taken {
             Ok(taken) => taken,
             Err(problem) => {
-                self.errors.insert(PartsField::Value, problem);
+                self.errors.insert(WalkField::Value, problem);
                 return;
             }
         };
@@ -136,27 +137,27 @@ impl PartsPage {
 
     /// A serial number that was scanned into the field of the value is told, and does not stay there. Returns whether it was one.
     pub(super) fn refuse_serial(&mut self, shared: &Shared) -> bool {
-        let text = self.text(PartsField::Value).trim().to_owned();
+        let text = self.texts.text(WalkField::Value).trim().to_owned();
         let part = self.walking.plan().map(|plan| plan.head.part.clone()).unwrap_or_default();
         let is_serial =
             serials::is_like(&text, self.walking.serial()) || self.is_measured_already(&part, &text, shared);
         if is_serial {
             self.clear_value();
-            self.errors.insert(PartsField::Value, message!("walk-page-is-serial").text("given", text));
+            self.errors.insert(WalkField::Value, message!("walk-page-is-serial").text("given", text));
         }
         is_serial
     }
 
     /// Empties the field of the value.
     pub(super) fn clear_value(&mut self) {
-        self.texts.set(PartsField::Value, "");
+        self.texts.set(WalkField::Value, "");
         self.walking.typed("");
-        self.errors.remove(&PartsField::Value);
+        self.errors.remove(&WalkField::Value);
     }
 
     /// The size that is asked for is one that is open, unless somebody is at another one: while a value is typed it stays its own.
     pub(super) fn stay_open(&mut self) {
-        if self.text(PartsField::Value).trim().is_empty() {
+        if self.texts.text(WalkField::Value).trim().is_empty() {
             self.walking.stay_open();
         }
     }
@@ -276,13 +277,13 @@ impl PartsPage {
         let Some(at) = self.walking.at() else { return Vec::new() };
         if !self.walking.skip(at, reason) {
             self.walking.is_skipping = true;
-            self.errors.insert(PartsField::Reason, message!("walk-page-no-reason"));
+            self.errors.insert(WalkField::Reason, message!("walk-page-no-reason"));
             return Vec::new();
         }
-        self.errors.remove(&PartsField::Reason);
-        self.texts.set(PartsField::Reason, "");
+        self.errors.remove(&WalkField::Reason);
+        self.texts.set(WalkField::Reason, "");
         self.walking.go_on();
-        vec![Effect::Focus(PartsField::Value.into())]
+        vec![Effect::Focus(WalkField::Value.into())]
     }
 }
 

@@ -4,22 +4,24 @@
 //! |---|---|
 //! | here | the page: which of its two views is open |
 //! | `document` | the plan: a draft that is edited, the file that holds it, undo and redo, and what is wrong with it |
-//! | `sheet`, `editing`, `rows`, `pasting`, `paste`, `sorting` | its table: where the keys are, and what can be done there |
+//! | `sheet`, `editing`, `draft_cells`, `rows`, `pasting`, `paste`, `sorting` | its table: where the keys are, and what can be done there |
 //! | `picture` | the part's picture and the balloons on it |
 //! | `walking` | the part that is being measured: which size is asked for, what was measured |
 //! | `measuring`, `judging`, `serials` | what is done on the walk; a value becomes a check; serial numbers are counted up |
 //! | `ending` | a part begins, and the next one comes |
-//! | `arriving`, `watched` | values from files; a folder that is watched |
+//! | `arriving`, `watched`, `watch_news` | values from files; a folder that is watched |
 //! | `resume`, `planned` | an interrupted part comes back, as far as its plan asks for the same |
 //! | `reporting` | the part as a report |
 //! | `headline`, `choices` | what one look is told; the words that a cell may have |
 //! | `field`, `command`, `apply` | its text fields, what can be done, and how |
 
+mod actions;
 mod apply;
 mod arriving;
 mod choices;
 mod command;
 mod document;
+mod draft_cells;
 mod editing;
 mod ending;
 mod field;
@@ -37,6 +39,7 @@ mod serials;
 mod sheet;
 mod sorting;
 mod walking;
+mod watch_news;
 mod watched;
 
 use std::collections::{BTreeMap, BTreeSet};
@@ -46,20 +49,21 @@ use std::sync::Arc;
 use fitcheck_core::message::Message;
 use fitcheck_core::part::Draft;
 
+pub use actions::PartsAction;
 pub use command::{PartsCommand, PlanCommand, WalkCommand};
 pub use document::PlanDocument;
-pub use field::{PartsField, PlanField};
+pub use field::{PartsField, PlanField, WalkField};
 pub use headline::{Headline, Whole};
 pub use picture::{Balloon, PartPicture, Sight};
 pub use sheet::Sheet;
 pub use walking::{Value, WalkRow, Walking};
-pub use watched::{TakenFile, WatchNews, Watched, WatchedFile};
+pub use watch_news::{WatchNews, WatchedFile};
+pub use watched::{TakenFile, Watched};
 
 use self::resume::Resume;
 use super::asking::Asking;
-use super::command::Effect;
-use crate::field::{KeptField as _, Texts};
-use crate::saved::{SavedInputs, SavedWalk};
+use super::effect::Effect;
+use crate::texts::Texts;
 
 /// The views of the page.
 #[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash)]
@@ -81,8 +85,8 @@ pub struct PartsPage {
     view: PartsView,
     /// Whether it is the open page.
     is_shown: bool,
-    texts: Texts<PartsField>,
-    errors: BTreeMap<PartsField, Message>,
+    texts: Texts<WalkField>,
+    errors: BTreeMap<WalkField, Message>,
     document: PlanDocument,
     sheet: Sheet,
     shown: picture::Shown,
@@ -114,24 +118,6 @@ struct Saving {
 }
 
 impl PartsPage {
-    pub(super) fn new(saved: &SavedInputs, walk: SavedWalk) -> Self {
-        // A window with an interrupted part opens there.
-        let is_shown = walk.plan.is_some();
-        Self { is_shown, texts: Texts::restored(&saved.texts), resume: Resume::new(walk), ..Self::default() }
-    }
-
-    /// What its fields have, by their keys in the state file.
-    pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
-        // A value that was not taken is typed again.
-        let passing = [PartsField::Value, PartsField::Reason].map(|field| field.declared().0);
-        self.texts.saved().filter(move |(key, _)| !passing.contains(&key.as_str()))
-    }
-
-    /// What has to be done outside because of what happened elsewhere.
-    pub(super) fn take_errands(&mut self) -> Vec<Effect> {
-        std::mem::take(&mut self.errands)
-    }
-
     /// Whether the plan was changed since the part was begun.
     pub fn has_other_plan(&self) -> bool {
         match (self.walking.plan(), self.document.plan()) {
@@ -155,15 +141,6 @@ impl PartsPage {
     /// The folder that is watched, and what came from it.
     pub const fn watched(&self) -> &Watched {
         &self.watched
-    }
-
-    pub fn text(&self, field: PartsField) -> &str {
-        self.texts.text(field)
-    }
-
-    /// What is wrong with a field.
-    pub fn error(&self, field: PartsField) -> Option<&Message> {
-        self.errors.get(&field)
     }
 
     /// The open view.

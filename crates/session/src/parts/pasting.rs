@@ -5,7 +5,7 @@ use fitcheck_core::part::{Column, MOST_FEATURES, Row};
 use fitcheck_core::tolerance::Sources;
 
 use super::PartsPage;
-use super::editing::{clamped, selected, write};
+use super::draft_cells::{clamped, selected, write};
 use super::paste;
 use crate::shared::Shared;
 

@@ -7,7 +7,7 @@ use fitcheck_core::part::{Column, Draft, MOST_FEATURES, Row};
 use fitcheck_core::tolerance::Sources;
 
 use super::document::Typing;
-use super::editing::{clamped, place, write};
+use super::draft_cells::{clamped, place, write};
 use super::picture::NUDGE;
 use super::sorting;
 use super::{PartsPage, PlanCommand};

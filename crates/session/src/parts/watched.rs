@@ -10,51 +10,20 @@ use std::sync::Arc;
 use fitcheck_core::message::{Message, message};
 use fitcheck_core::part::Plan;
 use fitcheck_core::verdict::Status;
-use fitcheck_exchange::exchange::Item;
-use fitcheck_exchange::journal::chain::Hash;
 use fitcheck_exchange::journal::entry::{FileRole, UsedFile};
 use jiff::civil::DateTime;
 
 use super::PartsPage;
 use super::arriving::said_of_others;
 use super::measuring::Arriving;
-use crate::command::Effect;
+use super::watch_news::{WatchNews, WatchedFile};
+use crate::effect::Effect;
 use crate::recording::Keeping;
 use crate::saved::SavedWatch;
 use crate::shared::{OwnMask, Shared};
 
 /// How many files are listed, the latest first.
 const MOST: usize = 200;
-
-/// What came from a watched folder.
-#[derive(Debug, Clone, PartialEq)]
-pub enum WatchNews {
-    /// The watch has begun, and knows so many files that were taken before.
-    Begun(usize),
-    /// Files are ready.
-    Look {
-        /// The number of the look.
-        number: u64,
-        files: Vec<WatchedFile>,
-    },
-    /// These files are not ready, with the reasons; none where nothing is waited for.
-    Waiting(Vec<(String, Message)>),
-    /// The folder cannot be read, or the watch cannot begin; `None` where it can again.
-    Trouble(Option<Message>),
-}
-
-/// A file that is ready.
-#[derive(Debug, Clone, PartialEq)]
-pub struct WatchedFile {
-    /// Its name without the folder.
-    pub name: String,
-    /// SHA-256 of what was read of it.
-    pub sha256: Hash,
-    /// What it holds, judged by the plan.
-    pub items: Vec<Item>,
-    /// What else is to be said of it.
-    pub remarks: Vec<Message>,
-}
 
 #[derive(Debug, Clone)]
 pub struct TakenFile {

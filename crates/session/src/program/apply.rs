@@ -1,19 +1,29 @@
 //! How commands and news change the program page.
 
+use fitcheck_core::message::Message;
 use fitcheck_nc::machine::{BlockPlace, NcPath};
 use jiff::civil::DateTime;
 
 use super::running::Mode;
 use super::{Document, ProgramCommand, ProgramPage, Run, Switch, WorkpieceFrom};
 use crate::Step;
-use crate::command::{Effect, Page};
-use crate::shared::{News, PageState, Shared};
+use crate::effect::Effect;
+use crate::page::Page;
+use crate::program::ProgramField;
+use crate::saved::Saved;
+use crate::shared::{News, Shared};
+use crate::state::PageState;
 
 /// How many blocks make a page.
 const PAGE: usize = 20;
 
 impl PageState for ProgramPage {
     type Command = ProgramCommand;
+    type Field = ProgramField;
+
+    fn restored(_saved: &Saved, _shared: &Shared) -> Self {
+        Self::default()
+    }
 
     fn apply(&mut self, command: ProgramCommand, shared: &mut Shared, now: DateTime) -> Vec<Effect> {
         match command {
@@ -58,6 +68,30 @@ impl PageState for ProgramPage {
             // These two are made by the limits.
             News::Sources if matches!(self.workpiece, WorkpieceFrom::Perfect | WorkpieceFrom::Given) => self.reset(),
             _ => {}
+        }
+    }
+
+    fn typed(field: ProgramField, text: String) -> ProgramCommand {
+        ProgramCommand::Type(field, text)
+    }
+
+    fn text(&self, field: ProgramField) -> &str {
+        let typed = match field {
+            ProgramField::Input(input) => self.typed.get(&input.parameter()),
+            ProgramField::Tool(parameter) => self.typed.get(&parameter),
+            _ => None,
+        };
+        typed.or_else(|| self.texts.get(&field)).map_or("", String::as_str)
+    }
+
+    fn error(&self, field: ProgramField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    fn is_free_text(&self, field: ProgramField) -> bool {
+        match field {
+            ProgramField::Tool(parameter) => parameter.family.is_text(),
+            field => matches!(field, ProgramField::Filter | ProgramField::Name | ProgramField::Value),
         }
     }
 }

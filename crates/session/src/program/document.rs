@@ -8,8 +8,8 @@ use fitcheck_nc::machine::NcPath;
 use fitcheck_nc::program::{Body, Columns, Notation, Program, ProgramError, ProgramWarning, Target};
 
 use super::inputs::assigned;
+use super::named_tools::{ToolOf, named};
 use super::tokens::comment;
-use super::tools::{ToolOf, named};
 
 /// A shown program.
 #[derive(Debug, Clone)]

@@ -2,7 +2,7 @@
 
 use fitcheck_nc::control::variables::Parameter;
 
-use super::inputs::Input;
+use super::input::Input;
 
 /// A text field of the program page.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord, Hash)]

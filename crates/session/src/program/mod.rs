@@ -20,12 +20,15 @@
 //! A run belongs to its inputs: any change of an input clears it. Nothing is written; what a program prints to files is
 //! listed.
 
+mod actions;
 mod apply;
 mod command;
 mod document;
 mod field;
+mod input;
 mod inputs;
 mod keeping;
+mod named_tools;
 mod notes;
 mod opening;
 mod run;
@@ -44,14 +47,16 @@ use fitcheck_nc::control::variables::{Parameter, Value};
 use fitcheck_nc::machine::{BlockPlace, NcPath};
 use fitcheck_nc::program::ProgramWarning;
 
+pub use actions::ProgramAction;
 pub use command::{Origin, ProgramCommand, Switch, WorkpieceFrom};
 pub use document::{Document, Entry, EntryKind};
 pub use field::ProgramField;
-pub use inputs::{Agreement, Input};
+pub use input::Input;
+pub use inputs::Agreement;
+pub use named_tools::ToolOf;
 pub use notes::{Note, NoteKind};
 pub use run::{MOST_MOVES, Run, Speed, State};
 pub use tokens::{Token, tokens, tokens_of};
-pub use tools::ToolOf;
 pub use watching::{Name, Watched};
 
 /// The state of the program page.
@@ -110,22 +115,6 @@ impl ProgramPage {
 
     fn shown_mut(&mut self) -> Option<&mut Document> {
         self.shown.as_ref().and_then(|path| self.documents.get_mut(path))
-    }
-
-    /// The text of a field. An input shows what the user gave its parameter, or else what the program assigns; a tool only
-    /// what the user gave.
-    pub fn text(&self, field: ProgramField) -> &str {
-        let typed = match field {
-            ProgramField::Input(input) => self.typed.get(&input.parameter()),
-            ProgramField::Tool(parameter) => self.typed.get(&parameter),
-            _ => None,
-        };
-        typed.or_else(|| self.texts.get(&field)).map_or("", String::as_str)
-    }
-
-    /// What is wrong with a field.
-    pub fn error(&self, field: ProgramField) -> Option<&Message> {
-        self.errors.get(&field)
     }
 
     /// What is measured.

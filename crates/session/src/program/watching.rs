@@ -7,6 +7,7 @@ use fitcheck_core::message::{Message, message};
 use fitcheck_nc::control::variables::{Parameter, Value};
 
 use super::{Input, ProgramField, ProgramPage};
+use crate::state::PageState as _;
 
 /// A parameter in the list.
 #[derive(Debug, Clone, PartialEq)]

@@ -8,10 +8,13 @@ use fitcheck_core::probing::simulated::{Simulation, Surface, Workpiece};
 use fitcheck_core::tolerance::{Feature, Limits};
 use fitcheck_nc::machine::Contacts;
 
-use super::inputs::{Input, length};
+use super::Input;
+use super::inputs::length;
 use super::{ProgramField, ProgramPage, WorkpieceFrom};
-use crate::command::{CycleFile, Page, Purpose};
+use crate::page::Page;
+use crate::purpose::{CycleFile, Purpose};
 use crate::shared::Shared;
+use crate::state::PageState as _;
 
 impl ProgramPage {
     /// The workpiece of a hole or a shaft at the inputs' centre.

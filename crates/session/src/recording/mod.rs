@@ -27,7 +27,7 @@ pub use people::MOST_NAMES;
 use server::Server;
 
 use self::people::People;
-use super::command::Effect;
+use super::effect::Effect;
 use super::saved::SavedRecords;
 
 /// How many of the newest checks of a journal come back into the history at the start.

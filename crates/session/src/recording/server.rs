@@ -3,7 +3,7 @@
 use fitcheck_core::message::Message;
 
 use super::Recording;
-use crate::command::Effect;
+use crate::effect::Effect;
 
 /// What is known of the server of the shop.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]

@@ -1,5 +1,6 @@
 //! How commands and news change the records page, and what the journal answers.
 
+use std::ops::Range;
 use std::sync::Arc;
 
 use fitcheck_core::message::{Message, message};
@@ -10,12 +11,20 @@ use jiff::civil::DateTime;
 
 use super::{OpenRecord, RecordRow, RecordsCommand, RecordsField, RecordsPage};
 use crate::Step;
-use crate::command::{Effect, Page};
+use crate::effect::Effect;
+use crate::page::Page;
 use crate::recording::{OpenJournal, RESTORED};
-use crate::shared::{News, PageState, Shared};
+use crate::saved::Saved;
+use crate::shared::{News, Shared};
+use crate::state::PageState;
 
 impl PageState for RecordsPage {
     type Command = RecordsCommand;
+    type Field = RecordsField;
+
+    fn restored(_saved: &Saved, _shared: &Shared) -> Self {
+        Self::default()
+    }
 
     fn apply(&mut self, command: RecordsCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
         match command {
@@ -82,6 +91,30 @@ impl PageState for RecordsPage {
             // What was recorded meanwhile, here and elsewhere.
             self.ask(shared, false);
         }
+    }
+
+    fn take_errands(&mut self) -> Vec<Effect> {
+        std::mem::take(&mut self.errands)
+    }
+
+    fn typed(field: RecordsField, text: String) -> RecordsCommand {
+        RecordsCommand::Type(field, text)
+    }
+
+    fn text(&self, field: RecordsField) -> &str {
+        self.texts.get(&field).map_or("", String::as_str)
+    }
+
+    fn error(&self, field: RecordsField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    fn culprit(&self, field: RecordsField) -> Option<&Range<usize>> {
+        self.culprit.as_ref().filter(|_| field == RecordsField::Question)
+    }
+
+    fn is_free_text(&self, field: RecordsField) -> bool {
+        field != RecordsField::Measured
     }
 }
 

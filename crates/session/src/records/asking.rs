@@ -8,8 +8,9 @@ use jiff::Timestamp;
 use jiff::tz::TimeZone;
 
 use super::{RecordsField, RecordsPage};
-use crate::command::Effect;
+use crate::effect::Effect;
 use crate::shared::Shared;
+use crate::state::PageState as _;
 
 /// A word of the language of questions that has a button.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]

@@ -9,9 +9,10 @@ use fitcheck_exchange::journal::Record;
 use fitcheck_exchange::journal::entry::{About, Check, Checked, Content, Entry};
 
 use super::{RecordRow, RecordsField, RecordsPage};
-use crate::field::Range;
 use crate::recording::{Recorded, correcting};
 use crate::shared::{News, Shared};
+use crate::state::PageState as _;
+use crate::texts::Range;
 
 /// The correction that is being made.
 #[derive(Debug, Clone, Default, PartialEq)]

@@ -13,6 +13,7 @@
 //! | `walking` | the walk along the chain |
 //! | `choosing` | the chosen records, as a report and on the clipboard |
 
+mod actions;
 mod apply;
 mod asking;
 mod choosing;
@@ -27,6 +28,7 @@ use std::collections::BTreeMap;
 use std::ops::Range;
 use std::sync::Arc;
 
+pub use actions::RecordsAction;
 pub use asking::Shorthand;
 pub use choosing::{LeftOut, RowTexts};
 pub use command::RecordsCommand;
@@ -41,7 +43,7 @@ use jiff::civil::DateTime;
 use jiff::tz::TimeZone;
 pub use listing::{Found, Listing, Numbers, PAGE};
 
-use super::command::Effect;
+use super::effect::Effect;
 
 /// A record as it is read from the journal.
 #[derive(Debug, Clone, PartialEq)]
@@ -130,20 +132,6 @@ pub struct RecordsPage {
 }
 
 impl RecordsPage {
-    pub fn text(&self, field: RecordsField) -> &str {
-        self.texts.get(&field).map_or("", String::as_str)
-    }
-
-    /// What is wrong with a field.
-    pub fn error(&self, field: RecordsField) -> Option<&Message> {
-        self.errors.get(&field)
-    }
-
-    /// Where in a field's text an error shows: characters counted from 0.
-    pub fn culprit(&self, field: RecordsField) -> Option<&Range<usize>> {
-        self.culprit.as_ref().filter(|_| field == RecordsField::Question)
-    }
-
     /// Which records are listed, and those that were read.
     pub const fn listing(&self) -> &Listing {
         &self.listing
@@ -191,11 +179,6 @@ impl RecordsPage {
     /// What time it is: a question may ask for today.
     pub(super) const fn see_time(&mut self, now: DateTime) {
         self.now = now;
-    }
-
-    /// What has to be done outside.
-    pub(super) fn take_errands(&mut self) -> Vec<Effect> {
-        std::mem::take(&mut self.errands)
     }
 }
 

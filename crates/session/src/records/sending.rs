@@ -1,8 +1,9 @@
 //! The form for the server of the shop, and what is known of it.
 
 use super::{RecordsCommand, RecordsField, RecordsPage};
-use crate::command::Effect;
+use crate::effect::Effect;
 use crate::shared::Shared;
+use crate::state::PageState as _;
 
 impl RecordsPage {
     /// Applies a command about the server.

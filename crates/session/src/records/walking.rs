@@ -1,7 +1,7 @@
 //! The walk along the chain: begun, going on, stopped, ended. What comes late of another walk changes nothing.
 
 use super::{RecordsCommand, RecordsPage, Walk};
-use crate::command::Effect;
+use crate::effect::Effect;
 
 impl RecordsPage {
     /// Begins a walk, stops it, or takes what is said of it.

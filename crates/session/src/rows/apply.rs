@@ -12,7 +12,7 @@ use jiff::civil::DateTime;
 
 use super::{End, Large, News, Rows, ShownRow};
 use crate::Step;
-use crate::command::Effect;
+use crate::effect::Effect;
 
 /// How many rows beyond those in sight are read with them.
 const AROUND: usize = 20;

@@ -1,13 +1,27 @@
 //! How commands and news change the table page.
 
+use fitcheck_core::message::Message;
 use jiff::civil::DateTime;
 
 use super::{Document, Filter, Origin, TableChoice, TablesCommand, TablesField, TablesPage};
-use crate::command::{Effect, Page};
-use crate::shared::{News, PageState, Shared};
+use crate::effect::Effect;
+use crate::page::Page;
+use crate::saved::Saved;
+use crate::shared::{News, Shared};
+use crate::state::PageState;
+use crate::texts::Texts;
 
 impl PageState for TablesPage {
     type Command = TablesCommand;
+    type Field = TablesField;
+
+    fn restored(saved: &Saved, _shared: &Shared) -> Self {
+        Self { texts: Texts::restored(&saved.inputs.texts), ..Self::default() }
+    }
+
+    fn save(&self, saved: &mut Saved) {
+        saved.inputs.texts.extend(self.texts.saved());
+    }
 
     fn apply(&mut self, command: TablesCommand, shared: &mut Shared, _now: DateTime) -> Vec<Effect> {
         // What was typed into the cell is applied before another cell or table is shown. If it cannot be read, the cell
@@ -62,6 +76,22 @@ impl PageState for TablesPage {
             News::OwnTables => self.own_tables_changed(shared),
             _ => {}
         }
+    }
+
+    fn typed(field: TablesField, text: String) -> TablesCommand {
+        TablesCommand::Type(field, text)
+    }
+
+    fn text(&self, field: TablesField) -> &str {
+        self.texts.text(field)
+    }
+
+    fn error(&self, field: TablesField) -> Option<&Message> {
+        self.errors.get(&field)
+    }
+
+    fn is_free_text(&self, field: TablesField) -> bool {
+        field == TablesField::Filter
     }
 }
 

@@ -9,6 +9,7 @@ use fitcheck_core::words::Language;
 
 use super::{Document, Origin, TablesField, TablesPage};
 use crate::shared::Shared;
+use crate::state::PageState as _;
 
 /// What the fields of the cell contain, or which of them is wrong.
 type Typed = Result<Option<Deviations>, (TablesField, Message)>;

@@ -14,6 +14,7 @@
 //!
 //! A table stays open, with its edits, until the window is closed: looking at another one loses nothing.
 
+mod actions;
 mod apply;
 mod command;
 mod document;
@@ -29,14 +30,14 @@ use std::collections::BTreeMap;
 use fitcheck_core::message::Message;
 use fitcheck_core::tolerance::Sources;
 
+pub use actions::TablesAction;
 pub use command::{TableChoice, TablesCommand};
 pub use document::{Document, Origin};
 pub use field::TablesField;
 pub use filter::Filter;
 
 use self::keeping::Saving;
-use super::field::Texts;
-use super::saved::SavedInputs;
+use super::texts::Texts;
 
 /// The state of the table page.
 #[derive(Debug, Default)]
@@ -53,19 +54,6 @@ pub struct TablesPage {
 const MOST_DOCUMENTS: usize = 32;
 
 impl TablesPage {
-    /// The page with what was saved, or with empty fields.
-    pub(super) fn new(saved: &SavedInputs) -> Self {
-        Self { texts: Texts::restored(&saved.texts), ..Self::default() }
-    }
-
-    pub(super) fn texts(&self) -> impl Iterator<Item = (String, String)> {
-        self.texts.saved()
-    }
-
-    pub fn text(&self, field: TablesField) -> &str {
-        self.texts.text(field)
-    }
-
     /// The open tables, the two built-in ones first.
     pub fn documents(&self) -> &[Document] {
         &self.documents
@@ -89,11 +77,6 @@ impl TablesPage {
     /// What the filter makes of the shown table.
     pub const fn filter(&self) -> &Filter {
         &self.filter
-    }
-
-    /// What is wrong with a field of the page.
-    pub fn error(&self, field: TablesField) -> Option<&Message> {
-        self.errors.get(&field)
     }
 
     /// Whether limits are looked up in the shown table first, as it stands.

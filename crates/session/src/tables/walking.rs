@@ -5,6 +5,7 @@ use fitcheck_core::tolerance::ToleranceClass;
 use super::{Filter, TablesField, TablesPage};
 use crate::Step;
 use crate::shared::Shared;
+use crate::state::PageState as _;
 
 /// How many size ranges make a page.
 const PAGE: usize = 10;

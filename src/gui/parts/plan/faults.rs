@@ -1,5 +1,6 @@
 //! Everything that is wrong with the plan: how much, where, and a way there.
 
+use crate::session::PartsAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, RichText, ScrollArea, Ui, vec2};
 
@@ -8,8 +9,8 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, live, problem, quiet};
 use crate::message::message;
 use crate::part::{Finding, Spot};
+use crate::session::PartsCommand;
 use crate::session::parts::PlanCommand;
-use crate::session::{Action, PartsCommand};
 
 /// Whether there is anything to list.
 pub(in crate::gui::parts) fn has_any(view: &View<'_>) -> bool {
@@ -26,8 +27,8 @@ pub(in crate::gui::parts) fn here_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.set_min_height(space(5.0));
         if let Some(finding) = finding {
             problem(ui, view.words.told(&finding.what));
-            if finding.what.meant().is_some() && view.session.can(Action::TakeMeantCell) {
-                view.field_button(ui, Action::TakeMeantCell);
+            if finding.what.meant().is_some() && view.session.can(PartsAction::TakeMeantCell) {
+                view.field_button(ui, PartsAction::TakeMeantCell);
             }
         }
     });
@@ -48,11 +49,11 @@ pub(in crate::gui::parts) fn count_ui(ui: &mut Ui, view: &mut View<'_>) {
         let said = ui.label(RichText::new(&text).font(theme::bold(sizes().body)).color(colour));
         live(ui, &said, &text, Live::Polite);
         if !document.findings().is_empty() {
-            view.field_button(ui, Action::PreviousFinding);
-            view.field_button(ui, Action::NextFinding);
+            view.field_button(ui, PartsAction::PreviousFinding);
+            view.field_button(ui, PartsAction::NextFinding);
         }
         if !document.problems().is_empty() {
-            view.field_button(ui, Action::LeaveOutOfPlan);
+            view.field_button(ui, PartsAction::LeaveOutOfPlan);
         }
         if 0 < document.comments() {
             let comments = message!("parts-page-comments").count("count", document.comments());

@@ -1,5 +1,6 @@
 //! What the plan says of the part as a whole.
 
+use crate::session::PartsAction;
 use eframe::egui::{Align, Layout, RichText, Ui, vec2};
 
 use super::head_id;
@@ -7,8 +8,8 @@ use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::part::HeadField;
+use crate::session::PartsCommand;
 use crate::session::parts::{PlanCommand, PlanField};
-use crate::session::{Action, PartsCommand};
 
 /// The width of a field, steps of space.
 const fn width(field: HeadField) -> f32 {
@@ -64,7 +65,7 @@ fn one_ui(ui: &mut Ui, view: &mut View<'_>, field: HeadField, size: f32) {
             view.send(PartsCommand::Plan(PlanCommand::SettleHead));
         }
         if chooses {
-            view.field_button(ui, Action::ChoosePicture);
+            view.field_button(ui, PartsAction::ChoosePicture);
         }
     });
 }

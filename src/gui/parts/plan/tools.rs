@@ -1,36 +1,37 @@
 //! What can be done with rows and columns, as buttons.
 
+use crate::session::PartsAction;
 use eframe::egui::Ui;
 
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::message::message;
-use crate::session::{Action, Step};
+use crate::session::Step;
 
 /// What is done with cells.
-const CELLS: [Action; 3] = [Action::EditPlanCell, Action::CopyPlanCells, Action::PastePlanCells];
+const CELLS: [PartsAction; 3] = [PartsAction::EditPlanCell, PartsAction::CopyPlanCells, PartsAction::PastePlanCells];
 
 /// What is done with features.
-const ROWS: [Action; 6] = [
-    Action::InsertPlanRow,
-    Action::DeletePlanRows,
-    Action::MovePlanRows(Step::Up),
-    Action::MovePlanRows(Step::Down),
-    Action::SortPlan,
-    Action::RenumberPlan,
+const ROWS: [PartsAction; 6] = [
+    PartsAction::InsertPlanRow,
+    PartsAction::DeletePlanRows,
+    PartsAction::MovePlanRows(Step::Up),
+    PartsAction::MovePlanRows(Step::Down),
+    PartsAction::SortPlan,
+    PartsAction::RenumberPlan,
 ];
 
 /// The same in one row: what is used less often is in a menu.
 pub(in crate::gui::parts) fn folded_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
-        for action in [Action::UndoPlan, Action::RedoPlan, Action::EditPlanCell] {
+        for action in [PartsAction::UndoPlan, PartsAction::RedoPlan, PartsAction::EditPlanCell] {
             view.field_button(ui, action);
         }
         ui.menu_button(view.text("parts-page-more"), |ui| {
             for action in CELLS.into_iter().skip(1).chain(ROWS) {
                 view.menu_item(ui, action);
             }
-            view.checkbox(ui, Action::ShowAllColumns);
+            view.checkbox(ui, PartsAction::ShowAllColumns);
         });
     });
 }
@@ -39,20 +40,20 @@ pub(in crate::gui::parts) fn folded_ui(ui: &mut Ui, view: &mut View<'_>) {
 pub(in crate::gui::parts) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
     ui.horizontal_wrapped(|ui| {
         ui.spacing_mut().item_spacing.y = space(1.0);
-        for action in [Action::UndoPlan, Action::RedoPlan].into_iter().chain(CELLS).chain(ROWS) {
+        for action in [PartsAction::UndoPlan, PartsAction::RedoPlan].into_iter().chain(CELLS).chain(ROWS) {
             let response = view.field_button(ui, action);
-            if response.clicked() && action == Action::PastePlanCells {
+            if response.clicked() && action == PartsAction::PastePlanCells {
                 // What is on the clipboard comes to what has the focus.
                 ui.memory_mut(|memory| memory.request_focus(super::grid::id()));
             }
         }
         // In one line, in the next row where there is no room.
-        let name = Action::ShowAllColumns.text(view.session, view.words);
+        let name = PartsAction::ShowAllColumns.text(view.session, view.words);
         let name = ui.painter().layout_no_wrap(name, theme::font(sizes().body), palette(ui.ctx()).text.0).size().x;
         if ui.available_size_before_wrap().x < name + ui.spacing().icon_width + space(6.0) {
             ui.end_row();
         }
-        view.checkbox(ui, Action::ShowAllColumns);
+        view.checkbox(ui, PartsAction::ShowAllColumns);
         let count = view.session.parts().document().draft().rows.len();
         quiet(ui, view.words.say(&message!("parts-page-features").count("count", count)));
     });

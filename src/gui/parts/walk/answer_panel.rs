@@ -2,6 +2,7 @@
 //!
 //! Card, strip and buttons keep their places, whatever the verdict is: lines for which the card has no room go below.
 
+use crate::session::PartsAction;
 use eframe::egui::{Id, Ui, vec2};
 
 use crate::gui::check::{check_card, recorded_ui};
@@ -12,7 +13,7 @@ use crate::gui::view::{Digits, View, doubt_text, heading, problem, quiet, steady
 use crate::message::{Message, Say as _, message};
 use crate::report::RENDERINGS;
 use crate::session::parts::{Headline, Value, Walking};
-use crate::session::{Action, Keeping, Question, Recorded};
+use crate::session::{Keeping, Question, Recorded};
 use crate::verdict::Status;
 
 /// How many missing sizes are named.
@@ -221,7 +222,7 @@ fn contradicted_ui(ui: &mut Ui, view: &mut View<'_>, name: &str, values: &[&Valu
     };
     let values = values.iter().map(said).collect::<Vec<_>>().join(", ");
     problem(ui, words.say(&message!("walk-page-contradicting").text("name", name).text("values", values)));
-    view.field_button(ui, Action::CountNewest);
+    view.field_button(ui, PartsAction::CountNewest);
 }
 
 /// The buttons, above everything whose height changes.
@@ -232,13 +233,13 @@ fn actions_ui(ui: &mut Ui, view: &mut View<'_>, walking: &Walking) {
             ui.add_enabled_ui(walking.is_begun(), |ui| {
                 ui.menu_button(view.text("walk-page-report"), |ui| {
                     for number in 0..RENDERINGS.len() {
-                        view.menu_item(ui, Action::ReportPart(number));
+                        view.menu_item(ui, PartsAction::ReportPart(number));
                     }
                 });
             });
-            view.field_button(ui, Action::WatchFolder);
+            view.field_button(ui, PartsAction::WatchFolder);
             if view.session.parts().watched().folder().is_some() {
-                view.field_button(ui, Action::StopWatch);
+                view.field_button(ui, PartsAction::StopWatch);
             }
         });
     });

@@ -1,5 +1,6 @@
 //! Left: before a part its plan and serial number, then the size that is asked for and the field of its value.
 
+use crate::session::{PartsAction, WalkField, WindowAction};
 use eframe::egui::{Button, Key, RichText, Ui, vec2};
 
 use super::asked_text;
@@ -12,8 +13,7 @@ use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet, steady};
 use crate::message::message;
 use crate::part::Size;
-use crate::session::parts::PartsField;
-use crate::session::{Action, FilesCommand, Purpose};
+use crate::session::{FilesCommand, Purpose};
 
 /// The panel's content.
 pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -30,7 +30,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
         name_ui(ui, &size);
         return skip_ui(ui, view);
     }
-    let mut actions = vec![Action::SizeAgain, Action::SkipSize, Action::NextPart];
+    let mut actions = vec![PartsAction::SizeAgain, PartsAction::SkipSize, PartsAction::NextPart];
     if let (Some(asked), Some(faced)) = (walking.asked(), walking.faced_size()) {
         size_ui(ui, view, &asked, &faced);
     } else {
@@ -39,7 +39,7 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
         actions.pop();
     }
     ui.separator();
-    actions.extend([Action::ImportValues, Action::ImportValuesColumns]);
+    actions.extend([PartsAction::ImportValues, PartsAction::ImportValuesColumns]);
     steady(ui, "walk-actions", |ui| {
         ui.horizontal_wrapped(|ui| {
             for action in actions {
@@ -56,7 +56,8 @@ pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// Once nothing is open, the next part is the main thing to do. The button gets the focus, but never from an Enter that is still held.
 fn next_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = vec2(ui.available_width(), control(ui));
-    let button = steady(ui, "walk-next", |ui| ui.horizontal(|ui| view.main_button(ui, Action::NextPart, size)).inner);
+    let button =
+        steady(ui, "walk-next", |ui| ui.horizontal(|ui| view.main_button(ui, PartsAction::NextPart, size)).inner);
     let wants = button.id.with("wants");
     if just_opened(ui, button.id.with("shown")) {
         ui.data_mut(|data| data.insert_temp(wants, true));
@@ -87,13 +88,13 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
     let name = heading(ui, view.text("walk-page-serial"));
     let width = ui.available_width();
-    field_ui(ui, view, PartsField::Serial, name.id, Look::large(width));
-    error_ui(ui, view, PartsField::Serial);
+    field_ui(ui, view, WalkField::Serial, name.id, Look::large(width));
+    error_ui(ui, view, WalkField::Serial);
     quiet(ui, view.text("walk-page-serial-hint"));
     ui.horizontal_wrapped(|ui| {
-        let size = vec2(view.width_of(ui, &[Action::BeginPart]), control(ui));
-        view.main_button(ui, Action::BeginPart, size);
-        view.field_button(ui, Action::CountUp);
+        let size = vec2(view.width_of(ui, &[PartsAction::BeginPart]), control(ui));
+        view.main_button(ui, PartsAction::BeginPart, size);
+        view.field_button(ui, PartsAction::CountUp);
         keypad_ui(ui, view);
     });
     recent_ui(ui, view);
@@ -176,13 +177,13 @@ fn note_ui(ui: &mut Ui, view: &View<'_>) {
     ui.vertical(|ui| {
         ui.spacing_mut().item_spacing.y = 0.0;
         ui.set_min_height(lines * space(5.0));
-        error_ui(ui, view, PartsField::Value);
+        error_ui(ui, view, WalkField::Value);
         // The verdict stays with its size; the next value is of this one.
         if let Some(next) = walking.asked().filter(|_| walking.faced() != walking.at()) {
             let said = message!("walk-page-next-size").text("name", next.name());
             ui.label(view.words.say(&said.text("asked", asked_text(view.words, &next))));
         }
-        let Some(at) = walking.at().filter(|_| view.session.error(PartsField::Value).is_none()) else { return };
+        let Some(at) = walking.at().filter(|_| view.session.error(WalkField::Value).is_none()) else { return };
         let count = walking.values(at).len();
         if 0 < count {
             quiet(ui, view.words.say(&message!("walk-page-measured-before").count("count", count)));
@@ -206,21 +207,21 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
     let name = row.inner;
     let width = ui.available_width();
     ui.horizontal(|ui| {
-        field_ui(ui, view, PartsField::Value, name.id, Look::large(width - space(12.0)));
+        field_ui(ui, view, WalkField::Value, name.id, Look::large(width - space(12.0)));
         quiet(ui, "mm");
     });
     note_ui(ui, view);
     steady(ui, "walk-value", |ui| {
         ui.horizontal_wrapped(|ui| {
-            let size = vec2(view.width_of(ui, &[Action::TakeValue]), control(ui));
-            view.main_button(ui, Action::TakeValue, size);
-            view.field_button(ui, Action::SimulateValue);
+            let size = vec2(view.width_of(ui, &[PartsAction::TakeValue]), control(ui));
+            view.main_button(ui, PartsAction::TakeValue, size);
+            view.field_button(ui, PartsAction::SimulateValue);
             keypad_ui(ui, view);
         });
     });
 }
 
 fn keypad_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let keypad = view.named(Action::Keypad).selected(view.session.has_keypad()).min_size(vec2(0.0, control(ui)));
-    view.button_as(ui, Action::Keypad, keypad);
+    let keypad = view.named(WindowAction::Keypad).selected(view.session.has_keypad()).min_size(vec2(0.0, control(ui)));
+    view.button_as(ui, WindowAction::Keypad, keypad);
 }

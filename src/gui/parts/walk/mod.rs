@@ -15,6 +15,7 @@ mod sizes_list;
 mod skip_panel;
 mod watch_panel;
 
+use crate::session::WalkField;
 use eframe::egui::{Event, Popup, Ui};
 pub(in crate::gui) use sizes_list::id as sizes_id;
 
@@ -26,7 +27,7 @@ use crate::gui::verdict_card::least_width;
 use crate::gui::view::View;
 use crate::gui::{field, in_turn, keypad};
 use crate::part::Size;
-use crate::session::parts::{PartsField, WalkCommand};
+use crate::session::parts::WalkCommand;
 use crate::words::Words;
 
 /// From this width on the columns are wider.
@@ -66,7 +67,7 @@ fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn catch_typing(ui: &Ui, view: &mut View<'_>) {
     let session = view.session;
     let walking = session.parts().walking();
-    let field = if walking.is_begun() { PartsField::Value } else { PartsField::Serial };
+    let field = if walking.is_begun() { WalkField::Value } else { WalkField::Serial };
     let is_other = walking.is_skipping() || session.dialog().is_some() || Popup::is_any_open(ui.ctx());
     let is_text = |event: &Event| matches!(event, Event::Text(text) if !text.trim().is_empty());
     if is_other || ui.ctx().text_edit_focused() || !ui.input(|input| input.events.iter().any(is_text)) {

@@ -1,13 +1,13 @@
 //! Why a size is left out: one of the usual reasons, or another one.
 
+use crate::session::{PartsAction, WalkField};
 use eframe::egui::{Button, Ui, vec2};
 
 use crate::gui::dialogs::just_opened;
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, control, sizes};
 use crate::gui::view::{View, heading, steady};
-use crate::session::Action;
-use crate::session::parts::{PartsField, WalkCommand};
+use crate::session::parts::WalkCommand;
 
 /// The usual reasons.
 const USUAL: [&str; 4] =
@@ -30,10 +30,10 @@ pub(super) fn skip_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = ui.label(view.text("walk-page-reason"));
     let width = ui.available_width();
     let look = Look { font: theme::font(sizes().body), ..Look::large(width) };
-    field_ui(ui, view, PartsField::Reason, name.id, look);
-    error_ui(ui, view, PartsField::Reason);
+    field_ui(ui, view, WalkField::Reason, name.id, look);
+    error_ui(ui, view, WalkField::Reason);
     ui.horizontal_wrapped(|ui| {
-        for action in [Action::SkipFor, Action::LeaveSkip] {
+        for action in [PartsAction::SkipFor, PartsAction::LeaveSkip] {
             view.field_button(ui, action);
         }
     });

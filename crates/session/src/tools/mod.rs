@@ -2,17 +2,13 @@
 //!
 //! Every run begins with the table as it was opened: what a run changes belongs to the run, until it is saved as a file.
 
-use std::sync::Arc;
+mod apply;
 
 use fitcheck_core::message::{Message, Say as _, message};
 use fitcheck_core::probing::cycle::{Cycle, CycleResult, Inputs, Meaning, Value};
 use fitcheck_nc::control::tool_table::{Changed, Monitored, Tool, ToolChange, ToolNumber, ToolTable};
 use fitcheck_nc::control::variables::Parameter;
 use fitcheck_nc::machine::Remark;
-
-use super::Session;
-use super::command::Page;
-use super::shared::{News, Shared};
 
 /// What can be done with the tool table.
 #[derive(Debug, Clone)]
@@ -34,49 +30,6 @@ pub struct OpenTools {
     pub name: String,
     /// The table as it was read.
     pub table: ToolTable,
-}
-
-impl Shared {
-    /// Does a command.
-    pub fn apply_tools(&mut self, command: ToolsCommand) {
-        match command {
-            ToolsCommand::Read { name, result } => {
-                let Some(table) = self.file_answered(result) else { return };
-                let details = table.warnings().iter().map(fitcheck_core::message::Say::message).collect();
-                self.note_details(message!("tools-loaded").text("name", &name), details);
-                self.tools = Some(Arc::new(OpenTools { name, table: *table }));
-            }
-            ToolsCommand::Close => self.tools = None,
-        }
-        self.spread(News::Tools);
-    }
-
-    /// The tool table that a run begins with.
-    pub fn tool_table(&self) -> Option<&ToolTable> {
-        self.tools.as_ref().map(|tools| &tools.table)
-    }
-}
-
-impl Session {
-    /// The tool table that was opened.
-    pub fn tools(&self) -> Option<&OpenTools> {
-        self.shared.tools.as_deref()
-    }
-
-    /// The tool table as the run of the open page has changed it; `None` where it has changed nothing.
-    pub fn changed_tools(&self) -> Option<&ToolTable> {
-        match self.shared.page {
-            Page::Program => self.program.run()?.changed_tools(),
-            Page::Cycles => self.cycles.run()?.monitoring.as_ref()?.changed(),
-            _ => None,
-        }
-    }
-
-    /// The bytes of that table.
-    pub(super) fn tools_bytes(&self) -> Result<Vec<u8>, Message> {
-        let table = self.changed_tools().ok_or_else(|| message!("tools-nothing-changed"))?;
-        table.write().map_err(|error| error.message())
-    }
 }
 
 /// What the monitoring of a tool gave on the cycles page.

@@ -1,0 +1,29 @@
+//! How the window looks.
+
+/// Light or dark.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "lowercase")]
+pub enum Theme {
+    /// As the system is set.
+    #[default]
+    System,
+    Light,
+    Dark,
+}
+
+/// How high everything is that is pressed.
+#[derive(Debug, Clone, Copy, Default, PartialEq, Eq, Hash, serde::Serialize, serde::Deserialize)]
+#[serde(rename_all = "kebab-case")]
+pub enum Density {
+    /// As it is used: high once a finger has touched the window, until a mouse moves over it.
+    #[default]
+    ByUse,
+    Mouse,
+    /// For fingers and gloves.
+    Touch,
+}
+
+impl Density {
+    /// Every choice.
+    pub const ALL: [Self; 3] = [Self::ByUse, Self::Mouse, Self::Touch];
+}

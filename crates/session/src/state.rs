@@ -1,0 +1,53 @@
+//! What every page is: a state that commands and news change, with text fields.
+
+use std::ops::Range;
+
+use fitcheck_core::message::Message;
+use jiff::civil::DateTime;
+
+use super::effect::Effect;
+use super::saved::Saved;
+use super::shared::{News, Shared};
+
+/// The state of a page.
+pub(super) trait PageState: Sized {
+    /// What can be done on the page.
+    type Command;
+    /// A text field of the page.
+    type Field: Copy;
+
+    /// The page as it was left.
+    fn restored(saved: &Saved, shared: &Shared) -> Self;
+
+    /// Adds what survives a restart.
+    fn save(&self, _saved: &mut Saved) {}
+
+    /// Does a command of the page.
+    fn apply(&mut self, command: Self::Command, shared: &mut Shared, now: DateTime) -> Vec<Effect>;
+
+    /// Follows what happened elsewhere.
+    fn follow(&mut self, news: &News, shared: &mut Shared);
+
+    /// What has to be done outside because of what happened elsewhere.
+    fn take_errands(&mut self) -> Vec<Effect> {
+        Vec::new()
+    }
+
+    /// The command that replaces a field's text.
+    fn typed(field: Self::Field, text: String) -> Self::Command;
+
+    fn text(&self, field: Self::Field) -> &str;
+
+    /// What is wrong with a field.
+    fn error(&self, field: Self::Field) -> Option<&Message>;
+
+    /// Where in a field's text its error shows: characters counted from 0.
+    fn culprit(&self, _field: Self::Field) -> Option<&Range<usize>> {
+        None
+    }
+
+    /// Whether a field holds a name or words, and no figures.
+    fn is_free_text(&self, _field: Self::Field) -> bool {
+        false
+    }
+}
