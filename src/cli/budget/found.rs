@@ -9,6 +9,7 @@ use crate::cli::io::read_input;
 use crate::cli::said::CliRemark;
 use crate::cli::{CliError, Io, Refused as _};
 use crate::journal::entry::FileRole;
+use crate::length::without_zeros;
 use crate::text::decode;
 use crate::verdict::rules::Uncertainty;
 
@@ -80,6 +81,5 @@ pub(super) fn rounded(number: f64, decimals: usize) -> Json {
 
 /// The same as text.
 pub(super) fn figure(number: f64, decimals: usize) -> String {
-    let text = format!("{number:.decimals$}");
-    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.').to_owned() } else { text }
+    without_zeros(&format!("{number:.decimals$}")).to_owned()
 }

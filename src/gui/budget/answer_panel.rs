@@ -10,6 +10,7 @@ use crate::budget::{Answer, Assessment, Validity};
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, live, problem, quiet};
+use crate::length::without_zeros;
 use crate::message::message;
 use crate::session::{UseOf, advice};
 use crate::verdict::Status;
@@ -45,7 +46,7 @@ pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>) {
 
 fn covered(view: &View<'_>, found: &Assessment) -> String {
     let k = format!("{:.3}", found.k());
-    let k = k.trim_end_matches('0').trim_end_matches('.').to_owned();
+    let k = without_zeros(&k).to_owned();
     view.words.say(&match found.answer {
         Answer::Combined(_) => message!("budget-page-covered").number("k", k),
         Answer::Repeated(_) => message!("budget-page-covered-by").number("k", k).text("method", found.method()),

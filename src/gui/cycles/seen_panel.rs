@@ -9,6 +9,7 @@ use super::picture::{self, Surroundings};
 use crate::gui::columns::{column_ui, of_height};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
+use crate::length::without_zeros;
 use crate::message::{Message, message};
 use crate::probing::cycle::{Move, Parameter, Phase, Range};
 use crate::session::{CycleRun, CyclesCommand, Step};
@@ -229,7 +230,7 @@ fn said(words: &Words, now: &Move, step: usize, count: usize) -> String {
 /// Millimetres to four decimals, as a control shows them, without a sign on zero.
 fn figure(mm: f64) -> String {
     let text = format!("{mm:.4}");
-    let text = text.trim_end_matches('0').trim_end_matches('.');
+    let text = without_zeros(&text);
     if text == "-0" { "0".to_owned() } else { text.to_owned() }
 }
 

@@ -46,6 +46,7 @@ pub use warning::BudgetWarning;
 use jiff::civil::Date;
 use serde::Deserialize;
 
+use crate::length::without_zeros;
 use crate::message::{Arg, IntoArg as _};
 use crate::verdict::rules::{Uncertainty, UncertaintyError};
 
@@ -231,8 +232,7 @@ fn brief(value: &f64) -> Arg {
 }
 
 fn brief_of(value: f64) -> String {
-    let text = format!("{value:.6}");
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    without_zeros(&format!("{value:.6}")).to_owned()
 }
 
 /// A count as a number to compute with.

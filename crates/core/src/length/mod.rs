@@ -321,6 +321,11 @@ impl Length {
     }
 }
 
+/// A printed number without the zeros at the end of its decimals: `1.5` for `1.500`, `20` for `20.0` and for `20`.
+pub fn without_zeros(text: &str) -> &str {
+    if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
+}
+
 /// Splits a unit off the end of a number.
 fn split_unit(text: &str, unit: Unit) -> (&str, Unit) {
     for (suffix, named) in [

@@ -44,7 +44,7 @@ pub use uncertainty::{Uncertainty, UncertaintyError, multiple};
 use serde::{Deserialize, Serialize};
 
 use super::{Status, classify};
-use crate::length::Length;
+use crate::length::{Length, without_zeros};
 use crate::message::{Message, Say};
 use crate::tolerance::{Bounds, Feature};
 
@@ -302,6 +302,5 @@ impl std::fmt::Display for Rule {
 
 /// A number of thousandths as a decimal, without zeros at its end.
 pub fn thousandths(number: u32) -> String {
-    let text = format!("{}.{:03}", number / 1000, number % 1000);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    without_zeros(&format!("{}.{:03}", number / 1000, number % 1000)).to_owned()
 }

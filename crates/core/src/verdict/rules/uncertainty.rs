@@ -1,7 +1,7 @@
 //! The uncertainty of a measured value.
 
 use super::{Bands, Given, thousandths};
-use crate::length::{Length, LengthError, Unit};
+use crate::length::{Length, LengthError, Unit, without_zeros};
 use crate::message::{Message, Say, message};
 use crate::tolerance::Bounds;
 
@@ -145,6 +145,5 @@ fn rounded_up(number: i128, divisor: i128) -> i64 {
 
 /// Picometres times a thousand as micrometres.
 fn exact(number: i128) -> String {
-    let text = format!("{}.{:09}", number / 1_000_000_000, number % 1_000_000_000);
-    text.trim_end_matches('0').trim_end_matches('.').to_owned()
+    without_zeros(&format!("{}.{:09}", number / 1_000_000_000, number % 1_000_000_000)).to_owned()
 }

@@ -2,6 +2,8 @@
 
 use std::cmp::Ordering;
 
+use fitcheck_core::length::without_zeros;
+
 use super::super::fault::{Counted, FaultKind};
 use super::{Values, in_range, shown};
 use crate::control::mask;
@@ -94,7 +96,7 @@ impl Values {
         if decimals.is_some() {
             return Ok(rounded);
         }
-        Ok(rounded.trim_end_matches('0').trim_end_matches('.').to_owned())
+        Ok(without_zeros(&rounded).to_owned())
     }
 }
 

@@ -10,7 +10,7 @@ use std::str::FromStr;
 
 pub use doubt::{Range, ThermalDoubt};
 
-use crate::length::Length;
+use crate::length::{Length, without_zeros};
 use crate::message::{Arg, IntoArg, Say, printed};
 
 /// The reference temperature of ISO 1.
@@ -287,9 +287,6 @@ fn thousandths(text: &str) -> Result<i64, ThermalError> {
 
 fn decimal(thousandths: i32) -> String {
     let sign = if thousandths < 0 { "-" } else { "" };
-    let (whole, rest) = (thousandths.unsigned_abs() / 1000, thousandths.unsigned_abs() % 1000);
-    if rest == 0 {
-        return format!("{sign}{whole}");
-    }
-    format!("{sign}{whole}.{rest:03}").trim_end_matches('0').to_owned()
+    let size = thousandths.unsigned_abs();
+    without_zeros(&format!("{sign}{}.{:03}", size / 1000, size % 1000)).to_owned()
 }
