@@ -29,6 +29,16 @@ pub(super) struct Cursor<'a> {
 /// How many characters of the text found an error repeats.
 const SHOWN: usize = 24;
 
+/// A text as an error repeats it.
+pub(super) fn shown(text: &str) -> String {
+    text.chars().take(SHOWN).collect()
+}
+
+/// The first word of a text, if it has one, as an error repeats it.
+pub(super) fn first_word(text: &str) -> String {
+    text.split_whitespace().take(1).flat_map(str::chars).take(SHOWN).collect()
+}
+
 impl<'a> Cursor<'a> {
     /// At the beginning.
     pub(super) const fn new(text: &'a str) -> Self {
@@ -166,9 +176,14 @@ impl<'a> Cursor<'a> {
         Stop { at: self.at, reason }
     }
 
+    /// The fault that a word is not known here.
+    pub(super) fn unknown_word(&self) -> Stop {
+        self.fail(BlockFault::UnknownWord { found: self.shown() })
+    }
+
     /// The beginning of the rest, as an error repeats it.
     fn shown(&self) -> String {
-        self.rest().split_whitespace().next().unwrap_or_default().chars().take(SHOWN).collect()
+        first_word(self.rest())
     }
 
     /// Takes the text of a number without sign: digits with at most one point or comma before, between or after them.

@@ -2,7 +2,7 @@
 //!
 //! A sign binds like a function. Operations of the same rank go from left to right, powers too.
 
-use super::cursor::{Cursor, Read};
+use super::cursor::{Cursor, Read, shown};
 use super::expression::{Expression, NumberFunction, Operation};
 use super::fault::{BlockFault, Wanted};
 use super::operand::Operand;
@@ -127,14 +127,14 @@ impl Formula<'_, '_> {
         }
         match text_function(self.cursor, word)? {
             Some(expression) => Ok(expression),
-            None => Err(from.fail(BlockFault::UnknownFunction { found: word.chars().take(24).collect() })),
+            None => Err(from.fail(BlockFault::UnknownFunction { found: shown(word) })),
         }
     }
 
     /// A function of lathe controls: its operand stands in brackets.
     fn lathe_function(&mut self, word: &str, from: &Cursor<'_>) -> Read<Expression> {
         let Some(function) = meaning(&LATHE_FUNCTIONS, word) else {
-            return Err(from.fail(BlockFault::UnknownFunction { found: word.chars().take(24).collect() }));
+            return Err(from.fail(BlockFault::UnknownFunction { found: shown(word) }));
         };
         if self.cursor.next() != Some('(') {
             return Err(self.cursor.stop(Wanted::Word("(")));

@@ -137,6 +137,11 @@ pub(super) struct Front {
 
 /// Reads what precedes a block.
 pub(super) fn front(line: &str) -> Front {
+    front_of(line, is_blank, |rest| Some(rest))
+}
+
+/// Reads what precedes a block where `digits` takes what stands before the figures of its number, if that is there.
+pub(super) fn front_of(line: &str, is_blank: fn(char) -> bool, digits: fn(&str) -> Option<&str>) -> Front {
     let mut rest = line.trim_start_matches(is_blank);
     let mut may_be_skipped = false;
     let mut skip = |rest: &mut &str| {
@@ -146,14 +151,15 @@ pub(super) fn front(line: &str) -> Front {
         }
     };
     skip(&mut rest);
-    let digits = rest.find(|c: char| !c.is_ascii_digit()).unwrap_or(rest.len());
-    let (text, behind) = rest.split_at_checked(digits).unwrap_or(("", rest));
-    let number = text.parse().ok();
-    if number.is_some() {
+    let numbered = digits(rest).and_then(|digits| {
+        let behind = digits.trim_start_matches(|c: char| c.is_ascii_digit());
+        Some((digits.strip_suffix(behind)?.parse().ok()?, behind))
+    });
+    if let Some((_, behind)) = numbered {
         rest = behind.trim_start_matches(is_blank);
         skip(&mut rest);
     }
-    Front { number, may_be_skipped, end: line.len() - rest.len() }
+    Front { number: numbered.map(|(number, _)| number), may_be_skipped, end: line.len() - rest.len() }
 }
 
 #[cfg(test)]

@@ -8,6 +8,7 @@
 //! | `place` | a place in the text |
 //! | `read`, `warnings` | bytes to blocks, with warnings |
 //! | `notation`, `klartext`, `iso`, `din_plus` | which notation it is; the readers |
+//! | `milling` | what Klartext and ISO have in common |
 //! | `source`, `lines`, `cursor` | the text while it is read; parts of lines; the place in a block's text that moves forward |
 //! | `formula`, `text_formula` | formulas, read |
 //! | `course` | which blocks may run before a block, and whether it runs |
@@ -57,6 +58,7 @@ mod iso;
 mod klartext;
 mod labels;
 mod lines;
+mod milling;
 mod movement;
 mod notation;
 mod numbering;

@@ -1,6 +1,6 @@
 //! Formulas for texts: items with `||` between them.
 
-use super::cursor::{Cursor, Read};
+use super::cursor::{Cursor, Read, shown};
 use super::expression::TextExpression;
 use super::fault::{BlockFault, Wanted};
 use super::formula::{MOST_OPERANDS, text_word, value_word};
@@ -41,7 +41,7 @@ fn item(cursor: &mut Cursor<'_>) -> Read<TextExpression> {
     }
     let is = |name: &str| word.eq_ignore_ascii_case(name);
     if !["TOCHAR", "SUBSTR", "SYSSTR"].into_iter().any(is) {
-        return Err(cursor.fail(BlockFault::UnknownFunction { found: word.chars().take(24).collect() }));
+        return Err(cursor.fail(BlockFault::UnknownFunction { found: shown(word) }));
     }
     cursor.take_prefix(word);
     cursor.expect('(', "(")?;

@@ -4,8 +4,8 @@
 
 use super::cursor::Cursor;
 use super::cycle_block::CycleBlock;
-use super::klartext::first_parameter;
 use super::lines::{self, Piece};
+use super::milling::first_parameter;
 use super::notation::Notation;
 use super::{Program, iso};
 use crate::control::variables::Parameter;
@@ -188,9 +188,9 @@ fn begins_with_parameter(code: &str, notation: Notation) -> bool {
 
 /// The first parameter of a text; none where a control does not have it.
 fn sets_first(code: &str) -> Unread {
-    let at = first_parameter(code, |_cursor| true);
-    let found = at.and_then(|at| Cursor::new(code.get(at..).unwrap_or_default()).parameter().ok().flatten());
-    Unread::Sets(found.into_iter().collect())
+    let found = first_parameter(code, |_cursor| true);
+    let parameter = found.and_then(|(_, rest)| Cursor::new(rest).parameter().ok().flatten());
+    Unread::Sets(parameter.into_iter().collect())
 }
 
 /// The parameters that a text may set: all but those that stand as a value, behind a sign or `=`.
@@ -204,12 +204,13 @@ fn parameters(code: &str) -> Vec<(usize, Parameter)> {
     let mut found = Vec::new();
     let mut from = 0;
     while let Some(rest) = code.get(from..)
-        && let Some(at) = first_parameter(rest, |_cursor| true)
+        && let Some((before, rest)) = first_parameter(rest, |_cursor| true)
     {
-        let mut cursor = Cursor::new(rest.get(at..).unwrap_or_default());
-        found.extend(cursor.parameter().ok().flatten().map(|parameter| (from + at, parameter)));
+        let mut cursor = Cursor::new(rest);
+        from += before.len();
+        found.extend(cursor.parameter().ok().flatten().map(|parameter| (from, parameter)));
         // Its first letter at least is behind.
-        from += at + cursor.at().max(1);
+        from += cursor.at().max(1);
     }
     found
 }

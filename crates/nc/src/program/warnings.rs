@@ -1,6 +1,8 @@
 //! The warnings of a program while it is read: only the first are kept, the others counted.
 
+use super::cursor::Stop;
 use super::error::{ProgramWarning, ProgramWarningKind};
+use super::lines::Piece;
 use super::place::Place;
 
 /// How many warnings are listed one by one.
@@ -15,6 +17,13 @@ pub(super) struct Odd {
     pub line: usize,
     pub at: usize,
     pub what: ProgramWarningKind,
+}
+
+impl Odd {
+    /// Where the code of a line cannot be understood, and why.
+    pub(super) fn of(piece: &Piece<'_>, Stop { at, reason }: Stop) -> Self {
+        Self { line: piece.line, at: piece.start + at, what: ProgramWarningKind::NotUnderstood(reason) }
+    }
 }
 
 /// Warnings, of which only the first are kept.

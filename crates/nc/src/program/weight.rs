@@ -1,7 +1,6 @@
 //! How much text of a program becomes trees in memory.
 
-use super::cursor::Cursor;
-use super::error::ProgramWarningKind;
+use super::cursor::{Cursor, Stop};
 use super::fault::BlockFault;
 use super::lines::Piece;
 use super::warnings::Odd;
@@ -21,10 +20,8 @@ impl Weight {
     pub(super) fn add(&mut self, pieces: &[Piece<'_>], formulas: &[&str]) -> Result<(), Odd> {
         let Some(&first) = pieces.first() else { return Ok(()) };
         let is_formula = formulas.iter().any(|word| Cursor::new(first.code).take_prefix(word));
-        self.count(pieces.iter().map(|piece| piece.code.len()), is_formula).map_err(|reason| {
-            let what = ProgramWarningKind::NotUnderstood(reason);
-            Odd { line: first.line, at: first.start, what }
-        })
+        self.count(pieces.iter().map(|piece| piece.code.len()), is_formula)
+            .map_err(|reason| Odd::of(&first, Stop { at: 0, reason }))
     }
 
     /// Counts lines by their lengths in bytes: all of a formula, of others the long ones; too much in all is an error.

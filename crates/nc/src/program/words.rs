@@ -44,6 +44,34 @@ pub(super) const OPERATIONS: [(&str, Operation); 8] = [
     ("ANG", Operation::Angle),
 ];
 
+/// FN and D with two operands.
+const TWO_OPERANDS: [(u32, Operation); 6] = [
+    (1, Operation::Add),
+    (2, Operation::Subtract),
+    (3, Operation::Multiply),
+    (4, Operation::Divide),
+    (8, Operation::Hypotenuse),
+    (13, Operation::Angle),
+];
+
+/// FN and D with one operand.
+const ONE_OPERAND: [(u32, NumberFunction); 3] =
+    [(5, NumberFunction::SquareRoot), (6, NumberFunction::Sine), (7, NumberFunction::Cosine)];
+
+/// What FN or D of a number computes.
+#[derive(Debug, Clone, Copy)]
+pub(super) enum Computed {
+    Of(NumberFunction),
+    Between(Operation),
+}
+
+/// What FN or D of this number computes, if it does.
+pub(super) fn computed(number: u32) -> Option<Computed> {
+    let of = ONE_OPERAND.iter().find(|(known, _)| *known == number).map(|&(_, function)| Computed::Of(function));
+    let between = || TWO_OPERANDS.iter().find(|(known, _)| *known == number);
+    of.or_else(|| between().map(|&(_, operation)| Computed::Between(operation)))
+}
+
 /// FN 9 to FN 12: number, word, meaning.
 pub(super) const RELATIONS: [(u32, &str, Relation); 4] = [
     (9, "EQU", Relation::Equal),

@@ -2,7 +2,7 @@
 
 use super::super::around::{Goes, PassedOver};
 use super::super::block::{Block, Body, Unit};
-use super::super::cursor::{Cursor, Stop};
+use super::super::cursor::{Cursor, Stop, shown};
 use super::super::error::ProgramWarningKind;
 use super::super::fault::{BlockFault, Wanted};
 use super::super::lines::trimmed;
@@ -112,7 +112,7 @@ impl<'a> Reader<'a> {
     fn begin(&mut self, line: usize, Line { start, code, .. }: Line<'_>) -> Body {
         let name = code.trim_start_matches('%').trim_start();
         if self.name.is_some() {
-            let found = code.chars().take(24).collect();
+            let found = shown(code);
             return self.refuse(line, start, BlockFault::LeftOver { found });
         }
         let end = name.find(|c: char| c.is_whitespace() || c == '"').unwrap_or(name.len());

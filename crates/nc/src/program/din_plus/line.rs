@@ -1,5 +1,6 @@
 //! A line: its number, its code and its comment.
 
+use super::super::cursor::first_word;
 use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::lines::trimmed;
@@ -57,7 +58,7 @@ fn split(text: &str) -> Result<(usize, Option<&str>), Fault> {
             return Ok((place, comment.map(trimmed)));
         }
         let begins = inner + length + 1 + behind.len() - trimmed_start(behind).len();
-        let found = left.split_whitespace().next().unwrap_or_default().chars().take(24).collect();
+        let found = first_word(left);
         return Err((begins, ProgramWarningKind::NotUnderstood(BlockFault::LeftOver { found })));
     }
     Ok((text.len(), None))

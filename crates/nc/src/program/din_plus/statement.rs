@@ -4,7 +4,7 @@ use super::super::around::{Goes, PassedOver};
 use super::super::block::{Body, Target};
 use super::super::cursor::{Cursor, Read};
 use super::super::expression::{Expression, Test, TextExpression};
-use super::super::fault::{BlockFault, Wanted};
+use super::super::fault::Wanted;
 use super::super::formula::expression;
 use super::super::operand::{Operand, TextOperand};
 use super::condition::condition;
@@ -188,8 +188,7 @@ fn call(cursor: &mut Cursor<'_>) -> Read<Body> {
         is_file = cursor.expect_whole(1)? == 1;
     }
     if !cursor.is_at_end() {
-        let found = cursor.rest().split_whitespace().next().unwrap_or_default().chars().take(24).collect();
-        return Err(cursor.fail(BlockFault::UnknownWord { found }));
+        return Err(cursor.unknown_word());
     }
     if !is_file {
         return Ok(Body::CallLabel { label: Target::Name(name), repeat: None });

@@ -1,6 +1,6 @@
 //! The words of a block of address letters: `X40`, `Zi-30`, `M8`.
 
-use super::super::cursor::{Cursor, Read, Stop};
+use super::super::cursor::{Cursor, Read, Stop, shown};
 use super::super::cycle_block::CycleValue;
 use super::super::fault::{BlockFault, Wanted};
 use super::super::movement::{Axis, AxisWord, MachineFunction};
@@ -30,7 +30,7 @@ impl Word<'_> {
             CycleValue::Text(_) | CycleValue::Word(_) => "",
         };
         let sign = if self.is_incremental { "i" } else { "" };
-        format!("{}{sign}{value}", self.letters).chars().take(24).collect()
+        shown(&format!("{}{sign}{value}", self.letters))
     }
 
     /// The number behind it.
@@ -71,7 +71,7 @@ impl<'a> Words<'a> {
             let from = cursor.clone();
             let letters = cursor.take_while(|c| c.is_ascii_uppercase());
             match letters {
-                "" => return Err(unknown(&from)),
+                "" => return Err(from.unknown_word()),
                 "G" => {
                     let number = cursor.expect_whole(MOST)?;
                     found.functions.push((from.at(), number));
@@ -79,17 +79,17 @@ impl<'a> Words<'a> {
                 "M" => {
                     let number = cursor.expect_whole(MOST)?;
                     if number == STARTS_AGAIN {
-                        return Err(unknown(&from));
+                        return Err(from.unknown_word());
                     }
                     found.machine.push(MachineFunction { number, rest: String::new() });
                 }
                 letters => {
                     if found.named(letters).is_some() {
-                        return Err(from.fail(BlockFault::LetterTwice { letters: letters.chars().take(24).collect() }));
+                        return Err(from.fail(BlockFault::LetterTwice { letters: shown(letters) }));
                     }
                     let is_incremental = cursor.take_while(|c| c == 'i').len();
                     if 1 < is_incremental {
-                        return Err(unknown(&from));
+                        return Err(from.unknown_word());
                     }
                     let value = value(cursor)?;
                     found.others.push(Word { at: from.at(), letters, is_incremental: is_incremental == 1, value });
@@ -103,11 +103,6 @@ impl<'a> Words<'a> {
     pub(super) fn named(&self, letters: &str) -> Option<&Word<'a>> {
         self.others.iter().find(|word| word.letters == letters)
     }
-}
-
-fn unknown(from: &Cursor<'_>) -> Stop {
-    let found = from.rest().split_whitespace().next().unwrap_or_default().chars().take(24).collect();
-    from.fail(BlockFault::UnknownWord { found })
 }
 
 /// A number, a variable or a quoted text.

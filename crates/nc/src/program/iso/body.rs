@@ -3,7 +3,7 @@
 use super::super::block::{Body, Target, Unit};
 use super::super::cursor::{Cursor, Read};
 use super::super::fault::Wanted;
-use super::super::klartext::{MOST_LABEL, MOST_REPEATS, assignment};
+use super::super::klartext::{MOST_REPEATS, assignment, label_number};
 use super::super::operand::Operand;
 use super::codes;
 use super::functions::function;
@@ -69,15 +69,12 @@ fn label(cursor: &mut Cursor<'_>) -> Read<Option<Target>> {
     if !cursor.take_prefix("L") {
         return Err(cursor.stop(Wanted::Word("L")));
     }
-    match cursor.whole(MOST_LABEL)? {
-        Some(number) => Ok(Some(Target::Number(number))),
-        None => Err(cursor.stop(Wanted::Label)),
-    }
+    Ok(Some(Target::Number(label_number(cursor)?)))
 }
 
 /// `L1,0` calls a subprogram, `L1,2` repeats a part of the program twice; after the `L`.
 fn call_label(cursor: &mut Cursor<'_>, modes: &mut Modes) -> Read<Body> {
-    let Some(number) = cursor.whole(MOST_LABEL)? else { return Err(cursor.stop(Wanted::Label)) };
+    let number = label_number(cursor)?;
     cursor.expect(',', ",")?;
     let count = cursor.expect_whole(MOST_REPEATS)?;
     let repeat = (0 < count).then(|| Operand::Number(f64::from(count)));

@@ -3,29 +3,22 @@
 use super::super::around::{Goes, PassedOver};
 use super::super::block::{Body, Condition, Target};
 use super::super::cursor::{Cursor, Read, Stop};
-use super::super::expression::{Expression, NumberFunction, Operation};
+use super::super::expression::Expression;
 use super::super::fault::{BlockFault, Wanted};
 use super::super::formula::binary;
-use super::super::klartext::MOST_LABEL;
+use super::super::klartext::label_number;
 use super::super::operand::Operand;
-use super::super::words::RELATIONS;
+use super::super::words::{Computed, RELATIONS, computed};
 
 /// `D01 Q1 P01 -Q2 P02 -5`, after the `D`.
 pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
     cursor.blanks();
     let at = cursor.at();
     let number = cursor.expect_whole(99)?;
+    if number == 0 || computed(number).is_some() {
+        return assign(cursor, computed(number));
+    }
     match number {
-        0 => assign(cursor, |cursor| value(cursor, 1)),
-        1 => assign(cursor, |cursor| between(cursor, Operation::Add)),
-        2 => assign(cursor, |cursor| between(cursor, Operation::Subtract)),
-        3 => assign(cursor, |cursor| between(cursor, Operation::Multiply)),
-        4 => assign(cursor, |cursor| between(cursor, Operation::Divide)),
-        5 => assign(cursor, |cursor| of(cursor, NumberFunction::SquareRoot)),
-        6 => assign(cursor, |cursor| of(cursor, NumberFunction::Sine)),
-        7 => assign(cursor, |cursor| of(cursor, NumberFunction::Cosine)),
-        8 => assign(cursor, |cursor| between(cursor, Operation::Hypotenuse)),
-        13 => assign(cursor, |cursor| between(cursor, Operation::Angle)),
         9..=12 => jump(cursor, number),
         14 => Ok(Body::Error(operand(cursor, 1)?)),
         18 => {
@@ -45,18 +38,16 @@ pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
     }
 }
 
-fn assign(cursor: &mut Cursor<'_>, formula: impl Fn(&mut Cursor<'_>) -> Read<Expression>) -> Read<Body> {
+/// Without anything to compute, the parameter gets the operand.
+fn assign(cursor: &mut Cursor<'_>, computed: Option<Computed>) -> Read<Body> {
     let to = cursor.number_parameter()?;
-    Ok(Body::Assign { to, value: formula(cursor)? })
-}
-
-fn of(cursor: &mut Cursor<'_>, function: NumberFunction) -> Read<Expression> {
-    Ok(Expression::Function(function, Box::new(value(cursor, 1)?)))
-}
-
-fn between(cursor: &mut Cursor<'_>, operation: Operation) -> Read<Expression> {
-    let left = value(cursor, 1)?;
-    Ok(binary(operation, left, value(cursor, 2)?))
+    let first = value(cursor, 1)?;
+    let value = match computed {
+        None => first,
+        Some(Computed::Of(function)) => Expression::Function(function, Box::new(first)),
+        Some(Computed::Between(operation)) => binary(operation, first, value(cursor, 2)?),
+    };
+    Ok(Body::Assign { to, value })
 }
 
 fn value(cursor: &mut Cursor<'_>, place: u32) -> Read<Expression> {
@@ -87,7 +78,7 @@ fn jump(cursor: &mut Cursor<'_>, number: u32) -> Read<Body> {
     let left = operand(cursor, 1)?;
     let right = operand(cursor, 2)?;
     expect_place(cursor, 3)?;
-    let Some(label) = cursor.whole(MOST_LABEL)? else { return Err(cursor.stop(Wanted::Label)) };
+    let label = label_number(cursor)?;
     let Some(&(_, _, relation)) = RELATIONS.iter().find(|(of, ..)| *of == number) else {
         return Err(cursor.stop(Wanted::Relation));
     };

@@ -2,7 +2,7 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `blocks` | from lines to blocks |
+//! | `blocks` | from lines to blocks, as only ISO does it |
 //! | `pieces` | block number, `*` and comment of a line |
 //! | `understand` | from the lines of one block to what it says |
 //! | `body` | the kinds of blocks by their first sign: programs, labels, formulas |
@@ -26,6 +26,7 @@ mod words;
 
 use super::block::Block;
 use super::lines::{Lines, trimmed};
+use super::milling::Reader;
 use super::source::Source;
 
 /// Whether a text begins as an ISO program does: `%NAME G71 *` in its first line that is not a comment.
@@ -37,7 +38,8 @@ pub(super) fn begins(text: &str, lines: &Lines) -> bool {
 
 /// Reads the blocks of a program.
 pub(super) fn read(source: Source<'_>) -> Vec<Block> {
-    blocks::Reader::new(source).read()
+    let form = blocks::Iso::new(source.text());
+    Reader::new(source, form).read()
 }
 
 /// The comment of a line, without the `;` before it and the `*` behind it.

@@ -1,34 +1,10 @@
 //! The parts of a line of an ISO program.
 
-use super::super::lines::{Front, Piece, next, trimmed};
+use super::super::lines::{Front, Piece, front_of, next, trimmed};
 
 /// Reads what precedes a block: `N10`, and the skip mark on either side of it.
 pub(super) fn front(line: &str) -> Front {
-    let begins = line.len() - line.trim_start_matches(is_blank).len();
-    let mut rest = line.get(begins..).unwrap_or_default();
-    let mut may_be_skipped = false;
-    let mut skip = |rest: &mut &str| {
-        if let Some(behind) = rest.strip_prefix('/') {
-            may_be_skipped = true;
-            *rest = behind.trim_start_matches(is_blank);
-        }
-    };
-    skip(&mut rest);
-    let number = number(&mut rest);
-    if number.is_some() {
-        skip(&mut rest);
-    }
-    Front { number, may_be_skipped, end: line.len() - rest.len() }
-}
-
-/// Takes `N10` and the blanks after it.
-fn number(rest: &mut &str) -> Option<u32> {
-    let behind = rest.strip_prefix(['N', 'n'])?;
-    let digits = behind.find(|c: char| !c.is_ascii_digit()).unwrap_or(behind.len());
-    let (digits, behind) = behind.split_at_checked(digits)?;
-    let number = digits.parse().ok()?;
-    *rest = behind.trim_start_matches(is_blank);
-    Some(number)
+    front_of(line, is_blank, |rest| rest.strip_prefix(['N', 'n']))
 }
 
 fn is_blank(c: char) -> bool {

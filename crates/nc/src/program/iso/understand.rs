@@ -1,12 +1,13 @@
 //! From the lines of one block to what it says.
 
 use super::super::block::Body;
-use super::super::cursor::{Cursor, Stop};
+use super::super::cursor::{Cursor, Stop, first_word, shown};
 use super::super::cycle_block::CycleBlock;
 use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
-use super::super::klartext::{cycle_head, cycle_line, defined, first_parameter, heading};
+use super::super::klartext::{defined, heading};
 use super::super::lines::Piece;
+use super::super::milling::{cycle_head, first_parameter, with_lines};
 use super::super::place::Place;
 use super::super::warnings::{LONGEST, Odd};
 use super::body::{body, frame};
@@ -76,21 +77,17 @@ pub(super) fn understand(
         cycle.number = number.to_string();
         return Ok(if number < 300 { defined(cycle) } else { Body::Probe(cycle) });
     }
-    if let Some(next) = more.iter().find(|piece| !piece.code.is_empty()) {
-        return Err(left_over(next, next.code.split_whitespace().next().unwrap_or_default()));
+    if let Some((next, word)) = more.iter().find_map(|piece| Some((piece, piece.code.split_whitespace().next()?))) {
+        return Err(left_over(next, word));
     }
     if LONGEST < first.code.len() {
-        return Err(not_understood(first, 0, BlockFault::TooLong { most: LONGEST }));
+        return Err(Odd::of(first, Stop { at: 0, reason: BlockFault::TooLong { most: LONGEST } }));
     }
-    body(first.code, modes).map_err(|Stop { at, reason }| not_understood(first, at, reason))
-}
-
-fn not_understood(piece: &Piece<'_>, at: usize, reason: BlockFault) -> Odd {
-    Odd { line: piece.line, at: piece.start + at, what: ProgramWarningKind::NotUnderstood(reason) }
+    body(first.code, modes).map_err(|stop| Odd::of(first, stop))
 }
 
 fn left_over(piece: &Piece<'_>, found: &str) -> Odd {
-    not_understood(piece, 0, BlockFault::LeftOver { found: found.chars().take(24).collect() })
+    Odd::of(piece, Stop { at: 0, reason: BlockFault::LeftOver { found: shown(found) } })
 }
 
 /// The number of a cycle with Q parameters: G200 to G299 machine, G400 to G499 probe.
@@ -108,43 +105,27 @@ fn cycle(
     more: &[Piece<'_>],
     place: impl Fn(usize, usize) -> Place,
 ) -> Result<CycleBlock, Odd> {
-    let in_first = |Stop { at, reason }| not_understood(first, at, reason);
-    let mut cycle = cycle_head(&mut cursor).map_err(in_first)?;
+    let cycle = cycle_head(&mut cursor).map_err(|stop| Odd::of(first, stop))?;
     // The name ends where the first parameter begins.
-    let name_at = first.code.len() - cycle.name.len();
-    let words = cycle.name.clone();
-    let at = first_parameter(&words, |_| true).unwrap_or(words.len());
+    let parameter = first_parameter(&cycle.name, |_| true);
+    let name = parameter.map_or(cycle.name.as_str(), |(name, _)| name);
     // A name has no figures and signs: `X+5` is none, nor is a parameter without its `=`.
-    let name = words.get(..at).unwrap_or_default();
-    if let Some(odd) =
-        name.split_whitespace().find(|word| word.contains(|c: char| c.is_ascii_digit() || "+*=~%".contains(c)))
-    {
-        let found = odd.chars().take(24).collect();
-        return Err(not_understood(first, name_at + name.find(odd).unwrap_or(0), BlockFault::LeftOver { found }));
+    let is_odd = |word: &&str| word.contains(|c: char| c.is_ascii_digit() || "+*=~%".contains(c));
+    if let Some((at, odd)) = name.split_whitespace().filter(is_odd).find_map(|odd| Some((name.find(odd)?, odd))) {
+        let at = first.code.len() - cycle.name.len() + at;
+        return Err(Odd::of(first, Stop { at, reason: BlockFault::LeftOver { found: shown(odd) } }));
     }
-    if at < words.len() {
-        cycle.name.truncate(at);
-        cycle.name.truncate(cycle.name.trim_end().len());
-        let start = first.start + name_at + at;
-        let rest = Piece { code: words.get(at..).unwrap_or_default(), start, ..*first };
-        cycle_line(&mut cycle, &rest, |at| place(first.line, start + at))
-            .map_err(|Stop { at, reason }| not_understood(&rest, at, reason))?;
-    }
-    for piece in more {
-        cycle_line(&mut cycle, piece, |at| place(piece.line, piece.start + at))
-            .map_err(|Stop { at, reason }| not_understood(piece, at, reason))?;
-    }
-    Ok(cycle)
+    let at = parameter.map(|(name, _)| name.len());
+    with_lines(cycle, at, first, more, place)
 }
 
 /// What a comment has swallowed: a parameter of a cycle that goes on in the same line, or a block behind a `*`.
 fn swallowed(piece: &Piece<'_>, is_cycle: bool) -> Option<Odd> {
     let comment = piece.comment?;
-    let at = if is_cycle { first_parameter(comment, |cursor| cursor.take('=')) } else { None };
-    let parameter = at.and_then(|at| comment.get(at..));
+    let parameter = first_parameter(comment, |cursor| cursor.take('=')).filter(|_| is_cycle).map(|(_, rest)| rest);
     let mut parts = comment.split('*').skip(1).map(str::trim_start);
     let found = parameter.or_else(|| parts.find(|part| front(part).number.is_some()))?;
-    let found = found.split_whitespace().next().unwrap_or_default().chars().take(24).collect();
+    let found = first_word(found);
     let at = piece.start + piece.code.len();
     Some(Odd { line: piece.line, at, what: ProgramWarningKind::CommentHolds { found } })
 }

@@ -90,7 +90,7 @@ impl<'a> Words<'a> {
             }
             _ => {
                 let Some(name) = VALUES.into_iter().find(|name| takes_value(cursor, name)) else {
-                    return Err(unknown(cursor));
+                    return Err(cursor.unknown_word());
                 };
                 if name == "P" {
                     cursor.expect_whole(99)?;
@@ -155,11 +155,6 @@ fn takes_value(cursor: &mut Cursor<'_>, name: &str) -> bool {
         *cursor = ahead;
     }
     is_next
-}
-
-fn unknown(cursor: &Cursor<'_>) -> Stop {
-    let found = cursor.rest().split_whitespace().next().unwrap_or_default().chars().take(24).collect();
-    cursor.fail(BlockFault::UnknownWord { found })
 }
 
 /// An M function, after the `M`. Words that follow it belong to it only where they are known to: a coordinate must not

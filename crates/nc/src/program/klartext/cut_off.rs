@@ -1,63 +1,12 @@
-//! Lines that a missing or a surplus `~` has put into the wrong block.
-//!
-//! A cycle whose line lacks its `~` ends there. What a control makes of the next line is on no page that we found; read alone,
-//! `Q275=+25.01` is an assignment, and the cycle would measure without its limit. So such a line is refused, and so is a block
-//! that a comment's `~` has swallowed.
-
-use fitcheck_core::probing::cycle::{Control, Cycle};
-use fitcheck_core::probing::cycles::cycles_of;
+//! Lines that a surplus `~` has put into the wrong block: one that a comment has swallowed is refused.
 
 use super::super::around::Frame;
 use super::super::block::{Block, Body};
-use super::super::cursor::Cursor;
-use super::super::cycle_block::CycleBlock;
+use super::super::cursor::{Cursor, first_word};
 use super::super::error::ProgramWarningKind;
 use super::super::lines::{Front, Piece, front};
+use super::super::milling::{Before, CutOff, assigned, first_parameter};
 use super::body::body;
-use super::cycle::first_parameter;
-use crate::control::variables::Parameter;
-
-/// A cycle, and nothing behind it yet but comments and lines that may be its own.
-#[derive(Debug)]
-pub(in super::super) struct Before {
-    has_number: bool,
-    code: String,
-    /// Its last line, from 1.
-    line: usize,
-}
-
-impl Before {
-    /// The cycle that a block is, or that it still stands behind.
-    pub(in super::super) fn after(
-        before: Option<Self>,
-        front: Front,
-        body: &Body,
-        end: usize,
-        is_cut_off: bool,
-    ) -> Option<Self> {
-        match body {
-            Body::Probe(CycleBlock { number, .. }) => {
-                Some(Self { has_number: front.number.is_some(), code: number.clone(), line: end })
-            }
-            Body::Nothing => before,
-            _ if is_cut_off => before,
-            _ => None,
-        }
-    }
-
-    fn declares(&self, parameter: Parameter) -> bool {
-        let cycle: Option<&Cycle> = cycles_of(Control::Milling).find(|cycle| cycle.code == self.code);
-        cycle.is_some_and(|cycle| cycle.parameter_named(&parameter.to_string()).is_some())
-    }
-}
-
-/// What is wrong, in which of the pieces, and whether the block can mean something else: a control may read it otherwise than
-/// whoever wrote it.
-pub(in super::super) struct CutOff {
-    pub piece: usize,
-    pub what: ProgramWarningKind,
-    pub is_refused: bool,
-}
 
 /// Looks at a block that was read, behind the last cycle if there is nothing between.
 pub(super) fn cut_off(before: Option<&Before>, front: Front, pieces: &[Piece<'_>], read: &Body) -> Option<CutOff> {
@@ -93,27 +42,7 @@ fn swallowed(more: &[Piece<'_>]) -> Option<CutOff> {
 
 /// A parameter with its value within a comment, as an error repeats it.
 fn parameter_in(comment: &str) -> Option<String> {
-    let at = first_parameter(comment, |cursor| cursor.take('='))?;
-    Some(comment.get(at..)?.split_whitespace().next().unwrap_or_default().chars().take(24).collect())
-}
-
-/// `Q275=+25.01` where the cycle's next line would stand.
-pub(in super::super) fn assigned(
-    before: Option<&Before>,
-    front: Front,
-    first: &Piece<'_>,
-    read: &Body,
-) -> Option<CutOff> {
-    let before = before?;
-    let (Body::Assign { to: parameter, .. } | Body::AssignText { to: parameter, .. }) = read else { return None };
-    // `FN 0:` and `DECLARE STRING` begin no line of a cycle.
-    if !first.code.starts_with(['Q', 'q']) {
-        return None;
-    }
-    let is_unnumbered = front.number.is_none();
-    let is_line = is_unnumbered && before.has_number || before.declares(*parameter) || first.goes_on;
-    let what = ProgramWarningKind::CycleCut { cycle: before.code.clone(), line: before.line, parameter: *parameter };
-    is_line.then_some(CutOff { piece: 0, what, is_refused: is_unnumbered || first.goes_on })
+    first_parameter(comment, |cursor| cursor.take('=')).map(|(_, rest)| first_word(rest))
 }
 
 /// Whether a line behind a machining cycle or a definition of global values belongs to it, although the `~` before it is

@@ -8,7 +8,7 @@ use super::super::fault::{BlockFault, Wanted};
 use super::super::formula::{binary, expression};
 use super::super::operand::Operand;
 use super::super::text_formula::text_expression;
-use super::super::words::{OPERATIONS, RELATIONS, word};
+use super::super::words::{Computed, FUNCTIONS, OPERATIONS, RELATIONS, computed, word};
 use super::around::still;
 use super::label::target;
 use crate::control::variables::Family;
@@ -17,17 +17,11 @@ use crate::control::variables::Family;
 pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
     let number = cursor.expect_whole(99)?;
     cursor.expect(':', ":")?;
+    if let Some(computed) = computed(number) {
+        return assign(cursor, computed);
+    }
     match number {
         0 => assign_value(cursor),
-        1 => assign(cursor, |cursor| between(cursor, Operation::Add)),
-        2 => assign(cursor, |cursor| between(cursor, Operation::Subtract)),
-        3 => assign(cursor, |cursor| between(cursor, Operation::Multiply)),
-        4 => assign(cursor, divide),
-        5 => assign(cursor, |cursor| before(cursor, "SQRT", NumberFunction::SquareRoot)),
-        6 => assign(cursor, |cursor| before(cursor, "SIN", NumberFunction::Sine)),
-        7 => assign(cursor, |cursor| before(cursor, "COS", NumberFunction::Cosine)),
-        8 => assign(cursor, |cursor| between(cursor, Operation::Hypotenuse)),
-        13 => assign(cursor, |cursor| between(cursor, Operation::Angle)),
         9..=12 => jump(cursor, number),
         14 => error(cursor),
         16 => print(cursor),
@@ -84,18 +78,22 @@ fn assign_value(cursor: &mut Cursor<'_>) -> Read<Body> {
     Ok(Body::Assign { to, value: value(cursor)? })
 }
 
-fn assign(cursor: &mut Cursor<'_>, formula: impl Fn(&mut Cursor<'_>) -> Read<Expression>) -> Read<Body> {
+fn assign(cursor: &mut Cursor<'_>, computed: Computed) -> Read<Body> {
     let to = cursor.number_parameter()?;
     cursor.expect('=', "=")?;
-    Ok(Body::Assign { to, value: formula(cursor)? })
+    let value = match computed {
+        Computed::Of(function) => of(cursor, function)?,
+        Computed::Between(operation) => between(cursor, operation)?,
+    };
+    Ok(Body::Assign { to, value })
 }
 
 fn value(cursor: &mut Cursor<'_>) -> Read<Expression> {
     Ok(Expression::Value(cursor.operand()?))
 }
 
-fn before(cursor: &mut Cursor<'_>, word: &'static str, function: NumberFunction) -> Read<Expression> {
-    cursor.expect_word(word)?;
+fn of(cursor: &mut Cursor<'_>, function: NumberFunction) -> Read<Expression> {
+    cursor.expect_word(word(&FUNCTIONS, function))?;
     Ok(Expression::Function(function, Box::new(value(cursor)?)))
 }
 
@@ -104,19 +102,13 @@ fn between(cursor: &mut Cursor<'_>, operation: Operation) -> Read<Expression> {
     let left = value(cursor)?;
     let word = word(&OPERATIONS, operation);
     match word.chars().next().filter(|sign| !sign.is_alphabetic()) {
+        // `DIV`; a `/` stands in programs that were written by hand.
+        Some('/') if !cursor.take('/') => cursor.expect_word("DIV")?,
+        Some('/') => {}
         Some(sign) => cursor.expect(sign, word)?,
         None => cursor.expect_word(word)?,
     }
     Ok(binary(operation, left, value(cursor)?))
-}
-
-/// `DIV`, or `/` in programs that were written by hand.
-fn divide(cursor: &mut Cursor<'_>) -> Read<Expression> {
-    let left = value(cursor)?;
-    if !cursor.take('/') {
-        cursor.expect_word("DIV")?;
-    }
-    Ok(binary(Operation::Divide, left, value(cursor)?))
 }
 
 /// FN 9 to FN 12.

@@ -7,7 +7,7 @@ use super::super::operand::Operand;
 use crate::control::variables::Family;
 
 /// The largest number of a label.
-pub(in super::super) const MOST_LABEL: u32 = 65_535;
+const MOST_LABEL: u32 = 65_535;
 /// How often a part of a program can be repeated.
 pub(in super::super) const MOST_REPEATS: u32 = 65_534;
 
@@ -18,6 +18,14 @@ pub(super) fn label(cursor: &mut Cursor<'_>) -> Read<Body> {
     match target(cursor)? {
         Target::Parameter(parameter) => Err(at.fail(BlockFault::LabelOfParameter { parameter })),
         label => Ok(Body::Label(label)),
+    }
+}
+
+/// The number of a label, in ISO its only name.
+pub(in super::super) fn number(cursor: &mut Cursor<'_>) -> Read<u32> {
+    match cursor.whole(MOST_LABEL)? {
+        Some(number) => Ok(number),
+        None => Err(cursor.stop(Wanted::Label)),
     }
 }
 

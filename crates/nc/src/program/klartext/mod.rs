@@ -2,10 +2,10 @@
 //!
 //! | file | what |
 //! |---|---|
-//! | `blocks` | from lines to blocks |
-//! | `cut_off` | lines that a missing or a surplus `~` has put into the wrong block |
+//! | `blocks` | from lines to blocks, as only Klartext does it |
+//! | `cut_off` | lines that a surplus `~` has put into the wrong block |
 //! | `understand` | from the lines of one block to what it says |
-//! | `body`, `functions`, `label`, `moves`, `cycle`, `around` | the kinds of blocks, read |
+//! | `body`, `functions`, `label`, `moves`, `around` | the kinds of blocks, read |
 //! | `path_words` | axes with their values, and M functions |
 //!
 //! Grammar: manuals and public programs, see `docs/SOURCES.md`.
@@ -14,7 +14,6 @@ mod around;
 mod blocks;
 mod body;
 mod cut_off;
-mod cycle;
 mod functions;
 mod label;
 mod moves;
@@ -22,19 +21,18 @@ mod path_words;
 mod understand;
 
 use super::block::Block;
+use super::milling::Reader;
 use super::source::Source;
 
 // What other notations have in common with Klartext.
 pub(super) use around::defined;
-pub(super) use cut_off::{Before, assigned};
-pub(super) use cycle::{first_parameter, head as cycle_head, line as cycle_line};
 pub(super) use functions::assignment;
-pub(super) use label::{MOST_LABEL, MOST_REPEATS};
+pub(super) use label::{MOST_REPEATS, number as label_number};
 pub(super) use moves::tool;
 pub(super) use path_words::MOST_M;
 pub(super) use understand::heading;
 
 /// Reads the blocks of a program.
 pub(super) fn read(source: Source<'_>) -> Vec<Block> {
-    blocks::Reader::new(source).read()
+    Reader::new(source, blocks::Klartext::default()).read()
 }

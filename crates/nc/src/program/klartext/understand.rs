@@ -6,12 +6,12 @@ use super::super::cycle_block::CycleBlock;
 use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::lines::Piece;
+use super::super::milling::{cycle_head, first_parameter, with_lines};
 use super::super::place::Place;
 use super::super::warnings::{LONGEST, Odd};
 use super::super::words::DEEPEST;
 use super::around;
 use super::body::body;
-use super::cycle;
 
 /// What the lines of a block say; `place` turns a line and its bytes into a place in characters.
 pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> Place) -> Result<Body, Odd> {
@@ -31,7 +31,7 @@ pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> P
         return cycle(cursor, first, more, place).map(Body::GlobalDefinition);
     }
     if cursor.take_words(&["CYCL", "DEF"]) {
-        let dotted = around::dotted(&mut cursor).map_err(|Stop { at, reason }| not_understood(first, at, reason))?;
+        let dotted = around::dotted(&mut cursor).map_err(|stop| Odd::of(first, stop))?;
         return match dotted {
             Some(body) => Ok(body),
             None => cycle(cursor, first, more, place).map(around::defined),
@@ -42,19 +42,15 @@ pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> P
     plain(pieces)
 }
 
-fn not_understood(piece: &Piece<'_>, at: usize, reason: BlockFault) -> Odd {
-    Odd { line: piece.line, at: piece.start + at, what: ProgramWarningKind::NotUnderstood(reason) }
-}
-
 /// A block that is not a cycle: its lines are read as one.
 fn plain(pieces: &[Piece<'_>]) -> Result<Body, Odd> {
     let Some(first) = pieces.first() else { return Ok(Body::Nothing) };
     let length: usize = pieces.iter().map(|piece| piece.code.len() + 1).sum();
     if LONGEST < length {
-        return Err(not_understood(first, 0, BlockFault::TooLong { most: LONGEST }));
+        return Err(Odd::of(first, Stop { at: 0, reason: BlockFault::TooLong { most: LONGEST } }));
     }
     if pieces.len() == 1 {
-        return body(first.code).map_err(|Stop { at, reason }| not_understood(first, at, reason));
+        return body(first.code).map_err(|stop| Odd::of(first, stop));
     }
     let codes: Vec<&str> = pieces.iter().map(|piece| piece.code).collect();
     body(&codes.join(" ")).map_err(|Stop { mut at, reason }| {
@@ -66,7 +62,7 @@ fn plain(pieces: &[Piece<'_>]) -> Result<Body, Odd> {
             }
             at -= piece.code.len() + 1;
         }
-        not_understood(of, at, reason)
+        Odd::of(of, Stop { at, reason })
     })
 }
 
@@ -76,21 +72,10 @@ fn cycle(
     more: &[Piece<'_>],
     place: impl Fn(usize, usize) -> Place,
 ) -> Result<CycleBlock, Odd> {
-    let mut cycle = cycle::head(&mut cursor).map_err(|Stop { at, reason }| not_understood(first, at, reason))?;
-    // The name ends where the first parameter begins; a `~` between them comes from a line end that was lost.
-    if let Some(at) = cycle::first_parameter(&cycle.name, |cursor| cursor.take('=')) {
-        let from = first.code.len() - cycle.name.len() + at;
-        cycle.name.truncate(at);
-        cycle.name.truncate(cycle.name.trim_end_matches(|c: char| c == '~' || c.is_whitespace()).len());
-        let rest = Piece { code: first.code.get(from..).unwrap_or_default(), start: first.start + from, ..*first };
-        cycle::line(&mut cycle, &rest, |at| place(rest.line, rest.start + at))
-            .map_err(|Stop { at, reason }| not_understood(&rest, at, reason))?;
-    }
-    for piece in more {
-        cycle::line(&mut cycle, piece, |at| place(piece.line, piece.start + at))
-            .map_err(|Stop { at, reason }| not_understood(piece, at, reason))?;
-    }
-    Ok(cycle)
+    let cycle = cycle_head(&mut cursor).map_err(|stop| Odd::of(first, stop))?;
+    // The name ends where the first parameter begins.
+    let at = first_parameter(&cycle.name, |cursor| cursor.take('=')).map(|(name, _)| name.len());
+    with_lines(cycle, at, first, more, place)
 }
 
 /// `* - text`: each two more blanks before or after the dash are one level more.

@@ -1,4 +1,4 @@
-//! Cycles: `TCH PROBE` and `CYCL DEF` with the lines after them.
+//! Cycles: a number, a name and lines with a value for each parameter.
 
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::cycle_block::{CycleBlock, CycleLine, CycleName, CycleValue};
@@ -6,6 +6,7 @@ use super::super::fault::{BlockFault, Wanted};
 use super::super::lines::Piece;
 use super::super::operand::TextOperand;
 use super::super::place::Place;
+use super::super::warnings::Odd;
 use crate::control::variables::Family;
 
 /// The number and the name, after `TCH PROBE` or `CYCL DEF`.
@@ -22,7 +23,8 @@ pub(in super::super) fn line(cycle: &mut CycleBlock, piece: &Piece<'_>, column: 
         let parameter = name(&mut cursor)?;
         cursor.expect('=', "=")?;
         let value = value(&mut cursor)?;
-        let comment = piece.comment.unwrap_or_default().to_owned();
+        // Without one, a line of a cycle has an empty comment.
+        let comment = piece.comment.map_or_else(String::new, str::to_owned);
         cycle.lines.push(CycleLine { parameter, value, place, comment });
     }
     Ok(())
@@ -70,13 +72,37 @@ fn value(cursor: &mut Cursor<'_>) -> Result<CycleValue, Stop> {
     }
 }
 
-/// Where the first parameter of a text begins behind which this stands.
-pub(in super::super) fn first_parameter(text: &str, is_followed: impl Fn(&mut Cursor<'_>) -> bool) -> Option<usize> {
-    let begins = |at: usize| text.get(..at).is_none_or(|before| !before.ends_with(|c: char| c.is_alphanumeric()));
-    let is_parameter = |at: usize| {
-        let mut cursor = Cursor::new(text.get(at..).unwrap_or_default());
+/// A text before the first parameter behind which this stands, and from there on.
+pub(in super::super) fn first_parameter(
+    text: &str,
+    is_followed: impl Fn(&mut Cursor<'_>) -> bool,
+) -> Option<(&str, &str)> {
+    let is_parameter = |rest: &str| {
+        let mut cursor = Cursor::new(rest);
         // One whose number is too large is refused where it is read.
         !matches!(cursor.parameter(), Ok(None)) && is_followed(&mut cursor)
     };
-    text.match_indices(['Q', 'q']).map(|(at, _)| at).find(|&at| begins(at) && is_parameter(at))
+    text.match_indices(['Q', 'q'])
+        .filter_map(|(at, _)| text.split_at_checked(at))
+        .find(|(before, rest)| !before.ends_with(|c: char| c.is_alphanumeric()) && is_parameter(rest))
+}
+
+/// A cycle with all its lines. Its first line holds its name, and perhaps its first parameters behind `at` bytes of the name.
+pub(in super::super) fn with_lines(
+    mut cycle: CycleBlock,
+    at: Option<usize>,
+    first: &Piece<'_>,
+    more: &[Piece<'_>],
+    place: impl Fn(usize, usize) -> Place,
+) -> Result<CycleBlock, Odd> {
+    let words = cycle.name.clone();
+    let of_first = at.and_then(|at| words.split_at_checked(at)).map(|(name, code)| {
+        // A `~` between them comes from a line end that was lost.
+        name.trim_end_matches(|c: char| c == '~' || c.is_whitespace()).clone_into(&mut cycle.name);
+        Piece { code, start: first.start + first.code.len() - code.len(), ..*first }
+    });
+    for piece in of_first.iter().chain(more) {
+        line(&mut cycle, piece, |at| place(piece.line, piece.start + at)).map_err(|stop| Odd::of(piece, stop))?;
+    }
+    Ok(cycle)
 }
