@@ -24,10 +24,25 @@ pub fn beginning(text: &str) -> String {
     cut(text.trim(), 40)
 }
 
+/// A text from a byte on; nothing where the text ends before it.
+pub fn behind(text: &str, at: usize) -> &str {
+    text.split_at_checked(at).map_or("", |(_, behind)| behind)
+}
+
+/// A text up to a byte; nothing where the text ends before it.
+pub fn before(text: &str, at: usize) -> &str {
+    text.split_at_checked(at).map_or("", |(before, _)| before)
+}
+
+/// The first word of a text; nothing where there is none.
+pub fn first_word(text: &str) -> &str {
+    text.split_whitespace().next().map_or("", |word| word)
+}
+
 /// At most this many characters of a text, and a sign if there are more.
 pub fn cut(text: &str, most: usize) -> String {
     match text.char_indices().nth(most) {
-        Some((end, _)) => format!("{}…", text.get(..end).unwrap_or_default()),
+        Some((end, _)) => format!("{}…", before(text, end)),
         None => text.to_owned(),
     }
 }
@@ -64,7 +79,7 @@ pub fn plain_lines_from(text: &str, first: usize) -> impl Iterator<Item = (usize
 pub fn lines_open_from(text: &str, first: usize) -> impl Iterator<Item = (usize, &str, bool)> {
     let mut at = 0;
     lines_from(text, first).map(move |(number, line)| {
-        let behind = text.get(at + line.len()..).unwrap_or_default();
+        let behind = behind(text, at + line.len());
         at += line.len() + if behind.starts_with("\r\n") { 2 } else { 1 };
         (number, line, !behind.starts_with(PLAIN_LINE_ENDS))
     })
@@ -79,7 +94,7 @@ fn lines_ended_by<'t>(text: &'t str, first: usize, ends: &'static [char]) -> imp
         let (line, after) = match text.find(ends) {
             Some(end) => {
                 let (line, after) = text.split_at_checked(end)?;
-                (line, after.strip_prefix("\r\n").or_else(|| after.get(1..)).unwrap_or_default())
+                (line, after.strip_prefix("\r\n").or_else(|| after.get(1..))?)
             }
             None => (text, ""),
         };

@@ -131,7 +131,7 @@ impl Evaluation {
         let degrees_of_freedom = (0.0 < inverse).then(|| 1.0 / inverse);
         let k = factor(degrees_of_freedom);
         let largest = largest(&rows);
-        let help = rows.get(largest).map(|row| help(row, &rows, largest)).unwrap_or_default();
+        let help = help(rows.get(largest).ok_or(EvaluationError::Nothing)?, &rows, largest);
         Ok(Self { rows, u, degrees_of_freedom, k, largest, help })
     }
 }

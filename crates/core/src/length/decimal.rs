@@ -71,10 +71,13 @@ const fn decimals(number: u64) -> u8 {
     }
 }
 
+/// In the place of figures that no number below a thousand has: no reader takes them for some.
+const NO_FIGURES: [u8; 4] = *b".???";
+
 /// The three figures of a number below a thousand, behind a point.
 #[inline]
 fn pointed(number: u64) -> [u8; 4] {
-    usize::try_from(number).ok().and_then(|number| POINTED.get(number)).copied().unwrap_or_default()
+    usize::try_from(number).ok().and_then(|number| POINTED.get(number)).copied().unwrap_or(NO_FIGURES)
 }
 
 static POINTED: [[u8; 4]; 1_000] = {

@@ -36,7 +36,8 @@ impl<'a> Window<'a> {
 
     /// What was written.
     pub fn bytes(&self) -> &[u8] {
-        self.bytes.get(..self.end.min(MOST)).unwrap_or_default()
+        let (written, _) = self.bytes.split_at(self.end.min(MOST));
+        written
     }
 
     /// Appends the first `count` bytes of a piece, at most all. The piece is written in one step, and without a question
@@ -61,7 +62,8 @@ impl<'a> Window<'a> {
 impl Line {
     /// What was written.
     pub fn bytes(&self) -> &[u8] {
-        self.bytes.get(..self.end).unwrap_or_default()
+        let (written, _) = self.bytes.split_at(self.end);
+        written
     }
 
     /// Begins anew; the room stays.
@@ -75,7 +77,7 @@ impl Line {
     pub fn pieces(&mut self, write: impl FnOnce(&mut Window<'_>)) {
         let bytes = match self.bytes.get_mut(self.end..).and_then(<[u8]>::first_chunk_mut) {
             Some(bytes) => bytes,
-            None => match Self::room(&mut self.bytes, self.end).first_chunk_mut() {
+            None => match Self::room(&mut self.bytes, self.end).and_then(<[u8]>::first_chunk_mut) {
                 Some(bytes) => bytes,
                 None => return,
             },
@@ -111,7 +113,8 @@ impl Line {
             let piece = text.get(at..).and_then(<[u8]>::first_chunk::<STEP>);
             let place = self.bytes.get_mut(self.end..).and_then(<[u8]>::first_chunk_mut);
             let (Some(piece), Some(place)) = (piece, place) else {
-                return self.append(text.get(at..end).unwrap_or_default());
+                // The last of the text, or of the room.
+                return text.get(at..end).map_or((), |rest| self.append(rest));
             };
             *place = *piece;
             self.end += STEP.min(end - at);
@@ -127,9 +130,9 @@ impl Line {
 
     /// More room behind what was written, twice as much as there was.
     #[cold]
-    fn room(bytes: &mut Vec<u8>, end: usize) -> &mut [u8] {
+    fn room(bytes: &mut Vec<u8>, end: usize) -> Option<&mut [u8]> {
         bytes.resize(2 * end + ROOM, 0);
-        bytes.get_mut(end..).unwrap_or_default()
+        bytes.get_mut(end..)
     }
 }
 

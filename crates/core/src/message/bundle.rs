@@ -51,7 +51,14 @@ impl TextFile {
 
     fn parsed(&self) -> &FluentBundle<FluentResource> {
         self.parsed.get_or_init(|| {
-            let mut texts = FluentBundle::new_concurrent(vec![self.code.parse().unwrap_or_default()]);
+            let language = match self.code.parse() {
+                Ok(language) => vec![language],
+                Err(error) => {
+                    log::error!("locale {}: {error:?}", self.name);
+                    Vec::new()
+                }
+            };
+            let mut texts = FluentBundle::new_concurrent(language);
             // The marks U+2068 and U+2069 around every argument would show in reports and labels.
             texts.set_use_isolating(false);
             texts.set_transform(self.transform);
@@ -85,8 +92,9 @@ impl Bundle {
     /// The embedded texts of a language; nothing is read from disk.
     pub fn of(code: &'static str) -> Self {
         let files = shipped::LOCALES.iter().filter(|(name, _)| name.split('/').next() == Some(code));
-        let places = shipped::TEXTS.iter().find(|(known, _)| *known == code).map(|(_, places)| *places);
-        Self { code, files: files.map(|file| TextFile::new(code, *file)).collect(), places: places.unwrap_or_default() }
+        // A language that is not built in has no texts.
+        let places = shipped::TEXTS.iter().find(|(known, _)| *known == code).map_or(&[][..], |(_, places)| *places);
+        Self { code, files: files.map(|file| TextFile::new(code, *file)).collect(), places }
     }
 
     /// The same texts, each passed through a function without what is put into them: a language for tests, such as one

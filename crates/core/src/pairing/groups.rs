@@ -161,7 +161,8 @@ impl Split {
             return None;
         }
         let behind = size.saturating_sub(self.range.from).nanometres();
-        let group = (behind * self.parts()).checked_div(self.width()).unwrap_or_default();
+        // A range of one size is a single part.
+        let Some(group) = (behind * self.parts()).checked_div(self.width()) else { return Some(0) };
         Some(usize::try_from(group).ok()?.min(self.count - 1))
     }
 
@@ -171,10 +172,13 @@ impl Split {
 
     /// Where a part begins: the first whole nanometre in it. Beyond the last part it is the end of all.
     fn end(&self, number: usize) -> Length {
-        let (width, parts) = (i64::try_from(number).unwrap_or_default() * self.width(), self.parts());
-        let behind = width / parts + i64::from(width % parts != 0);
-        let behind = Length::from_nanometres(behind).unwrap_or_default();
-        self.range.from.checked_add(behind).unwrap_or(self.range.to)
+        let behind = |number: i64| {
+            let width = number * self.width();
+            let parts = self.parts();
+            Length::from_nanometres(width / parts + i64::from(width % parts != 0)).ok()
+        };
+        let behind = i64::try_from(number).ok().and_then(behind);
+        behind.and_then(|behind| self.range.from.checked_add(behind)).unwrap_or(self.range.to)
     }
 
     fn sort(&self, sizes: &[Length]) -> Vec<Bin> {

@@ -90,7 +90,8 @@ impl<'a> Ground<'a> {
         let gone = shafts.partition_point(|shaft| shaft.nanometres() <= amount);
         let Window { low, high } = Window::of(wanted);
         let window = Window { low: low - amount, high: high - amount };
-        Self { shafts: shafts.get(gone..).unwrap_or_default(), gone, window, amount }
+        let (_, shafts) = shafts.split_at(gone);
+        Self { shafts, gone, window, amount }
     }
 
     fn count(&self, holes: &[Length]) -> usize {

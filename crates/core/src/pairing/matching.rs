@@ -59,7 +59,7 @@ pub fn pair(holes: &[Length], shafts: &[Length], wanted: Wanted) -> Pairing {
         })
         .collect();
     Pairing {
-        band: pairs.iter().map(|pair| wanted.band(pair.clearance)).max().unwrap_or_default(),
+        band: pairs.iter().map(|pair| wanted.band(pair.clearance)).max().unwrap_or(Length::ZERO),
         pairs,
         holes: sorted_holes.without(found.iter().map(|pair| pair.0)),
         shafts: sorted_shafts.without(found.iter().map(|pair| pair.1)),

@@ -75,11 +75,11 @@ impl KindCells<'_> {
         match word {
             "width" => {
                 let first = first(faults);
-                let axis = match self.axis.map_or(Some(0), |axis| at(&WIDTH_AXES, axis)) {
-                    Some(0) => WidthAxis::X,
-                    Some(_) => WidthAxis::Y,
-                    None => {
-                        faults.push((Column::Axis, unknown("axis", self.axis.unwrap_or_default(), &WIDTH_AXES)));
+                let axis = match self.axis.map(|axis| (axis, at(&WIDTH_AXES, axis))) {
+                    None | Some((_, Some(0))) => WidthAxis::X,
+                    Some((_, Some(_))) => WidthAxis::Y,
+                    Some((given, None)) => {
+                        faults.push((Column::Axis, unknown("axis", given, &WIDTH_AXES)));
                         return None;
                     }
                 };

@@ -102,9 +102,9 @@ struct Shared {
 
 fn head(draft: &Draft, faults: &mut Faults) -> (Head, Shared) {
     let mut text = |field: HeadField| {
-        let text = draft.text(field).unwrap_or_default();
-        let checked = plain_text(text, field.key(), LONGEST_TEXT);
-        faults.take(Spot::Head(field), checked).unwrap_or_default()
+        let checked = plain_text(draft.cell(field).text.trim(), field.key(), LONGEST_TEXT);
+        // What is wrong is told, and no text.
+        faults.take(Spot::Head(field), checked).into_iter().collect()
     };
     let head = Head {
         part: text(HeadField::Part),
@@ -119,7 +119,7 @@ fn head(draft: &Draft, faults: &mut Faults) -> (Head, Shared) {
     }
     let mut is_told = false;
     // A rule that cannot judge is told once, here, and not with every feature.
-    for (column, what) in rule(shared.rule.as_deref(), shared.uncertainty.as_deref()).err().unwrap_or_default() {
+    for (column, what) in rule(shared.rule.as_deref(), shared.uncertainty.as_deref()).err().into_iter().flatten() {
         let field = if column == Column::Rule { HeadField::Rule } else { HeadField::Uncertainty };
         // An uncertainty of its own may complete the rule of a feature.
         if !(column == Column::Rule && shared.uncertainty.is_none() && matches!(what, PlanFault::Rule { .. })) {
@@ -163,7 +163,7 @@ impl Reader<'_> {
         let name = self.text(Column::Name, LONGEST_NAME);
         let name = if name.is_empty() { format!("F{}", self.at + 1) } else { name };
         let place = self.place();
-        let angle = self.value(Column::Angle, Meaning::FirstAngle).unwrap_or_default();
+        let angle = self.value(Column::Angle, Meaning::FirstAngle).unwrap_or(Angle::from_degrees(0));
         let clearance = self.value(Column::Clearance, Meaning::SetUpClearance).unwrap_or(DEFAULT_CLEARANCE);
         let clearance_height =
             self.value(Column::ClearanceHeight, Meaning::ClearanceHeight).unwrap_or(DEFAULT_CLEARANCE_HEIGHT);
@@ -217,8 +217,9 @@ impl Reader<'_> {
     }
 
     fn text(&mut self, column: Column, most: usize) -> String {
-        let text = self.row.text(column).unwrap_or_default();
-        self.take(column, plain_text(text, column.key(), most)).unwrap_or_default()
+        let checked = plain_text(self.row.said(column), column.key(), most);
+        // What is wrong is told, and no text.
+        self.take(column, checked).into_iter().collect()
     }
 
     /// A value within the range of a parameter of the cycles.
@@ -279,7 +280,7 @@ impl Reader<'_> {
         }
         let (kind, axis) = (self.row.text(Column::Kind), self.row.text(Column::Axis));
         let second = self.row.text(Column::SecondCallout);
-        let (kind, faults) = KindCells { kind, axis, callout: callout.unwrap_or_default(), second }.read_all();
+        let (kind, faults) = KindCells { kind, axis, callout: self.row.said(Column::Callout), second }.read_all();
         for (column, what) in faults.into_iter().filter(|(column, _)| callout.is_some() || *column != Column::Callout) {
             self.fault(column, what);
         }
@@ -334,8 +335,7 @@ impl Reader<'_> {
     }
 
     fn parameters(&mut self, cycle: Option<&'static Cycle>) -> Inputs {
-        let text = self.row.text(Column::Parameters).unwrap_or_default();
-        measured_by::parameters(text, cycle).unwrap_or_else(|faults| {
+        measured_by::parameters(self.row.said(Column::Parameters), cycle).unwrap_or_else(|faults| {
             for what in faults {
                 self.fault(Column::Parameters, what);
             }

@@ -102,7 +102,7 @@ impl Column {
 
     /// Its place among [`Self::ALL`].
     pub fn at(self) -> usize {
-        Self::ALL.iter().position(|column| *column == self).unwrap_or_default()
+        Self::ALL.iter().take_while(|column| **column != self).count()
     }
 
     /// The column of a name in a file, in any case of letters.
@@ -197,7 +197,7 @@ impl HeadField {
 
     /// Its place among [`Self::ALL`].
     pub fn at(self) -> usize {
-        Self::ALL.iter().position(|field| *field == self).unwrap_or_default()
+        Self::ALL.iter().take_while(|field| **field != self).count()
     }
 
     /// The field of a name in a file.

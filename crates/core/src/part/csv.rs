@@ -20,10 +20,10 @@ pub(super) fn read(bytes: &[u8]) -> Result<Document, PlanError> {
         return Err(whole(PlanFault::TooLarge { most: LARGEST >> 10 }));
     }
     let text = decode(bytes);
-    let header = lines(&text).map(|(_, line)| line).find(|line| !line.trim().is_empty()).unwrap_or_default();
-    let separator = [b';', b'\t'].into_iter().find(|&sign| header.as_bytes().contains(&sign)).unwrap_or(b',');
-    let rows = lines(&text).map(|(line, row)| (line, cells(row, separator)));
-    of_rows(rows.map(|(line, row)| (line, row.iter().map(str::to_owned).collect())))
+    let header = lines(&text).map(|(_, line)| line).find(|line| !line.trim().is_empty());
+    let separates = |sign: &u8| header.is_some_and(|header| header.as_bytes().contains(sign));
+    let separator = [b';', b'\t'].into_iter().find(separates).unwrap_or(b',');
+    of_rows(lines(&text).map(|(line, row)| (line, cells(row, separator))))
 }
 
 /// The same from rows of cells with their lines, such as those of a workbook.
@@ -68,15 +68,18 @@ pub(super) fn of_rows(rows: impl IntoIterator<Item = (usize, Vec<String>)>) -> R
 pub(super) fn write(draft: &Draft) -> String {
     let draft = draft.spread();
     let columns: Vec<Column> = draft.used().collect();
-    let mut writer = csv::WriterBuilder::new().delimiter(b';').from_writer(Vec::new());
-    let mut line = |cells: Vec<&str>| writer.write_record(cells).is_ok();
-    let mut all = line(columns.iter().map(|column| column.key()).collect());
-    for row in &draft.rows {
-        all &= line(columns.iter().map(|column| row.text(*column).unwrap_or_default()).collect());
+    let header = columns.iter().map(|column| column.key()).collect();
+    let rows = draft.rows.iter().map(|row| columns.iter().map(|column| row.said(*column)).collect());
+    let mut bytes = Vec::new();
+    let mut writer = csv::WriterBuilder::new().delimiter(b';').from_writer(&mut bytes);
+    let mut lines = std::iter::once(header).chain(rows);
+    let written = lines.try_for_each(|cells: Vec<&str>| writer.write_record(cells)).and_then(|()| Ok(writer.flush()?));
+    drop(writer);
+    if let Err(error) = written {
+        // A writer into memory never fails.
+        log::error!("a plan as CSV: {error}");
     }
-    // A writer into memory never fails.
-    let bytes = writer.into_inner().ok().filter(|_| all).unwrap_or_default();
-    String::from_utf8(bytes).unwrap_or_default()
+    String::from_utf8_lossy(&bytes).into_owned()
 }
 
 fn whole(what: PlanFault) -> PlanError {
@@ -84,15 +87,16 @@ fn whole(what: PlanFault) -> PlanError {
 }
 
 /// The cells of a line; none contains a line end.
-fn cells(line: &str, separator: u8) -> csv::StringRecord {
+fn cells(line: &str, separator: u8) -> Vec<String> {
     let reader = csv::ReaderBuilder::new()
         .has_headers(false)
         .trim(csv::Trim::All)
         .delimiter(separator)
         .buffer_capacity(line.len().clamp(1, 1 << 16))
         .from_reader(line.as_bytes());
-    // A row of a text in memory can always be read.
-    reader.into_records().find_map(Result::ok).unwrap_or_default()
+    // A row of a text in memory can always be read; one that is blank is no record.
+    let row = reader.into_records().find_map(Result::ok);
+    row.iter().flatten().map(str::to_owned).collect()
 }
 
 /// What the columns are; `None` for one that a plan does not have, which is told.

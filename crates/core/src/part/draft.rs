@@ -61,7 +61,12 @@ impl Row {
 
     /// The text of a cell without blanks around it; `None` where it is empty.
     pub fn text(&self, column: Column) -> Option<&str> {
-        Some(self.cell(column).text.trim()).filter(|text| !text.is_empty())
+        Some(self.said(column)).filter(|text| !text.is_empty())
+    }
+
+    /// The same where nothing given is an empty text.
+    pub fn said(&self, column: Column) -> &str {
+        self.cell(column).text.trim()
     }
 
     /// Writes a text that is from no file.

@@ -18,8 +18,6 @@
 //! The keys of a feature are those of [`Column`], those before the first feature [`HeadField`]. Numbers are read as they are written,
 //! figure by figure. Everything that is wrong is told at once, with line and column, and what is right is read.
 
-use std::fmt::Write as _;
-
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
@@ -246,10 +244,9 @@ impl<'a> Lines<'a> {
 
     /// Line and character of a byte.
     fn place(&self, at: usize) -> Place {
-        let line = self.starts.partition_point(|start| *start <= at);
-        let start = line.checked_sub(1).and_then(|line| self.starts.get(line)).copied().unwrap_or_default();
-        let before = self.text.get(start..at).map_or(0, |text| text.chars().count());
-        Place::in_line(line, before + 1)
+        let (begun, _) = self.starts.split_at(self.starts.partition_point(|start| *start <= at));
+        let before = begun.last().and_then(|start| self.text.get(*start..at));
+        Place::in_line(begun.len(), 1 + before.map_or(0, |text| text.chars().count()))
     }
 }
 
@@ -280,8 +277,7 @@ pub(super) fn write(draft: &Draft) -> String {
 }
 
 fn writeln_to(text: &mut String, key: &str, value: &str) {
-    // Writing to a text never fails.
-    writeln!(text, "{key} = {value}").unwrap_or_default();
+    text.extend([key, " = ", value, "\n"]);
 }
 
 /// A number as it is, where TOML reads it back as the same text; else a text with quotation marks.

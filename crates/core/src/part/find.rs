@@ -117,7 +117,7 @@ impl Finder {
             let first = sizes.len();
             for size in feature.sizes() {
                 let at = sizes.len();
-                let side = feature.kind.sides().get(size.side).copied().unwrap_or_default();
+                let side = feature.kind.sides().get(size.side).map_or("", |side| *side);
                 names.extend(of_side(&feature.name, side).iter().map(|called| (key(called), at)));
                 sizes.push((size.name(), feature.name.clone()));
             }

@@ -66,7 +66,10 @@ impl Names {
             faults.extend(self.number(number));
         }
         let at = self.features.len();
-        let (name, number, line) = (name.to_owned(), number.to_owned(), line.unwrap_or_default());
+        let name = name.to_owned();
+        let number = number.to_owned();
+        // A feature of no file is on line 0, of which the texts say nothing.
+        let line = line.map_or(0, |line| line);
         for called in sides.iter().flat_map(|side| of_side(&name, side)) {
             self.sizes.entry(key(&called)).or_insert(at);
         }

@@ -4,7 +4,6 @@ use super::{Kind, Plan, PlanFeature, WidthAxis};
 use crate::length::Length;
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::{Extent, Face, FreePoint, Part, PartFeature, Surface, Walls, Workpiece};
-use crate::tolerance::{Feature, Limits};
 
 /// How far a face, or the surface about a point, reaches, mm.
 const REACH: f64 = 5.0;
@@ -26,16 +25,16 @@ impl Plan {
 impl PlanFeature {
     /// This feature on a perfect part; `None` without a place.
     pub fn on_part(&self) -> Option<PartFeature> {
-        Some(part_of(self, self.place?))
+        part_of(self, self.place?)
     }
 }
 
-fn part_of(feature: &PlanFeature, place: [Length; 3]) -> PartFeature {
+fn part_of(feature: &PlanFeature, place: [Length; 3]) -> Option<PartFeature> {
     let [x, y, z] = place.map(Length::to_mm_f64);
-    let limits = &feature.limits;
-    let mut middles = limits.iter().map(|limits| limits.middle().to_mm_f64());
-    let (middle, second) = (middles.next().unwrap_or_default(), middles.next());
-    let round = limits.first().map_or(Feature::Shaft, |limits: &Limits| limits.feature);
+    let (limits, more) = feature.limits.split_first()?;
+    let round = limits.feature;
+    let middle = limits.middle().to_mm_f64();
+    let second = more.first().map(|limits| limits.middle().to_mm_f64());
     let walls = |angle| Surface::Walls(Walls { angle, ..Walls::new(round, [x, y], (middle, second)) });
     let surface = match &feature.kind {
         Kind::Diameter(_) => Surface::Round(Workpiece::round(round, [x, y], middle), Plane::Xy),
@@ -58,5 +57,5 @@ fn part_of(feature: &PlanFeature, place: [Length; 3]) -> PartFeature {
         Kind::Width(..) => Extent { top, length: middle.max(SHORTEST), ..usual },
         Kind::Face(..) | Kind::Point(..) => Extent { reach: REACH, ..usual },
     };
-    PartFeature { name: feature.name.clone(), surface, extent }
+    Some(PartFeature { name: feature.name.clone(), surface, extent })
 }

@@ -93,8 +93,8 @@ pub enum ClassError {
 impl ToleranceClass {
     /// The text, `H7`.
     pub fn as_str(&self) -> &str {
-        let length = self.text.iter().position(|&byte| byte == 0).unwrap_or(LONGEST);
-        self.text.get(..length).and_then(|bytes| std::str::from_utf8(bytes).ok()).unwrap_or_default()
+        // Every byte is ASCII, so it is a text.
+        std::str::from_utf8(&self.text).map_or("", |text| text.trim_end_matches('\0'))
     }
 
     /// Hole for capitals, shaft for small letters.

@@ -68,7 +68,7 @@ impl FigureWarning {
         Self::of(class, limits.source.range()?, &limits.source)?;
         let ends = sources.step_ends();
         let at = ends.partition_point(|end| *end < limits.nominal);
-        let over = at.checked_sub(1).and_then(|before| ends.get(before)).copied().unwrap_or_default();
+        let over = at.checked_sub(1).and_then(|before| ends.get(before)).map_or(Length::ZERO, |end| *end);
         Self::of(class, (over, *ends.get(at)?), &limits.source)
     }
 

@@ -154,7 +154,7 @@ fn ranges(class: GeneralClass) -> impl Iterator<Item = (Length, Length, Option<L
 }
 
 fn last() -> Length {
-    Length::from_micrometres(ROWS.iter().map(|&(end, _)| end).max().unwrap_or_default())
+    ROWS.iter().map(|&(end, _)| Length::from_micrometres(end)).fold(FIRST, Length::max)
 }
 
 /// The first range includes its lower end; every other one begins above it.

@@ -28,9 +28,12 @@ pub(super) fn where_defined(ends: impl Iterator<Item = (Length, bool)>) -> Vec<(
 
 /// The ranges one after the other; the list is halved each time, so that many ranges do not nest deeply.
 fn joined(ranges: &[(Length, Length)]) -> Message {
-    if let Some((first @ [_, ..], rest)) = ranges.split_at_checked(ranges.len() / 2) {
-        return message!("limits-ranges").with("first", &joined(first)).with("rest", &joined(rest));
+    match ranges {
+        [] => message!("limits-defined-nowhere"),
+        [(over, to)] => message!("limits-range").with("over", over).with("to", to),
+        _ => {
+            let (first, rest) = ranges.split_at(ranges.len() / 2);
+            message!("limits-ranges").with("first", &joined(first)).with("rest", &joined(rest))
+        }
     }
-    let (over, to) = ranges.first().copied().unwrap_or_default();
-    message!("limits-range").with("over", &over).with("to", &to)
 }

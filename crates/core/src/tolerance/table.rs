@@ -118,7 +118,13 @@ impl DeviationTable {
 
     /// The largest nominal size that the table answers.
     pub fn last_end(&self) -> Length {
-        self.ends.last().copied().unwrap_or_default()
+        let (_, to) = self.last_range();
+        to
+    }
+
+    /// The last of its ranges; a table has at least one.
+    pub(super) fn last_range(&self) -> (Length, Length) {
+        self.ranges().last().unwrap_or((Length::ZERO, Length::ZERO))
     }
 
     pub(super) fn column(&self, class: ToleranceClass) -> Option<&Column> {

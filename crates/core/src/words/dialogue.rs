@@ -91,14 +91,14 @@ impl Dialogue {
 
     /// The language of notes for the person at Fitcheck: this one where the window has it, otherwise English.
     pub fn language(self) -> Language {
-        Language::from_code(self.code()).unwrap_or_default()
+        Language::from_code(self.code()).unwrap_or(Language::En)
     }
 }
 
 impl Language {
     /// The control's dialogue for a person of this language; English where the control has no such dialogue.
     pub fn dialogue(self) -> Dialogue {
-        Dialogue::from_code(self.code()).unwrap_or_default()
+        Dialogue::from_code(self.code()).unwrap_or(Dialogue::En)
     }
 }
 

@@ -94,7 +94,8 @@ impl Serialize for Language {
 
 impl<'de> Deserialize<'de> for Language {
     fn deserialize<D: Deserializer<'de>>(deserializer: D) -> Result<Self, D::Error> {
-        String::deserialize(deserializer).map(|code| Self::from_code(&code).unwrap_or_default())
+        // A language of a later version is English here.
+        String::deserialize(deserializer).map(|code| Self::from_code(&code).unwrap_or(Self::En))
     }
 }
 

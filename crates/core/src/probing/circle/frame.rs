@@ -182,11 +182,12 @@ impl Frame {
         let mut numbered: Vec<_> = (1_usize..).zip(contacts).collect();
         numbered.sort_by(|(_, a), (_, b)| a.x.total_cmp(&b.x).then(a.y.total_cmp(&b.y)));
         let distinct = frame.find_repeated(&numbered, rounding);
-        if distinct < 3 {
-            let [first, second] = frame.repeated.first().copied().unwrap_or([1, 2]);
-            let place = numbered.iter().find(|(number, _)| *number == first).map(|(_, contact)| (contact.x, contact.y));
-            let (x, y) = place.unwrap_or_default();
-            return Err(CircleError::Coinciding { first, second, x, y });
+        // Of three contacts at fewer places some are repeated.
+        if distinct < 3
+            && let Some(&[first, second]) = frame.repeated.first()
+            && let Some((_, contact)) = numbered.iter().find(|(number, _)| *number == first)
+        {
+            return Err(CircleError::Coinciding { first, second, x: contact.x, y: contact.y });
         }
         frame.points = numbered.iter().map(|(_, contact)| frame.place(contact)).collect();
         if is_straight(&frame.points, rounding / frame.scale) {

@@ -127,11 +127,8 @@ impl PartialEq for Cycle {
 impl Cycle {
     /// The name in a language; English if the language has none, else the first name in the list.
     pub fn name(&self, language: Dialogue) -> &'static str {
-        let first = || self.names.first().map(|(_, name)| *name);
-        in_language(self.names, language)
-            .or_else(|| in_language(self.names, Dialogue::En))
-            .or_else(first)
-            .unwrap_or_default()
+        let first = self.names.first().map_or("", |(_, name)| *name);
+        in_language(self.names, language).or_else(|| in_language(self.names, Dialogue::En)).unwrap_or(first)
     }
 
     /// A parameter by its key; a bare number means a Q parameter.

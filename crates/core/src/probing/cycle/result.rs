@@ -78,7 +78,7 @@ impl CycleResult {
 
     /// What its contacts cannot tell of the circle; nothing for cycles without one.
     pub fn warnings(&self) -> Vec<CircleWarning> {
-        self.evaluation().map(|evaluation| evaluation.warnings).unwrap_or_default()
+        self.evaluation().map_or_else(Vec::new, |evaluation| evaluation.warnings)
     }
 
     /// The evaluation of a circle's contacts by every criterion; `None` for cycles without a circle.

@@ -29,16 +29,16 @@ impl Angle {
     /// The angle turned on by this many steps, within one turn.
     #[must_use]
     pub fn stepped(self, step: Self, count: u8) -> Self {
-        let turned = i128::from(self.0) + i128::from(step.0) * i128::from(count);
-        // Less than a turn, so it fits.
-        Self(i64::try_from(turned.rem_euclid(i128::from(4 * QUARTER_TURN))).unwrap_or_default())
+        // Each less than a turn, so that the sum fits.
+        let [start, step] = [self.0, step.0].map(|angle| angle.rem_euclid(4 * QUARTER_TURN));
+        Self((start + step * i64::from(count)).rem_euclid(4 * QUARTER_TURN))
     }
 
     /// The unit vector in this direction, exact at every quarter turn.
     pub fn direction(self) -> [f64; 2] {
         let turned = self.0.rem_euclid(4 * QUARTER_TURN);
-        let beyond = i32::try_from(turned % QUARTER_TURN).unwrap_or_default();
-        let (sin, cos) = (f64::from(beyond) / 10_000.0).to_radians().sin_cos();
+        let beyond = Self(turned % QUARTER_TURN);
+        let (sin, cos) = beyond.to_degrees_f64().to_radians().sin_cos();
         match turned / QUARTER_TURN {
             0 => [cos, sin],
             1 => [-sin, cos],
@@ -110,7 +110,7 @@ impl fmt::Display for Value {
             Self::Whole(whole) => whole.fmt(f),
             Self::Number(number) => number.fmt(f),
             Self::Text(text) => f.pad(text),
-            Self::Band(band) => f.pad(&band.as_ref().map(band_text).unwrap_or_default()),
+            Self::Band(band) => f.pad(&band.as_ref().map_or_else(String::new, band_text)),
             Self::Predef => f.pad(PREDEF),
         }
     }

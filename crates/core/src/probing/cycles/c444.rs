@@ -66,7 +66,7 @@ pub(super) const CYCLE: Cycle = Cycle {
             .means(Meaning::Retract),
     ],
     // A normal without a direction is an error of the cycle itself.
-    surface: |inputs| Surface::Point(FreePoint::flat(point(inputs), normal(inputs).unwrap_or_default())),
+    surface: |inputs| Surface::Point(FreePoint::flat(point(inputs), normal(inputs).unwrap_or([0.0; 3]))),
     run,
     subject: |_inputs| None,
     corrects: |_result| None,

@@ -201,7 +201,7 @@ impl Prober for Machine {
         let met = self.space.meet(from, touch.direction, self.probe.ball_radius);
         let met = met.map_err(|obstacle| self.refused(number, obstacle))?;
         if touch.longest < met.distance {
-            let longest = Length::from_mm_f64(touch.longest).unwrap_or_default();
+            let longest = Length::from_mm_f64(touch.longest).unwrap_or(Length::MAX);
             return Err(NoContact::OutOfReach { number, longest });
         }
         let of_surface = self.space.scatter(met.feature);

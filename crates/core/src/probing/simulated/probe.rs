@@ -41,7 +41,7 @@ impl Probe {
         in_range(Figure::BallRadius, self.ball_radius, 0.0, LARGEST)?;
         // The control's radius is never below zero.
         in_range(Figure::CalibrationError, self.calibration_error, -self.ball_radius, 1.0)?;
-        for offset in self.offset.unwrap_or_default() {
+        for offset in self.offset.into_iter().flatten() {
             in_range(Figure::Offset, offset, -LARGEST, LARGEST)?;
         }
         in_range(Figure::Lobing, self.lobing.amplitude, 0.0, 1.0)?;

@@ -4,6 +4,7 @@ use serde::Deserialize as _;
 
 use super::Figure;
 use super::figure::Table;
+use crate::text::{before, cut};
 
 /// The largest file in bytes: a real one has some hundred, and the TOML reader takes fifty times as many.
 pub const LARGEST: usize = 1 << 20;
@@ -33,10 +34,7 @@ pub(super) fn exactly_or_none<'de, D: serde::Deserializer<'de>, const N: usize>(
 
 /// The TOML reader's message, cut off where a key is very long.
 pub fn bounded(said: &str) -> String {
-    match said.char_indices().nth(LONGEST) {
-        Some((end, _)) => format!("{}…", said.get(..end).unwrap_or_default()),
-        None => said.to_owned(),
-    }
+    cut(said, LONGEST)
 }
 
 /// The TOML reader's message in a user's words: numbers instead of their types, and which key is there twice.
@@ -63,8 +61,7 @@ pub fn line_at(text: &str, offset: usize) -> usize {
 
 /// The character in its line of a place in a text, from 1.
 pub fn column_at(text: &str, offset: usize) -> usize {
-    let before = text.get(..offset).unwrap_or_default();
-    1 + before.chars().rev().take_while(|character| *character != '\n').count()
+    1 + before(text, offset).chars().rev().take_while(|character| *character != '\n').count()
 }
 
 /// The line of the key that gave a figure; the first line of the table if the figure was not given.
@@ -84,5 +81,5 @@ pub(super) fn line_of(text: &str, kind: &str, what: Figure) -> usize {
             own.unwrap_or_else(|| value.span().start)
         }),
     };
-    line_at(text, place.unwrap_or_default())
+    place.map_or(1, |place| line_at(text, place))
 }

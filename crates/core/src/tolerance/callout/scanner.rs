@@ -1,5 +1,7 @@
 //! A text that is read from left to right, character by character; reading never passes its end and never fails.
 
+use crate::text::{before, behind};
+
 /// Where something is in a text, in bytes: from `start` up to before `end`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Place {
@@ -41,7 +43,7 @@ impl<'a> Scanner<'a> {
 
     /// What has been read since an earlier offset.
     pub(super) fn since(&self, start: usize) -> &'a str {
-        self.text.get(start..self.offset()).unwrap_or_default()
+        behind(before(self.text, self.offset()), start)
     }
 
     /// The next character, if any.

@@ -301,6 +301,6 @@ fn toml_error(text: &str, error: &toml::de::Error) -> Located<MaterialsError> {
 fn line_and_column(text: &str, byte: usize) -> (usize, usize) {
     let before = text.get(..byte).unwrap_or(text);
     let line = before.matches('\n').count() + 1;
-    let column = before.rsplit('\n').next().unwrap_or_default().chars().count() + 1;
+    let column = before.chars().rev().take_while(|character| *character != '\n').count() + 1;
     (line, column)
 }

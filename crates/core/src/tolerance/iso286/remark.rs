@@ -35,7 +35,7 @@ pub(super) fn remark(
     options: Options,
 ) -> Option<Remark> {
     let above = |mm| millimetres(mm) < nominal;
-    let is_rounded = || deviations.width() != super::standard_tolerance(grade, nominal).unwrap_or_default();
+    let is_rounded = || super::standard_tolerance(grade, nominal).is_none_or(|whole| deviations.width() != whole);
     if letter == Letter::Js && options.js == JsHalves::Rounded && is_rounded() {
         Some(Remark::JsRounded)
     } else if letter == Letter::Ef && above(18) && !above(30) {

@@ -455,8 +455,8 @@ impl Sources {
         }
         let both = [class.feature(), class.feature().other()];
         let known = both.map(|feature| each_once(self.table_classes(feature)));
-        let known = known.into_iter().find(|known| !known.is_empty()).unwrap_or_default();
-        let known: Vec<&str> = known.iter().map(ToleranceClass::as_str).collect();
+        let known = known.iter().find(|known| !known.is_empty());
+        let known: Vec<&str> = known.into_iter().flatten().map(ToleranceClass::as_str).collect();
         LimitsError::NoOwnColumn { class, table, known: known.join(" ") }
     }
 
@@ -479,7 +479,7 @@ fn each_once(classes: impl Iterator<Item = ToleranceClass>) -> Vec<ToleranceClas
 }
 
 fn beyond_last_range(table: &DeviationTable, nominal: Length) -> LimitsError {
-    let (over, to) = table.ranges().last().unwrap_or_default();
+    let (over, to) = table.last_range();
     let table = Arc::clone(&table.name);
     LimitsError::BeyondLastRange { nominal, table, over, to }
 }

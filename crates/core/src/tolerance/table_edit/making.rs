@@ -92,8 +92,8 @@ pub fn table_of_standard(
 }
 
 fn check_last(to: Length) -> Result<(), MakeError> {
-    let largest = iso286::step_ends().last().unwrap_or_default();
-    if to <= Length::ZERO || largest < to { Err(MakeError::LastSize { to }) } else { Ok(()) }
+    let is_beyond = iso286::step_ends().last().is_none_or(|largest| largest < to);
+    if to <= Length::ZERO || is_beyond { Err(MakeError::LastSize { to }) } else { Ok(()) }
 }
 
 fn value(class: ToleranceClass, size: Length, options: iso286::Options) -> Option<Deviations> {

@@ -47,10 +47,10 @@ pub fn percent(probability: f64) -> String {
     let written = |decimals: usize| format!("{:.*}", decimals, probability * 100.0);
     // 5 and 95 per cent decide in ISO 14253-1: on which side of them it lies must be seen.
     let is_told = |text: &str| {
-        let read = text.parse::<f64>().unwrap_or_default();
-        [5.0, 95.0]
-            .iter()
-            .all(|border| (read < *border) == (probability * 100.0 < *border) && read.total_cmp(border).is_ne())
+        let is_beside = |read: f64, border: f64| {
+            (read < border) == (probability * 100.0 < border) && read.total_cmp(&border).is_ne()
+        };
+        text.parse().is_ok_and(|read| [5.0, 95.0].into_iter().all(|border| is_beside(read, border)))
     };
     let decimals = least.map_or(2, |(_, decimals)| decimals);
     let texts = (decimals..=8).map(written);

@@ -24,7 +24,8 @@ fn bands(given: &Given, bounds: &Bounds) -> Bands {
     };
     let [minimum, maximum] = [bounds.minimum(), bounds.maximum()].map(Length::nanometres);
     let within = |place: i64| {
-        let place = Length::from_nanometres(place).unwrap_or_default();
+        let farthest = if place < 0 { Length::MAX.negated() } else { Length::MAX };
+        let place = Length::from_nanometres(place).unwrap_or(farthest);
         Conformity::of(bounds, place, uncertainty).within
     };
     // The probability rises from far outside up to the middle, on either side in the same way.

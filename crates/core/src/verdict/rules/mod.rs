@@ -288,7 +288,8 @@ impl Rule {
     /// The rest of what the sentence needs.
     fn told(&self, mut message: Message) -> Message {
         message = message.number("factor", thousandths(self.given.factor.unwrap_or(1000)));
-        let width = self.given.width.unwrap_or_default();
+        // The sentence of a rule without a width does not name it.
+        let width = self.given.width.unwrap_or(Length::ZERO);
         message = message.number("width", width.exact(crate::length::Unit::Micrometre, 0));
         message.text("prover", if self.given.prover == Prover::Customer { "customer" } else { "supplier" })
     }

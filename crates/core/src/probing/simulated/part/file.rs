@@ -137,8 +137,9 @@ impl FeatureTable {
             return Err((key, FeatureFault::OtherKey { kind, key }));
         }
         let missing = |key| ("", FeatureFault::NoKey { kind, key });
-        let surface_scatter = self.surface_scatter.unwrap_or_default();
-        let angle = self.angle.unwrap_or_default();
+        // What is not given is perfect: along the axes, without scatter, wave and deviation.
+        let surface_scatter = self.surface_scatter.unwrap_or(0.0);
+        let angle = self.angle.unwrap_or(0.0);
         let centre = || self.centre.ok_or_else(|| missing("centre"));
         let point = || self.point.ok_or_else(|| missing("point"));
         let normal = || self.normal.ok_or_else(|| missing("normal"));
@@ -146,9 +147,9 @@ impl FeatureTable {
             Shape::Hole | Shape::Stud => Round {
                 centre: centre()?,
                 diameter: self.diameter.ok_or_else(|| missing("diameter"))?,
-                plane: self.plane.unwrap_or_default(),
-                ovality: self.ovality.unwrap_or_default(),
-                lobes: self.lobes.unwrap_or_default(),
+                plane: self.plane.unwrap_or(Plane::Xy),
+                ovality: self.ovality.unwrap_or(Lobes::NONE),
+                lobes: self.lobes.unwrap_or(Lobes::NONE),
                 surface_scatter,
             }
             .surface(shape.feature()),
@@ -156,7 +157,7 @@ impl FeatureTable {
             Shape::Point => Surface::Point(FreePoint {
                 point: point()?,
                 normal: normal()?,
-                deviation: self.deviation.unwrap_or_default(),
+                deviation: self.deviation.unwrap_or(0.0),
                 radius: self.radius,
                 surface_scatter,
             }),
@@ -259,7 +260,7 @@ impl<'a> Places<'a> {
         let table = tables.and_then(|tables| tables.get(number));
         let own =
             table.and_then(|table| table.get_ref().as_table()?.get_key_value(key)).map(|(key, _)| key.span().start);
-        let (start, name) = self.features.get(number).cloned().unwrap_or_default();
+        let (start, name) = self.features.get(number).map_or_else(|| (0, usual_name(number + 1)), Clone::clone);
         self.at(own.unwrap_or(start), name, fault)
     }
 

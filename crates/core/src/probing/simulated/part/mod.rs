@@ -117,7 +117,9 @@ impl Part {
     fn check(&self) -> Result<(), WorkpieceError> {
         in_range(Figure::Temperature, self.temperature, -100.0, 200.0)?;
         in_range(Figure::Expansion, self.expansion, 0.0, 200.0)?;
-        in_range(Figure::StylusRadius, self.stylus_radius.unwrap_or_default(), 0.0, THICKEST)?;
+        if let Some(radius) = self.stylus_radius {
+            in_range(Figure::StylusRadius, radius, 0.0, THICKEST)?;
+        }
         self.probe.check()
     }
 

@@ -249,7 +249,8 @@ impl Correction {
         let (part, scale) = (growth(self.part), self.scale.map_or(0.0, growth));
         // The difference alone, so that no digits of the length cancel.
         let exact = (1.0 + scale) / (1.0 + part) - (1.0 - part + scale);
-        Length::from_mm_f64(self.measured.to_mm_f64() * -exact).unwrap_or_default()
+        // Within the bounds of coefficients and temperatures it is a fraction of the length, so it is one.
+        Length::from_mm_f64(self.measured.to_mm_f64() * -exact).unwrap_or(Length::MAX)
     }
 }
 
