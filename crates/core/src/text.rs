@@ -34,6 +34,16 @@ pub fn before(text: &str, at: usize) -> &str {
     text.split_at_checked(at).map_or("", |(before, _)| before)
 }
 
+/// The part of a text between two bytes; nothing where the text ends before the second.
+pub fn part(text: &str, start: usize, end: usize) -> &str {
+    behind(before(text, end), start)
+}
+
+/// A text up to the first sign of a kind, or to its end.
+pub fn until(text: &str, sign: char) -> &str {
+    text.split_once(sign).map_or(text, |(before, _)| before)
+}
+
 /// The first word of a text; nothing where there is none.
 pub fn first_word(text: &str) -> &str {
     text.split_whitespace().next().map_or("", |word| word)

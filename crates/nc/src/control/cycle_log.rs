@@ -141,7 +141,7 @@ fn figure(cycle: &Cycle, result: &CycleResult, what: FoundName, kind: FigureKind
         FigureKind::Centre(axis) => {
             let nominal = of(Meaning::Centre(axis))?;
             // A tolerance of 0 means that the axis is not monitored.
-            let tolerance = of(Meaning::CentreTolerance(axis)).unwrap_or_default();
+            let tolerance = of(Meaning::CentreTolerance(axis)).unwrap_or(Length::ZERO);
             let maximum = nominal.saturating_sub(tolerance.negated());
             against(nominal, Some(LimitPair { maximum, minimum: nominal.saturating_sub(tolerance) }))
         }
@@ -181,7 +181,7 @@ fn point(cycle: &Cycle, result: &CycleResult, heading: &Heading) -> Option<Point
         measured: found([FoundName::POSITION_1, FoundName::POSITION_2, FoundName::POSITION_3])?,
         deviations: found([FoundName::DEVIATION_1, FoundName::DEVIATION_2, FoundName::DEVIATION_3])?,
         deviation,
-        tolerance: tolerance.map(ToString::to_string).unwrap_or_default(),
+        tolerance: tolerance.map_or_else(String::new, ToString::to_string),
         band,
         status: band.map(|band| band.status(deviation)),
     })

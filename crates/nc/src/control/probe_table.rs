@@ -15,7 +15,8 @@ use super::table::{ControlTable, TableError, TableFile, TableUnit, TableWarning,
 
 /// The built-in table.
 fn shipped_bytes() -> &'static [u8] {
-    shipped::file(shipped::TABLES, "tchprobe.tp").unwrap_or_default()
+    // Without it there would be no probe, and the first use of the table says so.
+    shipped::file(shipped::TABLES, "tchprobe.tp").map_or(&[], |bytes| bytes)
 }
 
 /// A touch-probe table.
@@ -127,6 +128,12 @@ impl ProbeTable {
             Some(number) => self.probes.iter().find(|probe| probe.number == number),
             None => self.probes.first(),
         }
+    }
+
+    /// The probe of a number, or the first one; in a table without any it would be that of the built-in table.
+    pub(crate) fn probe_or_first(&self, number: Option<u32>) -> TouchProbe {
+        let of_number = number.and_then(|number| self.probe(Some(number)));
+        of_number.or_else(|| self.probe(None)).map_or_else(TouchProbe::default, |probe| *probe)
     }
 }
 

@@ -86,10 +86,8 @@ pub fn alone(text: &str, block: &ProbeBlock) -> Vec<Located<Alone>> {
 /// What is before a block, counted from 0, that no reader of programs knows as a measuring cycle.
 fn not_read(text: &str, line: usize) -> Vec<Located<Alone>> {
     let Ok((program, _)) = Program::read(text.as_bytes()) else {
-        let before = text.lines().take(line).position(|text| !text.trim().is_empty());
-        let first = |at| {
-            Located::in_line(at + 1, Alone::NotUnderstood { text: shown(text.lines().nth(at).unwrap_or_default()) })
-        };
+        let before = (1..).zip(text.lines()).take(line).find(|(_, text)| !text.trim().is_empty());
+        let first = |(at, text)| Located::in_line(at, Alone::NotUnderstood { text: shown(text) });
         return before.map(first).into_iter().collect();
     };
     let mut told = Told { program: &program, block: 0, added: 0, said: Vec::new() };
@@ -125,7 +123,7 @@ impl Told<'_> {
     }
 
     fn say(&mut self, block: usize, what: impl FnOnce(String) -> Alone) {
-        let text = shown(self.program.text_of(block).next().unwrap_or_default());
+        let text = shown(self.program.first_line_of(block));
         self.said.push(Located::in_line(self.line(block), what(text)));
     }
 

@@ -405,7 +405,7 @@ impl Around {
 
     /// The plane of the tool axis; X and Y before any tool call.
     pub(super) fn plane(&self) -> Plane {
-        self.plane.unwrap_or_default()
+        self.plane.unwrap_or(Plane::Xy)
     }
 
     /// The zero in force, mm from the preset.

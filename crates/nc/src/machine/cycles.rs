@@ -69,7 +69,7 @@ impl Cycles {
     pub(super) fn new(contacts: Contacts, settings: &Settings) -> Self {
         Self {
             probed: Probed::new(contacts),
-            probe: settings.probe_table.probe(None).copied().unwrap_or_default(),
+            probe: settings.probe_table.probe_or_first(None),
             other_tool: None,
             runs: Vec::new(),
             most: settings.budget.cycles,
@@ -121,7 +121,7 @@ impl Cycles {
             Some(Tool::Name(name)) => (None, values.text_operand(name)?.to_owned()),
         };
         let found = number.and_then(|number| table.probe(Some(number)));
-        self.probe = found.or_else(|| table.probe(None)).copied().unwrap_or_default();
+        self.probe = table.probe_or_first(number);
         // With one probe there is no doubt which one is meant.
         let is_doubtful = found.is_none() && 1 < table.probes.len();
         self.other_tool = is_doubtful.then_some(name);

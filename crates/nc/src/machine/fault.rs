@@ -42,7 +42,7 @@ impl Fault {
     pub(super) fn new(program: &Program, mut place: BlockPlace, kind: FaultKind) -> Self {
         place.block = place.block.min(program.blocks().len().saturating_sub(1));
         let block = program.blocks().get(place.block);
-        let text = program.text_of(place.block).next().unwrap_or_default();
+        let text = program.first_line_of(place.block);
         let number = block.and_then(|block| block.number);
         let front = text.trim();
         // Lathe controls write `N5` for block 5.

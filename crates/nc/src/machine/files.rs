@@ -161,7 +161,7 @@ impl Files {
         let bytes = self.read(path).or_else(|fault| self.with_suffix(path, fault))?;
         // A program returns exactly the bytes that it was read from.
         let (program, remarks) = match self.known.get(path).filter(|program| program.write() == bytes) {
-            Some(program) => (Arc::clone(program), self.odd.get(path).cloned().unwrap_or_default()),
+            Some(program) => (Arc::clone(program), self.odd.get(path).map_or_else(Vec::new, Clone::clone)),
             None => match Program::read(&bytes) {
                 Ok((program, warnings)) => (Arc::new(program), Remark::read(path, &warnings)),
                 Err(error) => return Err(FaultKind::NoProgram { path: path.clone(), error }),

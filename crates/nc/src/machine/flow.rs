@@ -95,7 +95,7 @@ impl Flow {
     pub(super) fn made(&self, at: usize) -> Made {
         let program = &self.frame.program;
         let line = program.blocks().get(at).map_or(0, |block| block.lines.start + 1);
-        Made { line, text: cut(program.text_of(at).next().unwrap_or_default().trim(), LONGEST_TEXT) }
+        Made { line, text: cut(program.first_line_of(at).trim(), LONGEST_TEXT) }
     }
 
     pub(super) fn calls(&self) -> &[Call] {

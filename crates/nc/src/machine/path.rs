@@ -4,6 +4,7 @@ use std::fmt;
 use std::sync::Arc;
 
 use fitcheck_core::message::{Say, as_text};
+use fitcheck_core::text::until;
 
 /// The drive of programs on these controls; others are not followed.
 const DRIVE: &str = "TNC:";
@@ -69,7 +70,7 @@ impl NcPath {
 
     /// The path of a program that a user has named: if it is not a path of a control, only the file name counts.
     pub fn of_file(path: &str) -> Self {
-        let name = path.rsplit(['/', '\\']).next().unwrap_or_default();
+        let name = path.rsplit_once(['/', '\\']).map_or(path, |(_, name)| name);
         Self::new(path).or_else(|_outside| Self::new(name)).unwrap_or_else(|_no_name| Self("program.h".into()))
     }
 
@@ -90,7 +91,7 @@ impl NcPath {
 
     /// The last part.
     pub fn file_name(&self) -> &str {
-        self.parts().next_back().unwrap_or_default()
+        self.0.rsplit_once('\\').map_or(&self.0, |(_, name)| name)
     }
 }
 
@@ -108,9 +109,9 @@ fn normalised(given: &str, folder: &[&str]) -> Result<NcPath, PathError> {
     if path.is_empty() {
         return Err(PathError::Empty);
     }
-    let drive = path.get(..DRIVE.len()).filter(|drive| drive.eq_ignore_ascii_case(DRIVE));
+    let drive = path.split_at_checked(DRIVE.len()).filter(|(drive, _)| drive.eq_ignore_ascii_case(DRIVE));
     let (rest, folder) = match drive {
-        Some(drive) => (path.strip_prefix(drive).unwrap_or_default().trim_start_matches(['\\', '/']), &[][..]),
+        Some((_, rest)) => (rest.trim_start_matches(['\\', '/']), &[][..]),
         None if path.starts_with(['\\', '/']) || path.contains(':') => {
             return Err(PathError::OtherRoot { path: path.to_owned() });
         }
@@ -141,7 +142,7 @@ fn normalised(given: &str, folder: &[&str]) -> Result<NcPath, PathError> {
 
 /// Whether every system accepts this as a file name.
 fn is_name(name: &str) -> bool {
-    let stem = name.split('.').next().unwrap_or_default().trim_end();
+    let stem = until(name, '.').trim_end();
     let numbered = |device: &str| {
         stem.get(..3).is_some_and(|start| start.eq_ignore_ascii_case(device)) && stem.chars().count() == 4
     };

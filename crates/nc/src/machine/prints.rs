@@ -180,7 +180,9 @@ pub(super) fn rendered(
 /// Writes a file and returns whether it is there now.
 pub(super) fn save(path: &NcPath, bytes: &[u8], how: FileUse, files: &mut Files) -> Result<bool, FaultKind> {
     let size = files.write(path, bytes, how)?;
-    files.spend(size.unwrap_or_default())?;
+    if let Some(size) = size {
+        files.spend(size)?;
+    }
     Ok(size.is_some())
 }
 

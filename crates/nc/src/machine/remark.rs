@@ -228,7 +228,7 @@ pub enum Remark {
 
 impl From<Collision> for Remark {
     fn from(Collision { mover, feature, place }: Collision) -> Self {
-        let [x, y, z] = place.map(|part| Length::from_mm_f64(part).unwrap_or_default());
+        let [x, y, z] = place.map(|part| Length::from_mm_f64(part).unwrap_or(Length::MAX));
         Self::Collision { mover, feature, x, y, z }
     }
 }

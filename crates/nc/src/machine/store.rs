@@ -212,8 +212,11 @@ impl Store for InMemory {
     }
 
     fn write(&mut self, path: &NcPath, bytes: &[u8], how: FileUse) -> Result<usize, StoreError> {
-        let old = if how == FileUse::Replace { &[] } else { self.file(path).unwrap_or_default() };
-        let whole = [old, bytes].concat();
+        let mut whole = match self.file(path) {
+            Some(old) if how != FileUse::Replace => old.to_vec(),
+            _ => Vec::new(),
+        };
+        whole.extend_from_slice(bytes);
         let size = whole.len();
         self.0.insert(path.to_string().to_ascii_lowercase(), whole);
         Ok(size)

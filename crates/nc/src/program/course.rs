@@ -32,7 +32,7 @@ impl Program {
         let all = Ways::of(self, true);
         let reached = Ways::from(&all.on, 0, None, count);
         let leads = Ways::from(&all.back, block, None, count);
-        let is = |places: &[bool], place: usize| places.get(place).copied().unwrap_or_default();
+        let is = |places: &[bool], place: usize| places.get(place).is_some_and(|is| *is);
         let before: Vec<bool> =
             (0..count).map(|place| place != block && is(&reached, place) && is(&leads, place)).collect();
         let last = (0..block).rev().find(|&place| is(&reached, place)).filter(|_| !is(&reached, block));

@@ -3,6 +3,8 @@
 //! Klartext is not read word by word: blanks may occur within a word (`X + 0`, `FN0 :`) and be missing between words
 //! (`SIN-Q5`, `IX-QR4`). So every reader asks the cursor for what it expects, and the cursor skips blanks.
 
+use fitcheck_core::text;
+
 use super::fault::{BlockFault, Wanted};
 use super::notation::Notation;
 use super::operand::{Operand, TextOperand};
@@ -36,7 +38,7 @@ pub(super) fn shown(text: &str) -> String {
 
 /// The first word of a text, if it has one, as an error repeats it.
 pub(super) fn first_word(text: &str) -> String {
-    text.split_whitespace().take(1).flat_map(str::chars).take(SHOWN).collect()
+    shown(text::first_word(text))
 }
 
 impl<'a> Cursor<'a> {
@@ -61,12 +63,12 @@ impl<'a> Cursor<'a> {
     }
 
     pub(super) fn rest(&self) -> &'a str {
-        self.text.get(self.at..).unwrap_or_default()
+        text::behind(self.text, self.at)
     }
 
     /// The text between a place and here, without blanks around it.
     pub(super) fn since(&self, at: usize) -> &'a str {
-        self.text.get(at..self.at).unwrap_or_default().trim()
+        text::part(self.text, at, self.at).trim()
     }
 
     /// Skips blanks.
@@ -92,7 +94,7 @@ impl<'a> Cursor<'a> {
         let rest = self.rest();
         let end = rest.find(|c| !test(c)).unwrap_or(rest.len());
         self.at += end;
-        rest.get(..end).unwrap_or_default()
+        text::before(rest, end)
     }
 
     /// Takes the rest, without blanks around it.

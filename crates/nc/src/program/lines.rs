@@ -2,6 +2,8 @@
 
 use std::ops::Range;
 
+use fitcheck_core::text::behind;
+
 use super::place::Place;
 
 /// Where lines begin and end in a text: LF, CRLF, CR or byte 0 ends one (as in [`fitcheck_core::text::lines`]).
@@ -44,7 +46,7 @@ impl Lines {
 
     /// A line of the text; empty beyond the last.
     pub(super) fn line<'a>(&self, text: &'a str, line: usize) -> &'a str {
-        self.range(line).and_then(|range| text.get(range)).unwrap_or_default()
+        self.range(line).and_then(|range| text.get(range)).map_or("", |line| line)
     }
 }
 
@@ -91,7 +93,7 @@ fn without_tilde(text: &str) -> (&str, bool) {
 
 /// Parses a further line of a block.
 pub(super) fn next(text: &str, line: usize, from: usize) -> Piece<'_> {
-    let (rest, goes_on) = without_tilde(text.get(from..).unwrap_or_default());
+    let (rest, goes_on) = without_tilde(behind(text, from));
     let begins = rest.len() - rest.trim_start_matches(is_blank).len();
     let (end, open_quote) = comment_begins(rest);
     let (code, comment) = rest.split_at_checked(end).unwrap_or((rest, ""));

@@ -161,6 +161,11 @@ impl Program {
         lines.map(|line| self.line(line))
     }
 
+    /// The first line of a block as written; empty beyond the last block.
+    pub fn first_line_of(&self, block: usize) -> &str {
+        self.blocks.get(block).map_or("", |block| self.line(block.lines.start))
+    }
+
     /// The comment of a block, if there is one: that of its first line, without the signs around it.
     pub fn comment_of(&self, block: usize) -> Option<&str> {
         let line = self.blocks.get(block)?.lines.start;

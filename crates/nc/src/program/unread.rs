@@ -2,6 +2,8 @@
 //!
 //! Only what is named here is told apart. Any other block may do anything: set a datum, change the tool, measure.
 
+use fitcheck_core::text::{behind, until};
+
 use super::cursor::Cursor;
 use super::cycle_block::CycleBlock;
 use super::lines::{self, Piece};
@@ -76,7 +78,7 @@ impl Program {
                 let Piece { code, .. } = lines::next(text, line, from);
                 code
             }
-            Notation::DinPlus => text.get(from..).unwrap_or_default().split('[').next().unwrap_or_default().trim(),
+            Notation::DinPlus => until(behind(text, from), '[').trim(),
         }
     }
 }
@@ -217,9 +219,7 @@ fn parameters(code: &str) -> Vec<(usize, Parameter)> {
 
 /// All variables of a lathe control's text.
 fn variables(code: &str) -> Vec<Parameter> {
-    let at = |(at, _): (usize, &str)| {
-        Cursor::of(code.get(at..).unwrap_or_default(), Notation::DinPlus).parameter().ok().flatten()
-    };
+    let at = |(at, _): (usize, &str)| Cursor::of(behind(code, at), Notation::DinPlus).parameter().ok().flatten();
     code.match_indices('#').filter_map(at).collect()
 }
 

@@ -134,12 +134,13 @@ fn said(body: &Body) -> String {
         Body::TableRead { to, row, columns } => format!("FN 28: TABREAD {to} = {}", cell(*row, columns)),
         Body::TableWrite { row, columns, from } => format!("FN 27: TABWRITE {} = {from}", cell(*row, columns)),
         Body::ToolCall { tool, axis, rest } => {
-            let tool = tool.as_ref().map(|tool| match tool {
-                Tool::Number(number) => format!(" {}", plain(*number)),
-                Tool::Name(name) => format!(" {}", text_operand(name)),
-            });
+            let tool = match tool {
+                None => String::new(),
+                Some(Tool::Number(number)) => format!(" {}", plain(*number)),
+                Some(Tool::Name(name)) => format!(" {}", text_operand(name)),
+            };
             let axis = axis.map_or(String::new(), |axis| format!(" {}", word(&AXES, axis)));
-            format!("TOOL CALL{}{axis} {}", tool.unwrap_or_default(), cleaned(rest))
+            format!("TOOL CALL{tool}{axis} {}", cleaned(rest))
         }
         Body::Move(movement) => line(movement),
         Body::MachineFunctions(functions) => machine_functions(functions),

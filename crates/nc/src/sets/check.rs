@@ -93,9 +93,9 @@ fn adapted(names: &Names<'_>, called: Called) -> Blocks {
 fn parts(made: Blocks) -> [Blocks; 3] {
     let is_tool = |(body, _): &(Body, String)| matches!(body, Body::ToolCall { .. });
     let is_section = |(body, _): &(Body, String)| matches!(body, Body::Heading { depth: 2, .. });
-    let find = made.iter().position(is_section).unwrap_or_default();
     let tool = made.iter().position(is_tool).unwrap_or(made.len());
     let measure = made.iter().take(tool).rposition(is_section).unwrap_or(tool);
+    let find = made.iter().take(measure).take_while(|block| !is_section(block)).count();
     let mut title = made;
     let rest = title.split_off(measure);
     let lookup = title.split_off(find);
@@ -137,9 +137,10 @@ LBL 90
 /// tolerance, before, so that nothing stale says good where a control does not set it.
 fn without_limits(made: Blocks) -> Blocks {
     let [title, _lookup, rest] = parts(made);
-    let jump = rest.iter().position(|(body, _)| matches!(body, Body::Jump { .. })).unwrap_or_default();
-    let probe = rest.iter().rposition(|(body, _)| matches!(body, Body::Probe(_))).unwrap_or_default();
-    let (before, after) = (rest.iter().take(jump), rest.iter().skip(probe));
+    let before = rest.iter().take_while(|(body, _)| !matches!(body, Body::Jump { .. }));
+    // Without a measurement nothing is left, and no set passes its proof.
+    let probe = rest.iter().rposition(|(body, _)| matches!(body, Body::Probe(_))).unwrap_or(rest.len());
+    let after = rest.iter().skip(probe);
     let is_kept = |(body, _): &&(Body, String)| {
         let texts = [CHECKED, BLANK, NOMINAL_TEXT];
         !matches!(body, Body::AssignText { to, .. } if texts.contains(to))

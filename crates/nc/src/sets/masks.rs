@@ -16,7 +16,8 @@ pub(super) fn mask(target: &Target, called: Called) -> Vec<u8> {
         _ => "82552",
     };
     let original = shipped::file(shipped::MASKS, &format!("{window}_{}.a", target.language));
-    let text = String::from_utf8_lossy(original.unwrap_or_default());
+    // No set with an empty mask reads back.
+    let text = original.map_or_else(|| "".into(), String::from_utf8_lossy);
     let limits = called.limits();
     let number = if target.control == Control::Itnc530 { "LF" } else { "F" };
     let is_as_built_in = target.control == Control::Itnc530 && called == Called::Diameter;

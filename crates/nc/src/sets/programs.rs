@@ -25,13 +25,13 @@ pub(super) fn blocks(text: &[u8]) -> Blocks {
     let Ok((program, _warnings)) = Program::read(text) else { return Blocks::new() };
     let blocks = program.blocks().iter().enumerate();
     let inner = blocks.filter(|(_, block)| !matches!(block.body, Body::Begin { .. } | Body::End { .. }));
-    let comment = |number| program.comment_of(number).unwrap_or_default().to_owned();
+    let comment = |number| program.comment_of(number).map_or_else(String::new, str::to_owned);
     inner.map(|(number, block)| (block.body.clone(), comment(number))).collect()
 }
 
-/// A built-in program; these are part of Fitcheck, and tests make a set in every language.
+/// A built-in program; these are part of Fitcheck, tests make a set in every language, and no set without blocks passes its proof.
 pub(super) fn shipped_program(name: &str, language: Dialogue) -> Blocks {
-    blocks(shipped::file(shipped::NC, &format!("{name}_{language}.h")).unwrap_or_default())
+    shipped::file(shipped::NC, &format!("{name}_{language}.h")).map_or_else(Blocks::new, blocks)
 }
 
 /// The file of a program. All of it is ASCII, since names and texts are.
@@ -58,7 +58,7 @@ pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
     let blocks = shipped_program("8255", names.target.language);
     // Blocks that occur only once are before the first parameter or after the stop.
     let is_parameter = |(body, _): &(Body, String)| matches!(body, Body::Assign { .. } | Body::AssignText { .. });
-    let first = blocks.iter().position(is_parameter).unwrap_or_default();
+    let first = blocks.iter().take_while(|block| !is_parameter(block)).count();
     let behind = blocks.iter().position(|(body, _)| matches!(body, Body::Stop(_))).map_or(first, |at| at + 1);
     let (head, rest) = blocks.split_at(first);
     let (each, tail) = rest.split_at(behind - first);
@@ -114,7 +114,7 @@ fn text(to: Parameter, value: String, comment: String) -> (Body, String) {
 /// The class; of a pocket or boss also nominal size and class of the second side, of a point the band.
 fn class_blocks(names: &Names<'_>, kind: &Kind, comment: String) -> Blocks {
     let language = names.target.language;
-    let class = |callout: &Callout| callout.class().map(|class| class.to_string()).unwrap_or_default();
+    let class = |callout: &Callout| callout.class().map_or_else(String::new, |class| class.to_string());
     match kind {
         Kind::Diameter(callout) | Kind::Width(callout, _) | Kind::Face(callout, _) => {
             vec![text(CLASS, class(callout), comment)]

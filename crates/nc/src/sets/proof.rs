@@ -27,7 +27,8 @@ pub(super) fn run(files: &[SetFile], planned: &[Planned<'_>], names: &Names<'_>)
     let failed = SetError::Proof;
     let on_control = |file: &SetFile| (NcPath::of_file(&names.path(&file.name)), file.bytes.clone());
     let store: BTreeMap<NcPath, Vec<u8>> = files.iter().map(on_control).collect();
-    let main = files.first().map(|file| file.bytes.as_slice()).unwrap_or_default();
+    // The reader refuses what is empty.
+    let main = files.first().map_or(&[][..], |file| &file.bytes);
     let (program, _warnings) = Program::read(main).map_err(|error| failed(ProofFault::Program(error)))?;
     let contacts = planned.iter().flat_map(contacts).collect();
     // No mask of a set prints the time.
@@ -60,8 +61,8 @@ pub(super) fn run(files: &[SetFile], planned: &[Planned<'_>], names: &Names<'_>)
 fn contacts(planned: &Planned<'_>) -> Vec<Contact> {
     let feature = planned.feature;
     let place = planned.place.map(Length::to_mm_f64);
-    let middles: Vec<f64> = planned.limits.iter().map(|limits| limits.middle().to_mm_f64()).collect();
-    let middle = |side: usize| middles.get(side).copied().unwrap_or_default();
+    // A size without limits is never in the middle of them, and the proof fails.
+    let middle = |side: usize| planned.limits.get(side).map_or(0.0, |limits| limits.middle().to_mm_f64());
     let at = |direction: [f64; 3], distance: f64| Contact::at(along(place, direction, distance));
     match &feature.kind {
         Kind::Diameter(_) => [0, 1, 2, 3]

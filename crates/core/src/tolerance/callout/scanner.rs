@@ -1,6 +1,6 @@
 //! A text that is read from left to right, character by character; reading never passes its end and never fails.
 
-use crate::text::{before, behind};
+use crate::text::part;
 
 /// Where something is in a text, in bytes: from `start` up to before `end`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -43,7 +43,7 @@ impl<'a> Scanner<'a> {
 
     /// What has been read since an earlier offset.
     pub(super) fn since(&self, start: usize) -> &'a str {
-        behind(before(self.text, self.offset()), start)
+        part(self.text, start, self.offset())
     }
 
     /// The next character, if any.

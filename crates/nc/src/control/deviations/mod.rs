@@ -216,7 +216,7 @@ impl Reading<'_> {
     /// The number in a cell; `None` for a blank cell and for `-`.
     fn value(&self, row: usize, column: usize, unit: Unit) -> Result<Option<Length>, Fault> {
         let cell = self.file.table.cell(row, column);
-        let name = || self.file.table.columns.get(column).map(|column| column.name.clone()).unwrap_or_default();
+        let name = || self.file.table.columns.get(column).map_or_else(String::new, |column| column.name.clone());
         if self.file.touches(row, column) {
             return Err(self.file.at_cell(row, column, DeviationFault::Touches { column: name() }));
         }

@@ -22,14 +22,14 @@ pub fn to_control_table(table: &DeviationTable, generation: Generation) -> Contr
             row.extend(table.columns().iter().map(|column| {
                 let cell = column.cells.get(number).copied().flatten();
                 let value = cell.map(|pair| if half == 0 { pair.upper() } else { pair.lower() });
-                value.map(signed_micrometres).unwrap_or_default()
+                value.map_or_else(String::new, signed_micrometres)
             }));
             rows.push(row);
         }
     }
     for (number, column) in columns.iter_mut().enumerate() {
-        let longest = rows.iter().filter_map(|row| row.get(number)).map(String::len).max().unwrap_or_default();
-        column.width = column.width.max(longest + 1);
+        let widths = rows.iter().filter_map(|row| row.get(number)).map(|cell| cell.len() + 1);
+        column.width = widths.fold(column.width, usize::max);
     }
     let (name, suffix) = (name.to_owned(), Some(suffix.to_owned()));
     let plain = ControlTable { name, suffix, columns, rows, ..ControlTable::default() };

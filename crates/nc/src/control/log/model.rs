@@ -45,7 +45,8 @@ impl Log {
             deviation: figure.deviation.map(round),
         };
         Self {
-            title: labels.title(self.cycle).unwrap_or_default().to_owned(),
+            // The log of a cycle without a title is not printed.
+            title: labels.title(self.cycle).map_or_else(String::new, str::to_owned),
             date: self.date,
             time: self.time.map(whole_seconds),
             program: self.program.clone(),

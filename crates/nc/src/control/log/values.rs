@@ -215,7 +215,8 @@ impl<'a> Body<'a> {
 
     /// The last digit of a log, 0.0001 of its unit: the most that rounding may change in a difference.
     fn last_figure(&self) -> Length {
-        Length::parse_in("0.0001", self.unit).unwrap_or_default()
+        // Of micrometres it is less than a nanometre, and no log is in micrometres.
+        Length::parse_in("0.0001", self.unit).unwrap_or(Length::ZERO)
     }
 
     fn agrees(&self, deviation: &Number<'_>, actual: &Number<'_>, nominal: &Number<'_>) -> Result<(), LogError> {

@@ -143,8 +143,8 @@ fn reads_back(
         _ => return Err(LogWriteError::ReadsOtherwise),
     };
     let printed = Log { line: read.line, warnings: read.warnings.clone(), ..log.printed(language) };
-    if read.program != printed.program {
-        return Err(LogWriteError::Program { given: printed.program.unwrap_or_default() });
+    if let Some(given) = printed.program.as_ref().filter(|given| read.program.as_ref() != Some(given)) {
+        return Err(LogWriteError::Program { given: given.clone() });
     }
     if read != printed {
         return Err(LogWriteError::ReadsOtherwise);

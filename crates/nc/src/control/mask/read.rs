@@ -206,7 +206,7 @@ impl Reader {
             letters if letters.starts_with('F') => (Kind::Decimal, 1),
             letters if letters.starts_with(['D', 'I']) => (Kind::Whole, 1),
             letters => {
-                let found = format!("%{}", letters.chars().next().map(String::from).unwrap_or_default());
+                let found = std::iter::once('%').chain(letters.chars().take(1)).collect();
                 return Err(self.fault(column, MaskFault::UnknownFormat { found }));
             }
         };

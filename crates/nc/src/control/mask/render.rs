@@ -132,10 +132,13 @@ impl At {
             (Kind::Whole, Printed::Number(number)) => {
                 let whole = told(&number, 0);
                 let (sign, figures) = whole.strip_prefix('-').map_or(("", whole.as_str()), |figures| ("-", figures));
-                let least = format.digits.unwrap_or(0);
+                let figures = match format.digits {
+                    Some(least) => format!("{figures:0>least$}"),
+                    None => figures.to_owned(),
+                };
                 // In C the least number of digits takes the place of filling with zeros.
                 let format = Format { zeros: format.zeros && format.digits.is_none(), ..*format };
-                Ok(signed(&format!("{sign}{figures:0>least$}"), &format))
+                Ok(signed(&format!("{sign}{figures}"), &format))
             }
             (Kind::Text | Kind::Raw, Printed::Number(_)) => Err(self.fault(RenderFault::NumberAsText { name: name() })),
             (Kind::Decimal | Kind::Whole, Printed::Text(_)) => {

@@ -122,6 +122,14 @@ pub fn append(page: &[u8], log: &PointLog, language: Dialogue) -> Result<Vec<u8>
     write(&logs, language)
 }
 
+fn of_axis<T>(name: &str, [x, y, z]: [T; 3]) -> T {
+    match name {
+        "X" => x,
+        "Y" => y,
+        _ => z,
+    }
+}
+
 fn row(log: &PointLog, number: usize, words: &'static Surface, language: Dialogue) -> Row {
     let unit = log.unit;
     let plain = |length: Length| people(&length.exact(unit, DECIMALS), language);
@@ -129,22 +137,19 @@ fn row(log: &PointLog, number: usize, words: &'static Surface, language: Dialogu
         let plus = if Length::ZERO < length { "+" } else { "" };
         format!("{plus}{}", plain(length))
     };
-    let axes = [("X", 0), ("Y", 1), ("Z", 2)].map(|(name, at)| {
-        let of = |lengths: &[Length; 3]| lengths.get(at).copied().unwrap_or_default();
-        Axis {
-            name,
-            nominal: plain(of(&log.nominal)),
-            normal: people(&log.normal.get(at).copied().unwrap_or_default().to_string(), language),
-            measured: plain(of(&log.measured)),
-            deviation: signed(of(&log.deviations)),
-        }
+    let axes = ["X", "Y", "Z"].map(|name| Axis {
+        name,
+        nominal: plain(of_axis(name, log.nominal)),
+        normal: people(&of_axis(name, log.normal).to_string(), language),
+        measured: plain(of_axis(name, log.measured)),
+        deviation: signed(of_axis(name, log.deviations)),
     });
     Row {
         number,
         stored: stored::block(log),
         class: class(log.status),
-        time: log.date_time.map(|time| time.strftime(DATE).to_string()).unwrap_or_default(),
-        program: visible(log.program.as_deref().unwrap_or_default()),
+        time: log.date_time.map_or_else(String::new, |time| time.strftime(DATE).to_string()),
+        program: log.program.as_deref().map_or_else(String::new, visible),
         simulated: log.is_simulated.then_some(words.simulated.as_str()),
         axes,
         along: signed(log.deviation),

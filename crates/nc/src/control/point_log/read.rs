@@ -22,8 +22,8 @@ pub fn read(bytes: &[u8]) -> Vec<Result<(usize, PointLog), PointLogError>> {
 
 /// The same for a text, one measurement after the other: memory stays the same however many there are.
 pub fn each(page: &str) -> impl Iterator<Item = Result<(usize, PointLog), PointLogError>> {
-    let mut parts = page.split(OPEN);
-    let head = parts.next().unwrap_or_default();
+    let head = page.split_once(OPEN).map_or(page, |(head, _)| head);
+    let mut parts = page.split(OPEN).skip(1);
     let (mut line, mut found, mut is_over) = (1 + newlines(head), 0, false);
     std::iter::from_fn(move || {
         if let Some(part) = parts.next() {

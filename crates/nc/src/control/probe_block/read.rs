@@ -2,7 +2,7 @@
 
 use fitcheck_core::probing::cycle::{Control, Cycle, Inputs, Range};
 use fitcheck_core::probing::cycles::{cycle_named, cycles_of};
-use fitcheck_core::text::lines;
+use fitcheck_core::text::{first_word, lines, part};
 
 use super::fault::{MOST_PARTS, ProbeBlockError, ProbeBlockFault};
 use super::{ProbeBlock, Setting, Unused, shown};
@@ -79,7 +79,7 @@ fn segments(line: &str) -> (Vec<Segment<'_>>, bool) {
     let mut found = Vec::new();
     let (mut start, mut comment, mut quoted) = (0, None, false);
     let segment = |start: usize, end: usize, comment: Option<usize>, goes_on: bool| {
-        let code = line.get(start..comment.unwrap_or(end)).unwrap_or_default().trim();
+        let code = part(line, start, comment.unwrap_or(end)).trim();
         Segment { code, has_comment: comment.is_some(), goes_on }
     };
     for (at, character) in line.char_indices() {
@@ -138,7 +138,7 @@ impl Reader {
             self.follow(segment);
             return Ok(());
         }
-        let first = segment.code.split_whitespace().next().unwrap_or_default();
+        let first = first_word(segment.code);
         if self.state == State::Iso && (first.contains('=') || first.starts_with('*')) {
             return self.words(segment.code, line);
         }
@@ -290,7 +290,7 @@ fn head(body: &str) -> Result<Option<(&'static Cycle, Option<&str>)>, ProbeBlock
     if !first.eq_ignore_ascii_case("TCH") || !second.eq_ignore_ascii_case("PROBE") {
         return Ok(None);
     }
-    let number = rest.split_whitespace().next().unwrap_or_default();
+    let number = first_word(rest);
     let known = || cycles_of(Control::Milling);
     let Some(cycle) = known().find(|cycle| cycle.code == number) else {
         let known = known().map(|cycle| cycle.code).collect::<Vec<_>>().join(", ");

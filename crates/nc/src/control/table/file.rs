@@ -45,7 +45,11 @@ impl TableFile {
     }
 
     fn place(&self, line: usize, column: usize) -> Place {
-        let start = self.starts.get(column).copied().unwrap_or_default();
-        Place::in_file(&self.file, line, start + 1)
+        Place::in_file(&self.file, line, self.start_of(column) + 1)
+    }
+
+    /// Where a column starts; beyond the last one, the line.
+    pub(super) fn start_of(&self, column: usize) -> usize {
+        self.starts.get(column).map_or(0, |start| *start)
     }
 }

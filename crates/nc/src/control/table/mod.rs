@@ -168,7 +168,7 @@ impl ControlTable {
         for (number, column) in table.columns.iter_mut().enumerate() {
             let cells = || self.rows.iter().filter_map(|row| row.get(number).map(String::as_str));
             let is_text = column.is_text().unwrap_or_else(|| !cells().all(|cell| is_blank(cell) || is_number(cell)));
-            let decimals = cells().map(decimals).max().unwrap_or_default();
+            let decimals = cells().map(decimals).fold(0, usize::max);
             // No #STRUCTBEGIN block contains the row number.
             let is_row_number = column.name == "NR" && generation == Generation::Structure;
             let kind = match generation {

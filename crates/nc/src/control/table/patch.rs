@@ -5,7 +5,7 @@
 
 use std::collections::BTreeMap;
 
-use fitcheck_core::text::decode;
+use fitcheck_core::text::{behind, decode};
 
 use super::read::split_at_characters;
 use super::{ControlTable, TableFile, WriteError};
@@ -44,7 +44,7 @@ impl TableFile {
                 Ok(row) if cells.range((row, 0)..(row + 1, 0)).next().is_some() => {
                     let line = piece.strip_suffix(['\n', '\r', '\0']).unwrap_or(piece);
                     patched.push_str(&self.patched_line(line, row, cells)?);
-                    patched.push_str(piece.get(line.len()..).unwrap_or_default());
+                    patched.push_str(behind(piece, line.len()));
                 }
                 _ => patched.push_str(piece),
             }
@@ -71,7 +71,7 @@ impl TableFile {
                 continue;
             };
             // A row may end before this column.
-            let start = self.starts.get(number).copied().unwrap_or_default();
+            let start = self.start_of(number);
             let missing = start.saturating_sub(patched.chars().count());
             blanks(&mut patched, missing);
             // The last column ends with its line.

@@ -4,7 +4,7 @@
 
 use std::borrow::Cow;
 
-use fitcheck_core::text::{beginning, decode};
+use fitcheck_core::text::{beginning, behind, decode, first_word};
 
 use super::block::{read_description, read_structure};
 use super::fault::{TableError, TableFault, TableWarningKind};
@@ -140,7 +140,10 @@ impl<'a> Reader<'a> {
             } else if text.starts_with('#') {
                 return Err(self.fault(TableFault::Unexpected { expected: "#STRUCTBEGIN", found: beginning(text) }, 0));
             } else {
-                table.columns = described.unwrap_or_default();
+                // Without a block the names alone are the columns.
+                if let Some(columns) = described {
+                    table.columns = columns;
+                }
                 return Ok((self.line, line));
             }
         }
@@ -159,12 +162,11 @@ impl<'a> Reader<'a> {
         let starts: Vec<usize> =
             found.iter().enumerate().map(|(i, (start, _))| if i == 0 { 0 } else { *start }).collect();
         let end = names.chars().count();
-        for (number, &(start, name)) in found.iter().enumerate() {
+        for (number, (&(start, name), &from)) in found.iter().zip(&starts).enumerate() {
             if table.column(name).is_some() {
                 return Err(self.fault_at(TableFault::ColumnTwice { name: name.to_owned() }, line, start));
             }
             let next = starts.get(number + 1);
-            let from = starts.get(number).copied().unwrap_or_default();
             let width = next.map_or(end.max(start + name.chars().count() + 1), |&next| next) - from;
             let Some(at) = described.iter().position(|column| column.name == name) else {
                 // No #STRUCTBEGIN block contains the row number.
@@ -197,7 +199,7 @@ impl<'a> Reader<'a> {
     /// The rows up to the end.
     fn rows(&mut self, starts: &[usize], table: &mut ControlTable) -> Result<Body, TableError> {
         let mut body = Body::default();
-        let last_start = starts.last().copied().unwrap_or_default();
+        let last_start = starts.last().map_or(0, |start| *start);
         while let Some(line) = self.next_line()? {
             if let Some(comment) = line.strip_prefix(';') {
                 let comment = self.comment(CommentPlace::Row(table.rows.len()), comment)?;
@@ -287,8 +289,7 @@ fn words(line: &str) -> Vec<(usize, &str)> {
     let mut before_is_blank = true;
     for (character, (byte, c)) in line.char_indices().enumerate() {
         if before_is_blank && !c.is_whitespace() {
-            let rest = line.get(byte..).unwrap_or_default();
-            found.push((character, rest.split_whitespace().next().unwrap_or_default()));
+            found.push((character, first_word(behind(line, byte))));
             // One more than the limit is enough to reject the line.
             if MOST_COLUMNS < found.len() {
                 break;

@@ -95,7 +95,8 @@ impl<'a> Row<'a> {
     }
 
     fn number(&self, column: usize, name: &'static str) -> Result<ToolNumber, ToolTableError> {
-        let text = self.text(Some(column), name)?.unwrap_or_default();
+        // A blank cell is an empty text, and that is no number.
+        let text = self.text(Some(column), name)?.map_or("", |text| text);
         let given = || ToolTableFault::NoNumber { column: name, given: text.to_owned() };
         text.parse().map_err(|_number| self.fault(column, given()))
     }

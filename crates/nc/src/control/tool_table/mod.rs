@@ -174,7 +174,7 @@ impl ToolTable {
 
     /// The rows of the tools with a name, which controls keep in capitals; several may have the same.
     pub fn rows_named(&self, name: &str) -> &[usize] {
-        self.names.get(&name.to_uppercase()).map(Vec::as_slice).unwrap_or_default()
+        self.names.get(&name.to_uppercase()).map_or(&[], Vec::as_slice)
     }
 
     /// The file with its changed cells; every other byte is as it was read.

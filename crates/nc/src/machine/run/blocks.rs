@@ -53,7 +53,7 @@ impl Run {
     fn look_at_travels(&mut self, place: &BlockPlace, before: usize, settings: &Settings) {
         // Where no tool was called, its axis is Z.
         let plane = self.around.placement(settings.assumes_tool).map_or(Plane::Xy, |placement| placement.plane);
-        let travels = self.way.travels().get(before..).unwrap_or_default();
+        let Some(travels) = self.way.travels().get(before..) else { return };
         let probed = self.cycles.probed();
         if before == 0 && !travels.is_empty() {
             self.remarks.add_all(place, probed.unchecked().into_iter().collect());

@@ -3,6 +3,7 @@
 use std::cmp::Ordering;
 
 use fitcheck_core::length::without_zeros;
+use fitcheck_core::text::{before, behind};
 
 use super::super::fault::{Counted, FaultKind};
 use super::{Values, in_range, shown};
@@ -53,9 +54,8 @@ impl Values {
         let Some((start, _)) = text.char_indices().chain([(text.len(), ' ')]).nth(from) else {
             return Err(FaultKind::BehindText { length: characters, from });
         };
-        let rest = text.get(start..).unwrap_or_default();
-        Ok(match rest.find(wanted) {
-            Some(found) => count(text.get(..start + found).unwrap_or_default()),
+        Ok(match behind(text, start).find(wanted) {
+            Some(found) => count(before(text, start + found)),
             None => count(text),
         })
     }

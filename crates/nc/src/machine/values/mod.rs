@@ -125,7 +125,7 @@ impl Values {
             self.variables.take(family);
         }
         self.lost.take(&LOCAL);
-        let (locals, lost) = self.locals.pop().unwrap_or_default();
+        let Some((locals, lost)) = self.locals.pop() else { return };
         for (parameter, value) in locals {
             self.variables.set(parameter, value);
         }

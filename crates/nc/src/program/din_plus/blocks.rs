@@ -130,6 +130,11 @@ impl<'a> Reader<'a> {
         Body::Begin { name: name.to_owned(), unit: Unit::Mm }
     }
 
+    /// The end of the program; its name is empty where it does not begin with one.
+    fn end_body(&self) -> Body {
+        Body::End { name: self.name.as_ref().map_or_else(String::new, Clone::clone), unit: Unit::Mm }
+    }
+
     fn is_subprogram_file(&self) -> bool {
         self.name.as_ref().is_some_and(|name| name.to_ascii_lowercase().ends_with(SUBPROGRAM))
     }
@@ -164,11 +169,7 @@ impl<'a> Reader<'a> {
                 self.part = Part::Behind;
                 self.has_end = true;
                 // Without blocks that run, nothing was measured: the run says so.
-                if self.has_machining || self.is_subprogram_file() {
-                    Body::End { name: self.name.clone().unwrap_or_default(), unit: Unit::Mm }
-                } else {
-                    Body::Other
-                }
+                if self.has_machining || self.is_subprogram_file() { self.end_body() } else { Body::Other }
             }
             _ => self.refuse(line, parts.start, BlockFault::UnknownWord { found: word.to_owned() }),
         }
@@ -226,7 +227,7 @@ impl<'a> Reader<'a> {
                 self.end_branches(true);
                 self.has_end = true;
                 self.part = Part::Behind;
-                Body::End { name: self.name.clone().unwrap_or_default(), unit: Unit::Mm }
+                self.end_body()
             }
             _ if self.part == Part::Behind => {
                 if !self.is_told_behind {
@@ -347,8 +348,7 @@ fn is_subprogram(code: &str) -> bool {
 /// Whether a block has a G function that shifts, turns or mirrors the system, or chooses another workpiece: their numbers are general
 /// knowledge.
 fn shifts(code: &str) -> bool {
-    code.match_indices('G').any(|(at, _)| {
-        let behind = code.get(at + 1..).unwrap_or_default();
+    code.split('G').skip(1).any(|behind| {
         let number: String = behind.chars().take_while(char::is_ascii_digit).collect();
         number.parse().is_ok_and(|number: u32| matches!(number, 49 | 51 | 53..=59 | 99 | 120 | 121 | 152))
     })

@@ -1,6 +1,8 @@
 //! The words of the language and what each is. Where the sources are not sure (`docs/SOURCES.md`, "DIN PLUS"), this is the one
 //! place to change.
 
+use fitcheck_core::text::until;
+
 use super::super::block::Unit;
 
 /// How the name of a main program ends.
@@ -65,7 +67,7 @@ pub(super) fn section(code: &str) -> Option<(&'static str, Section)> {
 
 /// Whether only a program of a lathe control begins so.
 pub(super) fn begins_programs(line: &str) -> bool {
-    let code = line.split('[').next().unwrap_or_default();
+    let code = until(line, '[');
     let words = ["PROGRAMMKOPF", "PROGRAM HEAD", "BEARBEITUNG", "MACHINING"];
     section(code).is_some_and(|(word, _)| words.contains(&word))
 }

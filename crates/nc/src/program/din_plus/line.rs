@@ -1,5 +1,7 @@
 //! A line: its number, its code and its comment.
 
+use fitcheck_core::text::{before, behind};
+
 use super::super::cursor::first_word;
 use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
@@ -26,12 +28,11 @@ impl<'a> Line<'a> {
     /// Takes a line apart: `N5 G0 X10 [text]`. Only blanks may follow a comment.
     pub(super) fn of(text: &'a str) -> Result<Self, Fault> {
         let (end, comment) = split(text)?;
-        let before = text.get(..end).unwrap_or_default();
-        let begins = before.len() - trimmed_start(before).len();
-        let (number, front) = number(before.get(begins..).unwrap_or_default());
-        let rest = before.get(begins + front..).unwrap_or_default();
-        let start = begins + front + rest.len() - trimmed_start(rest).len();
-        Ok(Self { number, start, code: trimmed(rest), comment })
+        let before = before(text, end);
+        let begun = trimmed_start(before);
+        let (number, front) = number(begun);
+        let code = trimmed_start(behind(begun, front));
+        Ok(Self { number, start: before.len() - code.len(), code: trimmed(code), comment })
     }
 }
 
@@ -46,18 +47,17 @@ fn split(text: &str) -> Result<(usize, Option<&str>), Fault> {
     while let Some(found) = text.get(at..).and_then(|rest| rest.find(['[', '"'])) {
         let place = at + found;
         let inner = place + 1;
-        let rest = text.get(inner..).unwrap_or_default();
+        let rest = behind(text, inner);
         if text.get(place..).is_some_and(|rest| rest.starts_with('"')) {
             at = inner + rest.find('"').ok_or((place, ProgramWarningKind::UnclosedQuote))? + 1;
             continue;
         }
-        let length = rest.find(']').ok_or((place, ProgramWarningKind::UnclosedComment))?;
-        let (comment, behind) = (rest.get(..length), rest.get(length + 1..).unwrap_or_default());
+        let (comment, behind) = rest.split_once(']').ok_or((place, ProgramWarningKind::UnclosedComment))?;
         let left = trimmed(behind);
         if left.is_empty() {
-            return Ok((place, comment.map(trimmed)));
+            return Ok((place, Some(trimmed(comment))));
         }
-        let begins = inner + length + 1 + behind.len() - trimmed_start(behind).len();
+        let begins = text.len() - trimmed_start(behind).len();
         let found = first_word(left);
         return Err((begins, ProgramWarningKind::NotUnderstood(BlockFault::LeftOver { found })));
     }

@@ -160,13 +160,14 @@ fn print(cursor: &mut Cursor<'_>) -> Read<Body> {
 /// `("text",#l1)`
 fn input(cursor: &mut Cursor<'_>) -> Read<Body> {
     cursor.expect('(', "(")?;
-    let question = cursor.quoted().map(str::to_owned);
-    if question.is_some() {
+    let mut question = String::new();
+    if let Some(text) = cursor.quoted() {
+        text.clone_into(&mut question);
         cursor.expect(',', ",")?;
     }
     let to = cursor.any_parameter()?;
     cursor.expect(')', ")")?;
-    Ok(Body::Input { question: question.unwrap_or_default(), to })
+    Ok(Body::Input { question, to })
 }
 
 /// `(10)`: how many lines the control's window has.

@@ -1,5 +1,7 @@
 //! Lines that a surplus `~` has put into the wrong block: one that a comment has swallowed is refused.
 
+use fitcheck_core::text::{behind, until};
+
 use super::super::around::Frame;
 use super::super::block::{Block, Body};
 use super::super::cursor::{Cursor, first_word};
@@ -32,8 +34,8 @@ pub(super) fn cut_off(before: Option<&Before>, front: Front, pieces: &[Piece<'_>
 /// A block that a `~` before it has made part of another.
 fn swallowed(more: &[Piece<'_>]) -> Option<CutOff> {
     let number = more.iter().position(|piece| {
-        let line = if piece.code.is_empty() { piece.comment.unwrap_or_default() } else { piece.code };
-        is_block(line)
+        let line = if piece.code.is_empty() { piece.comment } else { Some(piece.code) };
+        line.is_some_and(is_block)
     })?;
     let is_comment = more.get(number).is_some_and(|piece| piece.code.is_empty());
     let what = if is_comment { ProgramWarningKind::CommentGoesOn } else { ProgramWarningKind::BlockGoesOn };
@@ -63,8 +65,7 @@ pub(super) fn belongs(last: Option<&Block>, front: Front, first: &Piece<'_>) -> 
 /// Whether a line is a block by itself.
 fn is_block(line: &str) -> bool {
     let front = front(line);
-    let code = line.get(front.end..).unwrap_or_default();
-    let code = code.split(';').next().unwrap_or_default().trim_end_matches([' ', '~']);
+    let code = until(behind(line, front.end), ';').trim_end_matches([' ', '~']);
     let is_cycle = |words: [&str; 2]| Cursor::new(code).take_words(&words);
     [["TCH", "PROBE"], ["CYCL", "DEF"], ["GLOBAL", "DEF"]].into_iter().any(is_cycle)
         || matches!(body(code), Ok(read) if !matches!(read, Body::Nothing | Body::PassedOver(_) | Body::Other))

@@ -299,7 +299,7 @@ impl Inverse {
     /// The most lines of a print.
     pub fn most_lines(&self) -> usize {
         let lines = |print: &Vec<Step>| print.iter().map(|step| step.lines.len()).sum();
-        self.prints.iter().map(lines).max().unwrap_or_default()
+        self.prints.iter().map(lines).fold(0, usize::max)
     }
 
     /// What stands at the beginning of some lines: as many as a print has at most, or all that are left.

@@ -1,5 +1,7 @@
 //! The ways to read some lines as what a mask prints at a time: two are enough to know that there is no one way.
 
+use fitcheck_core::text::{before, behind, part};
+
 use super::{Piece, Printed, Step, Values};
 use crate::control::mask::{Format, Kind};
 
@@ -114,13 +116,13 @@ impl Ways<'_> {
         if self.left == 0 || 1 < self.found.len() || self.has_failed(piece, at) {
             return false;
         }
-        let rest = self.line.get(at..).unwrap_or_default();
+        let rest = behind(self.line, at);
         let pieces = self.pieces;
         let is_read = match pieces.get(piece) {
             None => {
                 let is_end = rest.trim_start_matches(BLANKS).is_empty();
                 if is_end {
-                    let text = |(start, end): (usize, usize)| self.line.get(start..end).unwrap_or_default().to_owned();
+                    let text = |(start, end): (usize, usize)| part(self.line, start, end).to_owned();
                     let values: Values = values.iter().map(|(slot, range)| (*slot, text(*range))).collect();
                     if !self.found.contains(&values) {
                         self.found.push(values);
@@ -132,22 +134,22 @@ impl Ways<'_> {
                 let end = literal_end(literal, rest, piece == 0);
                 end.is_some_and(|end| self.from(piece + 1, at + end, values))
             }
-            Some(Piece::Slot { number, format, is_text_parameter }) if format.is_text() => {
-                self.text((piece, at), *number, (format, *is_text_parameter && self.wants_texts), values)
-            }
-            Some(Piece::Slot { number, format, .. }) => {
-                let touches = match pieces.get(piece + 1) {
-                    Some(Piece::Slot { .. }) => true,
-                    Some(Piece::Literal(text)) => text.starts_with(|c: char| c.is_ascii_digit()),
-                    None => false,
-                };
-                number_end(rest, format.decimals().unwrap_or_default(), touches).is_some_and(|(start, end)| {
-                    let value = (*number, (at + start, at + end));
-                    let padded = at + end + padding(format, (start, end), rest);
-                    // Whoever edits a print may take the padding out.
-                    self.with(value, (piece + 1, padded), values) || self.with(value, (piece + 1, at + end), values)
-                })
-            }
+            Some(Piece::Slot { number, format, is_text_parameter }) => match format.decimals() {
+                None => self.text((piece, at), *number, (format, *is_text_parameter && self.wants_texts), values),
+                Some(decimals) => {
+                    let touches = match pieces.get(piece + 1) {
+                        Some(Piece::Slot { .. }) => true,
+                        Some(Piece::Literal(text)) => text.starts_with(|c: char| c.is_ascii_digit()),
+                        None => false,
+                    };
+                    number_end(rest, decimals, touches).is_some_and(|(start, end)| {
+                        let value = (*number, (at + start, at + end));
+                        let padded = at + end + padding(format, (start, end), rest);
+                        // Whoever edits a print may take the padding out.
+                        self.with(value, (piece + 1, padded), values) || self.with(value, (piece + 1, at + end), values)
+                    })
+                }
+            },
         };
         if !is_read {
             let place = self.place(piece, at);
@@ -184,7 +186,7 @@ impl Ways<'_> {
         (format, wants_text): (&Format, bool),
         values: &mut Vec<Range>,
     ) -> bool {
-        let rest = self.line.get(at..).unwrap_or_default();
+        let rest = behind(self.line, at);
         let most = format.digits.filter(|_| format.kind == Kind::Text).unwrap_or(usize::MAX);
         let columns = format.columns();
         // Where tabs separate, none is within a text.
@@ -192,8 +194,8 @@ impl Ways<'_> {
         let mut is_read = false;
         // The last piece reaches to the end of the line.
         let first = if piece + 1 == self.pieces.len() { rest.len() } else { 0 };
-        let behind = rest.get(first..).unwrap_or_default();
-        let ends = behind.char_indices().map(|(end, _)| first + end).chain([rest.len()]);
+        let tail = behind(rest, first);
+        let ends = tail.char_indices().map(|(end, _)| first + end).chain([rest.len()]);
         let mut is_behind_blank = false;
         for (count, end) in ends.enumerate() {
             self.left = self.left.saturating_sub(1);
@@ -210,7 +212,7 @@ impl Ways<'_> {
             if !may_end || self.has_failed(piece + 1, at + end) {
                 continue;
             }
-            let whole = rest.get(..end).unwrap_or_default();
+            let whole = before(rest, end);
             let text = whole.trim_matches(BLANKS);
             let is_long = most != usize::MAX && most < text.chars().count();
             // Of a text in no columns nothing is printed, empty or not.
@@ -227,8 +229,8 @@ impl Ways<'_> {
 
 /// How many blanks behind a number fill up its width, where it stands on the left of that.
 fn padding(format: &Format, (start, end): (usize, usize), rest: &str) -> usize {
-    let behind = rest.get(end..).unwrap_or_default();
-    let blanks = behind.len() - behind.trim_start_matches(' ').len();
+    let tail = behind(rest, end);
+    let blanks = tail.len() - tail.trim_start_matches(' ').len();
     if format.left { format.width.saturating_sub(end - start).min(blanks) } else { 0 }
 }
 
@@ -239,12 +241,13 @@ fn literal_end(literal: &str, line: &str, is_first: bool) -> Option<usize> {
     let is_blank = left.is_empty() || left.starts_with(BLANKS);
     // The width of the field before may have put blanks there.
     let mut rest = if is_blank { line } else { line.trim_start_matches(BLANKS) };
-    while let Some(c) = left.chars().next() {
+    let mut signs = left.chars();
+    while let Some(c) = signs.next() {
         let behind = left.trim_start_matches(BLANKS);
-        let run = left.get(..left.len() - behind.len()).unwrap_or_default();
+        let run = before(left, left.len() - behind.len());
         if run.is_empty() {
             rest = rest.strip_prefix(c)?;
-            left = left.get(c.len_utf8()..).unwrap_or_default();
+            left = signs.as_str();
             continue;
         }
         let is_last = behind.is_empty();
@@ -261,6 +264,7 @@ fn literal_end(literal: &str, line: &str, is_first: bool) -> Option<usize> {
             tabs => behind_tabs(rest, tabs)?.trim_start_matches(' '),
         };
         left = behind;
+        signs = left.chars();
     }
     Some(line.len() - rest.len())
 }
