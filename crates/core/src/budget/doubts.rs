@@ -59,7 +59,9 @@ fn of_contribution(contribution: &Contribution, correction: &Correction) -> Opti
     if (budget - given).abs() < SAME {
         return None;
     }
-    let (contribution, budget, given) = (contribution.name.clone(), brief_of(budget), brief_of(given));
+    let contribution = contribution.name.clone();
+    let budget = brief_of(budget);
+    let given = brief_of(given);
     Some(if is_temperature {
         BudgetWarning::OtherTemperature { contribution, budget, given }
     } else {

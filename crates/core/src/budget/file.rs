@@ -146,7 +146,8 @@ impl Budget {
             let said = told(&plain(&error, text));
             refused(text, error.span().map_or(0, |span| span.start), BudgetError::Toml { said })
         })?;
-        let (date, valid_until) = (day("date", &file.date, text)?, day("valid_until", &file.valid_until, text)?);
+        let date = day("date", &file.date, text)?;
+        let valid_until = day("valid_until", &file.valid_until, text)?;
         if valid_until < date {
             let what = BudgetError::Days { date: date.to_string(), until: valid_until.to_string() };
             return Err(refused(text, file.valid_until.span().start, what));
@@ -159,7 +160,8 @@ impl Budget {
             }
             _ => return Err(of_file(BudgetError::NotOne)),
         };
-        let (name, by) = (filled("name", &file.name, text)?, filled("by", &file.by, text)?);
+        let name = filled("name", &file.name, text)?;
+        let by = filled("by", &file.by, text)?;
         Ok(Self { name, date, by, valid_until, basis })
     }
 }

@@ -76,7 +76,8 @@ fn figures(word: u64, before: usize) -> Option<(u64, Option<(usize, u8)>)> {
 fn long(text: &[u8], length: usize, end: usize, last: u64) -> Option<Plain> {
     let Some(first) = word_before(text, end - STEP) else { return slow(text.get(end - length..end)?) };
     let before = 2 * STEP - length;
-    let ((first, first_sign), (last, last_sign)) = (figures(first, before)?, figures(last, 0)?);
+    let (first, first_sign) = figures(first, before)?;
+    let (last, last_sign) = figures(last, 0)?;
     let (whole, decimals, sign, factor) = match (first_sign, last_sign) {
         (None, None) => (length, 0, None, 100_000_000),
         (Some((at, sign)), None) => (at - before, 2 * STEP - 1 - at, Some(sign), 100_000_000),

@@ -78,7 +78,8 @@ fn scale(number: i128, power: i32) -> Option<(i128, bool)> {
     }
     // A number of so few figures is nothing where the power has no room.
     let Some(ten) = ten else { return Some((0, number != 0)) };
-    let (quotient, rest) = (number / ten, number % ten);
+    let quotient = number / ten;
+    let rest = number % ten;
     Some((quotient + i128::from(ten - rest <= rest), rest != 0))
 }
 

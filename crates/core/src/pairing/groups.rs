@@ -100,7 +100,8 @@ impl Groups {
 pub fn groups(holes: &[Length], shafts: &[Length], count: usize, ranges: Ranges) -> Result<Groups, PairingError> {
     let hole_split = Split::new(Feature::Hole, ranges.holes, count)?;
     let shaft_split = Split::new(Feature::Shaft, ranges.shafts, count)?;
-    let (hole_bins, shaft_bins) = (hole_split.sort(holes), shaft_split.sort(shafts));
+    let hole_bins = hole_split.sort(holes);
+    let shaft_bins = shaft_split.sort(shafts);
     let groups = (0..).zip(hole_bins.iter().zip(&shaft_bins)).map(|(number, (hole, shaft))| {
         let clearances = hole
             .range

@@ -48,15 +48,18 @@ pub fn grinding(holes: &[Length], shafts: &[Length], pairing: &Pairing, wanted: 
     let left = |sizes: &[Length], positions: &[usize]| -> Vec<Length> {
         positions.iter().filter_map(|&at| sizes.get(at).copied()).collect()
     };
-    let (holes, shafts) = (left(holes, &pairing.holes), left(shafts, &pairing.shafts));
+    let holes = left(holes, &pairing.holes);
+    let shafts = left(shafts, &pairing.shafts);
     let clearance = holes.first()?.nanometres() - shafts.last()?.nanometres();
     let reach = (wanted.minimum().nanometres() - clearance).max(0);
     let steps = (reach / STEP + i64::from(reach % STEP != 0)).min(MOST_AMOUNTS);
-    let (mut best, mut most) = (None, 0);
+    let mut best = None;
+    let mut most = 0;
     for amount in (1..=steps).map(|step| step * STEP) {
         let count = Ground::of(&shafts, amount, wanted).count(&holes);
         if most < count {
-            (best, most) = (Some(amount), count);
+            best = Some(amount);
+            most = count;
         }
         if most == holes.len().min(shafts.len()) {
             break;

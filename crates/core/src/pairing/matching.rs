@@ -47,8 +47,10 @@ pub struct Pairing {
 /// # Ok::<(), fitcheck_core::pairing::PairingError>(())
 /// ```
 pub fn pair(holes: &[Length], shafts: &[Length], wanted: Wanted) -> Pairing {
-    let (sorted_holes, sorted_shafts) = (Sorted::of(holes), Sorted::of(shafts));
-    let (holes, shafts) = (&sorted_holes.sizes, &sorted_shafts.sizes);
+    let sorted_holes = Sorted::of(holes);
+    let sorted_shafts = Sorted::of(shafts);
+    let holes = &sorted_holes.sizes;
+    let shafts = &sorted_shafts.sizes;
     let most = count(holes, shafts, Window::of(wanted));
     let found = matched(holes, shafts, narrowest(holes, shafts, wanted, most));
     let pairs: Vec<Pair> = found
@@ -116,7 +118,8 @@ impl Window {
 /// The narrowest band of clearances around the middle with this many pairs.
 fn narrowest(holes: &[Length], shafts: &[Length], wanted: Wanted, most: usize) -> Window {
     let all = Window::of(wanted);
-    let (mut too_narrow, mut enough) = (-1, all.high - all.low);
+    let mut too_narrow = -1;
+    let mut enough = all.high - all.low;
     while too_narrow + 1 < enough {
         let band = too_narrow.midpoint(enough);
         if count(holes, shafts, Window::around_middle(wanted, band)) == most {

@@ -105,7 +105,8 @@ impl Wanted {
     /// The width of the smallest band around the middle that a clearance lies in: twice its distance from the middle, and
     /// so a whole number of nanometres also where the middle is none.
     pub fn band(self, clearance: Length) -> Length {
-        let (below, above) = (clearance.saturating_sub(self.minimum), self.maximum.saturating_sub(clearance));
+        let below = clearance.saturating_sub(self.minimum);
+        let above = self.maximum.saturating_sub(clearance);
         below.saturating_sub(above).abs()
     }
 }

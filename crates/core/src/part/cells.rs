@@ -59,7 +59,8 @@ impl KindCells<'_> {
     }
 
     fn of_kind(&self, word: &'static str, faults: &mut Vec<CellFault>) -> Option<Kind> {
-        let (is_rectangle, is_point) = (["pocket", "boss"].contains(&word), word == "point");
+        let is_rectangle = ["pocket", "boss"].contains(&word);
+        let is_point = word == "point";
         for (column, given, is_of) in [
             (Column::SecondCallout, self.second, is_rectangle),
             (Column::Axis, self.axis, !is_rectangle && word != "diameter"),
@@ -86,13 +87,15 @@ impl KindCells<'_> {
                 Some(Kind::Width(first?, axis))
             }
             "face" => {
-                let (first, axis) = (first(faults), self.axis?);
+                let first = first(faults);
+                let axis = self.axis?;
                 let towards = towards(axis).ok_or_else(|| unknown("axis", axis, &DIRECTIONS));
                 let towards = kept(faults, Column::Axis, towards);
                 Some(Kind::Face(first?, towards?))
             }
             _ if is_point => {
-                let (band, axis) = (kept(faults, Column::Callout, point_band(self.callout)), self.axis?);
+                let band = kept(faults, Column::Callout, point_band(self.callout));
+                let axis = self.axis?;
                 let direction = kept(faults, Column::Axis, direction(axis).ok_or_else(|| no_direction(axis)));
                 Some(Kind::Point(band?, direction?))
             }

@@ -128,7 +128,8 @@ fn head(draft: &Draft, faults: &mut Faults) -> (Head, Shared) {
         }
     }
     if is_told {
-        (shared.rule, shared.uncertainty) = (None, None);
+        shared.rule = None;
+        shared.uncertainty = None;
     }
     for (axis, field) in [HeadField::TravelX, HeadField::TravelY, HeadField::TravelZ].into_iter().enumerate() {
         if let (Some(text), Some(place)) = (draft.text(field), shared.travel.get_mut(axis)) {
@@ -278,7 +279,8 @@ impl Reader<'_> {
         if callout.is_none() {
             self.fault(Column::Callout, PlanFault::NoCell { column: "callout" });
         }
-        let (kind, axis) = (self.row.text(Column::Kind), self.row.text(Column::Axis));
+        let kind = self.row.text(Column::Kind);
+        let axis = self.row.text(Column::Axis);
         let second = self.row.text(Column::SecondCallout);
         let (kind, faults) = KindCells { kind, axis, callout: self.row.said(Column::Callout), second }.read_all();
         for (column, what) in faults.into_iter().filter(|(column, _)| callout.is_some() || *column != Column::Callout) {
@@ -351,8 +353,10 @@ impl Reader<'_> {
     }
 
     fn rule(&mut self) -> Option<Rule> {
-        let (own, own_u) = (self.row.text(Column::Rule), self.row.text(Column::Uncertainty));
-        let (name, uncertainty) = (own.or(self.shared.rule.as_deref()), own_u.or(self.shared.uncertainty.as_deref()));
+        let own = self.row.text(Column::Rule);
+        let own_u = self.row.text(Column::Uncertainty);
+        let name = own.or(self.shared.rule.as_deref());
+        let uncertainty = own_u.or(self.shared.uncertainty.as_deref());
         match rule(name, uncertainty) {
             Ok(rule) => rule,
             Err(faults) => {

@@ -79,7 +79,8 @@ pub(super) fn read(bytes: &[u8]) -> Result<Document, PlanError> {
 
 /// How many comments a file has: `#` outside of texts.
 fn comments(text: &str) -> usize {
-    let (mut count, mut rest) = (0, text);
+    let mut count = 0;
+    let mut rest = text;
     while let Some(found) = rest.find(['#', '"', '\'']).and_then(|at| rest.get(at..)) {
         let ends = [("\"\"\"", true), ("'''", false), ("\"", true), ("'", false)];
         let begun = ends.into_iter().find_map(|(end, escapes)| Some((found.strip_prefix(end)?, end, escapes)));

@@ -111,7 +111,9 @@ pub struct Finder {
 impl Finder {
     /// For a plan.
     pub fn new(plan: &Plan) -> Self {
-        let (mut names, mut numbers, mut places) = (BTreeMap::new(), BTreeMap::<String, Vec<usize>>::new(), Vec::new());
+        let mut names = BTreeMap::new();
+        let mut numbers = BTreeMap::<String, Vec<usize>>::new();
+        let mut places = Vec::new();
         let mut sizes = Vec::new();
         for feature in plan.features() {
             let first = sizes.len();

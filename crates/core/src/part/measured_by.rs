@@ -28,7 +28,8 @@ pub(super) fn cycle(
 /// Further parameters, separated by blanks; those that a column of the plan decides are refused. Where the cycle is not known, each has to
 /// be one of any measuring cycle.
 pub(super) fn parameters(text: &str, cycle: Option<&'static Cycle>) -> Result<Inputs, Vec<PlanFault>> {
-    let (mut inputs, mut faults) = (Inputs::new(), Vec::new());
+    let mut inputs = Inputs::new();
+    let mut faults = Vec::new();
     for word in text.split_whitespace() {
         let parts = word.split_once('=');
         let Some(cycle) = cycle else {

@@ -136,7 +136,8 @@ impl Document {
             all.iter()
                 .any(|problem| matches!(problem.what, PlanFault::NoColumn { column: missing } if missing == column))
         };
-        let (no_callouts, is_wrong) = (is_without("callout"), !all.is_empty());
+        let no_callouts = is_without("callout");
+        let is_wrong = !all.is_empty();
         let counts = |finding: &Finding| match finding.what {
             PlanFault::NoCell { column: "callout" } => !no_callouts,
             PlanFault::NoFeatures => !is_wrong,

@@ -95,7 +95,8 @@ impl Names {
         for called in &all {
             let at = self.sizes.get(&key(called)).or_else(|| self.by_name.get(&key(called)));
             if let Some(Earlier { name: other, line, .. }) = self.earlier(at) {
-                let (called, other) = (called.clone(), other.clone());
+                let called = called.clone();
+                let other = other.clone();
                 return fault(PlanFault::SameSize { called, other, line: *line });
             }
         }
@@ -111,7 +112,8 @@ impl Names {
     fn number(&self, number: &str) -> Option<(Column, PlanFault)> {
         let fault = |what| Some((Column::Number, what));
         if let Some(Earlier { number: other, line, .. }) = self.earlier(self.numbers.get(&number_key(number))) {
-            let (number, other) = (number.to_owned(), other.clone());
+            let number = number.to_owned();
+            let other = other.clone();
             return fault(PlanFault::SameNumber { number, other, line: *line });
         }
         let named = |key: &str| self.sizes.get(key).or_else(|| self.by_name.get(key));

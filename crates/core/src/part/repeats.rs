@@ -45,8 +45,12 @@ pub(super) struct Counting {
 /// Looks at values with their places, in the order in which they came.
 pub(super) fn counting(mut values: impl Iterator<Item = (usize, Taken)>, by: Repeats) -> Option<Counting> {
     let first = values.next()?;
-    let (mut last, mut worst, mut latest) = (first, first, first);
-    let (mut is_same, mut all_timed, mut is_latest_mixed) = (true, first.1.when.is_some(), false);
+    let mut last = first;
+    let mut worst = first;
+    let mut latest = first;
+    let mut is_same = true;
+    let mut all_timed = first.1.when.is_some();
+    let mut is_latest_mixed = false;
     for value in values {
         is_same &= value.1.status == first.1.status;
         all_timed &= value.1.when.is_some();

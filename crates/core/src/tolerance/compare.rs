@@ -161,9 +161,11 @@ fn contradicts(
     let mut over = Length::ZERO;
     for to in ends {
         // Beyond the last range of either there is nothing to compare.
-        let (here, there) = (cell(first, one, to)?, cell(second, other, to)?);
+        let here = cell(first, one, to)?;
+        let there = cell(second, other, to)?;
         if here != there {
-            let (first, second) = (Arc::clone(&first.name), Arc::clone(&second.name));
+            let first = Arc::clone(&first.name);
+            let second = Arc::clone(&second.name);
             return Some(Contradiction { first, second, class: one.class, over, to, one: here, other: there });
         }
         over = to;

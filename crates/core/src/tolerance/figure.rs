@@ -47,7 +47,9 @@ impl FigureWarning {
     pub fn of(class: ToleranceClass, (over, to): (Length, Length), source: &Source) -> Option<Self> {
         match source {
             Source::Table { name, instead_of: Some(standard), .. } => {
-                let (table, upper, lower) = (Arc::clone(name), standard.upper(), standard.lower());
+                let table = Arc::clone(name);
+                let upper = standard.upper();
+                let lower = standard.lower();
                 Some(Self::OwnTable { class, over, to, table, upper, lower })
             }
             Source::Standard { doubt: Some(why), .. } => Some(Self::Standard { class, over, to, why: why.clone() }),

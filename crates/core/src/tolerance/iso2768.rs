@@ -147,7 +147,8 @@ pub fn deviations(class: GeneralClass, nominal: Length) -> Result<GeneralCell, G
 /// The ranges, ascending: above, up to, and half the width where the class has one.
 fn ranges(class: GeneralClass) -> impl Iterator<Item = (Length, Length, Option<Length>)> {
     ROWS.iter().scan(FIRST, move |before, &(end, half_widths)| {
-        let (over, to) = (*before, Length::from_micrometres(end));
+        let over = *before;
+        let to = Length::from_micrometres(end);
         *before = to;
         Some((over, to, class.half_width(half_widths)))
     })

@@ -125,7 +125,8 @@ pub fn doubt(bounds: &Bounds) -> Option<ZoneDoubt> {
 
 /// What is doubtful about the zone of a coordinate or of a deviation from a place, which may lie about zero.
 pub fn doubt_of_coordinate(nominal: Length, deviations: Deviations) -> Option<ZoneDoubt> {
-    let (width, widest) = (deviations.width(), widest(nominal.abs().max(COORDINATE)));
+    let width = deviations.width();
+    let widest = widest(nominal.abs().max(COORDINATE));
     (widest < width).then(|| match thousandths(deviations) {
         Some(meant) => {
             let offer = format!("{} {}", signed(meant.upper()), signed(meant.lower()));

@@ -75,7 +75,8 @@ impl DeviationTable {
         }
         for (number, column) in columns.iter().enumerate() {
             if column.cells.len() != ends.len() {
-                let (cells, ranges) = (column.cells.len(), ends.len());
+                let cells = column.cells.len();
+                let ranges = ends.len();
                 return Err(TableShapeError::Cells { class: column.class, cells, ranges });
             }
             if columns.iter().take(number).any(|other| other.class == column.class) {

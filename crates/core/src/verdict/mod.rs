@@ -182,7 +182,8 @@ fn thousandths(number: &u32) -> Arg {
 /// Good on or between the limits; a hole too small or a shaft too large is rework, the other side scrap.
 #[inline]
 pub fn classify(feature: Feature, minimum: Length, maximum: Length, measured: Length) -> Status {
-    let (too_small, too_large) = (measured < minimum, maximum < measured);
+    let too_small = measured < minimum;
+    let too_large = maximum < measured;
     match (feature, too_small, too_large) {
         (_, false, false) => Status::Good,
         (Feature::Hole, true, _) | (Feature::Shaft, _, true) => Status::Rework,
@@ -323,7 +324,8 @@ pub fn doubt(limits: &Limits, measured: Length) -> Option<Doubt> {
 /// Looks as [`doubt`] does, without where the limits come from.
 #[inline]
 pub fn doubt_of(bounds: &Bounds, measured: Length) -> Option<Doubt> {
-    let (nominal, value) = (bounds.nominal.nanometres(), measured.nanometres());
+    let nominal = bounds.nominal.nanometres();
+    let value = measured.nanometres();
     // The nearest other quantity is 98 % away. Lengths are at most 1e15 nm, so nothing here reaches 1e18.
     let is_near = (value - nominal).abs() * 64 < nominal;
     if !is_near && let Some(doubt) = other_quantity(bounds.nominal, measured) {
@@ -333,7 +335,8 @@ pub fn doubt_of(bounds: &Bounds, measured: Length) -> Option<Doubt> {
         return None;
     }
     // Beyond the nearest limit.
-    let (below, above) = (bounds.minimum().saturating_sub(measured), measured.saturating_sub(bounds.maximum()));
+    let below = bounds.minimum().saturating_sub(measured);
+    let above = measured.saturating_sub(bounds.maximum());
     let distance = below.max(above);
     let width = bounds.maximum().saturating_sub(bounds.minimum());
     let is_far = width.nanometres() * 10 < distance.nanometres() && nominal.abs() < distance.nanometres() * 50;
@@ -342,10 +345,12 @@ pub fn doubt_of(bounds: &Bounds, measured: Length) -> Option<Doubt> {
 
 /// Whether a value is 25.4 times, 1/25.4, twice or half the nominal size, or a power of ten of it.
 fn other_quantity(nominal: Length, measured: Length) -> Option<Doubt> {
-    let (nominal, value) = (i128::from(nominal.nanometres()), i128::from(measured.nanometres()));
+    let nominal = i128::from(nominal.nanometres());
+    let value = i128::from(measured.nanometres());
     // value * divisor within 1 % of nominal * factor
     let near = |factor: i128, divisor: i128| {
-        let (is, should) = (value * divisor, nominal * factor);
+        let is = value * divisor;
+        let should = nominal * factor;
         (is - should).abs() * 100 <= should.abs() && should != 0
     };
     let meant = |factor, divisor| scaled(measured, factor, divisor);

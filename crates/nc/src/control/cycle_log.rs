@@ -125,7 +125,8 @@ impl CycleLog {
     /// prints. A value on or within its limits stays there, because both are rounded in the same way.
     pub fn other_verdict(&self, result: &CycleResult, language: Dialogue) -> Option<OtherVerdict> {
         let (Self::Text(Log { unit, .. }) | Self::Page(PointLog { unit, .. })) = self;
-        let (cycle, log) = (result.status?, self.status(language)?);
+        let cycle = result.status?;
+        let log = self.status(language)?;
         (cycle != log).then_some(OtherVerdict { cycle, log, unit: *unit })
     }
 }
@@ -201,7 +202,8 @@ fn status(log: &Log) -> Option<Status> {
 
 /// The status of a figure by its limits; `None` if it was not monitored.
 fn judged(kind: FigureKind, feature: Feature, figure: &Figure) -> Option<Status> {
-    let (LimitPair { maximum, minimum }, actual) = (figure.limits?, figure.actual);
+    let LimitPair { maximum, minimum } = figure.limits?;
+    let actual = figure.actual;
     let is_centre = matches!(kind, FigureKind::Centre(_));
     let is_within = minimum <= actual && actual <= maximum;
     match (is_centre, is_within) {

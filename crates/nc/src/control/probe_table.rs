@@ -108,7 +108,8 @@ impl ProbeTable {
     pub fn read(bytes: &[u8], file: &str) -> Result<Self, ProbeTableError> {
         let file = ControlTable::read(bytes, file)?;
         let columns = Columns::of(&file)?;
-        let (mut probes, mut numbers) = (Vec::new(), BTreeSet::new());
+        let mut probes = Vec::new();
+        let mut numbers = BTreeSet::new();
         for row in 0..file.table.rows.len() {
             let probe = columns.probe(&file, row)?;
             if !numbers.insert(probe.number) {

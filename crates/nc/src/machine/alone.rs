@@ -148,7 +148,8 @@ impl Told<'_> {
         let program = self.program;
         let mut around = Around::new(program.notation());
         let mut kept: BTreeMap<Kept, usize> = BTreeMap::new();
-        let (mut called, mut unread) = (None, None);
+        let mut called = None;
+        let mut unread = None;
         // A reset counts where nothing goes past it.
         let mut is_certain = course.is_straight;
         for (at, block) in program.blocks().iter().enumerate() {

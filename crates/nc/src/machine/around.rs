@@ -219,7 +219,8 @@ impl Around {
         for (at, line) in block.lines.iter().enumerate() {
             let mut before = block.lines.iter().take(at);
             if before.any(|before| before.parameter == line.parameter) {
-                let (number, parameter) = (block.number.clone(), line.parameter.clone());
+                let number = block.number.clone();
+                let parameter = line.parameter.clone();
                 return Err(FaultKind::GlobalTwice { number, parameter });
             }
             match (&line.parameter, &line.value) {
@@ -229,7 +230,8 @@ impl Around {
                 }
                 // An earlier value would stay in force.
                 _ if is_probing => {
-                    let (number, parameter) = (block.number.clone(), line.parameter.clone());
+                    let number = block.number.clone();
+                    let parameter = line.parameter.clone();
                     return Err(FaultKind::GlobalNotNumber { number, parameter });
                 }
                 _ => {}

@@ -63,7 +63,8 @@ impl Files {
     pub(super) fn restart(&mut self, main: (NcPath, Arc<Program>)) {
         self.known.append(&mut self.programs);
         self.programs.extend([main]);
-        (self.kept_bytes, self.traffic) = (0, 0);
+        self.kept_bytes = 0;
+        self.traffic = 0;
         self.folders.clear();
         self.origins.clear();
         self.told.clear();

@@ -85,7 +85,8 @@ impl OpenTable {
         let (number, mut remarks) = self.column(name)?;
         self.check_row(row)?;
         let cell = self.file.table.cell(row, number);
-        let (table, column) = (self.name(), name.to_owned());
+        let table = self.name();
+        let column = name.to_owned();
         if to.family == Family::Qs && !cell.is_empty() {
             return Ok((Value::Text(cell.to_owned()), remarks));
         }
@@ -118,7 +119,8 @@ impl OpenTable {
             Value::Text(_) => return None,
         };
         let is_off = written.parse::<f64>().is_ok_and(|written| 1e-7 <= (written - exact).abs());
-        let (table, column) = (self.name(), column.name.clone());
+        let table = self.name();
+        let column = column.name.clone();
         let written = Arg::Number(written.to_owned());
         is_off.then(|| Remark::Rounded { table, column, value: shown_arg(value), written })
     }
@@ -251,7 +253,8 @@ impl Tables {
             cells.texts.push((number, text));
             cells.remarks.extend(remarks);
             let converted = open.units(number, unit).filter(|_units| from.family != Family::Qs);
-            let (table, column) = (open.name(), column.to_owned());
+            let table = open.name();
+            let column = column.to_owned();
             cells.remarks.extend(converted.map(|_units| Remark::LengthConverted { table, column }));
         }
         Ok(cells)
@@ -287,7 +290,8 @@ impl Tables {
         let written = open.file.table.write();
         let bytes = written.map_err(|error| FaultKind::TableWrite { table: open.name(), error })?;
         let size = files.write(&open.path, &bytes, FileUse::Replace)?;
-        let (place, path) = (BlockPlace { program: program.clone(), block }, open.path.clone());
+        let place = BlockPlace { program: program.clone(), block };
+        let path = open.path.clone();
         if size.is_some() {
             remarks.add(place, Remark::TableWritten { path });
         } else {

@@ -59,7 +59,9 @@ impl Ways {
     /// `falls`: whether the end of a subprogram may be passed although there are calls.
     fn of(program: &Program, falls: bool) -> Self {
         let count = program.blocks.len();
-        let (end, back_from, any_label) = (count + 1, count, count + 2);
+        let end = count + 1;
+        let back_from = count;
+        let any_label = count + 2;
         let behind = |place: usize| if place + 1 < count { place + 1 } else { end };
         let is_call = |body: &Body| matches!(body, Body::CallLabel { repeat: None, .. });
         let has_calls = program.blocks.iter().any(|block| is_call(&block.body));

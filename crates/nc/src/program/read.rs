@@ -64,7 +64,8 @@ impl Program {
 /// some are allowed), or more than a tenth of other control characters.
 fn is_text(bytes: &[u8]) -> Result<(), ProgramError> {
     let is_odd = |byte: u8| byte < b' ' && !matches!(byte, 0 | b'\t' | b'\n' | b'\r' | 0x0c | 0x1a);
-    let (mut zeros, mut odd) = (0_usize, 0_usize);
+    let mut zeros = 0_usize;
+    let mut odd = 0_usize;
     for &byte in bytes {
         zeros += usize::from(byte == 0);
         odd += usize::from(is_odd(byte));

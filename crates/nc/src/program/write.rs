@@ -108,7 +108,8 @@ fn said(body: &Body) -> String {
         Body::Begin { name, unit } => format!("BEGIN PGM {} {unit}", cleaned(name)),
         Body::End { name, unit } => format!("END PGM {} {unit}", cleaned(name)),
         Body::Heading { depth, text } => {
-            let (text, blanks) = (cleaned(text), (*depth).clamp(1, DEEPEST) * 2 - 1);
+            let text = cleaned(text);
+            let blanks = (*depth).clamp(1, DEEPEST) * 2 - 1;
             // Without a text, blanks at the end would be lost.
             if text.is_empty() { format!("*{:blanks$}-", "") } else { format!("* -{:blanks$}{text}", "") }
         }

@@ -63,7 +63,8 @@ fn expression(value: &Expression, least: Rank) -> String {
         }
         Expression::Binary(operation, left, right) => {
             let rank = Rank::of(*operation);
-            let (left, right) = (expression(left, rank), expression(right, rank.above()));
+            let left = expression(left, rank);
+            let right = expression(right, rank.above());
             let text = format!("{left} {} {right}", word(&OPERATIONS, *operation));
             if rank < least { format!("( {text} )") } else { text }
         }

@@ -14,7 +14,8 @@ const LONGEST_NAME: usize = 20;
 
 /// The features with their places, or everything that the control cannot measure.
 pub(super) fn planned(plan: &Plan, control: Control) -> Result<Vec<Planned<'_>>, SetError> {
-    let (mut all, mut errors) = (Vec::new(), Vec::<FeatureError>::new());
+    let mut all = Vec::new();
+    let mut errors = Vec::<FeatureError>::new();
     for feature in plan.features() {
         let before = errors.len();
         errors.extend(faults(feature, control).into_iter().map(|what| {
@@ -69,7 +70,9 @@ fn faults(feature: &PlanFeature, control: Control) -> Vec<FeatureFault> {
     }
     // Both cycles of a kind are on the same controls.
     if let Some(cycle) = feature.cycle.filter(|cycle| !control.has(cycle)) {
-        let (kind, cycle, control) = (feature.kind.word(), cycle.code, control.name());
+        let kind = feature.kind.word();
+        let cycle = cycle.code;
+        let control = control.name();
         faults.push(FeatureFault::NotOnControl { kind, cycle, control });
     }
     faults

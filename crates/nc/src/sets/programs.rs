@@ -74,7 +74,8 @@ pub(super) fn main(names: &Names<'_>, planned: &[Planned<'_>]) -> Vec<u8> {
 
 /// A block of the main program for a feature.
 fn main_block((body, comment): &(Body, String), names: &Names<'_>, planned: Planned<'_>) -> Blocks {
-    let (feature, [x, y, z]) = (planned.feature, planned.place);
+    let feature = planned.feature;
+    let [x, y, z] = planned.place;
     let comment = comment.replace(Control::Itnc530.clearance(), names.target.control.clearance());
     let one = |to: Parameter, value: f64| vec![number(to, value, comment.clone())];
     match body {

@@ -77,7 +77,8 @@ fn contacts(planned: &Planned<'_>) -> Vec<Contact> {
             ways.map(|(way, side)| at(way, middle(side) / 2.0)).to_vec()
         }
         Kind::Face(_, towards) => {
-            let ([x, y, z], [is_x, is_y, is_z]) = (place, towards.vector().map(|part| 0.0 < part.abs()));
+            let [x, y, z] = place;
+            let [is_x, is_y, is_z] = towards.vector().map(|part| 0.0 < part.abs());
             let one = |is_measured, part| if is_measured { middle(0) } else { part };
             vec![Contact::at([one(is_x, x), one(is_y, y), one(is_z, z)])]
         }

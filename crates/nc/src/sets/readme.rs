@@ -96,7 +96,8 @@ fn filled(line: &str, names: &Names<'_>) -> String {
 /// Name, callout, limits and place of a feature, and a line with callout and limits of a second side: only figures, the
 /// same in every language.
 fn feature(planned: Planned<'_>, names: &Names<'_>) -> String {
-    let (feature, result) = (planned.feature, names.result(&planned.feature.name));
+    let feature = planned.feature;
+    let result = names.result(&planned.feature.name);
     let [x, y, z] = planned.place;
     let place = format!("X{x} Y{y} Z{z} ({}) -> {result}", feature.clearance_height);
     let callouts = feature.kind.callouts();

@@ -43,7 +43,8 @@ impl HalfPlane {
 /// Where the borders of two half-planes cross; `None` when they are parallel.
 pub(super) fn crossing(first: &HalfPlane, second: &HalfPlane) -> Option<[f64; 2]> {
     let determinant = cross(first.normal, second.normal);
-    let ([first_x, first_y], [second_x, second_y]) = (first.normal, second.normal);
+    let [first_x, first_y] = first.normal;
+    let [second_x, second_y] = second.normal;
     let point = [
         (first.offset * second_y - second.offset * first_y) / determinant,
         (second.offset * first_x - first.offset * second_x) / determinant,
@@ -99,13 +100,16 @@ impl Cell {
         let mut kept = std::mem::take(&mut self.spare);
         kept.clear();
         for (edge, end) in self.segments() {
-            let (start_height, end_height) = (line.height(edge.start), line.height(end));
-            let (is_in, ends_in) = (start_height <= 0.0, end_height <= 0.0);
+            let start_height = line.height(edge.start);
+            let end_height = line.height(end);
+            let is_in = start_height <= 0.0;
+            let ends_in = end_height <= 0.0;
             let cut = || {
                 crossing(&edge.line, &line).unwrap_or_else(|| {
                     // Parallel to the last bit, yet on both sides: any place between the two will do.
                     let part = start_height / (start_height - end_height);
-                    let ([x, y], [to_x, to_y]) = (edge.start, minus(end, edge.start));
+                    let [x, y] = edge.start;
+                    let [to_x, to_y] = minus(end, edge.start);
                     [x + part * to_x, y + part * to_y]
                 })
             };

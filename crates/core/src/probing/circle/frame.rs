@@ -139,7 +139,9 @@ pub(super) fn circumcentre(first: [f64; 2], second: [f64; 2], third: [f64; 2]) -
         let side = minus(to, from);
         dot(side, side)
     };
-    let (one, two, three) = (squared(first, second), squared(second, third), squared(third, first));
+    let one = squared(first, second);
+    let two = squared(second, third);
+    let three = squared(third, first);
     let (first, second, third) = if one.max(three) <= two {
         (first, second, third)
     } else if one.max(two) <= three {
@@ -147,10 +149,14 @@ pub(super) fn circumcentre(first: [f64; 2], second: [f64; 2], third: [f64; 2]) -
     } else {
         (third, first, second)
     };
-    let (a, b) = (minus(second, first), minus(third, first));
+    let a = minus(second, first);
+    let b = minus(third, first);
     let twice_area = 2.0 * cross(a, b);
-    let ([a_x, a_y], [b_x, b_y], [x, y]) = (a, b, first);
-    let (a_squared, b_squared) = (dot(a, a), dot(b, b));
+    let [a_x, a_y] = a;
+    let [b_x, b_y] = b;
+    let [x, y] = first;
+    let a_squared = dot(a, a);
+    let b_squared = dot(b, b);
     let centre =
         [x + (b_y * a_squared - a_y * b_squared) / twice_area, y + (a_x * b_squared - b_x * a_squared) / twice_area];
     centre.iter().all(|coordinate| coordinate.is_finite()).then_some(centre)
@@ -172,7 +178,8 @@ impl Frame {
             return Err(CircleError::TooFew { contacts: contacts.len() });
         }
         let [least, most] = bounds(contacts);
-        let ([least_x, least_y], [most_x, most_y]) = (least, most);
+        let [least_x, least_y] = least;
+        let [most_x, most_y] = most;
         let origin = [least_x / 2.0 + most_x / 2.0, least_y / 2.0 + most_y / 2.0];
         let largest = [least_x, least_y, most_x, most_y].iter().fold(0.0, |most: f64, value| most.max(value.abs()));
         let extent = (most_x - least_x).max(most_y - least_y);

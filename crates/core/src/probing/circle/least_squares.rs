@@ -186,7 +186,8 @@ fn descend(points: &[[f64; 2]], start: [f64; 2]) -> Option<([f64; 2], Sums)> {
     for _ in 0..MOST_STEPS {
         let Some((better, better_sums)) = downhill(points, centre, &sums) else { break };
         let step = norm(minus(better, centre));
-        (centre, sums) = (better, better_sums);
+        centre = better;
+        sums = better_sums;
         if FARTHEST < norm(centre) {
             return None;
         }
@@ -232,7 +233,8 @@ fn downhill(points: &[[f64; 2]], centre: [f64; 2], sums: &Sums) -> Option<([f64;
 
 /// Newton steps for as long as they get shorter, that is, to the last bit.
 fn polish(points: &[[f64; 2]], centre: [f64; 2], sums: Sums) -> [f64; 2] {
-    let (mut centre, mut sums) = (centre, sums);
+    let mut centre = centre;
+    let mut sums = sums;
     let mut before = 1e-4 * (1.0 + norm(centre));
     for _ in 0..6 {
         let Some(step) = sums.newton_step() else { break };

@@ -26,7 +26,9 @@ impl Uncertainty {
         let directions: Vec<[f64; 2]> = points.iter().map(|&point| unit(minus(point, centre))).collect();
         let [mean_x, mean_y] = mean(&directions);
         let off: Vec<[f64; 2]> = directions.iter().map(|&direction| minus(direction, [mean_x, mean_y])).collect();
-        let (mut xx, mut xy, mut yy) = (0.0, 0.0, 0.0);
+        let mut xx = 0.0;
+        let mut xy = 0.0;
+        let mut yy = 0.0;
         for &[x, y] in &off {
             xx += x * x;
             xy += x * y;

@@ -149,10 +149,14 @@ fn first_few(warnings: impl Iterator<Item = CircleWarning>, count: usize) -> imp
 
 /// A contact whose residual is more than twice that of any other, among at least six contacts, and more than 1 µm.
 fn apart(residuals: &[f64]) -> Option<CircleWarning> {
-    let (mut largest, mut second, mut contact) = (0.0_f64, 0.0_f64, 0);
+    let mut largest = 0.0_f64;
+    let mut second = 0.0_f64;
+    let mut contact = 0;
     for (number, residual) in (1..).zip(residuals) {
         if largest < residual.abs() {
-            (second, largest, contact) = (largest, residual.abs(), number);
+            second = largest;
+            largest = residual.abs();
+            contact = number;
         } else {
             second = second.max(residual.abs());
         }

@@ -195,7 +195,8 @@ impl Diagram {
 
 impl DiagramEdge {
     fn new(own: [f64; 2], line: HalfPlane, start: [f64; 2], end: [f64; 2]) -> Self {
-        let (start_distance, end_distance) = (norm(minus(own, start)), norm(minus(own, end)));
+        let start_distance = norm(minus(own, start));
+        let end_distance = norm(minus(own, end));
         let along = minus(end, start);
         let length = norm(along);
         // The nearest place on an edge is an end, unless the foot of the perpendicular lies between.
@@ -210,7 +211,8 @@ impl DiagramEdge {
 
     /// Where two edges cross, including a little beyond their ends.
     fn meets(&self, other: &Self) -> Option<[f64; 2]> {
-        let (along, other_along) = (minus(self.end, self.start), minus(other.end, other.start));
+        let along = minus(self.end, self.start);
+        let other_along = minus(other.end, other.start);
         let between = minus(other.start, self.start);
         let area = cross(along, other_along);
         let within = |part: f64, edge: &Self| (-edge.beyond..=1.0 + edge.beyond).contains(&part);

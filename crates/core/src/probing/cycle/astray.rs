@@ -24,7 +24,8 @@ impl Astray {
         if NEAR < distance {
             self.count += 1;
             if self.farthest < distance {
-                (self.farthest, self.number) = (distance, number);
+                self.farthest = distance;
+                self.number = number;
             }
         }
     }

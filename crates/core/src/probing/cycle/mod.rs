@@ -242,7 +242,8 @@ impl Cycle {
         let mut checked = inputs.clone();
         checked.filled.clear();
         for parameter in self.parameters {
-            let (key, name) = (parameter.key, parameter.called());
+            let key = parameter.key;
+            let name = parameter.called();
             let value = match inputs.given.get(&key) {
                 Some(Value::Predef) if parameter.may_be_predef => {
                     Some(inputs.globals.get(&key).cloned().ok_or(CycleError::NoGlobal { key, name })?)
@@ -329,8 +330,10 @@ pub(in crate::probing) fn limits(
     minimum: u16,
     maximum: u16,
 ) -> Result<Option<(Length, Length)>, CycleError> {
-    let (minimum_key, maximum_key) = (Key::Q(minimum), Key::Q(maximum));
-    let (minimum, maximum) = (inputs.length(minimum_key), inputs.length(maximum_key));
+    let minimum_key = Key::Q(minimum);
+    let maximum_key = Key::Q(maximum);
+    let minimum = inputs.length(minimum_key);
+    let maximum = inputs.length(maximum_key);
     if maximum < minimum {
         return Err(CycleError::LimitsSwapped { minimum_key, minimum, maximum_key, maximum });
     }

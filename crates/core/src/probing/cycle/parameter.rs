@@ -234,8 +234,10 @@ impl Parameter {
             Range::OneOf(_) => match (whole(text), number(text)) {
                 (Some(whole), _) => Ok(Value::Whole(whole)),
                 (None, Some(_)) => {
-                    let (given, range) = (Arg::Number(text.trim().to_owned()), self.range);
-                    let (name, given) = (self.called(), Box::new(given));
+                    let given = Arg::Number(text.trim().to_owned());
+                    let range = self.range;
+                    let name = self.called();
+                    let given = Box::new(given);
                     return Err(CycleError::OutOfRange { key: self.key, name, given, range });
                 }
                 (None, None) => Err(no_number(text).message()),

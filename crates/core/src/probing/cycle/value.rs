@@ -121,7 +121,8 @@ pub(super) const PREDEF: &str = "PREDEF";
 
 /// A band as in QS400: `0.4-0.1`, `0.4`, `-0.1`.
 fn band_text(band: &Deviations) -> String {
-    let (upper, lower) = (band.upper(), band.lower());
+    let upper = band.upper();
+    let lower = band.lower();
     let plus = if Length::ZERO <= lower { "+" } else { "" };
     match (upper == Length::ZERO, lower == Length::ZERO) {
         (_, true) => upper.to_string(),

@@ -73,8 +73,10 @@ fn start(inputs: &Inputs) -> [f64; 3] {
 /// Runs the cycle on checked inputs.
 fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError> {
     let limits = limits(inputs, 289, 288)?;
-    let (ball_radius, height) = (course.ball_radius(), inputs.mm(260));
-    let (plus, start) = (along_axis(inputs), start(inputs));
+    let ball_radius = course.ball_radius();
+    let height = inputs.mm(260);
+    let plus = along_axis(inputs);
+    let start = start(inputs);
     let minus = plus.map(|part| -part);
 
     course.pre_position_from_above(start, height);

@@ -46,7 +46,8 @@ pub(super) const CYCLE: Cycle = Cycle {
         TOOL,
     ],
     surface: |inputs| {
-        let ([first_x, first_y, _], [second_x, second_y, _]) = (point(inputs, 263, 264), point(inputs, 265, 266));
+        let [first_x, first_y, _] = point(inputs, 263, 264);
+        let [second_x, second_y, _] = point(inputs, 265, 266);
         let middle = [f64::midpoint(first_x, second_x), f64::midpoint(first_y, second_y)];
         surface(Feature::Shaft, middle, inputs)
     },

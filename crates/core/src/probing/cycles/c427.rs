@@ -105,7 +105,8 @@ fn face(inputs: &Inputs) -> [f64; 3] {
 /// The nominal value of the measured axis: the programmed one; the middle of the limits where that one is not between them, and they
 /// lie ahead of it.
 fn nominal(inputs: &Inputs) -> Length {
-    let (programmed, limits) = (programmed(inputs), limits(inputs, 289, 288).ok().flatten());
+    let programmed = programmed(inputs);
+    let limits = limits(inputs, 289, 288).ok().flatten();
     let middle = limits.map(|(minimum, maximum)| minimum.midpoint(maximum));
     let is_ahead = |middle: &Length| if inputs.whole(267) < 0 { *middle < programmed } else { programmed < *middle };
     middle.filter(is_ahead).filter(|_| judged::is_outside(programmed, limits)).unwrap_or(programmed)
@@ -156,7 +157,8 @@ fn run(inputs: &Inputs, course: &mut Course<'_>) -> Result<Measured, CycleError>
         _ => contact.z,
     })?;
     let checks: Vec<_> = judged::size(FoundName::COORDINATE, measured, limits, Feature::Shaft).into_iter().collect();
-    let (programmed, nominal) = (programmed(inputs), nominal(inputs));
+    let programmed = programmed(inputs);
+    let nominal = nominal(inputs);
     let mut remarks = Vec::new();
     if judged::is_outside(programmed, limits) {
         remarks.push(Remark::NominalCoordinateOutsideLimits { nominal: programmed });

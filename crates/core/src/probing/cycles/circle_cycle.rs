@@ -154,7 +154,9 @@ pub(super) fn subject(inputs: &Inputs) -> String {
 
 /// The contacts in order: at Q325 + k · Q247, from inside a hole or from outside a shaft.
 fn touches(side: &Side, inputs: &Inputs, ball_radius: f64) -> Vec<Touch> {
-    let (x, y, height) = (inputs.mm(273), inputs.mm(274), inputs.mm(261));
+    let x = inputs.mm(273);
+    let y = inputs.mm(274);
+    let height = inputs.mm(261);
     let radius = inputs.mm(262) / 2.0;
     let clearance = clearance(inputs);
     let (start, outward) = match side.feature {

@@ -210,9 +210,11 @@ fn contact(touch: &Touch, number: usize, inputs: &Inputs, course: &mut Course<'_
     }
     let other = course.touch(touch)?;
     course.retract(touch.from);
-    let (one, other) = (one.place(), other.place());
+    let one = one.place();
+    let other = other.place();
     // Both lie on the line of the probing.
-    let (difference, most) = (nearest(norm(along(one, other, -1.0)))?, inputs.length(PERMITTED));
+    let difference = nearest(norm(along(one, other, -1.0)))?;
+    let most = inputs.length(PERMITTED);
     if most < difference {
         return Err(CycleError::Apart { contact: number, difference, key: PERMITTED, most });
     }

@@ -19,7 +19,9 @@ pub(super) fn size(
 
 /// A centre against its nominal place; a tolerance of zero is not monitored.
 pub(super) fn position(centre: [Length; 2], nominal: [Length; 2], tolerances: [Length; 2]) -> PositionVerdict {
-    let ([centre_1, centre_2], [nominal_1, nominal_2], [tolerance_1, tolerance_2]) = (centre, nominal, tolerances);
+    let [centre_1, centre_2] = centre;
+    let [nominal_1, nominal_2] = nominal;
+    let [tolerance_1, tolerance_2] = tolerances;
     let axis = |measured: Length, nominal, tolerance: Length| AxisPosition {
         deviation: measured.saturating_sub(nominal),
         tolerance: (Length::ZERO < tolerance).then_some(tolerance),

@@ -130,7 +130,8 @@ fn pre_position(inputs: &Inputs, before: Option<[f64; 3]>, to: [f64; 3], course:
     let Some([before_x, before_y, _]) = before.filter(|_| inputs.whole(301) == 0) else {
         return course.pre_position_from_above(to, inputs.mm(260));
     };
-    let ([to_x, to_y, height], [centre_x, _, _]) = (to, centre(inputs));
+    let [to_x, to_y, height] = to;
+    let [centre_x, _, _] = centre(inputs);
     // The previous contact was off the centre in one axis, this one is in the other.
     let is_from_first = (to_x - centre_x).abs() <= 0.0;
     let corner = if is_from_first { [before_x, to_y, height] } else { [to_x, before_y, height] };
@@ -153,7 +154,8 @@ fn measured(
     let place = |number: usize, of: fn(&Contact) -> f64| contacts.get(number).map_or(0.0, of);
     let (side_1, centre_1) = judged::between(place(0, |contact| contact.x), place(2, |contact| contact.x))?;
     let (side_2, centre_2) = judged::between(place(1, |contact| contact.y), place(3, |contact| contact.y))?;
-    let (found, nominal) = ([centre_1, centre_2], [inputs.length(273), inputs.length(274)]);
+    let found = [centre_1, centre_2];
+    let nominal = [inputs.length(273), inputs.length(274)];
     let position = judged::position(found, nominal, [inputs.length(279), inputs.length(280)]);
     let sides = [
         judged::size(FoundName::SIDE_1, side_1, limits_1, feature),

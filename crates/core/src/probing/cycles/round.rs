@@ -46,7 +46,8 @@ fn fit(
         Feature::Shaft => -ball_radius,
     };
     let on_surface = |contact: &Contact| {
-        let (off_x, off_y) = (contact.x - circle.x, contact.y - circle.y);
+        let off_x = contact.x - circle.x;
+        let off_y = contact.y - circle.y;
         // Three contacts of one circle are never all at its centre; a contact that is there stays there.
         let distance = off_x.hypot(off_y);
         let share = if distance <= 0.0 { 0.0 } else { outward / distance };

@@ -139,7 +139,9 @@ impl Simulation {
         let found: Vec<_> = surfaces.into_iter().flatten().collect();
         let &[surface] = found.as_slice() else { return Err(SimulationError::NotOne { found: found.len() }) };
         let kind = surface.shape().table();
-        let (seed, temperature, expansion) = (file.seed, file.temperature, file.expansion);
+        let seed = file.seed;
+        let temperature = file.temperature;
+        let expansion = file.expansion;
         let simulation = Self { surface, probe: file.probe, seed, temperature, expansion };
         simulation
             .check()
@@ -152,7 +154,10 @@ impl Simulation {
     /// # Errors
     /// The TOML writer's message, for figures that no file can hold.
     pub fn write(&self) -> Result<String, toml::ser::Error> {
-        let (seed, temperature, expansion, probe) = (self.seed, self.temperature, self.expansion, self.probe);
+        let seed = self.seed;
+        let temperature = self.temperature;
+        let expansion = self.expansion;
+        let probe = self.probe;
         let mut file = File { seed, temperature, expansion, probe, ..File::default() };
         match self.surface {
             Surface::Round(workpiece, plane) => {

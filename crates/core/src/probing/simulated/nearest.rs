@@ -19,7 +19,8 @@ const MOST_STEPS: usize = 2_000;
 pub(super) fn least(value: impl Fn(f64) -> f64, from: f64, to: f64, samples: u32) -> f64 {
     let step = (to - from) / f64::from(samples.max(2));
     let mut lowest: Vec<(f64, f64)> = Vec::with_capacity(CANDIDATES + 1);
-    let (mut before, mut here) = (f64::INFINITY, value(from));
+    let mut before = f64::INFINITY;
+    let mut here = value(from);
     for sample in 0..=samples.max(2) {
         let place = from + step * f64::from(sample);
         let after = value(place + step);
@@ -28,22 +29,29 @@ pub(super) fn least(value: impl Fn(f64) -> f64, from: f64, to: f64, samples: u32
             lowest.insert(at, (here, place));
             lowest.truncate(CANDIDATES);
         }
-        (before, here) = (here, after);
+        before = here;
+        here = after;
     }
     lowest.iter().map(|&(_, place)| section(&value, place - step, place + step)).fold(f64::INFINITY, f64::min)
 }
 
 /// The least value between two places with one valley between them.
 fn section(value: &impl Fn(f64) -> f64, mut from: f64, mut to: f64) -> f64 {
-    let (mut left, mut right) = (to - GOLDEN * (to - from), from + GOLDEN * (to - from));
-    let (mut at_left, mut at_right) = (value(left), value(right));
+    let mut left = to - GOLDEN * (to - from);
+    let mut right = from + GOLDEN * (to - from);
+    let mut at_left = value(left);
+    let mut at_right = value(right);
     for _ in 0..80 {
         if at_left <= at_right {
-            (to, right, at_right) = (right, left, at_left);
+            to = right;
+            right = left;
+            at_right = at_left;
             left = to - GOLDEN * (to - from);
             at_left = value(left);
         } else {
-            (from, left, at_left) = (left, right, at_right);
+            from = left;
+            left = right;
+            at_left = at_right;
             right = from + GOLDEN * (to - from);
             at_right = value(right);
         }

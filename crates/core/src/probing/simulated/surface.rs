@@ -200,7 +200,8 @@ impl Surface {
 
     /// How far along a unit vector a ball meets the surface.
     pub(super) fn distance(&self, from: [f64; 3], direction: [f64; 3], ball_radius: f64) -> Option<f64> {
-        let ([first, second, _], [along_1, along_2, up]) = (self.plane().within(from), self.plane().within(direction));
+        let [first, second, _] = self.plane().within(from);
+        let [along_1, along_2, up] = self.plane().within(direction);
         match self {
             Self::Round(workpiece, _) => {
                 if up.abs() <= 0.0 {

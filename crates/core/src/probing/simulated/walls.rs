@@ -25,7 +25,8 @@ impl Walls {
     }
 
     pub(super) fn check(&self) -> Result<(), WorkpieceError> {
-        let ([x, y], (first, second)) = (self.centre, self.lengths);
+        let [x, y] = self.centre;
+        let (first, second) = self.lengths;
         in_range(Figure::CentreX, x, -FARTHEST, FARTHEST)?;
         in_range(Figure::CentreY, y, -FARTHEST, FARTHEST)?;
         let size = |what, length| in_range(what, length, 0.001, FARTHEST);
@@ -70,7 +71,8 @@ impl Walls {
 
     /// The corners in their order round the walls; those of a single pair lie `reach` beside the centre.
     pub fn corners(&self, reach: f64) -> [[f64; 2]; 4] {
-        let ([cos, sin], [centre_x, centre_y]) = (self.across(), self.centre);
+        let [cos, sin] = self.across();
+        let [centre_x, centre_y] = self.centre;
         let [first, second] = self.halves().map(|half| if half.is_finite() { half } else { reach });
         [[first, second], [-first, second], [-first, -second], [first, -second]]
             .map(|[x, y]| [centre_x + x * cos - y * sin, centre_y + x * sin + y * cos])
@@ -79,15 +81,18 @@ impl Walls {
     /// How far a place lies outside the first and the second pair of walls, below zero between them; a single pair ends
     /// after half a length on either side.
     pub(super) fn outside(&self, place: [f64; 2], length: f64) -> [f64; 2] {
-        let ([one, other], [half_1, half_2]) = (self.place(place).map(f64::abs), self.halves());
+        let [one, other] = self.place(place).map(f64::abs);
+        let [half_1, half_2] = self.halves();
         [one - half_1, other - half_2.min(length / 2.0)]
     }
 
     /// The direction out of the space, to the nearest wall, with length 1.
     pub(super) fn outwards(&self, place: [f64; 2]) -> [f64; 2] {
-        let ([cos, sin], [one, other]) = (self.across(), self.place(place));
+        let [cos, sin] = self.across();
+        let [one, other] = self.place(place);
         let [outside_1, outside_2] = self.outside(place, f64::INFINITY);
-        let (sign_1, sign_2) = (one.signum(), other.signum());
+        let sign_1 = one.signum();
+        let sign_2 = other.signum();
         if outside_2 <= outside_1 { [sign_1 * cos, sign_1 * sin] } else { [-sign_2 * sin, sign_2 * cos] }
     }
 
@@ -98,7 +103,8 @@ impl Walls {
         match self.feature {
             Feature::Hole => place_1 + ball_radius <= half_1 && place_2 + ball_radius <= half_2,
             Feature::Shaft => {
-                let (off_1, off_2) = (place_1 - half_1, place_2 - half_2);
+                let off_1 = place_1 - half_1;
+                let off_2 = place_2 - half_2;
                 // Beside an edge the corner is nearest.
                 let gap = if 0.0 < off_1 && 0.0 < off_2 { off_1.hypot(off_2) } else { off_1.max(off_2) };
                 ball_radius <= gap
@@ -108,7 +114,8 @@ impl Walls {
 
     /// How far along a vector of the plane a ball meets a wall, in lengths of the vector.
     pub(super) fn distance(&self, from: [f64; 2], direction: [f64; 2], ball_radius: f64) -> Option<f64> {
-        let (place, along) = (self.place(from), self.within(direction));
+        let place = self.place(from);
+        let along = self.within(direction);
         let met = match self.feature {
             Feature::Hole => self.leaving(place, along, ball_radius),
             Feature::Shaft => self.entering(place, along, ball_radius),
@@ -133,11 +140,14 @@ impl Walls {
             let distance = ((half + ball_radius).copysign(-along) - place) / along;
             ((beside + distance * beside_along).abs() <= beside_half).then_some(distance)
         };
-        let (first, second) = ([place_1, along_1, half_1], [place_2, along_2, half_2]);
+        let first = [place_1, along_1, half_1];
+        let second = [place_2, along_2, half_2];
         let edge = |[sign_1, sign_2]: [f64; 2]| {
-            let (to_1, to_2) = (sign_1 * half_1 - place_1, sign_2 * half_2 - place_2);
+            let to_1 = sign_1 * half_1 - place_1;
+            let to_2 = sign_2 * half_2 - place_2;
             let square = along_1 * along_1 + along_2 * along_2;
-            let (along, across) = (to_1 * along_1 + to_2 * along_2, to_1 * along_2 - to_2 * along_1);
+            let along = to_1 * along_1 + to_2 * along_2;
+            let across = to_1 * along_2 - to_2 * along_1;
             let half_chord = ball_radius * ball_radius * square - across * across;
             (0.0 < half_chord).then(|| (along - half_chord.sqrt()) / square)
         };

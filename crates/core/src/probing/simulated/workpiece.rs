@@ -112,7 +112,8 @@ impl Workpiece {
     /// Whether a ball at this place is outside the material and does not touch it from behind.
     pub(super) fn is_free(&self, [x, y]: [f64; 2], ball_radius: f64) -> bool {
         let [centre_x, centre_y] = self.centre;
-        let (off_x, off_y) = (x - centre_x, y - centre_y);
+        let off_x = x - centre_x;
+        let off_y = y - centre_y;
         let radius = self.radius(off_y.atan2(off_x));
         let off = off_x.hypot(off_y);
         let is_outside_material = match self.feature {
@@ -125,10 +126,13 @@ impl Workpiece {
 
     /// How far along a unit vector a ball meets the contour.
     pub(super) fn distance(&self, from: [f64; 2], direction: [f64; 2], ball_radius: f64) -> Option<f64> {
-        let ([x, y], [along_x, along_y]) = (from, direction);
+        let [x, y] = from;
+        let [along_x, along_y] = direction;
         let [centre_x, centre_y] = self.centre;
-        let (to_x, to_y) = (centre_x - x, centre_y - y);
-        let (along, across) = (to_x * along_x + to_y * along_y, to_x * along_y - to_y * along_x);
+        let to_x = centre_x - x;
+        let to_y = centre_y - y;
+        let along = to_x * along_x + to_y * along_y;
+        let across = to_x * along_y - to_y * along_x;
         let half_chord = |radius: f64| {
             let square = (radius - across) * (radius + across);
             (0.0 <= square).then(|| square.sqrt())
@@ -145,7 +149,8 @@ impl Workpiece {
             return (0.0 <= distance).then_some(distance);
         }
         // Any other contour lies within a circle a little wider than its highest crest.
-        let (ovality, lobes) = (self.ovality.amplitude, self.lobes.amplitude);
+        let ovality = self.ovality.amplitude;
+        let lobes = self.lobes.amplitude;
         let widest = (self.diameter / 2.0 + ovality + lobes) * (1.0 + 1e-9);
         if 0.0 < ball_radius {
             let half = half_chord(widest + ball_radius)?;
@@ -155,9 +160,11 @@ impl Workpiece {
         // For a point, the first crossing on the way through that circle is searched for in small steps and then halved
         // to the last bit.
         let half = half_chord(widest)?;
-        let (first, last) = ((along - half).max(0.0), along + half);
+        let first = (along - half).max(0.0);
+        let last = along + half;
         let crossed = |distance: f64| {
-            let (off_x, off_y) = (distance * along_x - to_x, distance * along_y - to_y);
+            let off_x = distance * along_x - to_x;
+            let off_y = distance * along_y - to_y;
             let outside = off_x.hypot(off_y) - self.radius(off_y.atan2(off_x));
             if feature == Feature::Hole { 0.0 <= outside } else { outside <= 0.0 }
         };
@@ -167,7 +174,8 @@ impl Workpiece {
         let steps = STEPS + 64 * self.lobes.count;
         let place = |step: u32| first + (last - first) * (f64::from(step) / f64::from(steps));
         let beyond = (0..=steps).find(|&step| crossed(place(step)))?;
-        let (mut before, mut after) = (place(beyond.saturating_sub(1)), place(beyond));
+        let mut before = place(beyond.saturating_sub(1));
+        let mut after = place(beyond);
         for _ in 0..60 {
             let middle = f64::midpoint(before, after);
             if crossed(middle) { after = middle } else { before = middle }

@@ -149,14 +149,16 @@ impl<'a> Reader<'a> {
         }
         let as_deviation = self.with_deviations(size, only.place, only.value, Length::ZERO);
         // "12.01-11.985" and "12-11" may also be limits of size; cycle texts have none.
-        let (nominal, removed) = (size.value, only.value.negated());
+        let nominal = size.value;
+        let removed = only.value.negated();
         if removed < nominal.saturating_sub(removed) || self.grammar == Grammar::Cycle {
             return as_deviation;
         }
         let Ok(limits) = Callout::with_limits(nominal.max(removed), nominal.min(removed)) else { return as_deviation };
         Err(match as_deviation {
             Ok(deviation) => {
-                let (limits, deviation) = (Box::new(limits), Box::new(deviation));
+                let limits = Box::new(limits);
+                let deviation = Box::new(deviation);
                 self.error(whole, Kind::LimitsOrDeviation { limits, deviation })
             }
             Err(_leaves_nothing) => self.error(whole, Kind::LimitsMeant { limits }),

@@ -126,7 +126,8 @@ fn callout_text(callout: &Callout) -> String {
     match callout.tolerance() {
         Tolerance::Class(class) => format!("{nominal}{class}"),
         Tolerance::Deviations(deviations) => {
-            let (upper, lower) = (deviations.upper(), deviations.lower());
+            let upper = deviations.upper();
+            let lower = deviations.lower();
             let upper_sign = if upper < Length::ZERO { '-' } else { '+' };
             let lower_sign = if Length::ZERO < lower { '+' } else { '-' };
             format!("{nominal}{upper_sign}{}{lower_sign}{}", upper.abs(), lower.abs())

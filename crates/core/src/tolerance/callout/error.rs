@@ -36,7 +36,8 @@ impl CalloutError {
     /// An error at a place in a text.
     pub(super) fn at(text: &str, place: Place, kind: CalloutErrorKind) -> Self {
         let count = |range: Range<usize>| text.get(range).map_or(0, |part| part.chars().count());
-        let (at, length) = (count(0..place.start) + 1, count(place.start..place.end));
+        let at = count(0..place.start) + 1;
+        let length = count(place.start..place.end);
         Self { text: shorten(text.trim()), at, length, kind }
     }
 

@@ -155,7 +155,8 @@ impl Callout {
     /// and [`CalloutErrorKind::LimitsApart`] where the smaller one is less than half of the larger: such a text may mean
     /// anything.
     pub fn with_limits(maximum: Length, minimum: Length) -> Result<Self, CalloutError> {
-        let (larger, smaller) = (maximum.max(minimum), maximum.min(minimum));
+        let larger = maximum.max(minimum);
+        let smaller = maximum.min(minimum);
         if smaller <= Length::ZERO {
             return Err(CalloutErrorKind::MinimumNotPositive { minimum: smaller }.into());
         }

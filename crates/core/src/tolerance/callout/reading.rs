@@ -113,7 +113,8 @@ impl<'a> Reader<'a> {
         let place = self.scanner.place_from(start);
         match number {
             Some(number) if signs.chars().nth(1).is_none() => {
-                let (plus, negative) = (signs.starts_with('+'), signs.starts_with(is_minus));
+                let plus = signs.starts_with('+');
+                let negative = signs.starts_with(is_minus);
                 Ok(Size { value: if negative { number.value.negated() } else { number.value }, plus, place })
             }
             None if signs.is_empty() => Err(self.no_nominal(self.here())),

@@ -13,7 +13,8 @@ pub fn equivalent(hole: ToleranceClass, shaft: ToleranceClass) -> Option<(Tolera
     if (hole.feature(), shaft.feature()) != (Feature::Hole, Feature::Shaft) {
         return None;
     }
-    let ((of_hole, hole_grade), (of_shaft, shaft_grade)) = (iso286::parts(hole)?, iso286::parts(shaft)?);
+    let (of_hole, hole_grade) = iso286::parts(hole)?;
+    let (of_shaft, shaft_grade) = iso286::parts(shaft)?;
     let is_one_basis = (of_hole == Letter::H) != (of_shaft == Letter::H);
     is_one_basis.then(|| {
         let hole = iso286::class(Feature::Hole, of_shaft, hole_grade);

@@ -400,7 +400,8 @@ impl Sources {
                 let table = Arc::clone(&table.name);
                 return Err(LimitsError::NotDefined { class, table, over, to, defined });
             };
-            let (name, shipped) = (Arc::clone(&table.name), table.shipped());
+            let name = Arc::clone(&table.name);
+            let shipped = table.shipped();
             let instead_of = self.instead_of(table, class, nominal, deviations);
             return Ok((deviations, Source::Table { name, shipped, over, to, instead_of }));
         }

@@ -61,7 +61,9 @@ impl TableEdit {
     /// # Errors
     /// [`TableShapeError`] for a class that the table already has, or where there are more or fewer cells than ranges.
     pub fn add_column(&mut self, column: Column) -> Result<(), TableShapeError> {
-        let (class, cells, ranges) = (column.class, column.cells.len(), self.table.ends.len());
+        let class = column.class;
+        let cells = column.cells.len();
+        let ranges = self.table.ends.len();
         if cells != ranges {
             return Err(TableShapeError::Cells { class, cells, ranges });
         }

@@ -28,7 +28,8 @@ impl Conformity {
         let within = if below + above < 0.5 {
             1.0 - (below + above)
         } else {
-            let (to_minimum, to_maximum) = (away(bounds.minimum()), away(bounds.maximum()));
+            let to_minimum = away(bounds.minimum());
+            let to_maximum = away(bounds.maximum());
             // On the side where both are small.
             if 0.0 < to_minimum {
                 normal(-to_minimum) - normal(-to_maximum)

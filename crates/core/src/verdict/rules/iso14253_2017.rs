@@ -43,7 +43,8 @@ fn bands(given: &Given, bounds: &Bounds) -> Bands {
 
 /// The smallest whole number of a range for which something holds that holds for all larger ones.
 fn first(least: i64, most: i64, holds: impl Fn(i64) -> bool) -> Option<i64> {
-    let (mut least, mut most) = (least, most);
+    let mut least = least;
+    let mut most = most;
     if !holds(most) {
         return None;
     }

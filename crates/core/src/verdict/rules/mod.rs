@@ -246,7 +246,8 @@ impl Rule {
 
 /// Limits moved inwards; `None` where nothing is left between them.
 fn moved([minimum, maximum]: [Length; 2], inwards: Length) -> Option<[Length; 2]> {
-    let (least, most) = (minimum.saturating_sub(inwards.negated()), maximum.saturating_sub(inwards));
+    let least = minimum.saturating_sub(inwards.negated());
+    let most = maximum.saturating_sub(inwards);
     (least <= most).then_some([least, most])
 }
 

@@ -94,7 +94,8 @@ impl Risks {
         let Acceptance { limits: [minimum, maximum], accepted: [least, most], u } = *acceptance;
         let is_accepted = |x: f64| normal((most - x) / u) - normal((least - x) / u);
         let [first, last] = prior.range();
-        let (minimum, maximum) = (minimum.clamp(first, last), maximum.clamp(first, last));
+        let minimum = minimum.clamp(first, last);
+        let maximum = maximum.clamp(first, last);
         // Ten standard uncertainties about its ends the zone's edge is all there is: each stretch is integrated by itself, however wide
         // the process is.
         let edges = [least - 10.0 * u, least + 10.0 * u, most - 10.0 * u, most + 10.0 * u];
@@ -114,7 +115,8 @@ pub fn acceptance_for(prior: Prior, limits: [f64; 2], u: f64, consumer: f64) -> 
     let moved = |by: f64| Acceptance { limits, accepted: [minimum + by, maximum - by], u };
     let risk = |by: f64| Risks::of(prior, &moved(by)).consumer;
     // Outwards a zone may become larger than the limits.
-    let (mut least, mut most) = (-20.0 * u, (maximum.min(last) - minimum.max(first)) / 2.0);
+    let mut least = -20.0 * u;
+    let mut most = (maximum.min(last) - minimum.max(first)) / 2.0;
     if maximum.is_infinite() || minimum.is_infinite() {
         most *= 2.0;
     }

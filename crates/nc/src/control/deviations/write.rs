@@ -31,7 +31,8 @@ pub fn to_control_table(table: &DeviationTable, generation: Generation) -> Contr
         let widths = rows.iter().filter_map(|row| row.get(number)).map(|cell| cell.len() + 1);
         column.width = widths.fold(column.width, usize::max);
     }
-    let (name, suffix) = (name.to_owned(), Some(suffix.to_owned()));
+    let name = name.to_owned();
+    let suffix = Some(suffix.to_owned());
     let plain = ControlTable { name, suffix, columns, rows, ..ControlTable::default() };
     with_dialogues(plain.to_generation(generation))
 }

@@ -101,7 +101,8 @@ impl Chunks {
             return None;
         }
         if LONGEST_LINE < line.len() {
-            (self.chunk.is_too_long, self.waits) = (true, false);
+            self.chunk.is_too_long = true;
+            self.waits = false;
             return None;
         }
         if is_mark(bare) {

@@ -261,7 +261,8 @@ fn monitored(limits: LimitPair) -> Option<LimitPair> {
 
 fn limit_pair(maximum: &Number<'_>, minimum: &Number<'_>) -> Result<LimitPair, LogError> {
     if maximum.value < minimum.value {
-        let (max, min) = (maximum.pair.given.to_owned(), minimum.pair.given.to_owned());
+        let max = maximum.pair.given.to_owned();
+        let min = minimum.pair.given.to_owned();
         return Err(maximum.pair.wrong(LogFault::Swapped { maximum: max, minimum: min }));
     }
     Ok(LimitPair { maximum: maximum.value, minimum: minimum.value })

@@ -120,7 +120,8 @@ pub fn append(file: &[u8], log: &Log, language: Dialogue) -> Result<Vec<u8>, Log
     } else {
         bytes.extend(encode(&text));
     }
-    let (old, new) = (decode(file), decode(&bytes));
+    let old = decode(file);
+    let new = decode(&bytes);
     let is_log =
         |log: &Result<Log, LogError>| !matches!(log, Err(LogError { what: LogFault::Empty | LogFault::NoLog, .. }));
     let mut read = each(&new);

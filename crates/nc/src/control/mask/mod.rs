@@ -36,7 +36,8 @@ impl Mask {
     /// Whether it has text in `L_` sections, and none of them is for this language.
     pub fn other_languages(&self, wanted: Dialogue) -> Option<OtherLanguages> {
         let wanted = &wanted.words().mask_language;
-        let (mut section, mut languages) = (None, Vec::new());
+        let mut section = None;
+        let mut languages = Vec::new();
         for line in &self.lines {
             match line {
                 Line::Language(language) => section = language.as_deref(),

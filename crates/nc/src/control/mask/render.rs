@@ -49,7 +49,8 @@ impl Mask {
     /// [`RenderError`] for an undefined parameter or one of the wrong kind.
     pub fn render(&self, variables: &Variables, context: &Context<'_>) -> Result<Output, RenderError> {
         let mut output = Output { text: String::new(), file: FileUse::Replace, close: false };
-        let (mut speaks, mut hides) = (true, false);
+        let mut speaks = true;
+        let mut hides = false;
         for line in &self.lines {
             match line {
                 Line::Language(language) => {

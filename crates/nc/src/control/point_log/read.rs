@@ -24,7 +24,9 @@ pub fn read(bytes: &[u8]) -> Vec<Result<(usize, PointLog), PointLogError>> {
 pub fn each(page: &str) -> impl Iterator<Item = Result<(usize, PointLog), PointLogError>> {
     let head = page.split_once(OPEN).map_or(page, |(head, _)| head);
     let mut parts = page.split(OPEN).skip(1);
-    let (mut line, mut found, mut is_over) = (1 + newlines(head), 0, false);
+    let mut line = 1 + newlines(head);
+    let mut found = 0;
+    let mut is_over = false;
     std::iter::from_fn(move || {
         if let Some(part) = parts.next() {
             let answer = match part.split_once(CLOSE) {

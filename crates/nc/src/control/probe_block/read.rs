@@ -77,7 +77,9 @@ struct Segment<'a> {
 /// What comes after one part too many is left out.
 fn segments(line: &str) -> (Vec<Segment<'_>>, bool) {
     let mut found = Vec::new();
-    let (mut start, mut comment, mut quoted) = (0, None, false);
+    let mut start = 0;
+    let mut comment = None;
+    let mut quoted = false;
     let segment = |start: usize, end: usize, comment: Option<usize>, goes_on: bool| {
         let code = part(line, start, comment.unwrap_or(end)).trim();
         Segment { code, has_comment: comment.is_some(), goes_on }
@@ -89,7 +91,8 @@ fn segments(line: &str) -> (Vec<Segment<'_>>, bool) {
             '~' if !quoted && MOST_PARTS < found.len() => break,
             '~' if !quoted => {
                 found.push(segment(start, at, comment, true));
-                (start, comment) = (at + 1, None);
+                start = at + 1;
+                comment = None;
             }
             _ => {}
         }

@@ -28,7 +28,8 @@ pub(super) fn read_structure(reader: &mut Reader<'_>, table: &mut ControlTable) 
         let Some((key, value)) = text.split_once('=') else {
             return Err(reader.fault(TableFault::Unexpected { expected: "=", found: beginning(text) }, indent));
         };
-        let (key, value) = (key.trim_end(), value.trim_start());
+        let key = key.trim_end();
+        let value = value.trim_start();
         reader.keep(1)?;
         if key == "NAME" {
             push(reader, &mut columns, Column::plain(value, 0))?;
@@ -107,7 +108,8 @@ impl<'a> Tokens<'_, 'a> {
             }
             let line = self.reader.next_line()?;
             let Some(line) = line else { return Err(unclosed(self.reader, "TableDescription", self.begin)) };
-            (self.rest, self.character) = (line, 0);
+            self.rest = line;
+            self.character = 0;
             if let Some(comment) = line.trim_start().strip_prefix(';') {
                 let comment = self.reader.comment(CommentPlace::Block, comment)?;
                 table.comments.push(comment);
@@ -243,7 +245,8 @@ pub(super) fn read_description<'a>(
             table.properties.push((key.to_owned(), value.to_owned()));
         }
     }
-    let (rest, character) = (tokens.rest.trim(), tokens.character);
+    let rest = tokens.rest.trim();
+    let character = tokens.character;
     if rest.is_empty() {
         return Ok(columns);
     }

@@ -30,7 +30,9 @@ impl TableFile {
             return Ok(bytes.to_vec());
         }
         let text = decode(bytes);
-        let (mut patched, mut number, mut before) = (String::with_capacity(text.len()), 0, "");
+        let mut patched = String::with_capacity(text.len());
+        let mut number = 0;
+        let mut before = "";
         for piece in text.split_inclusive(['\n', '\r', '\0']) {
             // The second half of CRLF begins no line.
             let is_end_only = piece == "\n" && before.ends_with('\r');
@@ -80,8 +82,9 @@ impl TableFile {
             // A cell that begins directly after its neighbour would be uncertain when it is read.
             let least = usize::from(patched.ends_with(|c: char| !c.is_whitespace()));
             if room <= least + length {
-                let (column, text, width) = (column.name.clone(), text.clone(), column.width);
-                return Err(WriteError::TooWide { row, column, text, width });
+                let width = column.width;
+                let column = column.name.clone();
+                return Err(WriteError::TooWide { row, column, text: text.clone(), width });
             }
             let lead = span.chars().take_while(|c| c.is_whitespace()).count();
             let lead = if span.trim().is_empty() || room <= lead + length { least } else { lead };

@@ -228,7 +228,9 @@ impl<'a> Reader<'a> {
     /// The trimmed cells of a row and its number of characters.
     fn cells(&self, line: &str, table: &ControlTable, body: &mut Body) -> Result<(Vec<String>, usize), TableError> {
         let mut cells = Vec::with_capacity(table.columns.len());
-        let (mut rest, mut characters, mut ends_in_text) = (line, 0, false);
+        let mut rest = line;
+        let mut characters = 0;
+        let mut ends_in_text = false;
         let last = table.columns.len().saturating_sub(1);
         for (number, column) in table.columns.iter().enumerate() {
             if rest.is_empty() && 0 < number {

@@ -138,7 +138,9 @@ impl ToolTable {
             file.warnings.push(Located { what: TableWarningKind::NoUnit, place });
         }
         let columns = Columns::of(&file)?;
-        let (mut tools, mut numbers, mut names) = (Vec::new(), BTreeMap::new(), BTreeMap::<_, Vec<_>>::new());
+        let mut tools = Vec::new();
+        let mut numbers = BTreeMap::new();
+        let mut names = BTreeMap::<_, Vec<_>>::new();
         for row in 0..file.table.rows.len() {
             let tool = columns.tool(&file, row)?;
             if numbers.insert(tool.number, row).is_some() {
@@ -153,7 +155,9 @@ impl ToolTable {
             return Err(file.at_name(columns.number, ToolTableFault::NoTool).into());
         }
         let unit = columns::unit(&file);
-        let (bytes, file, changed) = (bytes.into(), Arc::new(file), BTreeMap::new());
+        let bytes = bytes.into();
+        let file = Arc::new(file);
+        let changed = BTreeMap::new();
         Ok(Self { tools, numbers, names, unit, bytes, file, columns, changed })
     }
 

@@ -48,7 +48,8 @@ impl Values {
 
     /// INSTR: the place in characters from 0; the length of the text where it does not occur.
     fn find(&self, source: Parameter, wanted: Parameter, from: Operand) -> Result<f64, FaultKind> {
-        let (text, wanted) = (self.text(source)?, self.text(wanted)?);
+        let text = self.text(source)?;
+        let wanted = self.text(wanted)?;
         let from = self.whole(Counted::Word("BEG"), from)?;
         let characters = text.chars().count();
         let Some((start, _)) = text.char_indices().chain([(text.len(), ' ')]).nth(from) else {

@@ -312,7 +312,8 @@ impl Values {
 
 /// Whether a control has the parameter.
 fn exists(parameter: Parameter) -> Result<(), FaultKind> {
-    let (family, numbers) = (parameter.family, parameter.family.numbers());
+    let family = parameter.family;
+    let numbers = parameter.family.numbers();
     if numbers.contains(&parameter.number) {
         return Ok(());
     }

@@ -74,7 +74,8 @@ impl Values {
 
     /// SYSSTR.
     fn system_text(&self, id: Operand, number: Operand) -> Result<String, FaultKind> {
-        let (id, number) = (self.operand(id)?, self.operand(number)?);
+        let id = self.operand(id)?;
+        let number = self.operand(number)?;
         let format = whole(id)
             .filter(|id| *id == DATE_AND_TIME)
             .and_then(|_| FORMATS.get(whole(number)?))

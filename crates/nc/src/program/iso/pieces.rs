@@ -14,7 +14,8 @@ fn is_blank(c: char) -> bool {
 /// The parts of a line behind its front, and whether its `*` ends the block: behind the code, or behind the comment.
 pub(super) fn piece(text: &str, line: usize, from: usize) -> (Piece<'_>, bool) {
     let mut piece = next(text, line, from);
-    let (mut ends, mut goes_on) = (false, piece.goes_on);
+    let mut ends = false;
+    let mut goes_on = piece.goes_on;
     let mut without_star = |part: &mut &str| {
         if let Some(before) = part.strip_suffix('*') {
             ends = true;

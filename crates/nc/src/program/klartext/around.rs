@@ -305,7 +305,8 @@ fn axes(cursor: &mut Cursor<'_>) -> Read<Vec<AxisWord>> {
 /// Axes with their values wherever they stand in the rest of a line, and whether everything else there begins with one of these
 /// words.
 fn axes_among(cursor: &mut Cursor<'_>, known: &[&str]) -> Read<(Vec<AxisWord>, bool)> {
-    let (mut found, mut is_known) = (Vec::new(), true);
+    let mut found = Vec::new();
+    let mut is_known = true;
     while !cursor.is_at_end() {
         if known.iter().any(|word| cursor.take_prefix(word)) {
             cursor.take_while(|c| !c.is_whitespace());
@@ -356,7 +357,8 @@ fn scaled(cursor: &mut Cursor<'_>) -> Read<Frame> {
 pub(super) fn dotted(cursor: &mut Cursor<'_>) -> Read<Option<Body>> {
     let mut ahead = cursor.clone();
     let Some((number, part)) = ahead.number_text().and_then(|number| number.split_once('.')) else { return Ok(None) };
-    let (number, part) = (number.to_owned(), part.to_owned());
+    let number = number.to_owned();
+    let part = part.to_owned();
     *cursor = ahead;
     let frame = match (number.as_str(), part.as_str()) {
         ("7" | "8" | "10" | "11" | "19" | "26", "0") => {

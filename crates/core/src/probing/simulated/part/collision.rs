@@ -66,8 +66,10 @@ impl Line {
     /// The arc; `None` for a straight line. Half a turn goes counter-clockwise: neither way is the shorter.
     fn arc(&self) -> Option<Arc> {
         let centre = self.about?;
-        let (arm, other) = (along(self.from, centre, -1.0), along(self.to, centre, -1.0));
-        let (radius, cos) = (norm(arm), dot(arm, other) / (norm(arm) * norm(other)));
+        let arm = along(self.from, centre, -1.0);
+        let other = along(self.to, centre, -1.0);
+        let radius = norm(arm);
+        let cos = dot(arm, other) / (norm(arm) * norm(other));
         let aside = along(other, arm, -dot(arm, other) / (radius * radius));
         let [x, y, _] = arm;
         let across = if 1e-9 < norm(aside) { aside.map(|part| part * radius / norm(aside)) } else { [-y, x, 0.0] };

@@ -129,7 +129,8 @@ impl FeatureTable {
     /// The surface, or the key that is at fault.
     fn surface(&self) -> Result<Surface, (&'static str, FeatureFault)> {
         let Some(shape) = Shape::ALL.into_iter().find(|shape| shape.table() == self.kind) else {
-            let (given, known) = (bounded(&self.kind), Shape::ALL.map(Shape::table).join(", "));
+            let given = bounded(&self.kind);
+            let known = Shape::ALL.map(Shape::table).join(", ");
             return Err(("kind", FeatureFault::Kind { given, known }));
         };
         let kind = shape.table();
@@ -185,7 +186,8 @@ impl FeatureTable {
     /// A feature as it is written: what is not given is what is assumed.
     fn of(feature: &PartFeature) -> Self {
         let PartFeature { name, surface, extent } = feature;
-        let (usual, kind) = (Extent::usual(surface), surface.shape().table().to_owned());
+        let usual = Extent::usual(surface);
+        let kind = surface.shape().table().to_owned();
         // Which of the four a kind has is known: the others are as usual.
         let other = |given: f64, usual: f64| {
             let is_usual = given <= usual && usual <= given;
@@ -265,7 +267,8 @@ impl<'a> Places<'a> {
     }
 
     fn at(&self, offset: usize, feature: String, fault: FeatureFault) -> SimulationError {
-        let (line, column) = (line_at(self.text, offset), column_at(self.text, offset));
+        let line = line_at(self.text, offset);
+        let column = column_at(self.text, offset);
         SimulationError::Feature { line, column, feature, fault }
     }
 
@@ -333,8 +336,11 @@ impl Part {
             })?;
             features.push(feature);
         }
-        let (probe, stylus_radius) = (file.probe.probe(), file.probe.stylus_radius);
-        let (seed, temperature, expansion) = (file.seed, file.temperature, file.expansion);
+        let probe = file.probe.probe();
+        let stylus_radius = file.probe.stylus_radius;
+        let seed = file.seed;
+        let temperature = file.temperature;
+        let expansion = file.expansion;
         let part = Self { features, probe, stylus_radius, seed, temperature, expansion };
         part.check().map_err(|error| of_file(text, error))?;
         Ok(part)
@@ -349,8 +355,11 @@ impl Part {
             && name.is_empty()
             && extent.is_endless()
         {
-            let (surface, probe, seed) = (*surface, self.probe, self.seed);
-            let (temperature, expansion) = (self.temperature, self.expansion);
+            let surface = *surface;
+            let probe = self.probe;
+            let seed = self.seed;
+            let temperature = self.temperature;
+            let expansion = self.expansion;
             return Simulation { surface, probe, seed, temperature, expansion }.write();
         }
         toml::to_string(&File {

@@ -106,7 +106,8 @@ impl PartFeature {
         let normal = unit(point.normal);
         let centre = along(point.real(), normal, -radius);
         let [height, beside] = over(centre, normal, place);
-        let (radius, height) = (radius.abs(), height * radius.signum());
+        let height = height * radius.signum();
+        let radius = radius.abs();
         let rim = self.extent.reach.min(radius);
         let rim_height = ((radius - rim) * (radius + rim)).sqrt();
         // Within the cone to the rim the ball itself is nearest.

@@ -124,7 +124,8 @@ fn floor_is_cut(feature: &PartFeature, by: &PartFeature) -> bool {
 
 /// Whether two spaces have a place in common.
 fn cross(one: &PartFeature, other: &PartFeature) -> bool {
-    let (heights, others) = (&one.extent, &other.extent);
+    let heights = &one.extent;
+    let others = &other.extent;
     let is_one_above = heights.top.min(others.top) <= heights.bottom.max(others.bottom) + SAME;
     // Where their axes differ, that is not looked into.
     let is_same_plane = one.surface.plane() == other.surface.plane();
@@ -148,7 +149,8 @@ fn overlap(one: &PartFeature, other: &PartFeature) -> bool {
         (Surface::Round(round, _), Surface::Walls(_)) => other.outside(round.centre) < round.widest(),
         (Surface::Walls(_), Surface::Round(round, _)) => one.outside(round.centre) < round.widest(),
         (Surface::Walls(walls), Surface::Walls(second)) => {
-            let (corners, others) = (corners(walls, one.extent.length), corners(second, other.extent.length));
+            let others = corners(second, other.extent.length);
+            let corners = corners(walls, one.extent.length);
             ![*walls, *second].iter().any(|walls| parts(walls, corners, others))
         }
         (_, Surface::Face(_) | Surface::Point(_)) => true,
@@ -165,10 +167,12 @@ fn parts(walls: &Walls, one: [[f64; 2]; 4], other: [[f64; 2]; 4]) -> bool {
     [[cos, sin], [-sin, cos]].into_iter().any(|[along_x, along_y]| {
         let range = |corners: [[f64; 2]; 4]| {
             let places = corners.map(|[x, y]| x * along_x + y * along_y);
-            let (least, most) = (f64::INFINITY, f64::NEG_INFINITY);
+            let least = f64::INFINITY;
+            let most = f64::NEG_INFINITY;
             places.into_iter().fold((least, most), |(least, most), place| (least.min(place), most.max(place)))
         };
-        let ((from, to), (other_from, other_to)) = (range(one), range(other));
+        let (from, to) = range(one);
+        let (other_from, other_to) = range(other);
         to <= other_from + SAME || other_to <= from + SAME
     })
 }

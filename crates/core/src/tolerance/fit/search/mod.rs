@@ -59,7 +59,8 @@ pub struct Candidate {
 impl Candidate {
     /// A pair of classes with the clearances that it gives, and what is known of the pair.
     pub fn new(hole: ToleranceClass, shaft: ToleranceClass, minimum: Length, maximum: Length) -> Self {
-        let (preference, function) = (preferred::preference(hole, shaft), preferred::function(hole, shaft));
+        let preference = preferred::preference(hole, shaft);
+        let function = preferred::function(hole, shaft);
         Self { hole, shaft, minimum, maximum, preference, function, basis: basis(hole, shaft) }
     }
 

@@ -42,7 +42,8 @@ impl Zone {
     }
 
     fn new(class: ToleranceClass, deviations: Deviations) -> Self {
-        let (upper, lower) = (deviations.upper().nanometres(), deviations.lower().nanometres());
+        let upper = deviations.upper().nanometres();
+        let lower = deviations.lower().nanometres();
         Self { class, parts: iso286::parts(class), upper, lower }
     }
 
@@ -106,13 +107,16 @@ impl Group {
 
 impl Ranked {
     fn of((hole, hole_zone): (usize, &Zone), (shaft, shaft_zone): (usize, &Zone)) -> Self {
-        let (one, other) = (hole_zone.width(), shaft_zone.width());
-        let (width, narrower) = (Reverse(one + other), Reverse(one.min(other)));
+        let one = hole_zone.width();
+        let other = shaft_zone.width();
+        let width = Reverse(one + other);
+        let narrower = Reverse(one.min(other));
         Self { group: Group::of(hole_zone, shaft_zone), width, narrower, hole, shaft }
     }
 
     pub(super) fn candidate(self, holes: &[Zone], shafts: &[Zone]) -> Option<Candidate> {
-        let (hole, shaft) = (holes.get(self.hole)?, shafts.get(self.shaft)?);
+        let hole = holes.get(self.hole)?;
+        let shaft = shafts.get(self.shaft)?;
         let minimum = Length::from_nanometres(hole.lower - shaft.upper).ok()?;
         let maximum = Length::from_nanometres(hole.upper - shaft.lower).ok()?;
         Some(Candidate::new(hole.class, shaft.class, minimum, maximum))
@@ -121,11 +125,13 @@ impl Ranked {
 
 /// Every pair within the wanted range.
 pub(super) fn fitting(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Scope) -> Vec<Ranked> {
-    let (least, most) = (wanted.minimum.nanometres(), wanted.maximum.nanometres());
+    let least = wanted.minimum.nanometres();
+    let most = wanted.maximum.nanometres();
     let mut found = Vec::new();
     for hole in holes.iter().enumerate() {
         // The range that the shaft's deviations may have, so that the inner loop only compares.
-        let (highest, lowest) = (hole.1.lower - least, hole.1.upper - most);
+        let highest = hole.1.lower - least;
+        let lowest = hole.1.upper - most;
         let fits = |shaft: &(usize, &Zone)| shaft.1.upper <= highest && lowest <= shaft.1.lower;
         let ranked = shafts.iter().enumerate().filter(fits).map(|shaft| Ranked::of(hole, shaft));
         found.extend(ranked.filter(|pair| pair.group.is_in(scope)));
@@ -135,7 +141,8 @@ pub(super) fn fitting(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Sc
 
 /// The pair that exceeds the wanted range the least; among equals the one of the best rank.
 pub(super) fn nearest(holes: &[Zone], shafts: &[Zone], wanted: Wanted, scope: Scope) -> Option<Miss> {
-    let (least, most) = (wanted.minimum.nanometres(), wanted.maximum.nanometres());
+    let least = wanted.minimum.nanometres();
+    let most = wanted.maximum.nanometres();
     let mut best: Option<((i64, Ranked), (i64, i64))> = None;
     for hole in holes.iter().enumerate() {
         for shaft in shafts.iter().enumerate() {

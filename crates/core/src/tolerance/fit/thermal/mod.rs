@@ -246,7 +246,8 @@ impl Correction {
     /// How far the linear correction is from the exact one, `L (1 + α_s ΔT_s) / (1 + α ΔT)`, to the nearest nanometre.
     pub fn against_exact(&self) -> Length {
         let growth = |warm: Warm| f64::from(warm.expansion.0) * 1e-9 * f64::from(warm.temperature.0 - REFERENCE) * 1e-3;
-        let (part, scale) = (growth(self.part), self.scale.map_or(0.0, growth));
+        let part = growth(self.part);
+        let scale = self.scale.map_or(0.0, growth);
         // The difference alone, so that no digits of the length cancel.
         let exact = (1.0 + scale) / (1.0 + part) - (1.0 - part + scale);
         // Within the bounds of coefficients and temperatures it is a fraction of the length, so it is one.

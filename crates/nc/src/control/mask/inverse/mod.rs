@@ -136,7 +136,8 @@ impl Mask {
     pub fn inverse(&self) -> Result<Inverse, InverseError> {
         let mut slots = Vec::new();
         let mut steps: Vec<(Option<&str>, Step)> = Vec::new();
-        let (mut language, mut hides) = (None, false);
+        let mut language = None;
+        let mut hides = false;
         for line in &self.lines {
             match line {
                 Line::Language(word) => language = word.as_deref(),
