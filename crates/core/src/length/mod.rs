@@ -326,6 +326,13 @@ pub fn without_zeros(text: &str) -> &str {
     if text.contains('.') { text.trim_end_matches('0').trim_end_matches('.') } else { text }
 }
 
+/// The figures of an unsigned decimal number before and behind its sign; `None` for any other text.
+pub fn decimal_parts(number: &str) -> Option<(&str, &str)> {
+    let (whole, decimals) = number.split_once(['.', ',']).unwrap_or((number, ""));
+    let are_figures = [whole, decimals].iter().all(|part| part.bytes().all(|byte| byte.is_ascii_digit()));
+    (are_figures && !(whole.is_empty() && decimals.is_empty())).then_some((whole, decimals))
+}
+
 /// Splits a unit off the end of a number.
 fn split_unit(text: &str, unit: Unit) -> (&str, Unit) {
     for (suffix, named) in [
@@ -344,15 +351,11 @@ fn split_unit(text: &str, unit: Unit) -> (&str, Unit) {
 /// The nanometres of an unsigned decimal number; `given` is the whole text, for errors.
 fn decimal_nanometres(digits: &str, unit: Unit, given: &str) -> Result<i64, LengthError> {
     let text = || given.to_owned();
-    let sound = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
     if digits.contains('.') && digits.contains(',') && digits.bytes().all(|b| b.is_ascii_digit() || b".,".contains(&b))
     {
         return Err(LengthError::Ambiguous { text: text() });
     }
-    let (whole, decimals) = digits.split_once(['.', ',']).unwrap_or((digits, ""));
-    if !sound(whole) || !sound(decimals) || (whole.is_empty() && decimals.is_empty()) {
-        return Err(LengthError::NotANumber { text: text() });
-    }
+    let (whole, decimals) = decimal_parts(digits).ok_or_else(|| LengthError::NotANumber { text: text() })?;
     let decimals = decimals.trim_end_matches('0');
     // Micrometres end at the nanometre after 3 decimals, millimetres after 6, and inches as well: 0.000005 in are 127 nm,
     // and a seventh decimal leaves a part of one. Beyond that the number is finer, whatever its figures.

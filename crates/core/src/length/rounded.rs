@@ -1,6 +1,6 @@
 //! Numbers as other programs print their floating-point numbers: with an exponent, or with figures beyond the nanometre.
 
-use super::{Length, LengthError, Unit};
+use super::{Length, LengthError, Unit, decimal_parts};
 
 /// The most figures of a number; a program that prints more has none behind them.
 const MOST_FIGURES: usize = 30;
@@ -32,11 +32,7 @@ fn rounded(given: &str, unit: Unit) -> Result<(Length, bool), LengthError> {
     };
     let is_negative = number.starts_with(['-', '\u{2212}']);
     let digits = number.strip_prefix(['+', '-', '\u{2212}']).unwrap_or(number);
-    let (whole, decimals) = digits.split_once(['.', ',']).unwrap_or((digits, ""));
-    let sound = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
-    if !sound(whole) || !sound(decimals) || (whole.is_empty() && decimals.is_empty()) {
-        return Err(not_a_number());
-    }
+    let (whole, decimals) = decimal_parts(digits).ok_or_else(not_a_number)?;
     let decimals = decimals.trim_end_matches('0');
     let figures = format!("{whole}{decimals}");
     let figures = figures.trim_start_matches('0');

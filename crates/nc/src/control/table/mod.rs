@@ -21,6 +21,8 @@ mod read;
 mod reader;
 mod write;
 
+use fitcheck_core::length::decimal_parts;
+
 pub use fault::{TableError, TableFault, TableWarning, TableWarningKind};
 pub use file::TableFile;
 pub use write::WriteError;
@@ -204,9 +206,7 @@ pub(crate) fn is_blank(cell: &str) -> bool {
 /// Whether a cell is written as a number: optional sign, digits, one point or comma.
 pub(crate) fn is_number(cell: &str) -> bool {
     let digits = cell.strip_prefix(['+', '-', '\u{2212}']).unwrap_or(cell);
-    let (whole, decimals) = digits.split_once(['.', ',']).unwrap_or((digits, ""));
-    let sound = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
-    sound(whole) && sound(decimals) && !(whole.is_empty() && decimals.is_empty())
+    decimal_parts(digits).is_some()
 }
 
 fn decimals(cell: &str) -> usize {

@@ -10,7 +10,7 @@ use std::str::FromStr;
 
 pub use doubt::{Range, ThermalDoubt};
 
-use crate::length::{Length, without_zeros};
+use crate::length::{Length, decimal_parts, without_zeros};
 use crate::message::{Arg, IntoArg, Say, printed};
 
 /// The reference temperature of ISO 1.
@@ -272,11 +272,7 @@ fn nanometres(scaled: i128) -> Length {
 fn thousandths(text: &str) -> Result<i64, ThermalError> {
     let not_a_number = || ThermalError::NotANumber { text: text.to_owned() };
     let unsigned = text.strip_prefix(['+', '-', '\u{2212}']).unwrap_or(text);
-    let (whole, decimals) = unsigned.split_once(['.', ',']).unwrap_or((unsigned, ""));
-    let sound = |part: &str| part.bytes().all(|byte| byte.is_ascii_digit());
-    if !sound(whole) || !sound(decimals) || (whole.is_empty() && decimals.is_empty()) {
-        return Err(not_a_number());
-    }
+    let (whole, decimals) = decimal_parts(unsigned).ok_or_else(not_a_number)?;
     let decimals = decimals.trim_end_matches('0');
     if 3 < decimals.len() {
         return Err(ThermalError::TooFine { text: text.to_owned() });
