@@ -1,6 +1,6 @@
 //! From lines to blocks, section by section: every line is a block.
 
-use super::super::around::{Goes, PassedOver};
+use super::super::around::{Goes, PassedOver, still};
 use super::super::block::{Block, Body, Unit};
 use super::super::cursor::{Cursor, Stop, shown};
 use super::super::error::ProgramWarningKind;
@@ -13,7 +13,6 @@ use super::super::weight::Weight;
 use super::branches::{Branches, Unended};
 use super::language::{self, END, END_OF_UNIT, MACHINING, SUBPROGRAM, Section};
 use super::line::Line;
-use super::motion::passed_over;
 use super::statement::{Said, said};
 
 /// In which part of the program a line is.
@@ -89,7 +88,7 @@ impl<'a> Reader<'a> {
                 self.source.warn(line, at, what);
                 // What is passed over need not be understood.
                 let body = match self.part {
-                    Part::Data(word) => passed_over(word.to_owned(), Vec::new()),
+                    Part::Data(word) => still(word),
                     Part::Machining | Part::Behind => Body::Other,
                 };
                 return (None, body);
@@ -190,7 +189,7 @@ impl<'a> Reader<'a> {
             }
             None => {}
         }
-        passed_over(word.to_owned(), Vec::new())
+        still(word)
     }
 
     /// A block that runs.
@@ -283,7 +282,7 @@ impl<'a> Reader<'a> {
             }
             _ => {}
         }
-        passed_over("UNIT".to_owned(), Vec::new())
+        still("UNIT")
     }
 
     fn end_unit(&mut self) {

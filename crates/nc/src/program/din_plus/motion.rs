@@ -8,7 +8,7 @@ use super::super::movement::{AxisWord, Feed, MachineFunction, Movement};
 use super::language::{Function, STOPS, function};
 use super::words::{Word, Words};
 
-/// A block that changes nothing that a measurement depends on.
+/// A block that moves nothing and changes nothing that a measurement depends on.
 pub(super) fn passed_over(words: String, machine: Vec<MachineFunction>) -> Body {
     Body::PassedOver(PassedOver { words, goes: Goes::default(), machine })
 }

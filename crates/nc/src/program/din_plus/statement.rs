@@ -1,6 +1,6 @@
 //! Blocks that begin with a word of the language or a variable.
 
-use super::super::around::{Goes, PassedOver};
+use super::super::around::still;
 use super::super::block::{Body, Target};
 use super::super::cursor::{Cursor, Read};
 use super::super::expression::{Expression, Test, TextExpression};
@@ -175,7 +175,7 @@ fn window(cursor: &mut Cursor<'_>) -> Read<Body> {
     cursor.expect('(', "(")?;
     cursor.operand()?;
     cursor.expect(')', ")")?;
-    Ok(Body::PassedOver(PassedOver { words: "WINDOW".to_owned(), goes: Goes::default(), machine: Vec::new() }))
+    Ok(still("WINDOW"))
 }
 
 /// `L"NAME" V1`: V1 is a file beside the program, otherwise the subprogram is in it. Letters handed over and repeats are not

@@ -4,7 +4,7 @@ use super::super::around::{Goes, PassedOver};
 use super::super::block::Body;
 use super::super::cursor::{Read, Stop};
 use super::super::fault::BlockFault;
-use super::super::movement::{Axis, Feed, MachineFunction, Movement};
+use super::super::movement::{Axis, Feed, Movement};
 use super::frames;
 use super::g_block::{ALL_AXES, Block};
 use super::modes::{Measure, Modes};
@@ -134,7 +134,7 @@ impl Block<'_, '_> {
         }
         words.only(&format!("{ALL_AXES}IJKRHFM"))?;
         let goes = Goes { is_unknown: is_polar(number), axes };
-        Ok(passed_over(shown, goes, &words.machine))
+        Ok(Body::PassedOver(PassedOver { words: shown, goes, machine: words.machine.clone() }))
     }
 
     fn passed_over(&self, letters: &str, goes: Goes) -> Read<Body> {
@@ -143,10 +143,6 @@ impl Block<'_, '_> {
             Some(first) => name(self.main.map_or(first.number, |main| main.number)),
             None => self.words.shown(),
         };
-        Ok(passed_over(shown, goes, &self.words.machine))
+        Ok(Body::PassedOver(PassedOver { words: shown, goes, machine: self.words.machine.clone() }))
     }
-}
-
-fn passed_over(words: String, goes: Goes, machine: &[MachineFunction]) -> Body {
-    Body::PassedOver(PassedOver { words, goes, machine: machine.to_vec() })
 }

@@ -1,6 +1,6 @@
 //! D functions: those of Klartext's FN, by the same numbers, with their operands behind `P01`, `P02` and `P03`.
 
-use super::super::around::{Goes, PassedOver};
+use super::super::around::still;
 use super::super::block::{Body, Condition, Target};
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::expression::Expression;
@@ -30,8 +30,7 @@ pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
         // What is handed to the machine and to other computers.
         19 | 20 | 29 => {
             cursor.take_rest();
-            let words = format!("D{number:02}");
-            Ok(Body::PassedOver(PassedOver { words, goes: Goes::default(), machine: Vec::new() }))
+            Ok(still(format!("D{number:02}")))
         }
         // Prints and tables: how their paths and columns are written in ISO is on no page that we found.
         _ => Err(Stop { at, reason: BlockFault::NoForm { found: format!("D{number:02}") } }),

@@ -1,6 +1,6 @@
 //! Blocks that begin with `FN`, and assignments.
 
-use super::super::around::Frame;
+use super::super::around::{Frame, still};
 use super::super::block::{Body, Columns, Condition};
 use super::super::cursor::{Cursor, Read};
 use super::super::expression::{Expression, NumberFunction, Operation};
@@ -9,7 +9,6 @@ use super::super::formula::{binary, expression};
 use super::super::operand::Operand;
 use super::super::text_formula::text_expression;
 use super::super::words::{Computed, FUNCTIONS, OPERATIONS, RELATIONS, computed, word};
-use super::around::still;
 use super::label::target;
 use crate::control::variables::Family;
 
@@ -32,7 +31,7 @@ pub(super) fn function(cursor: &mut Cursor<'_>) -> Read<Body> {
         // Not 37: what EXPORT hands to the calling program may be a limit, and how it does is on no page that we found.
         15 | 19 | 20 | 29 | 38 => {
             cursor.take_rest();
-            Ok(still(&format!("FN {number}")))
+            Ok(still(format!("FN {number}")))
         }
         17 => system_write(cursor),
         18 => system_read(cursor),

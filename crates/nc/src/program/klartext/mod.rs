@@ -6,6 +6,7 @@
 //! | `cut_off` | lines that a surplus `~` has put into the wrong block |
 //! | `understand` | from the lines of one block to what it says |
 //! | `body`, `functions`, `label`, `moves`, `around` | the kinds of blocks, read |
+//! | `frames` | changes of the system that coordinates count in |
 //! | `path_words` | axes with their values, and M functions |
 //!
 //! Grammar: manuals and public programs, see `docs/SOURCES.md`.
@@ -14,6 +15,7 @@ mod around;
 mod blocks;
 mod body;
 mod cut_off;
+mod frames;
 mod functions;
 mod label;
 mod moves;

@@ -10,8 +10,9 @@ use super::super::milling::{cycle_head, first_parameter, with_lines};
 use super::super::place::Place;
 use super::super::warnings::{LONGEST, Odd};
 use super::super::words::DEEPEST;
-use super::around;
+use super::around::defined;
 use super::body::body;
+use super::frames::dotted;
 
 /// What the lines of a block say; `place` turns a line and its bytes into a place in characters.
 pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> Place) -> Result<Body, Odd> {
@@ -31,10 +32,10 @@ pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> P
         return cycle(cursor, first, more, place).map(Body::GlobalDefinition);
     }
     if cursor.take_words(&["CYCL", "DEF"]) {
-        let dotted = around::dotted(&mut cursor).map_err(|stop| Odd::of(first, stop))?;
-        return match dotted {
+        let whole = dotted(&mut cursor).map_err(|stop| Odd::of(first, stop))?;
+        return match whole {
             Some(body) => Ok(body),
-            None => cycle(cursor, first, more, place).map(around::defined),
+            None => cycle(cursor, first, more, place).map(defined),
         };
     }
     // A comment that ends in ~ continues on the next line; only without a comment does the block itself continue.
