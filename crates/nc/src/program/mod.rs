@@ -29,7 +29,7 @@
 //!    `numbering` and `warnings` with the others.
 //! 2. Add a variant to [`Notation`], recognise its text in `Notation::of`, and call the reader in `read.rs`. The compiler names the
 //!    other places: comments (here), `unread.rs`, and `document.rs` and `tokens.rs` in `session/program`.
-//! 3. Look at each place that asks for `Notation::DinPlus` alone (`cursor.rs`; `around.rs`, `moves.rs` and `run/mod.rs` in `nc/machine`):
+//! 3. Look at each place that asks for `Notation::DinPlus` alone (`cursor.rs`; `around/mod.rs`, `moves.rs` and `run/mod.rs` in `nc/machine`):
 //!    the compiler does not name it.
 //! 4. Add its endings to `session/files/kinds.rs`, in `endings` and in `of_file`.
 //! 5. Add a fuzz target as `iso` and `lathe` are (`fuzz/src/targets/mod.rs`), with a dictionary.
@@ -37,7 +37,7 @@
 //!
 //! To add a block:
 //!
-//! 1. Read it in `klartext/around.rs`, in `body.rs`, `codes.rs` or `functions.rs` of `iso/`, or in `din_plus/`. Each reader is separate.
+//! 1. Read it in `around.rs` or `frames.rs` of `klartext/`, in `body.rs`, `codes.rs` or `functions.rs` of `iso/`, or in `din_plus/`. Each reader is separate.
 //! 2. If no measurement depends on it, make it a [`PassedOver`]: a run counts it by its first words. If a run must remember it, make it a
 //!    variant of [`Body`] or [`Frame`], keep it in `nc/machine/around.rs`, and report it in `Around::odd`.
 //! 3. Add a new variant of [`Body`] to the lists in `write.rs` and `klartext/cut_off.rs`. A remark of a run needs no more: text, JSON and

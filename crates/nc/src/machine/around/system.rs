@@ -1,0 +1,148 @@
+//! What changes the system that coordinates count in.
+
+use super::super::change::Change;
+use super::super::fault::FaultKind;
+use super::super::remark::Remark;
+use super::{Around, Made, millimetres};
+use crate::program::{Axis, AxisWord, Frame, Operand, Unit};
+
+/// The value of an operand in a block; not a number where nobody knows it: it is then never neutral, and no zero.
+type ValueOf<'a> = dyn Fn(Operand) -> Result<f64, FaultKind> + 'a;
+
+/// Whether a value is another one than that which changes nothing.
+pub(super) fn is_other(value: f64, neutral: f64) -> bool {
+    value.is_nan() || 0.0 < (value - neutral).abs()
+}
+
+impl Around {
+    /// Rotary axes of a move, or of a shift: at zero they change nothing. A move along U, V or W may bring another workpiece.
+    pub(in crate::machine) fn turn(&mut self, axes: &[AxisWord], value: &ValueOf<'_>) {
+        for word in axes {
+            if matches!(word.axis, Axis::U | Axis::V | Axis::W) {
+                self.stops += 1;
+            }
+            if matches!(word.axis, Axis::A | Axis::B | Axis::C) {
+                let is_zero = !word.is_incremental && value(word.value).is_ok_and(|value| value.abs() < 1e-9);
+                if is_zero {
+                    self.turned.remove(&word.axis);
+                } else {
+                    self.turned.insert(word.axis);
+                }
+            }
+        }
+    }
+
+    /// Changes the system; `made` is the block.
+    pub(in crate::machine) fn change(
+        &mut self,
+        frame: &Frame,
+        made: Made,
+        unit: Option<Unit>,
+        value: &ValueOf<'_>,
+    ) -> Result<Option<Remark>, FaultKind> {
+        let is_not = |operand: Operand, neutral: f64| Ok::<_, FaultKind>(is_other(value(operand)?, neutral));
+        match frame {
+            Frame::Title => {}
+            Frame::Shift(axes) => self.shift(axes, unit, value)?,
+            Frame::NoShift => {
+                self.zero = [0.0; 3];
+                self.changes.remove(&Change::DatumTable);
+            }
+            Frame::ShiftFromTable => self.set(Change::DatumTable, true, made),
+            Frame::Preset(number) => return self.activate(*number, value),
+            Frame::Rotation { angle, is_incremental } => {
+                // A whole turn is none.
+                let is_turned = is_other(value(*angle)? % 360.0, 0.0);
+                let stays = *is_incremental && self.changes.contains_key(&Change::Rotation);
+                if !stays {
+                    self.set(Change::Rotation, is_turned, made);
+                }
+            }
+            Frame::Mirror(axes) => self.set(Change::Mirror, !axes.is_empty(), made),
+            Frame::Scaling(factor) => self.set(Change::Scaling, is_not(*factor, 1.0)?, made),
+            Frame::AxisScaling(factors) => {
+                let changed: Result<Vec<bool>, _> = factors.iter().map(|factor| is_not(*factor, 1.0)).collect();
+                self.set(Change::AxisScaling, changed?.contains(&true), made);
+            }
+            Frame::Tilt(angles) => {
+                let changed: Result<Vec<bool>, _> = angles.iter().map(|angle| is_not(*angle, 0.0)).collect();
+                self.tilt(changed?.contains(&true), made);
+            }
+            Frame::OtherTilt => self.tilt(true, made),
+            Frame::NoTilt => self.set(Change::Tilt, false, made),
+            Frame::TurnedBack => {
+                self.set(Change::Tilt, false, made);
+                self.turned.clear();
+            }
+            Frame::NotFollowed => {
+                self.lose_system(|| made);
+                return Ok(Some(Remark::NotFollowed));
+            }
+        }
+        Ok(None)
+    }
+
+    /// A tilt may have turned the axes; its end does not turn them back.
+    fn tilt(&mut self, is_in_force: bool, made: Made) {
+        if is_in_force {
+            self.turned.extend([Axis::A, Axis::B, Axis::C]);
+        }
+        self.set(Change::Tilt, is_in_force, made);
+    }
+
+    /// A block was not run that may have set a datum, a rotation or whatever else: nothing ends that, because a preset or datum table
+    /// may be what it has written.
+    pub(in crate::machine) fn lose_system(&mut self, made: impl FnOnce() -> Made) {
+        self.changes.entry(Change::NotKnown).or_insert_with(made);
+    }
+
+    /// Cycle 800 turns the system for turning, 801 ends that.
+    pub(in crate::machine) fn turning(&mut self, number: u32, made: Made) {
+        match number {
+            800 => self.set(Change::Turning, true, made),
+            801 => self.set(Change::Turning, false, made),
+            _ => {}
+        }
+    }
+
+    fn set(&mut self, change: Change, is_in_force: bool, made: Made) {
+        if is_in_force {
+            self.changes.insert(change, made);
+        } else {
+            self.changes.remove(&change);
+        }
+    }
+
+    fn shift(&mut self, axes: &[AxisWord], unit: Option<Unit>, value: &ValueOf<'_>) -> Result<(), FaultKind> {
+        for word in axes {
+            let by = value(word.value)? * millimetres(unit);
+            let [x, y, z] = &mut self.zero;
+            let zero = match word.axis {
+                Axis::X => x,
+                Axis::Y => y,
+                Axis::Z => z,
+                Axis::A | Axis::B | Axis::C | Axis::U | Axis::V | Axis::W => continue,
+            };
+            *zero = if word.is_incremental { *zero + by } else { by };
+        }
+        self.turn(axes, value);
+        // A shift that is written takes the place of one from a table in the axes that it names.
+        let is_written = |axis| axes.iter().any(|word| word.axis == axis && !word.is_incremental);
+        if [Axis::X, Axis::Y, Axis::Z].into_iter().all(is_written) {
+            self.changes.remove(&Change::DatumTable);
+        }
+        Ok(())
+    }
+
+    /// Cycle 247: shift, rotation, mirror and scaling end. Fitcheck has no preset table: the workpiece lies at each preset.
+    fn activate(&mut self, number: Option<Operand>, value: &ValueOf<'_>) -> Result<Option<Remark>, FaultKind> {
+        let number = number.map(value).transpose()?;
+        let is_other = self.preset.is_some() && self.preset != number;
+        // A preset that is not named may be any.
+        self.stops += u64::from(number.is_none());
+        self.zero = [0.0; 3];
+        self.changes.retain(|change, _| matches!(change, Change::Tilt | Change::NotKnown | Change::Turning));
+        self.preset = number.or(self.preset);
+        Ok(number.filter(|_| is_other).map(|number| Remark::OtherPreset { number: number.to_string() }))
+    }
+}
