@@ -1,9 +1,7 @@
-//! What is wrong with a plan, and where.
+//! What is wrong with a plan.
 
-use super::column::{Column, HeadField};
-use super::draft::Draft;
 use crate::length::{Length, LengthError};
-use crate::message::{Located, Message, Place, Say};
+use crate::message::{Located, Message, Say};
 use crate::probing::cycle::CycleError;
 use crate::tolerance::fit::materials::MaterialsError;
 use crate::tolerance::fit::thermal::ThermalError;
@@ -12,41 +10,6 @@ use crate::verdict::rules::{RuleError, UncertaintyError};
 
 /// What is wrong with a plan, with the place in its file.
 pub type PlanError = Located<PlanFault>;
-
-/// What a fault is about.
-#[derive(Debug, Clone, Copy, PartialEq, Eq, PartialOrd, Ord)]
-pub enum Spot {
-    /// The plan as a whole.
-    Plan,
-    /// A field of the part.
-    Head(HeadField),
-    /// A feature, by its position in the plan from 0, and the cell where it is one.
-    Feature(usize, Option<Column>),
-}
-
-/// A fault of a draft.
-#[derive(Debug, Clone, PartialEq)]
-pub struct Finding {
-    /// Where in the plan.
-    pub spot: Spot,
-    /// What is wrong.
-    pub what: PlanFault,
-}
-
-impl Finding {
-    /// The same with its place in the draft's file.
-    pub fn located(self, draft: &Draft) -> PlanError {
-        let place = match self.spot {
-            Spot::Plan => Place::default(),
-            Spot::Head(field) => draft.cell(field).place.clone(),
-            Spot::Feature(at, column) => draft.rows.get(at).map_or_else(Place::default, |row| {
-                let cell = column.map(|column| row.cell(column).place.clone());
-                cell.filter(|place| place.line.is_some()).unwrap_or_else(|| row.place.clone())
-            }),
-        };
-        Located { what: self.what, place }
-    }
-}
 
 /// What is wrong with a plan.
 #[derive(Debug, Clone, PartialEq, Say)]

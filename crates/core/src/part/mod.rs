@@ -4,7 +4,7 @@
 //! |---|---|
 //! | `column` | what a plan says of a feature and of the part: the keys of its files |
 //! | `draft` | a plan as it is written, right or wrong |
-//! | `fault` | what is wrong with a plan, and where |
+//! | `fault`, `spot` | what is wrong with a plan, and where |
 //! | `check` | a draft becomes a plan, or all its faults are told at once |
 //! | `values` | what single cells say: texts, materials, rules, travels |
 //! | `plan` | a plan without a fault: features with limits |
@@ -47,6 +47,7 @@ mod names;
 mod plan;
 mod repeats;
 mod simulated;
+mod spot;
 mod standing;
 mod taken;
 mod values;
@@ -57,12 +58,13 @@ pub use cells::{CellFault, KindCells};
 pub use check::Review;
 pub use column::{Column, HeadField};
 pub use draft::{Cell, Draft, Row};
-pub use fault::{Finding, PlanError, PlanFault, PlanRemark, Spot};
+pub use fault::{PlanError, PlanFault, PlanRemark};
 pub use find::{By, Clues, Finder, NotFound};
 pub use kind::band_text;
 pub use kind::{Direction, Kind, Towards, WidthAxis};
 pub use plan::{DEFAULT_CLEARANCE, DEFAULT_CLEARANCE_HEIGHT, Head, MOST_FEATURES, Material, Plan, PlanFeature, Size};
 pub use repeats::Repeats;
+pub use spot::{Finding, Spot};
 pub use standing::{FeatureStanding, standings};
 pub use taken::Taken;
 pub use walk::{Standing, Step, Walk};
