@@ -37,9 +37,9 @@
 //!
 //! To add a block:
 //!
-//! 1. Read it in `around.rs` or `frames.rs` of `klartext/`, in `body.rs`, `codes.rs` or `functions.rs` of `iso/`, or in `din_plus/`. Each reader is separate.
+//! 1. Read it in `around.rs` or `frames.rs` of `klartext/`, in `body.rs`, `codes.rs` or `functions.rs` of `iso/`, or in `din_plus/`.
 //! 2. If no measurement depends on it, make it a [`PassedOver`]: a run counts it by its first words. If a run must remember it, make it a
-//!    variant of [`Body`] or [`Frame`], keep it in `nc/machine/around.rs`, and report it in `Around::odd`.
+//!    variant of [`Body`] or [`Frame`], keep it in `nc/machine/around`, and report it in `Around::odd`.
 //! 3. Add a new variant of [`Body`] to the lists in `write.rs` and `klartext/cut_off.rs`. A remark of a run needs no more: text, JSON and
 //!    window show it.
 //! 4. Say in `docs/SOURCES.md` ("Around a measurement") where the block comes from.

@@ -20,6 +20,12 @@ pub(super) struct Odd {
 }
 
 impl Odd {
+    /// A quotation mark of a line that is not closed.
+    pub(super) fn open_quote(piece: &Piece<'_>) -> Option<Self> {
+        let at = piece.open_quote?;
+        Some(Self { line: piece.line, at, what: ProgramWarningKind::UnclosedQuote })
+    }
+
     /// Where the code of a line cannot be understood, and why.
     pub(super) fn of(piece: &Piece<'_>, Stop { at, reason }: Stop) -> Self {
         Self { line: piece.line, at: piece.start + at, what: ProgramWarningKind::NotUnderstood(reason) }

@@ -35,9 +35,8 @@ pub(super) fn understand(
     modes: &mut Modes,
     place: impl Fn(usize, usize) -> Place,
 ) -> Result<Body, Odd> {
-    let open = pieces.iter().find_map(|piece| piece.open_quote.map(|at| (piece.line, at)));
-    if let Some((line, at)) = open {
-        return Err(Odd { line, at, what: ProgramWarningKind::UnclosedQuote });
+    if let Some(odd) = pieces.iter().find_map(Odd::open_quote) {
+        return Err(odd);
     }
     let (Some((first, more)), Some(last)) = (pieces.split_first(), pieces.last()) else { return Ok(Body::Nothing) };
     let is_cycle = is_global(first.code) || cycle_number(first.code).is_some();

@@ -3,7 +3,6 @@
 use super::super::block::Body;
 use super::super::cursor::{Cursor, Stop};
 use super::super::cycle_block::CycleBlock;
-use super::super::error::ProgramWarningKind;
 use super::super::fault::BlockFault;
 use super::super::lines::Piece;
 use super::super::milling::{cycle_head, first_parameter, with_lines};
@@ -16,9 +15,8 @@ use super::frames::dotted;
 
 /// What the lines of a block say; `place` turns a line and its bytes into a place in characters.
 pub(super) fn understand(pieces: &[Piece<'_>], place: impl Fn(usize, usize) -> Place) -> Result<Body, Odd> {
-    let open = pieces.iter().find_map(|piece| piece.open_quote.map(|at| (piece.line, at)));
-    if let Some((line, at)) = open {
-        return Err(Odd { line, at, what: ProgramWarningKind::UnclosedQuote });
+    if let Some(odd) = pieces.iter().find_map(Odd::open_quote) {
+        return Err(odd);
     }
     let Some((first, more)) = pieces.split_first() else { return Ok(Body::Nothing) };
     if let Some(text) = first.code.strip_prefix('*') {
