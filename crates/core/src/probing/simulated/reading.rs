@@ -4,7 +4,6 @@ use serde::Deserialize as _;
 
 use super::Figure;
 use super::figure::Table;
-use crate::text::{before, cut};
 
 /// The largest file in bytes: a real one has some hundred, and the TOML reader takes fifty times as many.
 pub const LARGEST: usize = 1 << 20;
@@ -34,7 +33,10 @@ pub(super) fn exactly_or_none<'de, D: serde::Deserializer<'de>, const N: usize>(
 
 /// The TOML reader's message, cut off where a key is very long.
 pub fn bounded(said: &str) -> String {
-    cut(said, LONGEST)
+    match said.char_indices().nth(LONGEST).and_then(|(end, _)| said.split_at_checked(end)) {
+        Some((beginning, _)) => format!("{beginning}…"),
+        None => said.to_owned(),
+    }
 }
 
 /// The TOML reader's message in a user's words: numbers instead of their types, and which key is there twice.
@@ -61,7 +63,8 @@ pub fn line_at(text: &str, offset: usize) -> usize {
 
 /// The character in its line of a place in a text, from 1.
 pub fn column_at(text: &str, offset: usize) -> usize {
-    1 + before(text, offset).chars().rev().take_while(|character| *character != '\n').count()
+    let before = text.get(..offset);
+    1 + before.map_or(0, |before| before.chars().rev().take_while(|character| *character != '\n').count())
 }
 
 /// The line of the key that gave a figure; the first line of the table if the figure was not given.

@@ -1,7 +1,5 @@
 //! A text that is read from left to right, character by character; reading never passes its end and never fails.
 
-use crate::text::part;
-
 /// Where something is in a text, in bytes: from `start` up to before `end`.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
 pub(super) struct Place {
@@ -43,7 +41,7 @@ impl<'a> Scanner<'a> {
 
     /// What has been read since an earlier offset.
     pub(super) fn since(&self, start: usize) -> &'a str {
-        part(self.text, start, self.offset())
+        self.text.get(start..self.offset()).map_or("", |since| since)
     }
 
     /// The next character, if any.
