@@ -7,7 +7,7 @@ use eframe::egui::{Button, Grid, Id, Label, RichText, ScrollArea, Ui, vec2};
 use super::dialogs::just_opened;
 use super::theme::{self, control, sizes, space};
 use super::view::{View, heading, keep_focus, list_ui, live, problem, quiet};
-use crate::exchange::{DECIMAL_WORDS, Role, SEPARATOR_WORDS, UNIT_WORDS};
+use crate::exchange::{ColumnUnit, DecimalSign, Role, Separator};
 use crate::message::{Message, message};
 use crate::session::{ColumnChoice, ColumnsCommand, OpenColumns, role_id, unit_id};
 
@@ -120,23 +120,22 @@ fn file_ui(ui: &mut Ui, view: &mut View<'_>, open: &OpenColumns) {
         named_list_ui(ui, view, "columns-page-sheet", sheets.iter().map(entry).collect());
     }
     if sheets.is_empty() {
-        let entry = |(word, id): (&'static str, &str)| {
-            (view.text(id), choice.separator.as_deref() == Some(word), ColumnChoice::Separator(word))
+        let entry = |(separator, id): (Separator, &str)| {
+            (view.text(id), choice.separator == Some(separator), ColumnChoice::Separator(separator))
         };
-        let entries = SEPARATOR_WORDS.into_iter().zip(SEPARATORS).map(entry).collect();
+        let entries = Separator::ALL.into_iter().zip(SEPARATORS).map(entry).collect();
         named_list_ui(ui, view, "columns-page-separator", entries);
     }
-    let decimal = |word: Option<&'static str>, id: &str| {
-        (view.text(id), choice.decimal.as_deref() == word, ColumnChoice::Decimal(word))
-    };
-    let own = DECIMAL_WORDS.into_iter().zip(DECIMALS).map(|(word, id)| decimal(Some(word), id));
+    let decimal =
+        |sign: Option<DecimalSign>, id: &str| (view.text(id), choice.decimal == sign, ColumnChoice::Decimal(sign));
+    let own = DecimalSign::ALL.into_iter().zip(DECIMALS).map(|(sign, id)| decimal(Some(sign), id));
     let decimals = std::iter::once(decimal(None, "columns-page-as-found")).chain(own).collect();
-    let units = |now: Option<&str>, of: fn(Option<&'static str>) -> ColumnChoice| {
-        let words = std::iter::once(None).chain(UNIT_WORDS.into_iter().map(Some));
-        words.map(|word| (view.text(unit_id(word)), now == word, of(word))).collect::<Vec<Entry>>()
+    let units = |now: Option<ColumnUnit>, of: fn(Option<ColumnUnit>) -> ColumnChoice| {
+        let all = std::iter::once(None).chain(ColumnUnit::ALL.into_iter().map(Some));
+        all.map(|unit| (view.text(unit_id(unit)), now == unit, of(unit))).collect::<Vec<Entry>>()
     };
-    let places = units(choice.place_unit.as_deref(), ColumnChoice::PlaceUnit);
-    let mut units = units(choice.unit.as_deref(), ColumnChoice::Unit);
+    let places = units(choice.place_unit, ColumnChoice::PlaceUnit);
+    let mut units = units(choice.unit, ColumnChoice::Unit);
     if let Some(((text, ..), from)) = units.first_mut().zip(open.unit_from().filter(|_| choice.unit.is_none())) {
         *text = view.words.say(&message!("columns-page-unit-from").text("from", from));
     }

@@ -178,7 +178,7 @@ fn what_is_detected_reads_the_same_when_it_is_said() {
         "part\tserial\tfeature\tx\ty\tcallout\tmeasured_um\np\ts\tf\t1\t2\t25 H7\t25012\n",
     ] {
         let detected = Mapping::default().detect(text.as_bytes()).unwrap();
-        let toml = detected.mapping.to_toml();
+        let toml = detected.mapping.to_toml().unwrap();
         let again = Mapping::from_toml(&toml).unwrap();
         assert_eq!(again, detected.mapping, "{toml}");
         let sources = Sources::default();
@@ -261,7 +261,7 @@ fn places_have_a_unit_of_their_own() {
     let refused = "place-unit=cm".parse::<Mapping>().unwrap_err().to_string();
     assert_eq!(refused, "place-unit: cm is unknown: allowed are mm um inch");
     // What is detected says both, and leaves to the names what differs.
-    let toml = |text: &str| Mapping::default().detect(text.as_bytes()).unwrap().mapping.to_toml();
+    let toml = |text: &str| Mapping::default().detect(text.as_bytes()).unwrap().mapping.to_toml().unwrap();
     let said = toml("name;x [mm];y [mm];callout;measured [inch]\nb;1;2;25 H7;1.0003\n");
     assert!(said.contains("\nunit = \"inch\"\nplace-unit = \"mm\"\n"), "{said}");
     let said = toml("name;nominal [mm];class;measured [inch]\nb;25;H7;1.0003\n");
@@ -395,7 +395,7 @@ fn the_sheet_of_a_workbook_is_said() {
     let bytes = std::fs::read(path).unwrap();
     let first = FirstRows::of("m.xlsx", &bytes).unwrap();
     let detected = first.detect(&Mapping::default()).unwrap();
-    assert!(detected.mapping.to_toml().contains("sheet = "), "{}", detected.mapping.to_toml());
+    assert!(detected.mapping.to_toml().unwrap().contains("sheet = "), "{}", detected.mapping.to_toml().unwrap());
     let read = |mapping: &Mapping| {
         let (sources, mut said) = (Sources::default(), Vec::new());
         let given = Given { mapping: Some(mapping), ..Given::new(&sources, NOW) };
@@ -408,7 +408,7 @@ fn the_sheet_of_a_workbook_is_said() {
     };
     let choice = first.guess(&Mapping::default());
     let chosen = choice.mapping(&first.names(&choice));
-    assert_eq!(read(&chosen), read(&Mapping::default()), "{}", chosen.to_toml());
+    assert_eq!(read(&chosen), read(&Mapping::default()), "{}", chosen.to_toml().unwrap());
     let said = read(&"sheet=Nowhere".parse().unwrap());
     assert_eq!(said.len(), 1);
     assert!(said[0].starts_with("line 1: the workbook has no sheet Nowhere; it has "), "{said:?}");

@@ -3,7 +3,7 @@
 use fitcheck::session::WindowAction;
 use std::path::PathBuf;
 
-use fitcheck::exchange::{Detected, FirstRows, Mapping, Role, import};
+use fitcheck::exchange::{DecimalSign, Detected, FirstRows, Mapping, Role, Separator, import};
 use fitcheck::message::Message;
 use fitcheck::session::{
     AskedColumns, CheckCommand, ColumnChoice, ColumnsCommand, Command, Effect, ImportInto, OpenColumns, Purpose, Saved,
@@ -64,15 +64,15 @@ fn the_first_rows_tell_what_a_choice_makes_of_them() {
     assert_eq!((shown.width(), shown.header(), shown.lines(), shown.read()), (4, Some(1), &[2, 3][..], 1));
     assert_eq!(said(shown.problem().unwrap()), "line 3, column 3: measured: zwölf is not a number");
     // In another unit 25,012 is 635.3048 mm, which is far from 25: it is read all the same.
-    choose(&mut session, ColumnChoice::Unit(Some("inch")));
+    choose(&mut session, ColumnChoice::Unit(Some("inch".parse().unwrap())));
     assert_eq!(open(&session).read(), 1);
-    choose(&mut session, ColumnChoice::Decimal(Some("point")));
+    choose(&mut session, ColumnChoice::Decimal(Some(DecimalSign::Point)));
     assert_eq!(open(&session).read(), 0);
     choose(&mut session, ColumnChoice::Decimal(None));
     choose(&mut session, ColumnChoice::FirstRow(Some(3)));
     assert_eq!((open(&session).lines(), open(&session).read()), (&[3][..], 0));
     // Another separator begins anew.
-    choose(&mut session, ColumnChoice::Separator("tab"));
+    choose(&mut session, ColumnChoice::Separator(Separator::Tab));
     assert_eq!(open(&session).width(), 1);
     assert!(open(&session).choice().unit.is_none());
 }
@@ -89,7 +89,7 @@ fn what_is_taken_is_read_with_it_and_remembered() {
     };
     assert_eq!(path, &PathBuf::from("/in/a.csv"));
     assert!(session.open_columns().is_none());
-    let toml = mapping.to_toml();
+    let toml = mapping.to_toml().unwrap();
     for said in ["name = \"Stelle\"", "callout = \"Vorgabe\"", "measured = \"Ergebnis\"", "time = \"-\"", "who = \"-\""]
     {
         assert!(toml.contains(said), "{toml}");

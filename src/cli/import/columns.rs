@@ -32,12 +32,16 @@ pub(super) fn show(paths: &[PathBuf], mapping: Option<&Mapping>, format: Format,
     let mut shown = Vec::new();
     for path in paths {
         let head = files::read_head(path, HEAD).map_err(|error| error.to_string());
-        let detected = head.and_then(|head| mapping.unwrap_or(&open).detect(&head).map_err(|error| error.to_string()));
-        match detected {
-            Ok(detected) => match format {
-                Format::Json => shown.push(as_json(path, &detected)),
+        let found = head.and_then(|head| {
+            let detected = mapping.unwrap_or(&open).detect(&head).map_err(|error| error.to_string())?;
+            let toml = detected.mapping.to_toml().map_err(|error| error.to_string())?;
+            Ok((detected, toml))
+        });
+        match found {
+            Ok((detected, toml)) => match format {
+                Format::Json => shown.push(as_json(path, &detected, &toml)),
                 Format::Csv => csv(path, &detected, std::mem::take(&mut is_first), io),
-                Format::Text => text(path, &detected, io),
+                Format::Text => text(path, &detected, &toml, io),
             },
             Err(error) => {
                 bad = true;
@@ -71,7 +75,7 @@ fn columns(detected: &Detected) -> impl Iterator<Item = Shown<'_>> {
     })
 }
 
-fn text(path: &Path, detected: &Detected, io: &mut Io<'_>) {
+fn text(path: &Path, detected: &Detected, toml: &str, io: &mut Io<'_>) {
     let shown: Vec<Shown<'_>> = columns(detected).collect();
     let wide = |length: fn(&Shown<'_>) -> usize| shown.iter().map(length).max().unwrap_or_default().min(WIDEST);
     let (names, holds) = (wide(|column| column.name.chars().count()), wide(|column| column.holds.len()));
@@ -85,7 +89,7 @@ fn text(path: &Path, detected: &Detected, io: &mut Io<'_>) {
     if let Some(from) = &detected.unit_from {
         writeln!(out, "# unit: {from}");
     }
-    out.write_all((detected.mapping.to_toml() + "\n").as_bytes());
+    out.write_all(format!("{toml}\n").as_bytes());
 }
 
 fn csv(path: &Path, detected: &Detected, is_first: bool, io: &mut Io<'_>) {
@@ -98,14 +102,14 @@ fn csv(path: &Path, detected: &Detected, is_first: bool, io: &mut Io<'_>) {
     }
 }
 
-fn as_json(path: &Path, detected: &Detected) -> Json {
+fn as_json(path: &Path, detected: &Detected, toml: &str) -> Json {
     let columns = columns(detected).map(|Shown { number, name, holds, first }| {
         json!({ "column": number, "name": name, "holds": (holds != "-").then_some(holds), "first": first })
     });
     json!({
         "file": path.display().to_string(),
         "columns": columns.collect::<Vec<_>>(),
-        "mapping": detected.mapping.to_toml(),
+        "mapping": toml,
         "unit_from": detected.unit_from,
     })
 }

@@ -153,8 +153,7 @@ use fitcheck_nc::control::mask::Mask;
 use imported::Sink;
 pub use imported::{Asked, Coordinate, Imported, Item, Labels, MOST_ROWS, Unjudged, WhyUnjudged, part_and_feature};
 pub use mapping::{
-    Choice, DECIMAL_WORDS, Detected, FirstRows, Kept, MOST_KEPT, Mapping, MappingError, Remembered, SEPARATOR_WORDS,
-    UNIT_WORDS,
+    Choice, ColumnUnit, DecimalSign, Detected, FirstRows, Kept, MOST_KEPT, Mapping, MappingError, Remembered, Separator,
 };
 pub use plans::{PLAN_ENDINGS, read_plan};
 pub use quantity::Quantity;

@@ -17,7 +17,8 @@ use std::collections::VecDeque;
 use std::path::PathBuf;
 use std::sync::Arc;
 
-use fitcheck_exchange::exchange::{Remembered, Role};
+use fitcheck_core::length::Unit;
+use fitcheck_exchange::exchange::{ColumnUnit, Remembered, Role};
 
 pub use command::ColumnsCommand;
 pub use open::{Asked, ColumnChoice, OpenColumns, UsedColumns, refusal};
@@ -70,11 +71,11 @@ pub fn role_id(role: Option<Role>) -> String {
 }
 
 /// The name of a unit; `None` is the one that the names of the columns say.
-pub fn unit_id(word: Option<&str>) -> &'static str {
-    match word {
-        Some("mm") => "columns-page-unit-mm",
-        Some("um") => "columns-page-unit-um",
-        Some("inch") => "columns-page-unit-inch",
-        _ => "columns-page-unit-names",
+pub fn unit_id(unit: Option<ColumnUnit>) -> &'static str {
+    match unit.map(ColumnUnit::unit) {
+        Some(Unit::Millimetre) => "columns-page-unit-mm",
+        Some(Unit::Micrometre) => "columns-page-unit-um",
+        Some(Unit::Inch) => "columns-page-unit-inch",
+        None => "columns-page-unit-names",
     }
 }

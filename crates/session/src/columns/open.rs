@@ -5,7 +5,7 @@ use std::path::PathBuf;
 use fitcheck_core::message::{Located, Message, Say as _, message};
 use fitcheck_core::part::Plan;
 use fitcheck_core::tolerance::Sources;
-use fitcheck_exchange::exchange::{ByPlan, Choice, Detected, FirstRows, Given, Item, Kept, Mapping, Role};
+use fitcheck_exchange::exchange::{ByPlan, Choice, ColumnUnit, DecimalSign, Detected, FirstRows, Given, Item, Kept, Mapping, Role, Separator};
 use jiff::civil::DateTime;
 
 use crate::purpose::ImportInto;
@@ -49,14 +49,14 @@ pub enum ColumnChoice {
     Role(usize, Option<Role>),
     /// The sheet of a workbook; its columns are detected anew.
     Sheet(String),
-    /// The word of the separator; the columns are detected anew.
-    Separator(&'static str),
-    /// The word of the decimal sign; `None` as in the file.
-    Decimal(Option<&'static str>),
-    /// The word of the unit of sizes; `None` as the names of the columns say.
-    Unit(Option<&'static str>),
-    /// The word of the unit of X, Y and Z; `None` as the names of the columns say.
-    PlaceUnit(Option<&'static str>),
+    /// What separates cells; the columns are detected anew.
+    Separator(Separator),
+    /// The decimal sign; `None` as in the file.
+    Decimal(Option<DecimalSign>),
+    /// The unit of sizes; `None` as the names of the columns say.
+    Unit(Option<ColumnUnit>),
+    /// The unit of X, Y and Z; `None` as the names of the columns say.
+    PlaceUnit(Option<ColumnUnit>),
     /// The line of the first row; `None` below the header.
     FirstRow(Option<usize>),
 }
@@ -101,18 +101,17 @@ impl OpenColumns {
     }
 
     pub(super) fn choose(&mut self, choice: ColumnChoice) {
-        let word = |word: Option<&'static str>| word.map(str::to_owned);
         match choice {
             ColumnChoice::Role(at, role) => self.choice.give(at, role),
             ColumnChoice::Sheet(sheet) => {
                 self.choice = self.asked.first.guess(&Mapping::split(Some(sheet), None));
             }
             ColumnChoice::Separator(separator) => {
-                self.choice = self.asked.first.guess(&Mapping::split(None, word(Some(separator))));
+                self.choice = self.asked.first.guess(&Mapping::split(None, Some(separator)));
             }
-            ColumnChoice::Decimal(decimal) => self.choice.decimal = word(decimal),
-            ColumnChoice::Unit(unit) => self.choice.unit = word(unit),
-            ColumnChoice::PlaceUnit(unit) => self.choice.place_unit = word(unit),
+            ColumnChoice::Decimal(decimal) => self.choice.decimal = decimal,
+            ColumnChoice::Unit(unit) => self.choice.unit = unit,
+            ColumnChoice::PlaceUnit(unit) => self.choice.place_unit = unit,
             ColumnChoice::FirstRow(line) => self.choice.first_row = line,
         }
     }

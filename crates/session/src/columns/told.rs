@@ -23,7 +23,7 @@ impl Shared {
         let columns: Vec<String> = (0..).zip(&detected.roles).filter_map(of_column).collect();
         let message = message!("columns-page-taken")
             .text("columns", columns.join(", "))
-            .text("unit", words.get(unit_id(detected.mapping.unit_word())));
+            .text("unit", words.get(unit_id(detected.mapping.unit())));
         let remembered = used.remembered.as_ref();
         let said = remembered.map(|(_, day)| message!("columns-page-remembered").text("day", day));
         let from = detected.unit_from.as_ref().map(|from| message!("columns-page-unit-from").text("from", from));

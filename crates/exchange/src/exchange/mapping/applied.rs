@@ -1,7 +1,7 @@
 //! The columns of a file by a mapping: what it says, and what is detected for the rest.
 
 use super::words::role_of;
-use super::{Column, Mapping, is_named};
+use super::{Column, ColumnUnit, DecimalSign, Mapping, is_named};
 use crate::exchange::cells;
 use crate::exchange::column::{LengthColumn, listed, name_of, several, unit_of};
 use crate::exchange::columns::{Columns, LabelColumns};
@@ -39,7 +39,8 @@ impl Mapping {
         let header = sample.header.or(unknown).and_then(|at| sample.rows.get(at)).cloned();
         let names = header.as_ref().map(|(_, names)| names.clone()).unwrap_or_default();
         let said = self.said(&names, width)?;
-        (sample.given, sample.has_place_unit) = (self.unit(), self.place_unit().is_some());
+        sample.given = self.unit.map(ColumnUnit::unit);
+        sample.has_place_unit = self.place_unit.is_some();
         sample.measured = said.iter().find(|(role, _)| *role == Role::Measured).and_then(|(_, at)| *at);
         let detected = sample.columns();
         let is_used = |at: usize| said.iter().any(|(_, of)| *of == Some(at));
@@ -57,7 +58,7 @@ impl Mapping {
         columns.names_known = sample.header.is_some();
         columns.ignored = said.ignored(&columns);
         sample.look_at_values(&mut columns, &said.names);
-        columns.decimal_sign = self.decimal().or(columns.decimal_sign);
+        columns.decimal_sign = self.decimal.map(DecimalSign::sign).or(columns.decimal_sign);
         stated::decide(sample, &mut columns)?;
         Ok(columns)
     }
@@ -131,14 +132,14 @@ impl Said<'_> {
     }
 
     fn length(&self, at: usize) -> Result<LengthColumn, ImportErrorKind> {
-        Ok(LengthColumn { at, unit: self.mapping.unit().map_or_else(|| self.unit_of_name(at), Ok)? })
+        Ok(LengthColumn { at, unit: self.mapping.unit.map_or_else(|| self.unit_of_name(at), |unit| Ok(unit.unit()))? })
     }
 
     /// The column of X, Y or Z, from 0.
     fn place(&self, role: Role, axis: usize) -> Result<Option<LengthColumn>, ImportErrorKind> {
         let found = |found: &Columns| found.labels.place.get(axis).copied().flatten().map(|column| column.at);
         let Some(at) = self.either(role, found) else { return Ok(None) };
-        let unit = self.mapping.place_unit().map_or_else(|| self.unit_of_name(at), Ok)?;
+        let unit = self.mapping.place_unit.map_or_else(|| self.unit_of_name(at), |unit| Ok(unit.unit()))?;
         Ok(Some(LengthColumn { at, unit }))
     }
 

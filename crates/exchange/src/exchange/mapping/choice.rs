@@ -1,30 +1,21 @@
 //! What is chosen for each column of a file, as a mapping that leaves nothing open.
 
 use super::detected::{Detected, column_of};
-use super::words::{DECIMALS, SEPARATORS, UNITS};
-use super::{Column, Mapping};
+use super::{Column, ColumnUnit, DecimalSign, Mapping, Separator};
 use crate::exchange::role::Role;
-
-pub const SEPARATOR_WORDS: [&str; 4] = [SEPARATORS[0].0, SEPARATORS[1].0, SEPARATORS[2].0, SEPARATORS[3].0];
-
-/// The words of the decimal signs.
-pub const DECIMAL_WORDS: [&str; 2] = [DECIMALS[0].0, DECIMALS[1].0];
-
-pub const UNIT_WORDS: [&str; 3] = [UNITS[0].0, UNITS[1].0, UNITS[2].0];
 
 /// What is chosen for a file. What each of its columns holds is said; a sign or unit that is not chosen is that of the file.
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub struct Choice {
     /// The sheet of a workbook.
     pub sheet: Option<String>,
-    /// The word of the separator; `None` where cells need none.
-    pub separator: Option<String>,
-    /// The word of the decimal sign.
-    pub decimal: Option<String>,
-    /// The word of the unit of measured values and nominal sizes.
-    pub unit: Option<String>,
-    /// The word of the unit of X, Y and Z.
-    pub place_unit: Option<String>,
+    /// What separates cells; `None` where they need nothing.
+    pub separator: Option<Separator>,
+    pub decimal: Option<DecimalSign>,
+    /// The unit of measured values and nominal sizes.
+    pub unit: Option<ColumnUnit>,
+    /// The unit of X, Y and Z.
+    pub place_unit: Option<ColumnUnit>,
     /// The line of the first row.
     pub first_row: Option<usize>,
     /// What each column holds.
@@ -34,8 +25,8 @@ pub struct Choice {
 impl Choice {
     /// What is detected in a file, to be corrected.
     pub fn of(detected: &Detected) -> Self {
-        let Mapping { sheet, separator, .. } = detected.mapping.clone();
-        Self { sheet, separator, roles: detected.roles.clone(), ..Self::default() }
+        let Mapping { sheet, separator, .. } = &detected.mapping;
+        Self { sheet: sheet.clone(), separator: *separator, roles: detected.roles.clone(), ..Self::default() }
     }
 
     /// A column holds something from now on, and no other column the same, or one more where two may have it.
@@ -70,10 +61,10 @@ impl Choice {
         });
         Mapping {
             sheet: self.sheet.clone(),
-            separator: self.separator.clone(),
-            decimal: self.decimal.clone(),
-            unit: self.unit.clone(),
-            place_unit: self.place_unit.clone(),
+            separator: self.separator,
+            decimal: self.decimal,
+            unit: self.unit,
+            place_unit: self.place_unit,
             first_row: self.first_row,
             columns: columns.collect(),
         }

@@ -3,8 +3,7 @@
 use fitcheck_core::length::Unit;
 
 use super::applied::roles;
-use super::words::{DECIMALS, SEPARATORS, UNITS, word_for};
-use super::{Column, Mapping, is_named};
+use super::{Column, ColumnUnit, DecimalSign, Mapping, Separator, is_named};
 use crate::exchange::columns::Columns;
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::ImportErrorKind;
@@ -54,15 +53,14 @@ impl Detected {
             .map(|(line, cells)| (*line, cells.iter().map(str::to_owned).collect()))
             .collect();
         let roles = roles(columns);
-        let unit = |unit: Option<Unit>| unit.and_then(|unit| word_for(unit, &UNITS)).map(str::to_owned);
         let of_sizes = [Some(columns.measured.unit), columns.nominal.map(|column| column.unit)];
         let of_places = columns.labels.place.map(|column| column.map(|column| column.unit));
         let mapping = Mapping {
             sheet: None,
-            separator: word_for(sample.separator, &SEPARATORS).map(str::to_owned),
-            decimal: columns.decimal_sign.and_then(|sign| word_for(sign, &DECIMALS)).map(str::to_owned),
-            unit: unit(common(&of_sizes)),
-            place_unit: unit(common(&of_places)),
+            separator: Separator::of_byte(sample.separator),
+            decimal: columns.decimal_sign.and_then(DecimalSign::of_sign),
+            unit: common(&of_sizes).map(ColumnUnit::of),
+            place_unit: common(&of_places).map(ColumnUnit::of),
             first_row: rows.first().map(|(line, _)| *line),
             columns: roles
                 .iter()

@@ -7,8 +7,7 @@ use fitcheck_core::tolerance::fit::thermal::Temperature;
 use jiff::civil::DateTime;
 
 use super::detected::SHOWN;
-use super::words::{SEPARATORS, known};
-use super::{Choice, Detected, Mapping};
+use super::{Choice, Detected, Mapping, Separator};
 use crate::exchange::delimited::without_separator_line;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::imported::{Item, Sink};
@@ -108,7 +107,7 @@ impl FirstRows {
     pub fn guess(&self, mapping: &Mapping) -> Choice {
         let asked = match self.detect(mapping) {
             Ok(detected) => {
-                let Mapping { decimal, unit, place_unit, first_row, .. } = mapping.clone();
+                let &Mapping { decimal, unit, place_unit, first_row, .. } = mapping;
                 return Choice { decimal, unit, place_unit, first_row, ..Choice::of(&detected) };
             }
             Err(ImportErrorKind::SeveralColumns { role, .. }) => Some(role),
@@ -125,7 +124,7 @@ impl FirstRows {
         // What several columns may hold is chosen for none of them.
         let is_one = |role: &Option<Role>| *role != asked && said.iter().filter(|other| *other == role).count() == 1;
         let separator = match self.held {
-            Held::Text(_) => super::words::word_for(sample.separator, &SEPARATORS).map(str::to_owned),
+            Held::Text(_) => Separator::of_byte(sample.separator),
             Held::Sheets(..) => None,
         };
         let sheet = match &self.held {
@@ -174,11 +173,8 @@ impl FirstRows {
         Ok(items)
     }
 
-    /// The separator of a word, where the file is a text.
-    pub(super) fn is_split_by(&self, word: &str) -> bool {
-        match self.held {
-            Held::Text(_) => known("separator", Some(word), &SEPARATORS).is_ok(),
-            Held::Sheets(..) => word.is_empty(),
-        }
+    /// Whether the file is a text, which something separates into cells.
+    pub(super) const fn is_text(&self) -> bool {
+        matches!(self.held, Held::Text(_))
     }
 }

@@ -6,7 +6,7 @@ use std::collections::BTreeMap;
 use jiff::civil::DateTime;
 use serde::{Deserialize, Serialize};
 
-use super::{Choice, FirstRows, Mapping};
+use super::{Choice, FirstRows, Mapping, Separator};
 use crate::exchange::cells::may_be_names;
 use crate::exchange::sample::{ABOVE_HEADER, Sample};
 use crate::journal::chain::Hash;
@@ -20,8 +20,8 @@ pub const MOST_KEPT: usize = 50;
 pub struct Kept {
     /// The names of the header; none where the file has no header.
     names: Vec<String>,
-    /// The word of the separator; empty for a workbook.
-    separator: String,
+    #[serde(rename = "separator")]
+    split: Split,
     /// How many columns there are.
     count: usize,
     /// How many lines below the header the first row is, where that was chosen.
@@ -31,6 +31,40 @@ pub struct Kept {
     mapping: String,
     /// When it was chosen: ISO 8601.
     when: String,
+}
+
+/// How a file of a shape is split into cells.
+#[derive(Debug, Clone, Default, PartialEq, Eq, Serialize, Deserialize)]
+#[serde(from = "String", into = "String")]
+enum Split {
+    /// A workbook has cells of its own; its word is empty.
+    #[default]
+    Workbook,
+    By(Separator),
+    /// By a word that is not known here, as another version may have kept it: no file is of the shape, and it is left as it is.
+    Unknown(String),
+}
+
+impl From<String> for Split {
+    fn from(word: String) -> Self {
+        if word.is_empty() { Self::Workbook } else { word.parse().map_or(Self::Unknown(word), Self::By) }
+    }
+}
+
+impl From<Split> for String {
+    fn from(split: Split) -> Self {
+        split.to_string()
+    }
+}
+
+impl std::fmt::Display for Split {
+    fn fmt(&self, f: &mut std::fmt::Formatter<'_>) -> std::fmt::Result {
+        match self {
+            Self::Workbook => Ok(()),
+            Self::By(separator) => separator.fmt(f),
+            Self::Unknown(word) => f.write_str(word),
+        }
+    }
 }
 
 /// Mappings by shapes.
@@ -73,10 +107,10 @@ impl Kept {
         mapping.sheet = None;
         Some(Self {
             names: bare(detected.names.iter().map(String::as_str)),
-            separator: choice.separator.clone().unwrap_or_default(),
+            split: choice.separator.map_or(Split::Workbook, Split::By),
             count: usual_width(&first.sample(&mapping)),
             below,
-            mapping: mapping.to_toml(),
+            mapping: mapping.to_toml().ok()?,
             when: now.strftime("%Y-%m-%dT%H:%M:%S").to_string(),
         })
     }
@@ -88,7 +122,7 @@ impl Kept {
 
     /// The name of its shape in the state file.
     fn key(&self) -> String {
-        let shape = format!("{}\n{}\n{}", self.separator, self.count_of_shape(), self.names.join("\n"));
+        let shape = format!("{}\n{}\n{}", self.split, self.count_of_shape(), self.names.join("\n"));
         Hash::of_file(shape.as_bytes()).to_string().chars().take(16).collect()
     }
 
@@ -99,7 +133,12 @@ impl Kept {
 
     /// The mapping for a file of the shape; `None` where the file is of another one.
     fn mapping_for(&self, first: &FirstRows) -> Option<Mapping> {
-        if !first.is_split_by(&self.separator) {
+        let is_of_its_kind = match self.split {
+            Split::By(_) => first.is_text(),
+            Split::Workbook => !first.is_text(),
+            Split::Unknown(_) => false,
+        };
+        if !is_of_its_kind {
             return None;
         }
         let kept = Mapping::from_toml(&self.mapping).ok()?;
