@@ -103,7 +103,7 @@ fn print_csv(answer: &Answer<'_>, io: &mut Io<'_>) {
 
 fn print_text(answer: &Answer<'_>, evaluation: &Evaluation, io: &mut Io<'_>) {
     let mut row = |name: &str, circle: Option<Circle>, form: Option<f64>| {
-        let form = form.map(|form| format!("   form {form:.4}")).unwrap_or_default();
+        let form = form.map_or_else(String::new, |form| format!("   form {form:.4}"));
         match circle {
             Some(Circle { x, y, diameter }) => {
                 writeln!(io.people(), "{name:<24}Ø {diameter:>12.6}   centre {x:>13.6} {y:>13.6}{form}");

@@ -232,7 +232,7 @@ fn text(asked: &Asked, answer: &Map<String, Json>, io: &mut Io<'_>) {
     } else {
         writeln!(io.people(), "rejected      nothing");
     }
-    let probability = |name: &str| answer.get(name).and_then(Json::as_f64).map(percent).unwrap_or_default();
+    let probability = |name: &str| answer.get(name).and_then(Json::as_f64).map_or_else(String::new, percent);
     if let Some(status) = asked.measured.map(|measured| asked.rule.status(&asked.bounds, measured)) {
         let proven = match answer.get("proven").and_then(Json::as_bool) {
             Some(true) => ", proven",

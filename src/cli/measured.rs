@@ -8,6 +8,7 @@ use std::time::SystemTime;
 use crate::exchange::Body;
 use crate::files::{self, FileError};
 use crate::journal::chain::{FileHash, Hash};
+use crate::within::{Within as _, long};
 
 /// A file of measurements, open.
 #[derive(Debug)]
@@ -85,10 +86,10 @@ impl<'a> Hashing<'a> {
 impl Read for Hashing<'_> {
     fn read(&mut self, buffer: &mut [u8]) -> io::Result<usize> {
         let count = self.body.read(buffer)?;
-        let end = self.at + u64::try_from(count).unwrap_or_default();
+        let end = self.at + long(count);
         if self.at <= self.hashed && self.hashed < end {
             let seen = usize::try_from(self.hashed - self.at).unwrap_or(usize::MAX);
-            self.hash.see(buffer.get(seen..count).unwrap_or_default());
+            self.hash.see(buffer.within(seen..count));
             self.hashed = end;
         }
         self.at = end;

@@ -148,7 +148,7 @@ impl PlanParts {
             let steps = (0..).zip(part.walk.steps()).filter(|(_, step)| !step.contradicting().is_empty());
             let said: Vec<_> = steps
                 .map(|(at, step)| {
-                    let name = names.get(&at).map(|name| (*name).clone()).unwrap_or_default();
+                    let name = names.get(&at).map_or_else(String::new, |name| (*name).clone());
                     let (who, values) = (who(key), part.values(at, step));
                     if who.is_empty() {
                         CliWarning::Contradiction { name, values }

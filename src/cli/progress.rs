@@ -10,6 +10,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use crate::batch::Watch;
 use crate::exchange::Body;
 use crate::files::Stop;
+use crate::within::long;
 
 /// Before this nothing is shown: most calls are done by then.
 const PATIENCE: Duration = Duration::from_millis(500);
@@ -253,7 +254,7 @@ impl Read for Watched<'_> {
             return Err(stopped());
         }
         let count = self.body.read(buffer)?;
-        self.at += u64::try_from(count).unwrap_or_default();
+        self.at += long(count);
         // What is looked at twice is done once.
         self.work.done.bytes.fetch_max(self.at, Relaxed);
         self.work.show();

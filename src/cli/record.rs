@@ -157,7 +157,7 @@ impl RecordArgs {
 
 /// What is told of every check, at this moment: who, part, serial number, feature and remark.
 fn about(station: Option<&String>, given: [Option<&String>; 5]) -> About {
-    let [who, part, serial, feature, remark] = given.map(|text| text.cloned().unwrap_or_default());
+    let [who, part, serial, feature, remark] = given.map(|text| text.map_or_else(String::new, Clone::clone));
     About {
         station: station.cloned().unwrap_or_else(here::computer),
         time: here::moment(),
@@ -219,7 +219,7 @@ impl Recorder {
         if !option.is_empty() && !self.is_file_first {
             return option;
         }
-        let of_all = if option.is_empty() { plan.unwrap_or_default() } else { option };
+        let of_all = if option.is_empty() { plan.unwrap_or("") } else { option };
         let is_same = of_file.trim().is_empty() || of_file.trim().eq_ignore_ascii_case(of_all);
         match plan {
             _ if of_all.is_empty() => of_file,
@@ -361,8 +361,8 @@ impl Stream {
     /// What tells a part from others in the journal: its name and its serial number. The name of the plan is that of all its parts; of a part
     /// without any other name, its file is the name.
     pub(super) fn part_of(&self, about: &About, file: &str) -> (String, String) {
-        let of_all = [self.recorder.about.part.as_str(), self.recorder.plan.as_deref().unwrap_or_default()];
-        let own = Some(about.part.as_str()).filter(|part| !of_all.contains(part)).unwrap_or_default();
+        let of_all = [self.recorder.about.part.as_str(), self.recorder.plan.as_deref().unwrap_or("")];
+        let own = Some(about.part.as_str()).filter(|part| !of_all.contains(part)).unwrap_or("");
         let part = if own.is_empty() && about.serial.is_empty() { file } else { own };
         (part.to_owned(), about.serial.clone())
     }

@@ -12,6 +12,7 @@ mod unfinished;
 mod whole;
 mod zone;
 
+use std::ffi::OsStr;
 use std::io::{Read as _, Write};
 use std::path::{Path, PathBuf};
 
@@ -181,11 +182,23 @@ pub fn folder_of(path: &Path) -> &Path {
     path.parent().filter(|folder| !folder.as_os_str().is_empty()).unwrap_or_else(|| Path::new("."))
 }
 
+/// The name of a file without its folder; empty where a path has none, such as one that ends in `..`.
+pub fn name_of(path: &Path) -> &OsStr {
+    path.file_name().unwrap_or_else(|| OsStr::new(""))
+}
+
+/// A file beside another one, whose name goes on like this.
+pub fn with_ending(path: &Path, ending: &str) -> PathBuf {
+    let mut name = name_of(path).to_owned();
+    name.push(ending);
+    path.with_file_name(name)
+}
+
 /// Sets a broken file aside under another name and returns that name. A link stays, and what it leads to gets the name.
 pub fn set_aside(path: &Path) -> Result<PathBuf, FileError> {
     let behind = path.is_symlink().then(|| path.canonicalize().ok()).flatten();
     let path = behind.as_deref().unwrap_or(path);
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let name = name_of(path).to_string_lossy().into_owned();
     for number in 1..1000 {
         let aside = path.with_file_name(format!("{name}.broken-{number}"));
         if !aside.exists() {

@@ -44,7 +44,9 @@ impl Part {
     }
 
     fn taken(&self) -> &[u8] {
-        self.bytes.get(self.start..self.start + self.length).unwrap_or_default()
+        let (_, from) = self.bytes.split_at(self.start);
+        let (taken, _) = from.split_at(self.length);
+        taken
     }
 }
 
@@ -114,7 +116,7 @@ impl Way<'_> {
         while !bytes.is_empty() {
             match (&mut &*self.file).write(bytes) {
                 Ok(0) => return Err(io::ErrorKind::WriteZero.into()),
-                Ok(count) => bytes = bytes.get(count..).unwrap_or_default(),
+                Ok(count) => bytes = bytes.split_at(count.min(bytes.len())).1,
                 Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
                 // A folder that says it can and cannot, or the rest of a part where a disk has become full.
                 Err(error) if self.is_straight && error.kind() == io::ErrorKind::InvalidInput => {

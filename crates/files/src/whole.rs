@@ -191,12 +191,12 @@ pub(super) fn unfinished_name(target: &Path) -> PathBuf {
     /// Names have at most 255 bytes on most systems.
     const MOST_BYTES: usize = 200;
     let mut name = OsString::from(".");
-    match target.file_name().unwrap_or_default() {
+    match super::name_of(target) {
         short if short.len() <= MOST_BYTES => name.push(short),
         long => {
             let long = long.to_string_lossy();
-            let end = (0..=MOST_BYTES).rev().find(|end| long.is_char_boundary(*end)).unwrap_or_default();
-            name.push(long.get(..end).unwrap_or_default());
+            let (short, _) = long.split_at(long.floor_char_boundary(MOST_BYTES));
+            name.push(short);
         }
     }
     name.push(".fitcheck");

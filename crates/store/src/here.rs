@@ -15,7 +15,7 @@ pub fn moment() -> Moment {
 /// The user of the computer, where the system tells it; else empty.
 pub fn user() -> String {
     let of_variable = ["USER", "USERNAME", "LOGNAME"].into_iter().find_map(|name| std::env::var(name).ok());
-    plain(&of_variable.unwrap_or_default())
+    of_variable.map_or_else(String::new, |name| plain(&name))
 }
 
 /// A name as an entry takes it.
@@ -31,7 +31,6 @@ pub fn computer() -> String {
         let read = |path| Some(String::from_utf8_lossy(&files::read_file(Path::new(path)).ok()?).into_owned());
         paths.find_map(read)
     };
-    let name = of_variable.or_else(of_file).unwrap_or_default();
-    let name = plain(&name);
-    if name.is_empty() { "fitcheck".to_owned() } else { name }
+    let name = of_variable.or_else(of_file).map(|name| plain(&name));
+    name.filter(|name| !name.is_empty()).unwrap_or_else(|| "fitcheck".to_owned())
 }

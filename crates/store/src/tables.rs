@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use fitcheck_core::message::Say;
 use fitcheck_core::tolerance::DeviationTable;
 use fitcheck_core::tolerance::compare::{Contradiction, contradiction};
-use fitcheck_files::{FileError, no_half_set, read, system};
+use fitcheck_files::{self as files, FileError, no_half_set, read, system};
 use fitcheck_nc::control::deviations::{DeviationError, DeviationWarning, read_table};
 
 /// What a folder of tables holds.
@@ -44,7 +44,7 @@ pub fn read_tables(folder: &Path) -> Result<OwnTables, OwnTablesError> {
     no_half_set(folder)?;
     let mut own = OwnTables::default();
     for path in files_of(folder)? {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let name = files::name_of(&path).to_string_lossy();
         let file = path.display().to_string();
         let (table, warnings) = read_table(&read(&path)?, &name, &file, false)?;
         own.tables.extend(table);

@@ -1,5 +1,6 @@
 //! Lines of standard input in bounded memory.
 
+use crate::within::Within as _;
 use std::io::BufRead;
 
 /// The longest line of standard input in bytes; a longer one is refused.
@@ -45,7 +46,7 @@ impl Line {
             let used = end.map_or(buffer.len(), |end| end + 1);
             // One more than allowed, for a carriage return.
             let room = (LONGEST_LINE + 1).saturating_sub(self.bytes.len());
-            let part = buffer.get(..end.unwrap_or(used)).unwrap_or_default();
+            let part = buffer.within(..end.unwrap_or(used));
             is_whole &= part.len() <= room;
             self.bytes.extend(part.iter().take(room));
             self.is_drained = used == buffer.len();

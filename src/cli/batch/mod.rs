@@ -15,6 +15,8 @@ mod parquet;
 mod parquet;
 mod summary;
 
+use std::borrow::Cow;
+use std::ffi::OsStr;
 use std::io::{self, Read, Write};
 use std::path::{Path, PathBuf};
 
@@ -28,6 +30,7 @@ use crate::exchange::batch::{ADDED, BLOCK, Court, Cutter, Layout};
 use crate::files;
 use crate::message::Say as _;
 use crate::tolerance::Sources;
+use crate::within::long;
 use judging::{Above, Judging, Rows};
 use summary::Told;
 
@@ -137,7 +140,7 @@ impl Args {
     fn named_form(&self) -> Result<(Form, Packing), CliError> {
         let Some(path) = self.file() else { return Ok((self.format.unwrap_or(Form::Csv), Packing::Plain)) };
         let (packing, name) = Packing::of_name(path);
-        let ending = name.extension().unwrap_or_default().to_string_lossy();
+        let ending = name.extension().map_or(Cow::Borrowed(""), OsStr::to_string_lossy);
         let known = Form::of_ending(&ending);
         match (self.format, known) {
             (Some(form), Some(other)) if form != other => {
@@ -355,7 +358,7 @@ impl Job<'_> {
         let rows = match from {
             From::Text(stream) => {
                 let mut head = io::Cursor::new(stream.head);
-                head.set_position(u64::try_from(layout.skip).unwrap_or_default());
+                head.set_position(long(layout.skip));
                 input = head.chain(stream.input);
                 let (step, is_patient) = match answers {
                     Answers::Text(_) => (BLOCK, size.is_some()),

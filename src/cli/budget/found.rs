@@ -39,7 +39,7 @@ pub(in crate::cli) fn introduce(found: &Assessment, io: &mut Io<'_>) {
     let (name, date, until) = (name.clone(), date.to_string(), valid_until.to_string());
     io.remark(&CliRemark::Budget { name, date, until });
     if let Some(Geometry { touches, step_deg, factor }) = found.geometry() {
-        let step = step_deg.map(|step| format!(" × {}°", figure(step, 3))).unwrap_or_default();
+        let step = step_deg.map_or_else(String::new, |step| format!(" × {}°", figure(step, 3)));
         io.remark(&CliRemark::BudgetContacts { touches, step, factor: format!("{factor:.3}") });
     }
     for warning in found.warnings() {

@@ -44,9 +44,9 @@ fn degrees(degrees: Option<f64>) -> String {
 
 fn table(evaluation: &Evaluation, io: &mut Io<'_>) {
     let names = evaluation.rows.iter().map(|row| row.name.chars().count());
-    let width = names.max().unwrap_or_default().clamp("contribution".len(), WIDEST);
+    let width = names.fold(0, usize::max).clamp("contribution".len(), WIDEST);
     let units =
-        evaluation.rows.iter().map(|row| row.unit.chars().count()).max().unwrap_or_default().max("µm".chars().count());
+        evaluation.rows.iter().map(|row| row.unit.chars().count()).fold(0, usize::max).max("µm".chars().count());
     writeln!(
         io.people(),
         "{:<width$}  type  law          {:>10} {:<units$}  {:>10}  {:>9}  {:>7}  degrees of freedom",
@@ -68,7 +68,7 @@ fn table(evaluation: &Evaluation, io: &mut Io<'_>) {
     }
     for (row, geometry) in evaluation.rows.iter().filter_map(|row| Some((row, row.geometry?))) {
         let Geometry { touches, step_deg, factor } = geometry;
-        let step = step_deg.map(|step| format!(" at {}°", figure(step, 3))).unwrap_or_default();
+        let step = step_deg.map_or_else(String::new, |step| format!(" at {}°", figure(step, 3)));
         writeln!(io.people(), "{}: {touches} contacts{step}, factor {factor:.3}", row.name);
     }
 }

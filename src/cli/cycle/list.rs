@@ -70,9 +70,9 @@ pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut 
         Format::Csv => csv(rows, io),
         Format::Text => {
             writeln!(io.people(), "{} {}", cycle.code, cycle.name(language));
-            let width = rows.iter().map(|row| row.question.chars().count()).max().unwrap_or_default();
+            let width = rows.iter().map(|row| row.question.chars().count()).fold(0, usize::max);
             for (row, parameter) in rows.iter().zip(cycle.parameters) {
-                let unit = row.unit.unwrap_or_default();
+                let unit = row.unit.unwrap_or("");
                 let predef = if row.predef { ", or PREDEF" } else { "" };
                 let effect = if row.effect { "" } else { "   no effect" };
                 let (key, question, range, unset) = (&row.key, row.question, &row.range.0, row.unset());

@@ -17,7 +17,7 @@ pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) {
     writeln!(io.people(), "parameters");
     let shown =
         cycle.parameters.iter().filter(|parameter| parameter.has_effect || result.inputs.is_given(parameter.key));
-    let width = shown.clone().map(|parameter| parameter.question(run.language).chars().count()).max().unwrap_or(0);
+    let width = shown.clone().map(|parameter| parameter.question(run.language).chars().count()).fold(0, usize::max);
     for parameter in shown {
         let question = parameter.question(run.language);
         let value = match result.inputs.value(parameter.key) {
@@ -102,7 +102,7 @@ pub(super) fn print_path(path: &[Move], io: &mut Io<'_>) {
     writeln!(io.people(), "path of the ball's centre");
     for (number, step) in (1_usize..).zip(path) {
         let [x, y, z] = step.to;
-        let touch = step.touch.map(|touch| format!("touch {touch}")).unwrap_or_default();
+        let touch = step.touch.map_or_else(String::new, |touch| format!("touch {touch}"));
         let way = if step.about.is_some() { "on an arc" } else { "" };
         let phase = step.phase.word();
         let line = format!("  {number:>3}  {phase:<12} {touch:<8} to {x:>14.6} {y:>14.6} {z:>14.6}  {way}");

@@ -68,8 +68,9 @@ fn equivalent(other: &Equivalent) -> String {
 fn measured(measured: &Measured, io: &mut Io<'_>) {
     let judged = |diameter: Length, verdict: &Verdict| {
         let removal = verdict.size.removal.filter(|_| verdict.status() == Status::Rework);
-        let removal = removal.map(|removal| format!(", remove {} mm to the nearest limit", removal.to_limit));
-        format!("{} mm  {}{}", mm(diameter), verdict.status(), removal.unwrap_or_default())
+        let removal = removal
+            .map_or_else(String::new, |removal| format!(", remove {} mm to the nearest limit", removal.to_limit));
+        format!("{} mm  {}{removal}", mm(diameter), verdict.status())
     };
     match measured {
         Measured::None => {}
@@ -102,7 +103,7 @@ fn temperature(heat: &Heat, heated: &Heated, io: &mut Io<'_>) {
 
 /// `at 220 °C: steel, 11.5 millionths per kelvin from -100 to 250 °C (published value)`
 fn material(part: &Part) -> String {
-    let name = part.name.as_ref().map(|name| format!("{name}, ")).unwrap_or_default();
+    let name = part.name.as_ref().map_or_else(String::new, |name| format!("{name}, "));
     let (temperature, expansion) = (part.warm.temperature, part.warm.expansion);
     let (certainty, least, most) = (part.certainty, part.range.least, part.range.most);
     format!("at {temperature} °C: {name}{expansion} millionths per kelvin from {least} to {most} °C ({certainty})")

@@ -65,19 +65,19 @@ struct Shown<'a> {
 
 /// The columns of a file: as many as have a name, hold something or have a cell in the first row.
 fn columns(detected: &Detected) -> impl Iterator<Item = Shown<'_>> {
-    let cells = detected.rows.first().map(|(_, cells)| cells.as_slice()).unwrap_or_default();
+    let cells = detected.rows.first().map_or(&[][..], |(_, cells)| cells);
     let count = detected.roles.len().max(detected.names.len()).max(cells.len());
     (0..count).map(move |at| Shown {
         number: at + 1,
-        name: detected.names.get(at).map(String::as_str).unwrap_or_default(),
+        name: detected.names.get(at).map_or("", String::as_str),
         holds: detected.word(at).unwrap_or("-"),
-        first: cells.get(at).map(|cell| cell.trim()).unwrap_or_default(),
+        first: cells.get(at).map_or("", |cell| cell.trim()),
     })
 }
 
 fn text(path: &Path, detected: &Detected, toml: &str, io: &mut Io<'_>) {
     let shown: Vec<Shown<'_>> = columns(detected).collect();
-    let wide = |length: fn(&Shown<'_>) -> usize| shown.iter().map(length).max().unwrap_or_default().min(WIDEST);
+    let wide = |length: fn(&Shown<'_>) -> usize| shown.iter().map(length).fold(0, usize::max).min(WIDEST);
     let (names, holds) = (wide(|column| column.name.chars().count()), wide(|column| column.holds.len()));
     let out = io.people();
     writeln!(out, "{}", path.display());

@@ -212,7 +212,7 @@ struct Import<'a> {
 
 impl Import<'_> {
     fn file(&mut self, path: &Path, file: &Measured, given: Given<'_>, io: &mut Io<'_>) -> Result<(), CliError> {
-        let name = path.file_name().unwrap_or_default().to_string_lossy();
+        let name = files::name_of(path).to_string_lossy();
         let plan = self.by_plan.as_ref().map(ByPlan::plan);
         let mut rows = Rows::of(path, self.judge, self.keeping.is_some()).by(plan);
         if let Some(keeping) = &mut self.keeping {
@@ -320,7 +320,7 @@ impl Import<'_> {
 
 /// Reads a mask, and gives its name without its folder.
 pub(super) fn mask(path: &Path, io: &mut Io<'_>) -> Result<(String, Mask), CliError> {
-    let name = path.file_name().unwrap_or_default().to_string_lossy();
+    let name = files::name_of(path).to_string_lossy();
     let (mask, warnings) = Mask::read(&files::read(path)?).about(&*name)?;
     for warning in &warnings {
         io.warn_about(&*name, warning);

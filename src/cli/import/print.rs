@@ -252,18 +252,18 @@ fn cells(row: &Row) -> [String; 9] {
         (Some(minimum), Some(maximum)) => format!("{} to {}", mm(minimum), mm(maximum)),
         _ => String::new(),
     };
-    let deviation = row.deviation.map(Length::signed_um).unwrap_or_default();
+    let deviation = row.deviation.map_or_else(String::new, Length::signed_um);
     let remove = row.remove.map_or(String::new(), |remove| format!(", remove {} µm", um(remove)));
     [
         format!("{}:{}", row.file, row.line.unwrap_or_default()),
         row.id.replace(char::is_control, "\u{fffd}"),
         row.callout.clone().unwrap_or_default(),
-        row.measured.map(mm).unwrap_or_default(),
+        row.measured.map_or_else(String::new, mm),
         limits,
         deviation,
         row.status.map_or_else(|| "not judged".to_owned(), |status| format!("{status}{remove}")),
-        row.position_word().unwrap_or_default().to_owned(),
-        row.source.as_deref().unwrap_or_default().to_owned(),
+        row.position_word().map_or_else(String::new, str::to_owned),
+        row.source.as_deref().map_or_else(String::new, str::to_owned),
     ]
 }
 

@@ -7,6 +7,7 @@ use crate::cli::admitted::Admits;
 use crate::cli::judging::{Judge, Sizes};
 use crate::cli::{CliRemark, CliWarning};
 use crate::exchange::{ImportError, Item, Labels, Unjudged, WhyUnjudged};
+use crate::files;
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::Located;
@@ -71,7 +72,7 @@ pub(in crate::cli) struct Rows<'a> {
 
 impl<'a> Rows<'a> {
     pub(in crate::cli) fn of(path: &Path, judge: &'a Judge, wants_checks: bool) -> Self {
-        let name = path.file_name().unwrap_or_default().to_string_lossy().as_ref().into();
+        let name = files::name_of(path).to_string_lossy().as_ref().into();
         let (path, sizes) = (path.display().to_string().into(), Sizes::default());
         Self { judge, wants_checks, sizes, path, name, sources: Vec::new(), warnings: (0, Vec::new(), false) }
     }

@@ -106,7 +106,7 @@ fn cells(row: &Row) -> [String; 9] {
         "cannot be read".clone_into(what);
         return cells;
     };
-    let time = about.time.local().map(|time| time.strftime("%Y-%m-%d %H:%M").to_string()).unwrap_or_default();
+    let time = about.time.local().map_or_else(String::new, |time| time.strftime("%Y-%m-%d %H:%M").to_string());
     let status = row::check(row).and_then(|check| Some(check.status()?.word().to_owned())).unwrap_or_default();
     let callout = match (row::record(row), content) {
         (Some(record), _) => crate::journal::query::callout(record),

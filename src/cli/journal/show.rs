@@ -52,7 +52,7 @@ pub(super) fn row(reader: &Reader, number: u64, last: u64, file: &std::path::Pat
 /// An entry as one line of JSON: its body is as it is kept, byte for byte, so that its hash can be computed from it.
 pub(super) fn line(row: &Row, chain: ChainId, before: Option<Head>) -> Vec<u8> {
     let Head { number, hash } = row.kept.head;
-    let before = before.map(|before| format!("\"before\":\"{}\",", before.hash)).unwrap_or_default();
+    let before = before.map_or_else(String::new, |before| format!("\"before\":\"{}\",", before.hash));
     let corrected_by = row.corrected_by.map_or("null".to_owned(), |number| number.to_string());
     let head = format!(
         "{{\"chain\":\"{chain}\",\"number\":{number},{before}\"hash\":\"{hash}\",\"corrected_by\":{corrected_by},"

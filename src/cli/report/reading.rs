@@ -73,7 +73,7 @@ impl Given {
 
 /// The name of a file without its folder.
 pub(super) fn name(path: &Path) -> String {
-    path.file_name().unwrap_or_default().to_string_lossy().into_owned()
+    files::name_of(path).to_string_lossy().into_owned()
 }
 
 impl Checks for Given {

@@ -100,7 +100,7 @@ fn located(machine: &Machine, path: &NcPath, block: usize) -> Map<String, Json> 
     let (_, line) = place(machine, path, block);
     let program = machine.program(path);
     let number = program.and_then(|program| program.blocks().get(block)).and_then(|block| block.number);
-    let text = program.and_then(|program| program.text_of(block).next()).unwrap_or_default().trim();
+    let text = program.and_then(|program| program.text_of(block).next()).unwrap_or("").trim();
     let text = cut(text, LONGEST_TEXT);
     let entries =
         [("program", json!(path.to_string())), ("line", json!(line)), ("number", json!(number)), ("text", json!(text))];

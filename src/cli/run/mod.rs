@@ -24,6 +24,7 @@ use crate::journal::entry::{CycleCheck, FileRole};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::{Program, ProgramWarning};
 use crate::store::programs::Folders;
+use crate::within::long;
 use crate::words::Dialogue;
 
 /// How much of a block's text is shown, in characters: a control's line has some 250.
@@ -305,7 +306,7 @@ fn run(machine: &mut Machine, listener: &mut dyn Listener, io: &mut Io<'_>) -> E
 fn keep(mut recorder: Recorder, machine: &Machine, source: &Source, io: &mut Io<'_>) -> Result<(), CliError> {
     for run in machine.cycles().iter().filter(|run| run.result.verdict().is_some()) {
         let (file, line) = place(machine, &run.place.program, run.place.block);
-        let line = u64::try_from(line).unwrap_or_default();
+        let line = long(line);
         let check = CycleCheck::of(run.cycle, &run.result, source.origin());
         recorder.cycle(CycleCheck { block: Some((file, line)), ..check }, io.files())?;
     }

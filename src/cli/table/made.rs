@@ -107,7 +107,7 @@ impl NewArgs {
         // Everything is made before anything is written.
         let mut files = Vec::new();
         for (path, classes) in self.parts(&classes) {
-            let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+            let name = files::name_of(&path).to_string_lossy().into_owned();
             let table = self.choice.table(&name, &classes, io)?;
             let bytes = (self.generation.write)(&table).about(&name)?;
             files.push((path, name, bytes));

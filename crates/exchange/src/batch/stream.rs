@@ -27,14 +27,13 @@ pub enum Packing {
 }
 
 impl Packing {
-    /// The packing that a file's last ending names, and the name without it.
+    /// The packing that a file's last ending names, and the name without it and without its folder.
     pub fn of_name(path: &Path) -> (Self, &Path) {
-        let name = path.to_str().unwrap_or_default();
-        let found = [(".gz", Self::Gzip), (".zst", Self::Zstandard)];
-        let found = found.into_iter().find_map(|(ending, packing)| {
-            let start = name.len().checked_sub(ending.len())?;
-            let (before, last) = name.split_at_checked(start)?;
-            last.eq_ignore_ascii_case(ending).then_some((packing, Path::new(before)))
+        // A name need not be text.
+        let found = [("gz", Self::Gzip), ("zst", Self::Zstandard)];
+        let found = path.extension().zip(path.file_stem()).and_then(|(last, before)| {
+            let packing = found.into_iter().find(|(ending, _)| last.eq_ignore_ascii_case(ending));
+            packing.map(|(_, packing)| (packing, Path::new(before)))
         });
         found.unwrap_or((Self::Plain, path))
     }

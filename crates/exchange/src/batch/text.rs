@@ -5,6 +5,7 @@ use std::marker::PhantomData;
 
 use super::{Failed, Manner, Packing, Rendering, Source, Summary, Watch, Watched, Work, take_turns};
 use crate::exchange::batch::{Block, Court, Cutter, Judge, Marks, Take, Tally};
+use crate::within::long;
 
 /// Where the rows come from.
 pub struct Input<'a> {
@@ -107,7 +108,7 @@ impl Source for Blocks<'_> {
     fn next(&mut self, portion: &mut Block) -> io::Result<bool> {
         let Input { stream, cutter } = &mut self.input;
         let is_there = cutter.next(*stream, portion)?;
-        self.bytes += u64::try_from(portion.len()).unwrap_or_default();
+        self.bytes += long(portion.len());
         Ok(is_there)
     }
 

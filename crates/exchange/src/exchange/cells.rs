@@ -46,9 +46,8 @@ pub(super) fn own_callout(cells: &StringRecord) -> Option<usize> {
         callout.class().map(|_class| callout.nominal())
     };
     let is_near = |cell: &str, nominal: Length| {
-        let number = Length::parse_in(cell, Unit::Millimetre).unwrap_or_default();
-        let apart = number.saturating_sub(nominal).abs();
-        apart.nanometres() <= nominal.nanometres() / 10
+        let apart = |number: Length| number.saturating_sub(nominal).abs().nanometres();
+        Length::parse_in(cell, Unit::Millimetre).is_ok_and(|number| apart(number) <= nominal.nanometres() / 10)
     };
     let has_measured = |nominal: Length| cells.iter().any(|cell| is_near(cell, nominal));
     cells.iter().position(|cell| nominal(cell).is_some_and(has_measured))

@@ -7,6 +7,7 @@ use super::error::ImportErrorKind;
 use super::given::shorten;
 use super::role::Role;
 use super::units;
+use crate::exchange::cell::Cells as _;
 
 /// How many columns a message names at most.
 pub(super) const NAMED: usize = 8;
@@ -22,7 +23,7 @@ pub(super) fn several(role: Role, header: &StringRecord, columns: &[usize]) -> I
     let mut columns = columns.to_vec();
     columns.sort_unstable();
     let columns = columns.iter().take(NAMED + 1);
-    let names: Vec<String> = columns.map(|&at| name_of(at, header.get(at).unwrap_or_default())).collect();
+    let names: Vec<String> = columns.map(|&at| name_of(at, header.cell(at))).collect();
     ImportErrorKind::SeveralColumns { role, columns: listed(&names) }
 }
 

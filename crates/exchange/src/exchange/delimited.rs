@@ -7,6 +7,7 @@ use csv::{ReaderBuilder, StringRecord};
 
 use super::index::{LONGEST_ROW, row_end};
 use super::row::cells_of;
+use crate::within::Within as _;
 
 /// The separators that are tried.
 pub(super) const SEPARATORS: [u8; 4] = [b';', b'\t', b'|', b','];
@@ -107,7 +108,7 @@ impl<'a> Rows<'a> {
         let most = if start == 0 { FIRST_SEGMENT } else { SEGMENT };
         while self.waiting.is_none() && end < start + most {
             let Some((line, from, to)) = lines(self.text, self.at, self.line).next() else { break };
-            let row = self.text.get(from..to).unwrap_or_default();
+            let row = self.text.within(from..to);
             (self.at, self.line) = (to, line + 1);
             if LONGEST_ROW < row.len() {
                 self.waiting = Some(Item::TooLong { line });
@@ -116,7 +117,7 @@ impl<'a> Rows<'a> {
                     Some(Ok(next)) => self.take_lines(line, from, next),
                     Some(Err(_)) => self.waiting = Some(Item::OpenQuote { line, text: row.trim_end() }),
                     None => {
-                        self.rest = self.text.get(from..).unwrap_or_default();
+                        self.rest = self.text.within(from..);
                         (self.at, self.line) = (self.text.len(), line);
                         break;
                     }
@@ -132,7 +133,7 @@ impl<'a> Rows<'a> {
 
     /// A row of several lines waits for the reader of those before it.
     fn take_lines(&mut self, line: usize, from: usize, next: usize) {
-        let text = self.text.get(from..next).unwrap_or_default();
+        let text = self.text.within(from..next);
         (self.at, self.line) = (next, line + lines(text, 0, 0).count());
         self.waiting = Some(match cells_of(text, self.separator) {
             Some(cells) => Item::Lines { line, text, cells },
@@ -144,8 +145,7 @@ impl<'a> Rows<'a> {
     fn take_header(&mut self, begin: usize) -> bool {
         let further = lines(self.text, self.at, self.line).take(HEADER_LINES);
         let mut further = further.take_while(|(_, _, to)| to - begin <= LONGEST_ROW);
-        let closed = further
-            .find(|&(_, from, to)| !ends_open(self.text.get(from..to).unwrap_or_default(), self.separator, true));
+        let closed = further.find(|&(_, from, to)| !ends_open(self.text.within(from..to), self.separator, true));
         let Some((line, _, to)) = closed else { return false };
         (self.at, self.line) = (to, line + 1);
         true

@@ -10,6 +10,7 @@ use super::error::ImportErrorKind;
 use super::given::shorten;
 use super::refused::{Cell, Refused};
 use super::{warmth, words};
+use crate::exchange::cell::Cells as _;
 
 #[derive(Debug, Clone, Default, PartialEq, Eq)]
 pub(super) struct Evidence {
@@ -41,13 +42,13 @@ impl Evidence {
     /// Whether a row says that its value was brought to 20 °C. What is neither yes nor no says so as well: it refuses a correction, and
     /// nothing else.
     pub(super) fn is_corrected(&self, cells: &StringRecord) -> bool {
-        let text = self.corrected.and_then(|at| cells.get(at)).unwrap_or_default().trim();
+        let text = cells.cell(self.corrected).trim();
         self.are_corrected || !text.is_empty() && yes_or_no(text) != Some(false) && text.parse() != Ok(0.0)
     }
 
     /// Whether a row says by its origin that nobody measured.
     pub(super) fn is_simulated<'c>(&self, cells: &'c StringRecord) -> Result<bool, Refused<'c>> {
-        let text = self.origin.and_then(|at| cells.get(at)).unwrap_or_default().trim();
+        let text = cells.cell(self.origin).trim();
         let unknown = || (Cell { at: self.origin, text }, ImportErrorKind::Origin { given: shorten(text) });
         let says_so = self.word.and_then(|at| cells.get(at)).is_some_and(says_simulated);
         Ok(is_simulated(text).ok_or_else(unknown)? || self.are_simulated || says_so)
@@ -110,8 +111,7 @@ pub(super) fn is_simulated(text: &str) -> Option<bool> {
     // A name of a file may have any words; what is said of it stands behind it.
     let of_file = ["imported from ", "contacts from ", "geïmporteerd uit ", "meetpunten uit "];
     if of_file.iter().any(|begin| said.starts_with(begin)) {
-        let last = said.rsplit(", ").next().unwrap_or_default();
-        return Some(said.contains(", ") && is_in(SIMULATED, last));
+        return Some(said.rsplit_once(", ").is_some_and(|(_, last)| is_in(SIMULATED, last)));
     }
     let words = words(said);
     if words.iter().any(|word| is_in(SIMULATED, word)) {

@@ -3,6 +3,7 @@
 //! A quotation mark counts at the beginning of a cell only, and a doubled one within a quoted cell is a quotation mark (RFC
 //! 4180; elsewhere it is a character, as in `5" pipe`). LF, CRLF and CR end a row.
 
+use crate::within::Within as _;
 use wide::u8x16;
 
 /// The longest row in bytes, 1 MiB: every cell takes memory, also an empty one.
@@ -47,7 +48,7 @@ pub(super) struct Rows {
 impl Index {
     /// The rows of the index: the ends of their cells.
     pub(super) fn rows(&self) -> impl Iterator<Item = &[u32]> {
-        self.ends.get(..self.count).unwrap_or_default().split_inclusive(|end| end & ROW != 0)
+        self.ends.within(..self.count).split_inclusive(|end| end & ROW != 0)
     }
 
     /// Forgets all rows.
@@ -66,8 +67,8 @@ impl Index {
     fn push(&mut self, at: usize, mark: u32) {
         self.make_room();
         if let Some(place) = self.ends.get_mut(self.count) {
-            // A block is far shorter than the mark is large.
-            *place = u32::try_from(at).unwrap_or_default() | mark;
+            // A block is far shorter than the mark is large; a place beyond it is none of its bytes.
+            *place = u32::try_from(at).map_or(!ROW, |at| at) | mark;
             self.count += 1;
         }
     }
@@ -251,5 +252,5 @@ pub(super) fn last_line_end(text: &[u8], is_all: bool) -> Option<usize> {
     }
     // After the last byte there may come a LF, which belongs to the same line end.
     let known = text.len().saturating_sub(usize::from(!is_all));
-    memchr::memrchr(b'\r', text.get(..known).unwrap_or_default()).map(|at| at + 1)
+    memchr::memrchr(b'\r', text.within(..known)).map(|at| at + 1)
 }

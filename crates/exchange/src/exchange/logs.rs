@@ -154,7 +154,9 @@ impl Made {
 impl Read {
     /// A diameter makes a record, with the centre's position.
     fn diameter(&self, figure: &Figure, source: &Context<'_>) -> Made {
-        let (measured, nominal) = (figure.actual, figure.nominal.unwrap_or_default());
+        let measured = figure.actual;
+        // Limits of a log without a nominal size count from 0.
+        let nominal = figure.nominal.unwrap_or(Length::ZERO);
         let Some(pair) = figure.limits else {
             return Made::Unjudged { measured, why: WhyUnjudged::NoLimits { nominal } };
         };

@@ -34,7 +34,9 @@ use super::source::{Context, Source, WHOLE};
 use super::stated;
 use super::words;
 use super::{Format, Labels};
+use crate::exchange::cell::Cells as _;
 use crate::journal::Record;
+use crate::within::Within as _;
 
 /// The bytes that end a row.
 pub(super) const LINE_ENDS: &[u8] = b"\n\r";
@@ -96,7 +98,8 @@ fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf
     while goes_on && let Some(line) = next {
         let piece = pieces.next()?;
         goes_on = piece.is_some();
-        let piece = piece.unwrap_or_default();
+        // Behind the last piece only the rest of it is left.
+        let piece = piece.unwrap_or(Cow::Borrowed(""));
         let text = if rest.is_empty() { piece } else { Cow::Owned(std::mem::take(&mut rest) + &piece) };
         let mut rows = Rows::after(&text, line, separator).going_on(goes_on);
         next = reader.rows(&mut rows);
@@ -253,7 +256,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
     fn torn(&mut self, first: usize, text: &str) {
         for (line, from, to) in lines(text, 0, first) {
             let reason = if line == first { ImportErrorKind::OpenQuote } else { ImportErrorKind::WithinQuotes };
-            self.refuse(line, Cell { at: None, text: text.get(from..to).unwrap_or_default() }, reason);
+            self.refuse(line, Cell { at: None, text: text.within(from..to) }, reason);
         }
     }
 
@@ -310,7 +313,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
         let stray = || stated::stray(self.columns, cells);
         if cells::is_comment(cells) {
             if let Some(reason) = stray() {
-                return self.refuse(line, Cell { at: None, text: cells.get(0).unwrap_or_default() }, reason);
+                return self.refuse(line, Cell { at: None, text: cells.cell(0) }, reason);
             }
             if let Some(told) = self.said_against(line, cells) {
                 self.warn(line, told);
@@ -326,7 +329,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
             if self.columns.header.is_some_and(|header| line < header) {
                 return self.warn(line, ImportWarningKind::Comment);
             }
-            let cell = Cell { at: None, text: cells.get(0).unwrap_or_default() };
+            let cell = Cell { at: None, text: cells.cell(0) };
             return self.refuse(line, cell, ImportErrorKind::Comment);
         }
         match self.columns.header {
@@ -370,13 +373,12 @@ impl<'a, 's> Reader<'a, 's, '_> {
         let rules = self.rules();
         let Some(sizes) = &self.sizes else { return Ok(()) };
         let Found { measured, is_simulated, .. } = rules.size(cells, sizes.feature)?;
-        let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
+        let id = cells.cell(self.columns.id).trim().to_owned();
         if let Some(claim) = self.columns.claims(cells, &mut self.heard).into_iter().find(Claim::is_rejection) {
             return Err((NOTHING, ImportErrorKind::Rejected { given: claim.said().to_owned() }));
         }
         if words::is_of_several_parts(&id) {
-            let cell =
-                Cell { at: self.columns.id, text: self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default() };
+            let cell = Cell { at: self.columns.id, text: cells.cell(self.columns.id) };
             return Err((cell, ImportErrorKind::NoPart { given: shorten(&id) }));
         }
         self.tell_cut_off(line, cells);
@@ -403,7 +405,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
     /// Judges a row and keeps it, or names the cell that cannot be used.
     fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
         let Found { measured, asked, said, is_simulated, quantity } = self.rules().read(cells)?;
-        let id = self.columns.id.and_then(|at| cells.get(at)).unwrap_or_default().trim().to_owned();
+        let id = cells.cell(self.columns.id).trim().to_owned();
         self.tell_cut_off(line, cells);
         let time = self.time(line, cells);
         let file = Arc::clone(&self.source.file);
@@ -415,7 +417,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
         let correction = self.columns.own.correction(cells, measured)?;
         let Some((callout, limits)) = asked else {
             let column = self.columns.measured.at;
-            let given = shorten(cells.get(column).unwrap_or_default().trim());
+            let given = shorten(cells.cell(column).trim());
             let below = WhyUnjudged::NotPositive { given, column: column + 1 };
             let other = self.rules().other_than_size(cells);
             let why = match other {
@@ -445,8 +447,8 @@ impl<'a, 's> Reader<'a, 's, '_> {
     /// What else a row says of its value.
     fn labels(&mut self, line: usize, cells: &StringRecord) -> Labels {
         let columns = &self.columns.labels;
-        let text = |at: usize| cells.get(at).unwrap_or_default().trim();
-        let label = |at: Option<usize>| at.map(text).unwrap_or_default().to_owned();
+        let text = |at: usize| cells.cell(at).trim();
+        let label = |at: Option<usize>| cells.cell(at).trim().to_owned();
         let place = columns.place.map(|column| {
             let column = column.filter(|column| !text(column.at).is_empty())?;
             let given = shorten(text(column.at));

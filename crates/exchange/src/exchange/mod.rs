@@ -86,6 +86,7 @@ pub mod batch;
 mod beside;
 mod by_plan;
 pub mod calypso;
+mod cell;
 mod cells;
 mod characteristic;
 pub mod claim;

@@ -8,6 +8,7 @@ use fitcheck_core::tolerance::fit::thermal::{Correction, ThermalDoubt, Warm};
 use super::error::ImportErrorKind;
 use super::given::shorten;
 use super::refused::{Cell, Refused};
+use crate::exchange::cell::Cells as _;
 
 /// The cell of a position that is out.
 const OUT: &str = "OUT";
@@ -76,7 +77,7 @@ impl OwnColumns {
 
     /// Refuses a row that was not judged by its size alone: a file has no position and no contacts.
     pub(super) fn decided_by_size<'c>(&self, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
-        let cell = |at: Option<usize>| Cell { at, text: at.and_then(|at| cells.get(at)).unwrap_or_default().trim() };
+        let cell = |at: Option<usize>| Cell { at, text: cells.cell(at).trim() };
         let (position, reason) = (cell(self.position), cell(self.reason));
         if position.text.eq_ignore_ascii_case(OUT) {
             return Err((position, ImportErrorKind::PositionOut));
@@ -94,7 +95,7 @@ impl OwnColumns {
         cells: &'c StringRecord,
         measured: Length,
     ) -> Result<Option<Correction>, Refused<'c>> {
-        let cell = |at: usize| Cell { at: Some(at), text: cells.get(at).unwrap_or_default() };
+        let cell = |at: usize| Cell { at: Some(at), text: cells.cell(at) };
         let text = |at: usize| cell(at).text.trim();
         let Some(as_measured) = self.as_measured.filter(|at| !text(*at).is_empty()) else { return Ok(None) };
         let refused = |at: usize| (cell(at), ImportErrorKind::Correction);

@@ -13,6 +13,7 @@ use fitcheck_core::text::windows_1252;
 use super::batch::{BLOCK, read};
 use super::error::ImportErrorKind;
 use super::index::LONGEST_ROW;
+use crate::within::Within as _;
 
 /// How much the first piece has: the longest row and a header, so that the columns are known by it.
 const FIRST: usize = LONGEST_ROW + BLOCK;
@@ -84,7 +85,7 @@ impl<'a> Pieces<'a> {
             self.given = self.bytes.len();
         }
         self.step = BLOCK;
-        let lines = self.bytes.get(..self.given).unwrap_or_default();
+        let lines = self.bytes.within(..self.given);
         let lines = if is_first { lines.strip_prefix(b"\xef\xbb\xbf").unwrap_or(lines) } else { lines };
         Ok((!lines.is_empty()).then(|| text_of(lines)))
     }
@@ -111,7 +112,7 @@ impl<'a> Pieces<'a> {
         let kept = self.bytes.len();
         while !self.is_ended && self.failed.is_none() {
             self.fill();
-            let rest = self.bytes.get(kept..).unwrap_or_default();
+            let rest = self.bytes.within(kept..);
             if let Some(end) = rest.iter().position(|byte| self.ends.contains(byte)) {
                 self.bytes.drain(kept..kept + end);
                 return;
@@ -176,7 +177,7 @@ mod tests {
             let pieces = pieces(text.as_bytes(), step);
             let (_last, others) = pieces.split_last().unzip();
             let ends_in_line = |piece: &String| piece.ends_with(['\n', '\r']);
-            proptest::prop_assert!(others.unwrap_or_default().iter().all(ends_in_line), "{pieces:?}");
+            proptest::prop_assert!(others.is_none_or(|others| others.iter().all(ends_in_line)), "{pieces:?}");
             proptest::prop_assert_eq!(pieces.concat(), text);
         }
     }

@@ -62,7 +62,7 @@ fn document(declared: Vec<(usize, Characteristic)>, sources: &Sources) -> Docume
     let mut document = Document::default();
     let part =
         declared.iter().map(|(_, characteristic)| characteristic.labels.part.as_str()).find(|part| !part.is_empty());
-    document.draft.set(HeadField::Part, part.unwrap_or_default().to_owned());
+    document.draft.set(HeadField::Part, part.map_or_else(String::new, str::to_owned));
     let mut has_told_axes = false;
     for (line, characteristic) in declared {
         let mut remark = |what| document.remarks.push(Located { what, place: Place::line(line) });

@@ -14,6 +14,7 @@ use super::role::Role;
 use super::sample::Sample;
 use super::vocabulary::Rank;
 use super::words;
+use crate::exchange::cell::Cells as _;
 
 /// What the names of a header say of the columns.
 pub(super) type Roles = [Option<(Role, Rank)>];
@@ -85,7 +86,7 @@ impl Sample {
     /// The column of measured values by its name.
     fn measured_value(header: &StringRecord, roles: &Roles) -> Result<Option<usize>, ImportErrorKind> {
         let sure = of(roles, Role::Measured, &[Rank::Exact, Rank::Contained]);
-        let name = |at: &usize| header.get(*at).unwrap_or_default();
+        let name = |at: &usize| header.cell(*at);
         let has_after = sure.iter().any(|at| words::is_after(name(at)));
         let unsure = of(roles, Role::Measured, &[Rank::Unsure]);
         let unsure = unsure.into_iter().filter(|at| !(has_after && words::may_be_before(name(at))));
@@ -188,6 +189,6 @@ fn class(text: &str) -> Result<ToleranceClass, String> {
 }
 
 fn length(header: &StringRecord, at: usize, text: &str) -> Option<Length> {
-    let unit = unit_of(header.get(at).unwrap_or_default()).ok()?;
+    let unit = unit_of(header.cell(at)).ok()?;
     Length::parse_in(text, unit).ok()
 }

@@ -6,6 +6,7 @@ use csv::StringRecord;
 use fitcheck_core::length::{Length, Unit};
 
 use super::index::{self, Index};
+use crate::within::Within as _;
 
 /// A row within a text.
 #[derive(Debug, Clone, Copy)]
@@ -42,13 +43,13 @@ impl<'a> Row<'a> {
     /// Its bytes without the line end.
     #[inline]
     pub(super) fn bytes(&self) -> &'a [u8] {
-        self.text.get(self.start..self.end).unwrap_or_default()
+        self.text.within(self.start..self.end)
     }
 
     /// Its line end; nothing where the text ends with it.
     #[inline]
     pub(super) fn line_end(&self) -> &'a [u8] {
-        self.text.get(self.end..self.end + index::line_end(self.text, self.end)).unwrap_or_default()
+        self.text.within(self.end..self.end + index::line_end(self.text, self.end))
     }
 
     /// A cell as it stands there, with its quotation marks.
@@ -76,7 +77,7 @@ impl<'a> Row<'a> {
     /// The first cells, as many as are asked for, with the separators between them.
     pub(super) fn first_cells(&self, count: usize) -> &'a [u8] {
         let end = count.checked_sub(1).and_then(|last| self.ends.get(last)).map_or(self.start, |end| index::end(*end));
-        self.text.get(self.start..end).unwrap_or_default()
+        self.text.within(self.start..end)
     }
 
     /// How many lines it runs over.
@@ -113,7 +114,7 @@ pub(super) struct Part<'a> {
 impl<'a> Part<'a> {
     #[inline]
     pub(super) fn bytes(self) -> &'a [u8] {
-        self.text.get(self.start..self.end).unwrap_or_default()
+        self.text.within(self.start..self.end)
     }
 
     /// It as a number, where it is a plain one, and its decimal sign.
@@ -163,7 +164,7 @@ impl<'a> Part<'a> {
 
 /// A cell without its quotation marks; what comes after the closing one stays as it is.
 pub(super) fn unquoted(cell: &[u8]) -> Cow<'_, str> {
-    let text = std::str::from_utf8(cell).unwrap_or_default();
+    let Ok(text) = std::str::from_utf8(cell) else { return String::from_utf8_lossy(cell) };
     let Some(inner) = text.strip_prefix('"') else { return Cow::Borrowed(text) };
     if let Some((inner, rest)) = inner.split_once('"')
         && rest.is_empty()

@@ -17,6 +17,7 @@ use super::imported::{Asked, WhyUnjudged};
 use super::lookup::Lookup;
 use super::quantity::{self, Quantity};
 use super::refused::{Cell, Refused};
+use crate::exchange::cell::Cells as _;
 
 /// What a row says.
 pub(super) struct Found {
@@ -84,7 +85,8 @@ impl Rules<'_> {
     fn other_quantity<'c>(&self, cells: &'c StringRecord, quantity: Option<Quantity>) -> Result<Found, Refused<'c>> {
         self.right_length(cells, None)?;
         let measured = self.any_measured(cells)?;
-        let said = self.said(cells).unwrap_or_default();
+        // Nothing is judged by it, so what cannot be read refuses nothing.
+        let said = self.said(cells).unwrap_or_else(|_unreadable| Asked::default());
         Ok(Found { measured, asked: None, said, is_simulated: self.is_simulated(cells)?, quantity })
     }
 
@@ -101,7 +103,7 @@ impl Rules<'_> {
     pub(super) fn cut_off(&self, cells: &StringRecord) -> Option<ImportWarningKind> {
         let columns = self.columns;
         let last = cells.len().checked_sub(1)?;
-        let given = shorten(cells.get(last).unwrap_or_default().trim());
+        let given = shorten(cells.cell(last).trim());
         let judged_by = [Some(columns.measured.at), columns.tolerance, columns.nominal.map(|column| column.at)];
         let quantities = columns.quantities.iter().map(|column| column.at);
         if judged_by.into_iter().flatten().chain(quantities).max() < Some(last) {
@@ -126,7 +128,7 @@ impl Rules<'_> {
             return Err((cell, ImportErrorKind::NotASize(what)));
         }
         let measured = self.measured(cells)?;
-        let text = self.columns.tolerance.and_then(|at| cells.get(at)).unwrap_or_default().trim();
+        let text = cells.cell(self.columns.tolerance).trim();
         let given = shorten_cell(text);
         let class = || given.parse::<ToleranceClass>().ok().filter(|class| class.has_grade());
         let found = match given.parse::<Callout>() {
@@ -162,10 +164,10 @@ impl Rules<'_> {
         if let Some((at, text)) = cells.iter().enumerate().skip(expected).find(|(_, cell)| !cell.trim().is_empty()) {
             return Err((Cell { at: Some(at), text }, ImportErrorKind::RowLong { found, expected }));
         }
-        let needed = callout.into_iter().chain([self.columns.measured.at]).max().unwrap_or_default();
+        let needed = callout.into_iter().chain([self.columns.measured.at]).fold(0, usize::max);
         if found <= needed {
             return Err((
-                Cell { at: None, text: cells.iter().next_back().unwrap_or_default() },
+                Cell { at: None, text: cells.cell(found.checked_sub(1)) },
                 ImportErrorKind::RowShort { found, expected },
             ));
         }
@@ -177,7 +179,7 @@ impl Rules<'_> {
         let measured = self.any_measured(cells)?;
         if measured <= Length::ZERO {
             let at = self.columns.measured.at;
-            let text = cells.get(at).unwrap_or_default().trim();
+            let text = cells.cell(at).trim();
             return Err((Cell { at: Some(at), text }, ImportErrorKind::NotPositive { given: shorten(text) }));
         }
         Ok(measured)
@@ -212,7 +214,7 @@ impl Rules<'_> {
         reason: fn(fitcheck_core::length::LengthError) -> ImportErrorKind,
     ) -> Result<(Cell<'c>, Length), Refused<'c>> {
         let column = self.columns.stated.in_row(column, cells)?;
-        let text = cells.get(column.at).unwrap_or_default().trim();
+        let text = cells.cell(column.at).trim();
         let cell = Cell { at: Some(column.at), text };
         let length = Length::parse_in(&shorten_cell(text), column.unit).map_err(|error| (cell, reason(error)))?;
         Ok((cell, length))
@@ -225,7 +227,7 @@ impl Rules<'_> {
         measured: Length,
     ) -> Result<Option<(Callout, Cell<'c>)>, Refused<'c>> {
         let Some(at) = self.columns.tolerance else { return Ok(None) };
-        let text = cells.get(at).unwrap_or_default().trim();
+        let text = cells.cell(at).trim();
         let cell = Cell { at: Some(at), text };
         if text.is_empty() {
             return Ok(None);
@@ -279,7 +281,7 @@ impl Rules<'_> {
 
     /// Whether the row says that nobody measured.
     fn is_simulated<'c>(&self, cells: &'c StringRecord) -> Result<bool, Refused<'c>> {
-        let text = self.columns.simulated.and_then(|at| cells.get(at)).unwrap_or_default().trim();
+        let text = cells.cell(self.columns.simulated).trim();
         let evidence = evidence::yes_or_no(text).or_else(|| evidence::is_simulated(text));
         let unknown =
             || (Cell { at: self.columns.simulated, text }, ImportErrorKind::Simulated { given: shorten(text) });
@@ -290,7 +292,7 @@ impl Rules<'_> {
 
 /// A comment without its `#`.
 fn uncommented(cells: &StringRecord) -> StringRecord {
-    let first = cells.get(0).unwrap_or_default().trim_start().trim_start_matches('#');
+    let first = cells.cell(0).trim_start().trim_start_matches('#');
     std::iter::once(first).chain(cells.iter().skip(1)).collect()
 }
 

@@ -175,7 +175,8 @@ impl<'a> Source<'a> {
     /// # Errors
     /// [`ImportErrorKind::Read`] with what the system says.
     pub(super) fn pieces(&mut self, ends: &'static [u8]) -> Result<Pieces<'_>, ImportErrorKind> {
-        let head: [u8; 2] = self.head.first_chunk().copied().unwrap_or_default();
+        // A shorter file has no mark.
+        let head: [u8; 2] = self.head.first_chunk().map_or([0; 2], |head| *head);
         Ok(Pieces::new(self.bytes()?, &head, ends))
     }
 

@@ -7,6 +7,7 @@ use unicode_normalization::UnicodeNormalization as _;
 
 use super::vocabulary::is_word;
 use super::warmth;
+use crate::within::Within as _;
 
 /// The longest last word of a name that may be the sign of a unit.
 const LONGEST_SIGN: usize = 3;
@@ -53,9 +54,9 @@ pub(super) fn split(header: &str) -> Parts {
     // A bracket that is not closed goes on to the end.
     while let Some((at, open)) = rest.char_indices().find(|(_, c)| BRACKETS.iter().any(|(open, _)| open == c)) {
         let close = BRACKETS.iter().find(|(known, _)| *known == open).map_or(open, |(_, close)| *close);
-        outside.push_str(rest.get(..at).unwrap_or_default());
+        outside.push_str(rest.within(..at));
         outside.push(' ');
-        let behind = rest.get(at + open.len_utf8()..).unwrap_or_default();
+        let behind = rest.within(at + open.len_utf8()..);
         let (inside, after) = behind.split_once(close).unwrap_or((behind, ""));
         parts.bracket(inside.trim());
         brackets += 1;

@@ -14,6 +14,7 @@ use quick_xml::{Reader, XmlVersion};
 
 use super::error::ImportErrorKind;
 use super::given::shorten;
+use crate::within::Within as _;
 
 /// How many elements may stand within one another.
 const DEEPEST: usize = 200;
@@ -456,10 +457,10 @@ impl BufRead for Counted<'_> {
     }
 
     fn consume(&mut self, amount: usize) {
-        let used = self.inner.buffer().get(..amount).unwrap_or_default();
+        let used = self.inner.buffer().within(..amount);
         self.line += memchr::memchr_iter(b'\n', used).count();
         let last = memchr::memrchr(b'\n', used);
-        let behind = last.map_or(used, |end| used.get(end + 1..).unwrap_or_default());
+        let behind = last.map_or(used, |end| used.within(end + 1..));
         // Characters, not bytes: those that go on with one do not count.
         let characters = behind.iter().filter(|&&byte| byte & 0xc0 != 0x80).count();
         self.column = if last.is_some() { 1 } else { self.column } + characters;

@@ -61,7 +61,8 @@ impl Hash {
 
     /// Its first eight digits, for people.
     pub fn short(&self) -> String {
-        hex(self.0.get(..4).unwrap_or_default())
+        let [one, two, three, four, ..] = self.0;
+        hex(&[one, two, three, four])
     }
 }
 

@@ -55,7 +55,7 @@ impl Found<'_> {
             Some(Asked { callout: Some(callout), .. }) => Cow::Borrowed(callout),
             Some(Asked { callout: None, nominal_nm }) => {
                 let nominal = Length::from_nanometres(*nominal_nm);
-                nominal.map(|nominal| format!("Ø {nominal}")).unwrap_or_default().into()
+                nominal.map_or_else(|_too_large| String::new(), |nominal| format!("Ø {nominal}")).into()
             }
             None => Cow::Borrowed(""),
         }
@@ -65,7 +65,7 @@ impl Found<'_> {
     pub fn class(&self) -> String {
         let callout = self.asked.as_ref().and_then(|asked| asked.callout.as_ref());
         let class = callout.and_then(|callout| callout.parse::<Callout>().ok()).and_then(|callout| callout.class());
-        class.map(|class| class.to_string()).unwrap_or_default()
+        class.map_or_else(String::new, |class| class.to_string())
     }
 
     /// The words of part, serial number, feature, name and remark.

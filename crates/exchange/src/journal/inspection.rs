@@ -164,7 +164,7 @@ impl Inspection {
         let Head { number, hash } = failed.head;
         if let Some((_number, body, next_hash)) = next {
             let as_it_is = self.hashed(self.head, &failed.body);
-            if self.follows(as_it_is, body, next_hash) {
+            if let Some(as_it_is) = as_it_is.filter(|as_it_is| self.follows(*as_it_is, body, next_hash)) {
                 // The entry is whole, and its hash is not.
                 self.tell(Break::Changed { number });
                 self.head = as_it_is;
@@ -207,10 +207,10 @@ impl Inspection {
         false
     }
 
-    /// The head that an entry with this body makes.
-    fn hashed(&self, before: Head, body: &[u8]) -> Head {
-        let hash = entry_hash(self.chain, before, body).unwrap_or_default();
-        Head { number: before.number.saturating_add(1), hash }
+    /// The head that an entry with this body makes; `None` where no entry can have it.
+    fn hashed(&self, before: Head, body: &[u8]) -> Option<Head> {
+        let hash = entry_hash(self.chain, before, body)?;
+        Some(Head { number: before.number.saturating_add(1), hash })
     }
 
     fn follows(&self, before: Head, body: &[u8], hash: Hash) -> bool {

@@ -7,6 +7,7 @@ use fitcheck_core::verdict::Status;
 
 use super::Record;
 use super::query::{Query, RecordId, Records, Searched};
+use crate::within::long;
 
 /// Up to this many new records are put in place one by one; more of them are sorted together with the others.
 const FEW: usize = 64;
@@ -86,7 +87,7 @@ impl Memory {
         let first = self.rows.first().map_or(self.next, |row| row.id.0);
         let room = usize::try_from(first).unwrap_or(usize::MAX);
         let skipped = records.len().saturating_sub(room);
-        let count = u64::try_from(records.len() - skipped).unwrap_or_default();
+        let count = long(records.len() - skipped);
         let ids: Vec<RecordId> = (first.saturating_sub(count)..first).map(RecordId).collect();
         let rows = records.into_iter().skip(skipped).zip(&ids);
         let rows = rows.map(|(record, id)| Row { id: *id, texts: Searched::of(&record), record });
@@ -169,8 +170,7 @@ impl Memory {
 
 /// The number of a row's status among all.
 fn number_of(row: &Row) -> usize {
-    let status = row.record.verdict.status();
-    Status::ALL.iter().position(|known| *known == status).unwrap_or_default()
+    row.record.verdict.status().at()
 }
 
 impl Records for Memory {

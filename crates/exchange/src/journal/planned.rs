@@ -144,7 +144,7 @@ fn by_rule(
     let own_rule = feature.rule.filter(|_rule| feature.has_own_rule);
     let (name, given) = match own_rule {
         Some(rule) => (rule.name(), *rule.given()),
-        None => (beside.rule.unwrap_or_default(), beside.given),
+        None => (beside.rule.unwrap_or(RuleName::Simple), beside.given),
     };
     let by = |uncertainty| Rule::new(name, Given { uncertainty, ..given });
     let record = match (own_uncertainty, beside.budget) {

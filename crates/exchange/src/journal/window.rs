@@ -19,7 +19,7 @@ pub fn status_variables(record: &Record, dialogue: Dialogue) -> Variables {
     let (number, length) = (Value::Number, Value::Length);
     let um = micrometres;
     let mut set = |parameter, value| variables.set(parameter, value);
-    let class = record.callout.and_then(|callout| callout.class()).map(|class| class.to_string()).unwrap_or_default();
+    let class = record.callout.and_then(|callout| callout.class()).map_or_else(String::new, |class| class.to_string());
     let fit = record.callout.map_or_else(|| limits.nominal.to_string(), |callout| callout.to_string());
     set(Parameter::q(1), length(limits.nominal));
     set(Parameter::qs(1), Value::Text(class));

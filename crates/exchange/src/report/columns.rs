@@ -23,7 +23,7 @@ pub fn names<C: Copy, const N: usize>(columns: &[(&'static str, C); N]) -> [&'st
     columns.map(|(name, _)| name)
 }
 
-/// The cells of a row, in the order of the columns.
+/// The cells of a row, in the order of the columns; what the row does not have is an empty one.
 pub fn cells<'a, R>(columns: &'a [Column<R>], row: &'a R) -> impl Iterator<Item = String> + 'a {
     columns.iter().map(move |(_, cell)| cell(row).unwrap_or_default())
 }

@@ -113,6 +113,7 @@ impl More {
     }
 
     fn of_row(self, row: &Row) -> impl Iterator<Item = String> {
+        // What a row does not have is an empty cell.
         self.columns().map(|(_, cell)| cell(row).unwrap_or_default())
     }
 }

@@ -2,6 +2,7 @@
 //!
 //! A page shows it as a picture, so an SVG file runs no script and opens no other file.
 
+use crate::within::Within as _;
 use std::fmt;
 use std::path::{Component, Path};
 use std::sync::Arc;
@@ -51,7 +52,7 @@ impl ImageKind {
         if bytes.starts_with(b"\xff\xd8\xff") {
             return Some(Self::Jpeg);
         }
-        let head = String::from_utf8_lossy(bytes.get(..4_096.min(bytes.len())).unwrap_or_default());
+        let head = String::from_utf8_lossy(bytes.within(..bytes.len().min(4_096)));
         let is_svg = head.trim_start_matches('\u{feff}').trim_start().starts_with('<') && head.contains("<svg");
         is_svg.then_some(Self::Svg)
     }
@@ -209,7 +210,8 @@ fn base64(bytes: &[u8]) -> String {
     const SIGNS: &[u8; 64] = b"ABCDEFGHIJKLMNOPQRSTUVWXYZabcdefghijklmnopqrstuvwxyz0123456789+/";
     let mut text = String::with_capacity(bytes.len().div_ceil(3) * 4);
     for three in bytes.chunks(3) {
-        let byte = |at: usize| u32::from(three.get(at).copied().unwrap_or_default());
+        // What is missing of the last three bytes is 0.
+        let byte = |at: usize| three.get(at).map_or(0, |byte| u32::from(*byte));
         let all = byte(0) << 16 | byte(1) << 8 | byte(2);
         for (at, shift) in [18, 12, 6, 0].into_iter().enumerate() {
             let sign = usize::try_from(all >> shift & 63).ok().and_then(|at| SIGNS.get(at));

@@ -118,7 +118,7 @@ pub fn object(record: &Record) -> Result<serde_json::Map<String, serde_json::Val
 /// What a record has under the names of some columns; null where it has nothing.
 pub fn more(record: &Record, more: More) -> Result<Vec<(&'static str, serde_json::Value)>, RenderError> {
     let row = serde_json::to_value(Row::of(record)).map_err(|error| RenderError::writer("json", &error))?;
-    Ok(more.names().map(|name| (name, row.get(name).cloned().unwrap_or_default())).collect())
+    Ok(more.names().map(|name| (name, row.get(name).map_or(serde_json::Value::Null, Clone::clone))).collect())
 }
 
 /// Writes the file check by check, indented as `serde_json` does it.

@@ -197,8 +197,8 @@ pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::R
         title: title.collect::<Vec<_>>().join("; "),
         height: if guard.is_some() { 206 } else { 184 },
         sides: sides.into_iter().flatten().collect(),
-        guards: guard.map(|guard| guards(guard, at)).unwrap_or_default(),
-        legends: guard.map(|guard| legends(guard, words)).unwrap_or_default(),
+        guards: guard.map_or_else(Vec::new, |guard| guards(guard, at)),
+        legends: guard.map_or_else(Vec::new, |guard| legends(guard, words)),
         lower: lower_limit(),
         zone_width: units(upper - lower),
         zone_middle: units(f64::midpoint(good_from, good_to)),
@@ -341,7 +341,7 @@ fn marker(band: &Band, place: Marker, value: String, distances: String) -> Marke
 
 /// A tick's number. It is a round float, so it is shown at the nearest nanometre.
 fn tick_text(um: f64, words: &Words) -> String {
-    Length::from_mm_f64(um / 1e3).map(|length| words.signed_um(length)).unwrap_or_default()
+    Length::from_mm_f64(um / 1e3).map_or_else(|_too_large| String::new(), |length| words.signed_um(length))
 }
 
 /// A coordinate with one decimal; never `-0.0`.

@@ -1,5 +1,6 @@
 //! A damaged journal makes room for another one: it is moved with all that belongs to it, and never changed.
 
+use fitcheck_files as files;
 use std::path::{Path, PathBuf};
 
 use fitcheck_exchange::journal::entry::Moment;
@@ -22,7 +23,8 @@ pub(super) fn is_damage(error: &StoreError, known: Option<&Anchor>) -> bool {
 /// Moves a journal's files into a folder of their own beside them; returns the folder.
 pub(super) fn set_aside(path: &Path, now: &Moment) -> Result<PathBuf, StoreError> {
     let parent = path.parent().unwrap_or_else(|| Path::new(""));
-    let time = jiff::Timestamp::from_millisecond(now.utc_ms).unwrap_or_default();
+    // A clock beyond all calendars gives the folder a name all the same.
+    let time = jiff::Timestamp::from_millisecond(now.utc_ms).unwrap_or(jiff::Timestamp::UNIX_EPOCH);
     let name = format!("damaged-{}", time.strftime("%Y%m%dT%H%M%SZ"));
     let failed = |error: &std::io::Error| StoreError::system(path, error);
     let mut folder = parent.join(&name);
@@ -35,10 +37,9 @@ pub(super) fn set_aside(path: &Path, now: &Moment) -> Result<PathBuf, StoreError
             Err(error) => return Err(failed(&error)),
         }
     }
-    let file = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
     for ending in ENDINGS {
-        let name = format!("{file}{ending}");
-        match std::fs::rename(parent.join(&name), folder.join(&name)) {
+        let from = files::with_ending(path, ending);
+        match std::fs::rename(&from, folder.join(files::name_of(&from))) {
             Ok(()) => {}
             Err(error) if error.kind() == std::io::ErrorKind::NotFound => {}
             Err(error) => return Err(failed(&error)),

@@ -3,7 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use fitcheck_exchange::journal::chain::Head;
-use fitcheck_files::FileError;
+use fitcheck_files::{self as files, FileError};
 use rusqlite::{Connection, params};
 
 use super::{head_of, opening, verify};
@@ -80,6 +80,7 @@ fn sync_folder(path: &Path) {
 }
 
 fn with_ending(path: &Path, ending: &str) -> PathBuf {
-    let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
+    // SQLite takes no names but texts.
+    let name = files::name_of(path).to_string_lossy();
     path.with_file_name(format!("{name}{ending}"))
 }

@@ -66,7 +66,8 @@ const fn kind(kind: Kind) -> i64 {
 }
 
 fn status(status: Status) -> i64 {
-    i64::try_from(status.at()).unwrap_or_default()
+    let [at, ..] = status.at().to_le_bytes();
+    i64::from(at)
 }
 
 /// A question, but for its words, as conditions on `find`, with the values for its places.

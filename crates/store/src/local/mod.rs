@@ -300,9 +300,10 @@ fn head_of(connection: &Connection) -> rusqlite::Result<Head> {
     let head = newest
         .query_row([], |row| {
             let hash: [u8; 32] = row.get(1)?;
-            Ok(Head { number: u64::try_from(row.get::<_, i64>(0)?).unwrap_or_default(), hash: Hash(hash) })
+            Ok(Head { number: number::natural(row.get(0)?), hash: Hash(hash) })
         })
         .optional()?;
+    // Before the first entry.
     Ok(head.unwrap_or_default())
 }
 

@@ -5,7 +5,7 @@ pub(super) fn integer(number: u64) -> i64 {
     i64::try_from(number).unwrap_or(i64::MAX)
 }
 
-/// The number of an entry that SQLite has kept.
+/// The number of an entry that SQLite has kept; one below 0 is nobody's, as 0 is.
 pub(super) fn natural(number: i64) -> u64 {
-    u64::try_from(number).unwrap_or_default()
+    number.max(0).unsigned_abs()
 }

@@ -1,5 +1,6 @@
 //! What is looked at before a file is used, and what a connection is set to.
 
+use fitcheck_files as files;
 use std::path::Path;
 use std::time::Duration;
 
@@ -92,7 +93,7 @@ fn as_it_lies(path: &Path) -> rusqlite::Result<Connection> {
 }
 
 fn name(path: &Path) -> String {
-    path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default()
+    files::name_of(path).to_string_lossy().into_owned()
 }
 
 /// What a file says it is, and its version.
@@ -203,8 +204,7 @@ fn not_on_a_network(path: &Path, folder: &Path) -> Result<(), StoreError> {
     /// NFS, SMB, CIFS, SMB2, AFS, Ceph, 9P (linux/magic.h, and the file systems' own headers).
     const NETWORK: [u64; 7] = [0x6969, 0x517B, 0xFF53_4D42, 0xFE53_4D42, 0x5346_414F, 0x00C3_6400, 0x0102_1997];
     let Ok(found) = rustix::fs::statfs(folder) else { return Ok(()) };
-    let kind = u64::try_from(found.f_type).unwrap_or_default();
-    if NETWORK.contains(&kind) {
+    if u64::try_from(found.f_type).is_ok_and(|kind| NETWORK.contains(&kind)) {
         return Err(StoreError::NetworkFolder { path: path.to_owned() });
     }
     Ok(())

@@ -5,8 +5,9 @@
 //! system hands on in the order in which they came, and which is free when its holder ends, however it ends. The lock of the database
 //! itself stays what keeps the entries apart: other programs, and versions without this queue, know that one only.
 
+use fitcheck_files as files;
 use std::fs::{File, TryLockError, metadata};
-use std::path::{Path, PathBuf};
+use std::path::Path;
 use std::sync::mpsc::{RecvTimeoutError, sync_channel};
 use std::thread;
 use std::time::{Duration, Instant, SystemTime};
@@ -117,11 +118,5 @@ impl<'a> Waiting<'a> {
 
 fn looks(path: &Path) -> [Option<(u64, SystemTime)>; 2] {
     let look = |path: &Path| metadata(path).ok().and_then(|found| Some((found.len(), found.modified().ok()?)));
-    [look(path), look(&log_of(path))]
-}
-
-fn log_of(path: &Path) -> PathBuf {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push("-wal");
-    path.with_file_name(name)
+    [look(path), look(&files::with_ending(path, "-wal"))]
 }

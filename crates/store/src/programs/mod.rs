@@ -2,6 +2,7 @@
 
 mod names;
 
+use fitcheck_exchange::within::Within as _;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ffi::OsString;
@@ -66,7 +67,7 @@ impl Folders {
         // The user may have copied a folder on the path without those above it.
         let places = folders.flat_map(|folder| (0..parts.len()).map(move |skipped| (folder, skipped)));
         for (folder, skipped) in places {
-            let found = search.find(folder, parts.get(skipped..).unwrap_or_default());
+            let found = search.find(folder, parts.within(skipped..));
             if let Some(found) = found.map_err(|names| StoreError::Ambiguous { path: path.clone(), names })? {
                 return Ok(Some((folder, found)));
             }
@@ -197,7 +198,8 @@ fn target(folder: &Path, path: &NcPath) -> Result<PathBuf, StoreError> {
     let system = |error: std::io::Error| StoreError::System { path: path.clone(), reason: error.to_string() };
     let mut at = inside(folder, folder, path)?;
     let mut parts: Vec<&str> = path.parts().collect();
-    let name = parts.pop().unwrap_or_default();
+    // A path has at least a name.
+    let name = parts.pop().unwrap_or("");
     for part in parts {
         at.push(part);
         if at.symlink_metadata().is_err() {

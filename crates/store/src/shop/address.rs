@@ -12,6 +12,7 @@ use tokio_postgres::Config;
 use tokio_postgres::config::{Host, SslMode};
 
 use super::password::Password;
+use fitcheck_exchange::within::Within as _;
 
 /// What an address begins with.
 const SCHEMES: [&str; 2] = ["postgres://", "postgresql://"];
@@ -113,7 +114,7 @@ impl ShopAddress {
             (Some(Host::Tcp(host)), _) => host.clone(),
             #[cfg(unix)]
             (Some(Host::Unix(folder)), _) => folder.display().to_string(),
-            (None, address) => address.map(ToString::to_string).unwrap_or_default(),
+            (None, address) => address.map_or_else(String::new, ToString::to_string),
         }
     }
 
@@ -206,11 +207,11 @@ impl<'a> Parts<'a> {
     /// The address without its password, with the options whose names are wanted.
     fn text(&self, wanted: impl Fn(&str) -> bool) -> String {
         let options = self.options.iter().filter(|(key, _)| {
-            let key = decoded(key).unwrap_or_default();
-            key != "password" && wanted(&key)
+            // What is no text has no name.
+            decoded(key).map_or_else(|| wanted(""), |key| key != "password" && wanted(&key))
         });
         let options: Vec<String> = options.map(|(key, value)| format!("{key}={value}")).collect();
-        let user = self.user.map(|user| format!("{user}@")).unwrap_or_default();
+        let user = self.user.map_or_else(String::new, |user| format!("{user}@"));
         let mark = if options.is_empty() { "" } else { "?" };
         format!("{user}{}{}{mark}{}", self.hosts, self.path, options.join("&"))
     }
@@ -231,7 +232,7 @@ fn decoded(text: &str) -> Option<String> {
         let byte = digits.and_then(|digits| std::str::from_utf8(digits).ok());
         let byte = byte.and_then(|digits| u8::from_str_radix(digits, 16).ok());
         bytes.push(byte.unwrap_or(*first));
-        rest = others.get(if byte.is_some() { 2 } else { 0 }..).unwrap_or_default();
+        rest = others.within(if byte.is_some() { 2 } else { 0 }..);
     }
     String::from_utf8(bytes).ok()
 }

@@ -215,7 +215,7 @@ impl ShopError {
         // Only the first sentence: the details can have the texts of a row.
         let reason = shortened(said.message(), 200);
         let code = said.code().code();
-        match (code, code.get(..2).unwrap_or_default()) {
+        match (code, code.get(..2).unwrap_or(code)) {
             ("53100", _) => Self::Full,
             ("42P01" | "3F000", _) => Self::NotMade { database: String::new() },
             (_, "08") => Self::Lost { reason },

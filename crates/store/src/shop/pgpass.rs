@@ -3,6 +3,8 @@
 //! The rules are those of libpq: the first line that fits counts, `*` fits everything, `\:` and `\\` are a colon and a
 //! backslash, and a line that begins with `#` is a remark.
 
+use fitcheck_exchange::within::Within as _;
+
 /// The password of the first line that fits this host, port, database and user.
 pub fn find(text: &str, wanted: [&str; 4]) -> Option<String> {
     text.lines().map(|line| line.strip_suffix('\r').unwrap_or(line)).find_map(|line| fitting(line, wanted))
@@ -50,7 +52,7 @@ fn unescaped(text: &str) -> Field<'_> {
     let (mut plain, mut characters) = (String::new(), text.char_indices());
     while let Some((at, character)) = characters.next() {
         match character {
-            ':' => return Field { raw: text.get(..at).unwrap_or_default(), text: plain },
+            ':' => return Field { raw: text.within(..at), text: plain },
             '\\' => plain.extend(characters.next().map(|(_, next)| next)),
             other => plain.push(other),
         }

@@ -67,7 +67,8 @@ pub fn init_as(access: &Access, patience: Patience, schema: Schema) -> Result<Ma
     if encoding != "UTF8" {
         return Err(ShopError::Encoding { encoding });
     }
-    let version: i32 = setting("server_version_num")?.parse().unwrap_or_default();
+    // What says no number is none of the servers that are known.
+    let version: i32 = setting("server_version_num")?.parse().unwrap_or(0);
     if version < OLDEST_SERVER * 10_000 {
         return Err(ShopError::OldServer { version: version / 10_000, oldest: OLDEST_SERVER });
     }
@@ -91,7 +92,7 @@ pub fn init_as(access: &Access, patience: Patience, schema: Schema) -> Result<Ma
         Made::Already { version } => version,
     };
     server.run("SET LOCAL ROLE fitcheck_owner")?;
-    for step in schema.steps.iter().skip(usize::try_from(done).unwrap_or_default()) {
+    for step in schema.steps.iter().skip(usize::try_from(done).unwrap_or(0)) {
         server.run(step)?;
     }
     server.run(schema.again)?;

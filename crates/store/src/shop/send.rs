@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::str;
 
 use fitcheck_exchange::journal::body;
-use fitcheck_exchange::journal::chain::{ChainId, Head};
+use fitcheck_exchange::journal::chain::{ChainId, Hash, Head};
 use fitcheck_exchange::journal::entry::Kept;
 
 use super::access::Access;
@@ -13,6 +13,7 @@ use super::error::{ShopError, hash_of};
 use super::schema::{self, value};
 use super::server::{Patience, Server, Stop};
 use super::source::Source;
+use fitcheck_exchange::within::Within as _;
 
 /// The most entries of a transaction.
 const MOST_ENTRIES: usize = 500;
@@ -111,7 +112,7 @@ impl Sending {
         if 0 < theirs.number {
             let same = source.entries(theirs.number, 1).map_err(ShopError::journal)?;
             let same = same.first().map(|kept| kept.head).filter(|head| head.number == theirs.number);
-            let hash = same.unwrap_or_default().hash;
+            let hash = same.map_or_else(Hash::default, |head| head.hash);
             if hash != theirs.hash {
                 return Err(ShopError::Fork { number: theirs.number, ours: hash, theirs: theirs.hash });
             }
@@ -129,7 +130,8 @@ impl Sending {
         let _locked = server.ask(client.execute(lock, &[&chain]))?;
         let numbers: Vec<i64> = entries.iter().map(|kept| integer(kept.head.number)).collect();
         let hashes: Vec<&[u8]> = entries.iter().map(|kept| kept.head.hash.0.as_slice()).collect();
-        let (first, last) = (integer(before.number), numbers.last().copied().unwrap_or_default());
+        let first = integer(before.number);
+        let last = numbers.last().map_or(first, |last| *last);
         let asked =
             "SELECT number, hash FROM fitcheck.entry WHERE chain = $1 AND number BETWEEN $2 AND $3 ORDER BY number";
         let there = server.ask(client.query(asked, &[&chain, &first, &last]))?;
@@ -139,7 +141,7 @@ impl Sending {
             is_before_there |= number == before.number;
             let ours =
                 [before].into_iter().chain(entries.iter().map(|kept| kept.head)).find(|head| head.number == number);
-            let ours = ours.map(|head| head.hash).unwrap_or_default();
+            let ours = ours.map_or_else(Hash::default, |head| head.hash);
             if ours != theirs {
                 return Err(ShopError::Fork { number, ours, theirs });
             }
@@ -153,7 +155,7 @@ impl Sending {
             .iter()
             .map(|kept| body::station(&kept.body).map_or_else(|| station.clone(), |own| shorter(&own)))
             .collect();
-        let bodies: Vec<&str> = entries.iter().map(|kept| str::from_utf8(&kept.body).unwrap_or_default()).collect();
+        let bodies = entries.iter().map(body).collect::<Result<Vec<&str>, ShopError>>()?;
         let insert = "INSERT INTO fitcheck.entry (chain, number, station, hash, body) SELECT $1, added.* FROM \
                       (SELECT number, station, hash, body FROM unnest($2::text[], $3::bigint[], $4::bytea[], $5::text[]) \
                       AS given(station, number, hash, body) ORDER BY number) AS added ON CONFLICT DO NOTHING";
@@ -186,7 +188,12 @@ fn batch(entries: &[Kept]) -> Result<&[Kept], ShopError> {
             Ok(()) | Err(_) => break,
         }
     }
-    Ok(entries.get(..end).unwrap_or_default())
+    Ok(entries.within(..end))
+}
+
+/// The body of an entry as the text that the server takes.
+fn body(kept: &Kept) -> Result<&str, ShopError> {
+    str::from_utf8(&kept.body).map_err(|_no_text| ShopError::NotText { number: kept.head.number })
 }
 
 fn sendable(kept: &Kept) -> Result<(), ShopError> {
@@ -194,16 +201,17 @@ fn sendable(kept: &Kept) -> Result<(), ShopError> {
     if LONGEST_BODY < bytes {
         return Err(ShopError::TooLong { number, bytes });
     }
-    if kept.body.contains(&0) || str::from_utf8(&kept.body).is_err() {
+    if kept.body.contains(&0) {
         return Err(ShopError::NotText { number });
     }
+    body(kept)?;
     Ok(())
 }
 
 /// A station's name as the server takes it.
 fn shorter(station: &str) -> String {
     let end = station.floor_char_boundary(LONGEST_STATION);
-    station.get(..end).unwrap_or_default().replace('\0', "")
+    station.within(..end).replace('\0', "")
 }
 
 pub(super) fn integer(number: u64) -> i64 {
@@ -211,7 +219,7 @@ pub(super) fn integer(number: u64) -> i64 {
 }
 
 pub(super) fn natural(number: i64) -> u64 {
-    u64::try_from(number).unwrap_or_default()
+    number.max(0).unsigned_abs()
 }
 
 pub(super) fn count(entries: usize) -> u64 {

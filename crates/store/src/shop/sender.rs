@@ -254,6 +254,7 @@ impl Work {
 
 /// A pause a fifth longer or shorter by chance, so that the stations of a shop do not all come back at once.
 fn jittered(pause: Duration) -> Duration {
-    let chance = getrandom::u32().unwrap_or_default() % 401;
+    // Without chance the pause is the shortest.
+    let chance = getrandom::u32().unwrap_or(0) % 401;
     pause.saturating_mul(800 + chance) / 1000
 }

@@ -78,7 +78,7 @@ impl Server {
             config.connect_timeout(patience.connecting);
         }
         if config.get_tcp_user_timeout().is_none() {
-            config.tcp_user_timeout(patience.answer.saturating_mul(2).checked_div(3).unwrap_or_default());
+            config.tcp_user_timeout(patience.answer.saturating_mul(2) / 3);
         }
         if let Some(password) = &access.password {
             config.password(password.secret());
@@ -110,7 +110,7 @@ impl Server {
     /// What this connection is like for the server: a question ends there before it is given up here, and a transaction that is left
     /// alone holds nothing up.
     fn settle(&self) -> Result<(), ShopError> {
-        let answer = self.patience.answer.saturating_mul(5).checked_div(6).unwrap_or_default().as_millis();
+        let answer = (self.patience.answer.saturating_mul(5) / 6).as_millis();
         let idle = self.patience.answer.saturating_mul(2).as_millis();
         self.run(&format!(
             "SET statement_timeout = {answer}; SET idle_in_transaction_session_timeout = {idle}; \

@@ -103,6 +103,7 @@ fn things(server: &Server, schema: &str, owner: &str, persistence: &str) -> Resu
     let mut things = Things::new();
     for row in &server.ask(server.client.query(&sql, &[]))? {
         let says: Option<String> = value(row, 2)?;
+        // NULL says nothing.
         things.entry((value(row, 0)?, value(row, 1)?)).or_default().insert(says.unwrap_or_default());
     }
     Ok(things)

@@ -180,7 +180,8 @@ fn walk(
         let rows = server.ask(server.client.query(&fetch, &[]))?;
         for row in &rows {
             let body: &str = value(row, 1)?;
-            let hash = hash_of(value(row, 2)?).unwrap_or_default();
+            // A hash of another length is that of no entry: the entry is told as changed.
+            let hash = hash_of(value(row, 2)?).unwrap_or_else(|_damaged| Hash::default());
             if see(natural(value(row, 0)?), body.as_bytes(), hash, value(row, 3)?).is_break() {
                 return Err(ShopError::Stopped);
             }
@@ -212,7 +213,9 @@ fn owner(server: &Server, chain: ChainId) -> Result<(Option<String>, String), Sh
     let sql = "SELECT (SELECT login::text FROM fitcheck.chain WHERE chain = $1), \
                (SELECT station FROM fitcheck.entry WHERE chain = $1 ORDER BY number DESC LIMIT 1)";
     let row = server.ask(server.client.query_one(sql, &[&chain.0.as_slice()]))?;
-    Ok((value(&row, 0)?, value::<Option<String>>(&row, 1)?.unwrap_or_default()))
+    let station: Option<String> = value(&row, 1)?;
+    // A chain without entries has no station.
+    Ok((value(&row, 0)?, station.unwrap_or_default()))
 }
 
 /// Whether what keeps the entries is there and switched on.

@@ -5,9 +5,7 @@ use std::io;
 use std::path::{Path, PathBuf};
 
 use fitcheck_exchange::journal::chain::Hash;
-use fitcheck_files::{FileError, folder_of, system};
-
-use super::note::with_ending;
+use fitcheck_files::{self as files, FileError, folder_of, system};
 
 /// As long as it lives nobody else watches the folder for the journal; the system gives it back whatever ends the program.
 #[derive(Debug)]
@@ -29,9 +27,9 @@ impl Alone {
         // A journal has one lock, whatever links lead to it.
         let journal = journal.canonicalize().or_else(|_not_yet| {
             let folder = folder_of(journal).canonicalize().map_err(failed)?;
-            Ok(folder.join(journal.file_name().unwrap_or_default()))
+            Ok(folder.join(files::name_of(journal)))
         })?;
-        let path = with_ending(&journal, &format!(".watch-{folder_hash}"));
+        let path = files::with_ending(&journal, &format!(".watch-{folder_hash}"));
         let failed = |error: io::Error| system(&path, &error);
         let file = OpenOptions::new().create(true).truncate(false).write(true).open(&path).map_err(failed)?;
         match file.try_lock() {

@@ -7,7 +7,7 @@ use std::path::{Path, PathBuf};
 use std::time::{Duration, SystemTime};
 
 use fitcheck_exchange::journal::natural::Natural;
-use fitcheck_files::{FileError, beside_path, folder_of, system};
+use fitcheck_files::{self as files, FileError, beside_path, folder_of, system};
 
 use super::PATIENCE;
 use super::closed::{Ear, Writer};
@@ -240,13 +240,13 @@ fn stamp(path: &Path, about: &Metadata) -> Stamp {
     // The values of an AQDEF file are read with their description, which may come later than they do.
     let is_dfx = path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("dfx"));
     let beside = is_dfx.then(|| beside_path(path, "dfd").metadata()).and_then(Result::ok);
-    Stamp { own: Sight::of(about), beside: beside.as_ref().map(Sight::of).unwrap_or_default() }
+    Stamp { own: Sight::of(about), beside: beside.as_ref().map_or_else(Sight::default, Sight::of) }
 }
 
 /// A file's name as text; bytes that are none are written as such, so that no two names are the same.
 fn name_of(path: &Path) -> String {
     let mut text = String::new();
-    for chunk in path.file_name().unwrap_or_default().as_encoded_bytes().utf8_chunks() {
+    for chunk in files::name_of(path).as_encoded_bytes().utf8_chunks() {
         text.push_str(chunk.valid());
         text.extend(chunk.invalid().iter().map(|byte| format!("\\x{byte:02X}")));
     }

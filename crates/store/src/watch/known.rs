@@ -8,6 +8,7 @@ use fitcheck_exchange::exchange::Body;
 use fitcheck_exchange::journal::chain::Hash;
 
 use super::lines::{Mark, Side, each_mark};
+use fitcheck_exchange::within::Within as _;
 
 /// The hashes of what was taken, and the names that the files had then.
 #[derive(Debug, Clone, Default)]
@@ -142,8 +143,9 @@ impl Known {
             let hex = body.get(at + KEY.len()..).and_then(|rest| rest.get(..64));
             let hash = hex.and_then(|hex| std::str::from_utf8(hex).ok()).and_then(|hex| hex.parse().ok());
             // The quotation mark at the end of the name is the first sign of the key.
-            let before = body.get(..=at).unwrap_or_default();
+            let before = body.within(..=at);
             let name = memchr::memmem::rfind(before, NAME).and_then(|from| before.get(from + NAME.len()..));
+            // Without a name it is the same content.
             let name = name.and_then(|name| serde_json::from_slice::<String>(name).ok()).unwrap_or_default();
             if let Some(hash) = hash {
                 self.add(hash, &name);

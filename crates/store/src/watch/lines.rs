@@ -1,5 +1,6 @@
 //! Where the lines of a file end, and the hash of everything up to there.
 
+use fitcheck_exchange::within::Within as _;
 use std::io::{self, Read as _};
 
 use fitcheck_exchange::exchange::Body;
@@ -52,13 +53,13 @@ pub(super) fn each_mark(body: &mut dyn Body, line_ends: &[u8], see: &mut dyn FnM
             }
             let sides = [(Side::Before, at * size), (Side::After, (at + 1) * size)];
             for (side, to) in sides.into_iter().skip(usize::from(is_rest)) {
-                hash.see(piece.get(from..to).unwrap_or_default());
+                hash.see(piece.within(from..to));
                 from = to;
                 so_far.lines += usize::from(side == Side::Before);
                 see(side, Mark { end: so_far.end + wide(to), hash: hash.clone().hash(), ..so_far });
             }
         }
-        hash.see(piece.get(from..).unwrap_or_default());
+        hash.see(piece.within(from..));
         so_far.end += wide(piece.len());
         piece.clear();
     }

@@ -69,7 +69,7 @@ use fitcheck_core::tolerance::Sources;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 use fitcheck_exchange::exchange::{Item, Remembered};
 use fitcheck_exchange::journal::chain::Hash;
-use fitcheck_files::FileError;
+use fitcheck_files::{self as files, FileError};
 use fitcheck_nc::control::mask::Mask;
 use folder::{Folder, Found, State};
 pub use known::Known;
@@ -205,7 +205,7 @@ impl Watcher {
     /// Leaves a journal alone, with all that belongs to it.
     pub fn leave_journal(&mut self, journal: &Path) {
         for ending in ["", "-wal", "-shm", "-journal", "-lock"] {
-            self.leave(&note::with_ending(journal, ending));
+            self.leave(&files::with_ending(journal, ending));
         }
     }
 

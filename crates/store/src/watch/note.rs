@@ -17,14 +17,7 @@ const MOST: usize = 200;
 
 /// The note of a file.
 pub fn note_of(path: &Path) -> PathBuf {
-    with_ending(path, NOTE_ENDING)
-}
-
-/// A file beside another one, whose name goes on like this.
-pub(super) fn with_ending(path: &Path, ending: &str) -> PathBuf {
-    let mut name = path.file_name().unwrap_or_default().to_owned();
-    name.push(ending);
-    path.with_file_name(name)
+    files::with_ending(path, NOTE_ENDING)
 }
 
 /// Whether a name is that of a note.
@@ -64,7 +57,7 @@ pub(super) fn write(path: &Path, problems: &[Message], words: &dyn Fn(&Message) 
             _ => Ok(()),
         };
     }
-    let name = path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let name = files::name_of(path).to_string_lossy().into_owned();
     let head = words(&message!("watch-note").text("name", name));
     let more = (MOST < problems.len()).then(|| format!("… {}", problems.len()));
     let lines = problems.iter().take(MOST).map(words).chain(more);

@@ -28,7 +28,7 @@ impl Units {
 
     /// The last line of what was measured.
     pub(super) fn end(&self) -> usize {
-        self.values().map(|(_, last)| last).max().unwrap_or(0)
+        self.values().map(|(_, last)| last).fold(0, usize::max)
     }
 
     /// Leaves out the last values, of which the next line may say more. Returns whether there were any.

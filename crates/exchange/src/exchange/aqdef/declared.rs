@@ -75,7 +75,7 @@ impl Declared {
         let class = class(&asked);
         let labels = Labels {
             number: first(&asked, &[2001]).map_or_else(|| asked.number.to_string(), str::to_owned),
-            part: first(&asked, &[1001, 1002]).unwrap_or_default().to_owned(),
+            part: first(&asked, &[1001, 1002]).map_or_else(String::new, str::to_owned),
             who: asked.text(1222).to_owned(),
             quantity: (quantity == Some(DIAMETER)).then_some(Quantity::Diameter),
             ..Labels::default()

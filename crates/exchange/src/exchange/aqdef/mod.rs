@@ -77,7 +77,7 @@ fn recognises(beginning: &Beginning<'_>) -> bool {
             Line::Entry(entry) => is_sure |= entry.has_index,
             // The first field is a number, or empty.
             Line::Values(text) => {
-                let first = text.split(BETWEEN_FIELDS).next().unwrap_or_default();
+                let first = text.split_once(BETWEEN_FIELDS).map_or(*text, |(first, _)| first);
                 let is_value = |sign: char| !sign.is_alphabetic() || matches!(sign, 'e' | 'E');
                 if !first.chars().all(is_value) {
                     return false;

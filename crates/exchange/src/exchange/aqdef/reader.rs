@@ -319,7 +319,7 @@ impl<'a, 's> Reader<'a, 's> {
         match key.0 {
             1 => {
                 let seen = self.seen.entry(index).or_default();
-                let expected = seen.decimals.max(decimals.unwrap_or_default());
+                let expected = decimals.map_or(seen.decimals, |decimals| seen.decimals.max(decimals));
                 let found = decimals_of(text);
                 seen.decimals = seen.decimals.max(found);
                 let is_whole = 0 < expected && expected <= found && !text.contains(['e', 'E']);

@@ -59,7 +59,8 @@ impl Fields {
     }
 
     pub(super) fn first(&self) -> Key {
-        Key(u16::try_from(self.seen.trailing_zeros()).unwrap_or_default())
+        let [low, high, ..] = self.seen.trailing_zeros().to_le_bytes();
+        Key(u16::from_le_bytes([low, high]))
     }
 
     pub(super) fn set(&mut self, key: Key, text: &str) {
@@ -147,7 +148,7 @@ impl Row {
 
     /// The last line that says something of a value.
     pub(super) fn last(&self) -> usize {
-        self.values.values().chain([&self.all]).map(|fields| fields.last).max().unwrap_or_default()
+        self.values.values().chain([&self.all]).map(|fields| fields.last).fold(0, usize::max)
     }
 
     /// The values in the order of their lines, and the row is empty.

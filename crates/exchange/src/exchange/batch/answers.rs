@@ -128,7 +128,7 @@ impl Answers {
     fn row(&mut self, row: &Row<'_>) {
         self.rows += 1;
         for (at, texts) in self.cells.iter_mut().enumerate() {
-            match row.cell(at).unwrap_or_default() {
+            match row.cell(at).unwrap_or(b"") {
                 quoted @ [b'"', ..] => texts.push(unquoted(quoted).as_bytes()),
                 plain => texts.push(plain),
             }
@@ -149,8 +149,8 @@ impl Take for Answers {
         self.minimum.push(judged.bounds.minimum().nanometres());
         self.maximum.push(judged.bounds.maximum().nanometres());
         self.deviation.push(judged.verdict().deviation.nanometres());
-        let status = Status::ALL.into_iter().position(|status| status == judged.status);
-        self.status.push(status.and_then(|status| u8::try_from(status).ok()).unwrap_or_default());
+        let [status, ..] = judged.status.at().to_le_bytes();
+        self.status.push(status);
         self.is_judged.push(1);
         self.is_rework.push(judged.verdict().removal.is_some().into());
         self.remove.extend(judged.verdict().removal.map(|removal| removal.to_limit.nanometres()));

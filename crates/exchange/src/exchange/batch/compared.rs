@@ -44,7 +44,7 @@ impl<'a> Compared<'a> {
         }
         let columns = self.columns;
         for column in &columns.remarks {
-            let cell = row.cell(column.at).unwrap_or_default();
+            let cell = row.cell(column.at).unwrap_or(b"");
             if may_say(cell) {
                 self.hear(row, (column, cell), judged, tally);
             }
@@ -59,7 +59,7 @@ impl<'a> Compared<'a> {
                 has_figures = true;
                 continue;
             }
-            let cell = row.cell(column.at()).unwrap_or_default();
+            let cell = row.cell(column.at()).unwrap_or(b"");
             let claim = self.claim(column.at(), cell, |text| column.claim(text, Unit::Millimetre));
             let said = claim.and_then(|claim| Some((claim.is_of_temperature(), claim.tells(&answer(judged))?)));
             self.tell(row, said, tally);

@@ -11,6 +11,7 @@ use super::layout::Layout;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::index::line_end;
 use crate::exchange::row::Row;
+use crate::within::Within as _;
 
 /// Room for the longest word of a status between two separators.
 const LONGEST_STATUS: usize = 16;
@@ -34,7 +35,7 @@ impl Csv {
         let Layout { separator, line_end, .. } = *layout;
         let statuses = Status::ALL.map(|status| {
             let text = [&[separator], status.word().as_bytes(), &[separator]].concat();
-            let count = u8::try_from(text.len().min(LONGEST_STATUS)).unwrap_or_default();
+            let [count, ..] = text.len().min(LONGEST_STATUS).to_le_bytes();
             let mut word = [separator; LONGEST_STATUS];
             word.iter_mut().zip(&text).for_each(|(place, byte)| *place = *byte);
             (word, count)
@@ -62,7 +63,7 @@ impl Csv {
 
     /// The comments above the first row of an input that is not the first one, whose header stands there already.
     pub fn comments(layout: &Layout) -> &[u8] {
-        layout.above.get(layout.comments.clone()).unwrap_or_default()
+        layout.above.within(layout.comments.clone())
     }
 
     /// A cell with quotation marks where it needs some.
@@ -115,6 +116,7 @@ impl Take for Csv {
     fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
         self.cells(row);
         let separator = self.separator;
+        // Every status has a word.
         let (word, count) = self.statuses.get(judged.status.at()).copied().unwrap_or_default();
         let is_lf = row.text.get(row.end) == Some(&b'\n');
         self.out.pieces(|out| {

@@ -3,6 +3,7 @@
 use std::io::{self, Read};
 
 use crate::exchange::index::{Broken, Index, LONGEST_ROW, last_line_end, line_end};
+use crate::within::{Within as _, long};
 
 /// How much is read at a time, 256 KiB: larger blocks are no faster and only take memory.
 pub const BLOCK: usize = 256 << 10;
@@ -114,9 +115,9 @@ impl Cutter {
                 return Ok(false);
             }
             if let Some(end) = self.border(block) {
-                self.rest.extend_from_slice(block.text.get(end..).unwrap_or_default());
+                self.rest.extend_from_slice(block.text.within(end..));
                 block.text.truncate(end);
-                let after = wide_bytes(self.rest.len() + end);
+                let after = long(self.rest.len() + end);
                 block.start = self.read.saturating_sub(after);
                 return Ok(true);
             }
@@ -182,7 +183,7 @@ impl Cutter {
         let before = text.len();
         let is_patient = self.is_patient || self.step <= before;
         let read = read(input, wanted, is_patient, text);
-        self.read += wide_bytes(text.len() - before);
+        self.read += long(text.len() - before);
         match read {
             Ok(goes_on) => self.is_ended = !goes_on,
             Err(error) => self.failed = Some(error),
@@ -198,21 +199,17 @@ pub fn read(input: &mut dyn Read, wanted: usize, is_patient: bool, text: &mut Ve
     if is_patient {
         // With room for one more byte nobody asks whether there is one.
         text.reserve(wanted + 1);
-        return Ok(input.take(wide_bytes(wanted)).read_to_end(text)? == wanted);
+        return Ok(input.take(long(wanted)).read_to_end(text)? == wanted);
     }
     let before = text.len();
     text.resize(before + wanted, 0);
     let read = loop {
-        match input.read(text.get_mut(before..).unwrap_or_default()) {
+        match input.read(text.split_at_mut(before).1) {
             Err(error) if error.kind() == io::ErrorKind::Interrupted => {}
             other => break other,
         }
     };
-    text.truncate(before + read.as_ref().copied().unwrap_or_default());
+    let count = read.as_ref().map_or(0, |count| *count);
+    text.truncate(before + count);
     Ok(0 < read?)
-}
-
-/// A length as a place in a stream.
-fn wide_bytes(bytes: usize) -> u64 {
-    u64::try_from(bytes).unwrap_or(u64::MAX)
 }

@@ -26,6 +26,7 @@ use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::row::{Part, Row};
 use crate::exchange::rules::{Found, Rules};
 use crate::exchange::stated;
+use crate::within::Within as _;
 
 /// Takes what is found in a block, in its order.
 pub trait Take {
@@ -87,7 +88,8 @@ impl<'a> Court<'a> {
         let columns = &layout.columns;
         let has_commas = layout.has_commas();
         let plain = columns.stated.plain();
-        let (unit, is_inch) = plain.unwrap_or_default();
+        // Without a plain unit no row is fast.
+        let (unit, is_inch) = plain.unwrap_or((None, false));
         let fast = Fast {
             measured: (columns.measured.at, columns.measured.unit),
             nominal: columns.nominal.map(|column| (column.at, column.unit)),
@@ -197,7 +199,7 @@ impl Judge<'_> {
                 self.row(&row, &mut tally, take);
             } else {
                 tally.not_utf8 += 1;
-                let whole = text.get(row.start..start).unwrap_or_default();
+                let whole = text.within(row.start..start);
                 self.other_text(&utf8(whole), &mut tally, take);
             }
             if 1 < lines {
@@ -221,11 +223,11 @@ impl Judge<'_> {
         let mut start = row.start;
         while start < row.next() {
             take.at(tally.lines);
-            let rest = row.text.get(start..row.next()).unwrap_or_default();
+            let rest = row.text.within(start..row.next());
             let end = memchr::memchr2(b'\n', b'\r', rest).map_or(rest.len(), |at| at + line_end(rest, at));
             let is_first = start == row.start;
             let reason = if is_first { ImportErrorKind::OpenQuote } else { ImportErrorKind::WithinQuotes };
-            Self::no_row(&reason, rest.get(..end).unwrap_or_default(), tally, take);
+            Self::no_row(&reason, rest.within(..end), tally, take);
             tally.lines += 1;
             start += end;
         }
@@ -357,7 +359,7 @@ impl Judge<'_> {
     /// A row as `import` reads it.
     #[cold]
     fn slow(&mut self, row: &Row<'_>, tally: &mut Tally, take: &mut impl Take) {
-        let whole = row.text.get(row.start..row.next()).unwrap_or_default();
+        let whole = row.text.within(row.start..row.next());
         if LONGEST_ROW < row.bytes().len() {
             return Self::broken(Broken::TooLong, whole, tally, take);
         }
@@ -474,7 +476,7 @@ fn wrapped_number(part: Part<'_>, unit: Unit) -> Option<(Length, Option<u8>)> {
 /// Whether a row begins like a comment, or with something that may hide the mark of one.
 #[inline]
 fn may_be_comment(row: &Row<'_>) -> bool {
-    let first = row.text.get(row.start).copied().unwrap_or_default();
+    let first = row.text.get(row.start).map_or(b' ', |first| *first);
     first <= b' ' || first == b'#' || 0x80 <= first || first == b'"' && may_be_quoted_comment(row)
 }
 

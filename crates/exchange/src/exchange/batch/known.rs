@@ -208,5 +208,6 @@ fn note(figures: &mut Figures, callout: Option<&Callout>, limits: &Limits, sourc
 #[inline]
 fn hash(key: u64) -> usize {
     let spread = key.wrapping_mul(0x9E37_79B9_7F4A_7C15) >> 52;
-    usize::try_from(spread).unwrap_or_default()
+    let [low, high, ..] = spread.to_le_bytes();
+    usize::from(u16::from_le_bytes([low, high]))
 }

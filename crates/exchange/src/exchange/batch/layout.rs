@@ -17,6 +17,7 @@ use crate::exchange::index::{Index, LONGEST_ROW, last_line_end};
 use crate::exchange::left_out;
 use crate::exchange::row::Row;
 use crate::exchange::sample::Sample;
+use crate::within::Within as _;
 
 /// How much of a stream decides at most what its columns are: the longest row and a header.
 pub const HEAD: usize = LONGEST_ROW + (256 << 10);
@@ -60,8 +61,9 @@ impl Layout {
     /// # Errors
     /// Why nothing in it can be judged; with more of the stream, up to [`HEAD`], that may change.
     pub fn of(head: &[u8], is_all: bool, file_name: &str) -> Result<Self, ImportErrorKind> {
-        let end = if is_all { head.len() } else { last_line_end(head, false).unwrap_or_default() };
-        let head = head.get(..end).unwrap_or_default();
+        // Before the first line end nothing is whole.
+        let end = if is_all { head.len() } else { last_line_end(head, false).unwrap_or(0) };
+        let head = head.within(..end);
         let body = head.strip_prefix(MARK).unwrap_or(head);
         if body.trim_ascii().is_empty() {
             return Err(ImportErrorKind::Empty);
@@ -81,18 +83,18 @@ impl Layout {
         // A line with other names, or a title.
         let has_header = columns.header.is_some() && (columns.names_known || header.len() == columns.count);
         let names = (0..columns.count).map(|at| {
-            let name = header.get(at).map(String::as_str).unwrap_or_default().trim();
+            let name = header.get(at).map_or("", |name| name.trim());
             let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
             if name.is_empty() || !has_header { format!("column_{}", at + 1) } else { name }
         });
         let names = names.collect();
-        let line_end = match memchr::memchr2(b'\n', b'\r', rows).map(|at| rows.get(at..).unwrap_or_default()) {
+        let line_end = match memchr::memchr2(b'\n', b'\r', rows).map(|at| rows.within(at..)) {
             Some([b'\r', b'\n', ..]) => b"\r\n".as_slice(),
             Some([b'\r', ..]) => b"\r",
             _ => b"\n",
         };
         // The same bytes in the stream; where it is not UTF-8 each character of it was one byte.
-        let above = decoded.get(..above_header + length).unwrap_or_default();
+        let above = decoded.within(..above_header + length);
         let mark = head.len() - body.len();
         let is_utf8 = matches!(decoded, Cow::Borrowed(_)) || above.is_ascii();
         let skip = mark + if let Cow::Borrowed(_) = decoded { above.len() } else { above.chars().count() };

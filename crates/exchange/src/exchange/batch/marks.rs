@@ -13,6 +13,7 @@ use super::tally::Tally;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::index::{Broken, wide};
 use crate::exchange::row::Row;
+use crate::within::long;
 
 /// How many fates there are.
 pub const FATES: usize = Status::ALL.len() + 1;
@@ -64,8 +65,9 @@ const MOST_CLASSES: usize = (1 << 13) - 2;
 
 impl Mark {
     fn new(class: Option<usize>, fate: Fate) -> Self {
+        const NO_CLASS: u16 = 0;
         let class = class.filter(|number| *number < MOST_CLASSES).map_or(0, |number| number + 1);
-        Self(u16::try_from(class << 3).unwrap_or_default() | fate.number())
+        Self(u16::try_from(class << 3).unwrap_or(NO_CLASS) | fate.number())
     }
 
     const fn fate(self) -> Fate {
@@ -179,7 +181,7 @@ impl Filter {
         let fates = Fate::ALL.map(|fate| takes_fate(&fate));
         let of_class = |class: usize| {
             let takes_class = self.classes.is_empty() || self.classes.contains(&class);
-            std::array::from_fn(|fate| takes_class && fates.get(fate).copied().unwrap_or_default())
+            std::array::from_fn(|fate| takes_class && fates.get(fate).is_some_and(|takes| *takes))
         };
         Sieve { takes: (0..=classes).map(of_class).collect(), is_all: self.is_all() }
     }
@@ -195,7 +197,7 @@ pub struct Sieve {
 
 impl Sieve {
     fn takes(&self, mark: Mark) -> bool {
-        self.takes.get(mark.class()).and_then(|fates| fates.get(usize::from(mark.0 & 7))).copied().unwrap_or_default()
+        self.takes.get(mark.class()).and_then(|fates| fates.get(usize::from(mark.0 & 7))).is_some_and(|takes| *takes)
     }
 }
 
@@ -265,7 +267,7 @@ impl Store {
         marks.rows.clear();
         let mut counts = vec![[0_u32; FATES]; self.classes.len() + 1];
         for mark in &mut rows {
-            let own = mark.class().checked_sub(1).and_then(|number| numbers.get(number)).copied().unwrap_or_default();
+            let own = mark.class().checked_sub(1).and_then(|number| numbers.get(number)).map_or(0, |own| *own);
             *mark = Mark::new(own.checked_sub(1), mark.fate());
             let fates = counts.get_mut(own);
             if let Some(count) = fates.and_then(|fates| fates.get_mut(usize::from(mark.0 & 7))) {
@@ -282,7 +284,7 @@ impl Store {
             rows,
             counts: counts.into_iter().enumerate().filter(occurs).collect(),
         };
-        self.rows += u64::try_from(part.len()).unwrap_or_default();
+        self.rows += long(part.len());
         self.lines += tally.lines;
         part
     }

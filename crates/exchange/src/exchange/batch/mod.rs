@@ -15,6 +15,7 @@
 //!
 //! Nothing here opens a file or starts a thread: `batch` does, and hands blocks to as many judges as there are workers.
 
+use crate::within::Within as _;
 use std::borrow::Cow;
 
 #[cfg(feature = "parquet")]
@@ -61,6 +62,6 @@ fn with_cells_beyond<'a>(row: &Row<'_>, count: usize, reason: &'a str) -> Cow<'a
     if (count..row.len()).all(|at| row.cell(at).is_none_or(|cell| cell.trim_ascii().is_empty())) {
         return Cow::Borrowed(reason);
     }
-    let beyond = row.bytes().get(row.first_cells(count).len() + 1..).unwrap_or_default();
+    let beyond = row.bytes().within(row.first_cells(count).len() + 1..);
     Cow::Owned(format!("{reason}: {}", super::given::shorten(&String::from_utf8_lossy(beyond))))
 }

@@ -13,6 +13,7 @@ use super::judge::{Court, Take};
 use super::judged::Judged;
 use super::layout::Layout;
 use super::marks::{Fate, Part};
+use crate::exchange::cell::Cells as _;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
 use crate::exchange::imported::{Imported, Sink, WhyUnjudged};
@@ -74,8 +75,7 @@ impl Picker<'_> {
 
     fn keep(&mut self, number: usize, cells: &StringRecord, judged: Option<Judged>, why: Option<Message>) {
         let columns = &self.court.layout().columns;
-        let cell =
-            |at: Option<usize>| at.and_then(|at| cells.get(at)).map(|text| shorten(text.trim())).unwrap_or_default();
+        let cell = |at: Option<usize>| shorten(cells.cell(at).trim());
         self.picked.push(Picked {
             number,
             line: self.part.line + self.line,

@@ -8,6 +8,7 @@ use super::judged::Judged;
 use super::layout::Layout;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::row::{Row, unquoted};
+use crate::within::Within as _;
 
 /// Writes TSV.
 #[derive(Debug)]
@@ -54,10 +55,10 @@ impl Tsv {
     fn bytes(&mut self, text: &[u8]) {
         let mut rest = text;
         while let Some(at) = memchr::memchr3(b'\t', b'\n', b'\r', rest) {
-            self.out.append(rest.get(..at).unwrap_or_default());
+            self.out.append(rest.within(..at));
             self.out.push(b' ');
-            let after = rest.get(at..).unwrap_or_default();
-            rest = after.strip_prefix(b"\r\n").or_else(|| after.get(1..)).unwrap_or_default();
+            let after = rest.within(at..);
+            rest = after.strip_prefix(b"\r\n").unwrap_or_else(|| after.within(1..));
         }
         self.out.append(rest);
     }
@@ -66,7 +67,7 @@ impl Tsv {
     fn cells(&mut self, row: &Row<'_>) {
         for at in 0..self.count {
             self.next(at);
-            match row.cell(at).unwrap_or_default() {
+            match row.cell(at).unwrap_or(b"") {
                 quoted @ [b'"', ..] => self.text(&unquoted(quoted)),
                 plain => self.bytes(plain),
             }

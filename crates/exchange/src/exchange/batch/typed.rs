@@ -8,6 +8,7 @@ use super::{Block, Tally};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::index::LONGEST_ROW;
 use crate::exchange::parquet::{ChunkReader, Field, Kind, Reader, Rows, Value, Wanted, put};
+use crate::within::Within as _;
 
 /// How many rows decide what the columns are, as with CSV.
 const SAMPLE: Wanted = Wanted { rows: 200, bytes: 512 << 10 };
@@ -153,7 +154,7 @@ const LONG: usize = 1 << 10;
 /// Puts the last cell between quotation marks if it needs them.
 #[inline]
 fn quote_from(begin: usize, out: &mut Vec<u8>) {
-    let cell = out.get(begin..).unwrap_or_default();
+    let cell = out.within(begin..);
     if !cell.iter().any(|byte| matches!(byte, b',' | b'"' | b'\n' | b'\r')) {
         return;
     }

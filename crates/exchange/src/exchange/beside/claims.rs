@@ -3,6 +3,7 @@
 use csv::StringRecord;
 
 use super::BesideColumn;
+use crate::exchange::cell::Cells as _;
 use crate::exchange::claim::Claim;
 use crate::exchange::columns::Columns;
 use crate::exchange::remarks::{Heard, may_say};
@@ -12,7 +13,7 @@ impl Columns {
     pub(in crate::exchange) fn claims(&self, cells: &StringRecord, heard: &mut Heard) -> Vec<Claim> {
         let mut claims = self.claims_of(cells, |_| true);
         for column in &self.remarks {
-            let cell = cells.get(column.at).unwrap_or_default();
+            let cell = cells.cell(column.at);
             if may_say(cell.as_bytes()) && !heard.says_nothing(column, cell) {
                 claims.extend(column.claim(cell, self.asks_temperature(cells)));
             }

@@ -4,6 +4,7 @@ use csv::StringRecord;
 use fitcheck_core::length::{Length, Unit};
 
 use super::{BesideColumn, Says, by_name, of_no_size};
+use crate::exchange::cell::Cells as _;
 use crate::exchange::claim::Claim;
 use crate::exchange::column::name_of;
 use crate::exchange::columns::Columns;
@@ -25,9 +26,9 @@ impl Sample {
     ) -> Vec<BesideColumn> {
         let is_verdict = |cell: &str| Claim::of_word(cell).is_some_and(|claim| claim.is_known());
         let column = |at: usize| {
-            let name = names.get(at).unwrap_or_default();
+            let name = names.cell(at);
             // With the unit below it.
-            let unit = self.units_row.and_then(|row| self.rows.get(row)?.1.get(at)).unwrap_or_default();
+            let unit = self.units_row.and_then(|row| self.rows.get(row)).map_or("", |(_, cells)| cells.cell(at));
             let with_unit = format!("{name} {unit}");
             let has_quantity = columns.quantities.iter().any(|column| column.at == at);
             let is_free = !used.contains(&at) && columns.evidence.origin != Some(at);
@@ -88,7 +89,7 @@ impl Sample {
         let is_free = |at: &usize| {
             let is_beside = columns.beside.iter().any(|column| column.at == *at);
             let has_quantity = columns.quantities.iter().any(|column| column.at == *at);
-            let name = names.get(*at).unwrap_or_default();
+            let name = names.cell(*at);
             !used.contains(at) && !is_beside && !has_quantity && words::role(name).is_none() && !name.trim().is_empty()
         };
         let size = |cells: &StringRecord, at: usize| Length::parse_in(cells.get(at)?.trim(), Unit::Millimetre).ok();
@@ -107,7 +108,7 @@ impl Sample {
             all < near * 2 && 0 < differ
         };
         let all = (0..columns.count).filter(is_free).filter(is_other);
-        all.map(|at| name_of(at, names.get(at).unwrap_or_default())).collect()
+        all.map(|at| name_of(at, names.cell(at))).collect()
     }
 
     /// A column with a cell that says that nobody measured, whatever it is called.
@@ -126,7 +127,7 @@ impl Columns {
             let is_evidence = self.evidence.origin == Some(*at) || self.evidence.word == Some(*at);
             !used.contains(at) && !is_compared(at) && !has_quantity && !is_evidence
         };
-        let name = |at: usize| names.get(at).unwrap_or_default().trim().to_owned();
+        let name = |at: usize| names.cell(at).trim().to_owned();
         let names = self.id.filter(|at| self.header.is_some() && !is_compared(at));
         let free = (0..self.count).filter(is_free).map(|at| (at, false));
         let all = free.chain(names.map(|at| (at, true)));

@@ -125,7 +125,7 @@ impl Row {
             }
         }
         // An empty cell is one of a value within its tolerance.
-        let given = self.exceed.unwrap_or_default();
+        let given = self.exceed.unwrap_or(Length::ZERO);
         if let Some((minimum, maximum)) = minimum.zip(maximum).filter(|(minimum, maximum)| minimum <= maximum) {
             let expected = if maximum < measured {
                 measured.saturating_sub(maximum)

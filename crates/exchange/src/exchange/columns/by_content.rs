@@ -19,7 +19,7 @@ impl Sample {
     /// of numbers after it, or the only one at all beside a callout. Names of own columns, such as PF, are words like any
     /// other, so they are told apart by the measured value only, and only in callouts.
     pub(super) fn by_content(&self) -> Result<Columns, ImportErrorKind> {
-        let width = self.rows.iter().map(|(_, cells)| cells.len()).max().unwrap_or_default();
+        let width = self.rows.iter().map(|(_, cells)| cells.len()).fold(0, usize::max);
         // The count that most rows have; a longer row is reported.
         let count = (1..=width)
             .max_by_key(|&n| self.rows.iter().filter(|(_, cells)| cells.len() == n).count())
@@ -43,18 +43,20 @@ impl Sample {
         let free: Vec<usize> = numbers.into_iter().filter(|at| Some(*at) != nominal).collect();
         let behind: Vec<usize> =
             free.iter().copied().filter(|at| tolerance.is_some_and(|before| before < *at)).collect();
-        let measured = match (behind.as_slice(), free.as_slice()) {
-            _ if self.measured.is_some() => self.measured.unwrap_or_default(),
+        let measured = match (self.measured, behind.as_slice(), free.as_slice()) {
+            (Some(said), ..) => said,
             // Of two numbers before a class, either may be the nominal size.
-            ([], [_, ..]) if nominal.is_some() => {
+            (None, [], [_, ..]) if nominal.is_some() => {
                 let before: Vec<usize> = free.iter().copied().chain(nominal).collect();
                 return Err(several(Role::Measured, &no_header, &before));
             }
-            ([at], _) | ([], [at]) => *at,
-            ([], []) => return Err(ImportErrorKind::NoMeasuredColumn),
-            ([], several_are) | (several_are, _) => return Err(several(Role::Measured, &no_header, several_are)),
+            (None, [at], _) | (None, [], [at]) => *at,
+            (None, [], []) => return Err(ImportErrorKind::NoMeasuredColumn),
+            (None, [], several_are) | (None, several_are, _) => {
+                return Err(several(Role::Measured, &no_header, several_are));
+            }
         };
-        let first = [tolerance, nominal, Some(measured)].into_iter().flatten().min().unwrap_or_default();
+        let first = [tolerance, nominal].into_iter().flatten().fold(measured, usize::min);
         let id = (0..first).next();
         let used = [id, tolerance, nominal, Some(measured)];
         let is_free = |at: usize| if used.contains(&Some(at)) { Free::No } else { Free::Yes };

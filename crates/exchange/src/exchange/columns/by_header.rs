@@ -3,6 +3,7 @@
 use csv::StringRecord;
 
 use super::{Columns, LabelColumns};
+use crate::exchange::cell::Cells as _;
 use crate::exchange::column::{LengthColumn, name_of, unit_of};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::evidence::Evidence;
@@ -52,7 +53,7 @@ impl Sample {
         let id = names(header, &roles);
         let simulated = best(Role::Simulated, &sure)?;
         let column = |at: usize| -> Result<LengthColumn, ImportErrorKind> {
-            Ok(LengthColumn { at, unit: unit_of(header.get(at).unwrap_or_default())? })
+            Ok(LengthColumn { at, unit: unit_of(header.cell(at))? })
         };
         let evidence = Evidence::of(header, measured_at);
         let used: Vec<usize> = [id, tolerance, nominal, simulated, evidence.origin, Some(measured_at)]
@@ -111,7 +112,7 @@ fn names_features(header: &StringRecord, at: usize) -> bool {
 
 /// Whether a column may say what was measured.
 fn free(header: &StringRecord, roles: &Roles, at: usize) -> Free {
-    let name = header.get(at).unwrap_or_default();
+    let name = header.cell(at);
     let is_id = |at: usize| names_features(header, at) && matches!(roles.get(at), Some(Some((Role::Id, _))));
     match roles.get(at).copied().flatten() {
         Some((Role::Id, _)) if is_id(at) && (0..header.len()).any(|other| other != at && is_id(other)) => {

@@ -4,6 +4,7 @@ use csv::StringRecord;
 
 use super::Columns;
 use crate::exchange::beside::BesideColumn;
+use crate::exchange::cell::Cells as _;
 use crate::exchange::cells;
 use crate::exchange::column::{NAMED, name_of};
 use crate::exchange::error::ImportErrorKind;
@@ -50,7 +51,7 @@ impl Sample {
         columns.remarks = columns.remarks_beside(names, &used);
         // What is compared is not skipped.
         let compared = columns.beside.iter().map(BesideColumn::at).chain(columns.evidence.word);
-        let compared: Vec<String> = compared.map(|at| name_of(at, names.get(at).unwrap_or_default())).collect();
+        let compared: Vec<String> = compared.map(|at| name_of(at, names.cell(at))).collect();
         columns.ignored.retain(|name| !compared.contains(name));
         columns.ignored.truncate(NAMED + 1);
         let at = columns.measured.at;

@@ -28,6 +28,7 @@ use super::role::Role;
 use super::row::cells_of;
 use super::stated::Stated;
 use super::words;
+use crate::exchange::cell::Cells as _;
 
 /// What the columns of a file are.
 #[derive(Debug, Clone, PartialEq, Eq)]
@@ -90,7 +91,7 @@ impl LabelColumns {
         let at = |role: Role| labels.iter().find(|(_, name)| words::label(name) == Some(role)).map(|(at, _)| *at);
         let place = |role: Role| {
             let at = at(role)?;
-            Some(LengthColumn { at, unit: unit_of(header.get(at).unwrap_or_default()).ok()? })
+            Some(LengthColumn { at, unit: unit_of(header.cell(at)).ok()? })
         };
         Self {
             number: at(Role::Number),
@@ -162,7 +163,7 @@ impl Columns {
     fn with_units(&mut self, names: &StringRecord) -> Result<(), ImportErrorKind> {
         if names.len() == self.count {
             for column in self.nominal.iter_mut().chain([&mut self.measured]) {
-                column.unit = unit_of(names.get(column.at).unwrap_or_default())?;
+                column.unit = unit_of(names.cell(column.at))?;
             }
         }
         Ok(())

@@ -260,7 +260,7 @@ fn contact(row: &[&str], places: Places, line: usize) -> Result<Contact, Located
         }
     }
     let coordinate = |name: char, at: usize| {
-        let cell = row.get(at).copied().unwrap_or_default();
+        let cell = row.get(at).map_or("", |cell| *cell);
         number(cell).ok_or_else(|| {
             let given = if cell.is_empty() { "empty".to_owned() } else { shorten(cell) };
             at_cell(line, at, ContactsError::NotANumber { name, given })

@@ -44,7 +44,7 @@ struct Said {
 impl Judging<'_> {
     /// Judges the values of a print that begins at a line.
     pub(super) fn judge(&self, line: usize, printed: &Printed, is_simulated: bool, sink: &mut Sink<'_>) {
-        let name = self.roles.name.and_then(|at| value(printed, at)).unwrap_or_default();
+        let name = self.roles.name.and_then(|at| value(printed, at)).unwrap_or("");
         let feature = cycle_in(name).map(|cycle| cycle.shape().feature());
         let place = self.roles.centre.map(|centre| centre.map(|at| length(printed, at)));
         let place = place.map_or([None; 3], |[x, y]| [x, y, None]);
@@ -71,7 +71,7 @@ impl Judging<'_> {
     }
 
     fn reading(&self, said: &Said, reading: &Reading, printed: &Printed, sink: &mut Sink<'_>) {
-        let text = value(printed, reading.measured).unwrap_or_default();
+        let text = value(printed, reading.measured).unwrap_or("");
         let measured = match Length::parse_in(&shorten(text), Unit::Millimetre) {
             Ok(measured) if reading.kind != Kind::Size || Length::ZERO < measured => measured,
             Ok(_) => {
@@ -150,7 +150,7 @@ impl Judging<'_> {
         sink: &mut Sink<'_>,
     ) {
         let callout = asked(printed, self.roles);
-        let given = self.roles.callout.and_then(|at| value(printed, at)).unwrap_or_default();
+        let given = self.roles.callout.and_then(|at| value(printed, at)).unwrap_or("");
         // Limits that were printed with fewer digits than they have are those of the class.
         let of_class = callout.and_then(|callout| limits(&callout, self.context.sources));
         let is_of_class = of_class.is_some_and(|limits| {
@@ -164,7 +164,7 @@ impl Judging<'_> {
         let name = if self.roles.readings.len() == 1 {
             said.name.clone()
         } else {
-            let of = self.slots.get(reading.measured).map(|slot| slot.of.to_string()).unwrap_or_default();
+            let of = self.slots.get(reading.measured).map_or_else(String::new, |slot| slot.of.to_string());
             format!("{} {of}", said.name).trim_start().to_owned()
         };
         let characteristic = Characteristic {
@@ -206,7 +206,7 @@ impl Judging<'_> {
 
 /// How far a value may be from what was printed of it, by the decimals that were printed.
 fn rounded_by(text: Option<&str>) -> Length {
-    Length::from_nanometres(text.map_or(0, last_digit) / 2).unwrap_or_default()
+    Length::from_nanometres(text.map_or(0, last_digit) / 2).unwrap_or(Length::ZERO)
 }
 
 /// What stands behind the nominal size of a callout.

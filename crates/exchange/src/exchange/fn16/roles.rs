@@ -225,7 +225,7 @@ impl Fields<'_> {
             let measured = self.number(result.measured)?;
             let pair = |(minimum, maximum): &(u16, u16)| [self.number(*minimum), self.number(*maximum)];
             let limits = result.limits.iter().map(pair).find(|pair| pair.iter().any(Option::is_some));
-            Some(reading(measured, result.kind, limits.unwrap_or_default()))
+            Some(reading(measured, result.kind, limits.unwrap_or([None; 2])))
         });
         found.collect()
     }
@@ -321,11 +321,10 @@ pub(super) fn limits(callout: &Callout, sources: &Sources) -> Option<Limits> {
 
 /// What the last digit of a printed length is worth, in nanometres; 0 beyond the nanometre.
 pub(super) fn last_digit(text: &str) -> i64 {
-    /// The decimals of a nanometre in millimetres.
-    const NANOMETRE: usize = 6;
+    /// The last of so many decimals in nanometres: the seventh is less than one.
+    const LAST: [i64; 6] = [1_000_000, 100_000, 10_000, 1_000, 100, 10];
     let digits = text.rsplit_once(['.', ',']).map_or(0, |(_, decimals)| decimals.len());
-    let zeros = u32::try_from(NANOMETRE.saturating_sub(digits)).unwrap_or_default();
-    if zeros == 0 { 0 } else { 10_i64.pow(zeros) }
+    LAST.get(digits).map_or(0, |last| *last)
 }
 
 /// Whether a length is printed like this: the same to the last digit.

@@ -2,6 +2,7 @@
 
 use super::words::role_of;
 use super::{Column, ColumnUnit, DecimalSign, Mapping, is_named};
+use crate::exchange::cell::Cells as _;
 use crate::exchange::cells;
 use crate::exchange::column::{LengthColumn, listed, name_of, several, unit_of};
 use crate::exchange::columns::{Columns, LabelColumns};
@@ -13,6 +14,7 @@ use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
 use crate::exchange::stated::{self, Stated};
+use crate::within::Within as _;
 
 /// What a mapping says of the columns of a file, and what is detected beside it.
 struct Said<'a> {
@@ -33,11 +35,11 @@ impl Mapping {
             return Err(ImportErrorKind::NoRows);
         }
         self.place_header(sample);
-        let width = sample.rows.iter().map(|(_, cells)| cells.len()).max().unwrap_or_default();
+        let width = sample.rows.iter().map(|(_, cells)| cells.len()).fold(0, usize::max);
         // Names that mean nothing to anybody else are names here.
         let unknown = sample.above.checked_sub(1).filter(|_| self.first_row.is_none());
         let header = sample.header.or(unknown).and_then(|at| sample.rows.get(at)).cloned();
-        let names = header.as_ref().map(|(_, names)| names.clone()).unwrap_or_default();
+        let names = header.as_ref().map_or_else(csv::StringRecord::new, |(_, names)| names.clone());
         let said = self.said(&names, width)?;
         sample.given = self.unit.map(ColumnUnit::unit);
         sample.has_place_unit = self.place_unit.is_some();
@@ -68,7 +70,7 @@ impl Mapping {
         let names: Vec<&str> = self.columns.values().flat_map(Column::iter).filter_map(Column::name).collect();
         let has = |cells: &csv::StringRecord, name: &str| cells.iter().any(|cell| is_named(cell, name));
         let first = self.first_row.and_then(|first| sample.rows.iter().position(|(line, _)| first <= *line));
-        let above = sample.rows.get(..first.unwrap_or(sample.rows.len())).unwrap_or_default();
+        let above = sample.rows.within(..first.unwrap_or(sample.rows.len()));
         if !names.is_empty() {
             // The row that has most of the names; the first of equals.
             let count = |cells: &csv::StringRecord| names.iter().filter(|name| has(cells, name)).count();
@@ -101,7 +103,7 @@ impl Mapping {
                 let at = place_of(column, role, names, width)?;
                 let twice = said.iter().find(|(_, known)| at.is_some() && *known == at);
                 if let Some(((first, _), at)) = twice.zip(at) {
-                    let column = name_of(at, names.get(at).unwrap_or_default());
+                    let column = name_of(at, names.cell(at));
                     return Err(ImportErrorKind::ColumnTwice { column, first: *first, second: role });
                 }
                 said.push((role, at));
@@ -128,7 +130,7 @@ impl Said<'_> {
     }
 
     fn unit_of_name(&self, at: usize) -> Result<fitcheck_core::length::Unit, ImportErrorKind> {
-        unit_of(self.names.get(at).unwrap_or_default())
+        unit_of(self.names.cell(at))
     }
 
     fn length(&self, at: usize) -> Result<LengthColumn, ImportErrorKind> {
@@ -145,7 +147,7 @@ impl Said<'_> {
 
     /// The columns of the times.
     fn times(&self) -> Vec<usize> {
-        let found = self.found.as_ref().map(|found| found.time.clone()).unwrap_or_default();
+        let found = self.found.as_ref().map_or_else(Vec::new, |found| found.time.clone());
         let is_list = matches!(self.mapping.columns.get(Role::Time.word()), Some(Column::Several(_)));
         let said = self.roles.iter().filter(|(role, _)| *role == Role::Time);
         match self.of(Role::Time) {
@@ -158,7 +160,7 @@ impl Said<'_> {
 
     /// The columns that say what was measured.
     fn quantities(&self, columns: &Columns, sample: &Sample) -> Vec<QuantityColumn> {
-        let found = self.found.as_ref().map(|found| found.quantities.clone()).unwrap_or_default();
+        let found = self.found.as_ref().map_or_else(Vec::new, |found| found.quantities.clone());
         if self.of(Role::Quantity).is_none() {
             return found.into_iter().filter(|column| !self.is_used(column.at)).collect();
         }
@@ -220,7 +222,7 @@ impl Said<'_> {
             roles.get(*at).is_some_and(Option::is_none) && !is_own && is_named
         };
         let ignored = (0..columns.count).filter(is_ignored);
-        ignored.map(|at| name_of(at, self.names.get(at).unwrap_or_default())).collect()
+        ignored.map(|at| name_of(at, self.names.cell(at))).collect()
     }
 }
 
@@ -251,7 +253,7 @@ fn place_of(
 
 fn no_column(role: Role, given: &str, names: &csv::StringRecord, width: usize) -> ImportErrorKind {
     let width = width.max(names.len());
-    let names: Vec<String> = (0..width).map(|at| name_of(at, names.get(at).unwrap_or_default())).collect();
+    let names: Vec<String> = (0..width).map(|at| name_of(at, names.cell(at))).collect();
     ImportErrorKind::NoColumn { role, given: shorten(given), columns: listed(&names) }
 }
 

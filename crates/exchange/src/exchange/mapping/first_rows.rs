@@ -140,7 +140,7 @@ impl FirstRows {
 
     /// How many columns the shown rows have.
     pub fn width(&self, mapping: &Mapping) -> usize {
-        self.rows(mapping).iter().map(|(_, cells)| cells.len()).max().unwrap_or_default()
+        self.rows(mapping).iter().map(|(_, cells)| cells.len()).fold(0, usize::max)
     }
 
     /// The first rows from the top, with their lines: header and what stands above it, too.

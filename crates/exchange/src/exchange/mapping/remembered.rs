@@ -230,12 +230,14 @@ fn names_above(sample: &Sample) -> Vec<String> {
         cells.len() == width && named == width
     };
     let names = above.map(|(_, cells)| cells).filter(|cells| has_all(cells)).last();
-    names.map(|cells| cells.iter().map(|cell| cell.trim().to_owned()).collect()).unwrap_or_default()
+    names.map_or_else(Vec::new, |cells| cells.iter().map(|cell| cell.trim().to_owned()).collect())
 }
 
 /// How many cells most rows have.
 fn usual_width(sample: &Sample) -> usize {
+    /// The width of a file without rows.
+    const NO_ROWS: usize = 0;
     let count = |width: usize| sample.rows.iter().filter(|(_, cells)| cells.len() == width).count();
     let widths = sample.rows.iter().map(|(_, cells)| cells.len());
-    widths.max_by_key(|width| count(*width)).unwrap_or_default()
+    widths.max_by_key(|width| count(*width)).unwrap_or(NO_ROWS)
 }

@@ -1,6 +1,8 @@
 //! Whole numbers as packed differences (the format's `DELTA_BINARY_PACKED`): half the size of the plain encoding where
 //! numbers have no order at all, next to nothing where they count up, and much faster than to pack the plain ones.
 
+use crate::within::long;
+
 /// How many numbers share a smallest difference.
 const BLOCK: usize = 128;
 
@@ -9,13 +11,14 @@ const MINI: usize = 32;
 
 /// Appends some numbers.
 pub(super) fn put(numbers: &[i64], out: &mut Vec<u8>) {
-    put_varint(u64::try_from(BLOCK).unwrap_or_default(), out);
-    put_varint(u64::try_from(BLOCK / MINI).unwrap_or_default(), out);
-    put_varint(u64::try_from(numbers.len()).unwrap_or_default(), out);
-    let first = numbers.first().copied().unwrap_or_default();
+    put_varint(long(BLOCK), out);
+    put_varint(long(BLOCK / MINI), out);
+    put_varint(long(numbers.len()), out);
+    // Of no numbers, the first one is 0.
+    let (first, others) = numbers.split_first().map_or((0, numbers), |(first, others)| (*first, others));
     put_varint(zigzag(first), out);
     let mut before = first;
-    for block in numbers.get(1..).unwrap_or_default().chunks(BLOCK) {
+    for block in others.chunks(BLOCK) {
         let mut differences = [0_i64; BLOCK];
         let mut least = i64::MAX;
         for (difference, number) in differences.iter_mut().zip(block) {
@@ -34,7 +37,7 @@ pub(super) fn put(numbers: &[i64], out: &mut Vec<u8>) {
         for (at, mini) in above.chunks(MINI).enumerate().take(block.len().div_ceil(MINI)) {
             let width = u64::BITS - mini.iter().fold(0, |all, one| all | one).leading_zeros();
             if let Some(place) = out.get_mut(widths + at) {
-                *place = u8::try_from(width).unwrap_or_default();
+                [*place, ..] = width.to_le_bytes();
             }
             pack(mini, width, out);
         }
@@ -48,15 +51,13 @@ fn pack(numbers: &[u64], width: u32, out: &mut Vec<u8>) {
         waiting |= u128::from(*number) << bits;
         bits += width;
         if u64::BITS <= bits {
-            let word = u64::try_from(waiting & u128::from(u64::MAX)).unwrap_or_default();
-            out.extend_from_slice(&word.to_le_bytes());
+            out.extend(waiting.to_le_bytes().into_iter().take(size_of::<u64>()));
             waiting >>= u64::BITS;
             bits -= u64::BITS;
         }
     }
     // Thirty-two numbers fill whole bytes.
-    let rest = usize::try_from(bits / 8).unwrap_or_default();
-    out.extend(waiting.to_le_bytes().into_iter().take(rest));
+    out.extend(waiting.to_le_bytes().into_iter().zip(0..bits / 8).map(|(byte, _)| byte));
 }
 
 /// Small numbers of both signs as small ones without.
@@ -67,7 +68,7 @@ const fn zigzag(number: i64) -> u64 {
 /// Seven bits a byte, the lowest first, with a mark on all bytes but the last.
 pub(super) fn put_varint(mut number: u64, out: &mut Vec<u8>) {
     loop {
-        let low = u8::try_from(number & 0x7f).unwrap_or_default();
+        let [low, ..] = (number & 0x7f).to_le_bytes();
         number >>= 7;
         if number == 0 {
             return out.push(low);

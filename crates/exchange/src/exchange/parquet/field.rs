@@ -99,13 +99,13 @@ impl Field {
     }
 
     /// A column of decimals of at most 18 figures; of these, `scale` are decimals.
-    pub(in crate::exchange) fn decimal(name: &str, scale: i32, is_optional: bool) -> Result<Self, ParquetError> {
+    pub(in crate::exchange) fn decimal(name: &str, scale: u8, is_optional: bool) -> Result<Self, ParquetError> {
         let builder = Type::primitive_type_builder(name, Physical::INT64)
-            .with_logical_type(Some(LogicalType::decimal(scale, 18)))
+            .with_logical_type(Some(LogicalType::decimal(scale.into(), 18)))
             .with_precision(18)
-            .with_scale(scale);
+            .with_scale(scale.into());
         let repetition = if is_optional { Repetition::OPTIONAL } else { Repetition::REQUIRED };
-        let kind = Kind::Decimal(usize::try_from(scale).unwrap_or_default());
+        let kind = Kind::Decimal(scale.into());
         Ok(Self::new(name, kind, builder.with_repetition(repetition).build()?))
     }
 
@@ -162,7 +162,8 @@ pub(in crate::exchange) fn added(prefix: &str) -> Result<Vec<Field>, ParquetErro
 /// What a column's type says of its values: the newer annotation, else the older one, else the physical type.
 fn kind(column: &ColumnDescriptor) -> Kind {
     let physical = column.physical_type();
-    let decimal = || Kind::Decimal(usize::try_from(column.type_scale()).unwrap_or_default());
+    // The format: a scale that is not said is 0.
+    let decimal = || Kind::Decimal(usize::try_from(column.type_scale()).unwrap_or(0));
     if physical == Physical::INT96 {
         return Kind::OldMoment;
     }

@@ -16,6 +16,7 @@ use parquet::file::writer::{SerializedPageWriter, TrackedWrite};
 use parquet::schema::types::ColumnDescPtr;
 
 use super::delta::put_varint;
+use crate::within::long;
 
 /// The column of a row group, ready to be written.
 #[derive(Debug)]
@@ -155,20 +156,22 @@ fn too_large(error: std::num::TryFromIntError) -> ParquetError {
 /// of run lengths and packed bits).
 fn put_bits(mut numbers: impl Iterator<Item = u8> + Clone, count: usize, width: u32, out: &mut Vec<u8>) {
     let mut all = numbers.clone();
-    let first = all.next().unwrap_or_default();
+    // Of no numbers there is a run of length 0.
+    let first = all.next().unwrap_or(0);
     if all.all(|number| number == first) {
-        put_varint(u64::try_from(count << 1).unwrap_or_default(), out);
+        put_varint(long(count << 1), out);
         out.push(first);
         return;
     }
-    put_varint(u64::try_from(count.div_ceil(8) << 1 | 1).unwrap_or_default(), out);
+    /// Fills the last group of eight.
+    const PADDING: u8 = 0;
+    put_varint(long(count.div_ceil(8) << 1 | 1), out);
     for _ in 0..count.div_ceil(8) {
         // Eight numbers of at most eight bits fit.
         let mut group = 0_u64;
         for at in 0..8 {
-            group |= u64::from(numbers.next().unwrap_or_default()) << (at * width);
+            group |= u64::from(numbers.next().unwrap_or(PADDING)) << (at * width);
         }
-        let bytes = usize::try_from(width).unwrap_or_default();
-        out.extend(group.to_le_bytes().into_iter().take(bytes));
+        out.extend(group.to_le_bytes().into_iter().zip(0..width).map(|(byte, _)| byte));
     }
 }

@@ -10,6 +10,7 @@ use super::checked::Checked;
 use super::column::Rows;
 use super::guarded::guarded;
 use crate::exchange::error::ImportErrorKind;
+use crate::within::long;
 
 /// How many rows are read of one column before the next one's turn.
 const STEP: usize = 8_192;
@@ -78,7 +79,7 @@ impl<R: ChunkReader + 'static> Reader<R> {
 
     /// About how many bytes of the file were given out, by its rows.
     pub fn bytes(&self) -> u64 {
-        let rows = u64::try_from(self.file.metadata().file_metadata().num_rows()).unwrap_or_default().max(1);
+        let rows = self.file.metadata().file_metadata().num_rows().max(1).unsigned_abs();
         let bytes = u128::from(self.size) * u128::from(self.given.min(rows)) / u128::from(rows);
         u64::try_from(bytes).unwrap_or(self.size)
     }
@@ -89,7 +90,7 @@ impl<R: ChunkReader + 'static> Reader<R> {
     /// What is damaged.
     pub(in crate::exchange) fn next(&mut self, wanted: Wanted, rows: &mut Rows) -> Result<bool, ParquetError> {
         let is_there = guarded(|| self.fill(wanted, rows))?;
-        self.given += u64::try_from(rows.count).unwrap_or_default();
+        self.given += long(rows.count);
         Ok(is_there)
     }
 
@@ -163,7 +164,8 @@ impl<R: ChunkReader + 'static> Reader<R> {
                     Ok(get_column_reader(column.column_descr_ptr(), Box::new(checked)))
                 })
                 .collect::<Result<_, ParquetError>>()?;
-            let all = usize::try_from(of_group.total_byte_size()).unwrap_or_default();
+            // A file may say anything of its size: this only decides how many rows are read at once.
+            let all = usize::try_from(of_group.total_byte_size()).map_or(0, |all| all);
             self.row_bytes = (all / self.left.max(1)).max(1);
             self.group += 1;
         }

@@ -10,6 +10,7 @@ use parquet::data_type::Int96;
 
 use super::column::Value;
 use super::field::{Kind, Part};
+use crate::within::Within as _;
 
 /// Appends the text of a value.
 #[inline]
@@ -99,12 +100,12 @@ fn put_decimal(number: i128, scale: usize, out: &mut Vec<u8>) {
         let digit = if let Some(short) = &mut short {
             let digit = *short % 10;
             *short /= 10;
-            u8::try_from(digit).unwrap_or_default()
+            low_byte(digit.into())
         } else {
             let digit = rest % 10;
             rest /= 10;
             short = u64::try_from(rest).ok();
-            u8::try_from(digit).unwrap_or_default()
+            low_byte(digit)
         };
         *figure = b'0' + digit;
         first = at;
@@ -112,7 +113,13 @@ fn put_decimal(number: i128, scale: usize, out: &mut Vec<u8>) {
             break;
         }
     }
-    put_figures(figures.get(first..).unwrap_or_default(), scale, out);
+    put_figures(figures.within(first..), scale, out);
+}
+
+/// A figure, or another number below 256, as a byte.
+const fn low_byte(number: u128) -> u8 {
+    let [low, ..] = number.to_le_bytes();
+    low
 }
 
 /// Figures, the last `scale` of them behind a point.
@@ -158,10 +165,10 @@ fn put_large(bytes: &[u8], scale: usize, out: &mut Vec<u8>) {
         let mut remainder = 0_u16;
         for byte in &mut rest {
             let whole = remainder << 8 | u16::from(*byte);
-            *byte = u8::try_from(whole / 10).unwrap_or_default();
+            *byte = low_byte((whole / 10).into());
             remainder = whole % 10;
         }
-        figures.push(b'0' + u8::try_from(remainder).unwrap_or_default());
+        figures.push(b'0' + low_byte(remainder.into()));
     }
     figures.reverse();
     put_figures(&figures, scale, out);
@@ -229,8 +236,7 @@ fn put_moment(nanoseconds: i128, is_utc: bool, out: &mut Vec<u8>) -> std::io::Re
 
 /// Nanoseconds since 1970-01-01 of a moment as nanoseconds of a Julian day.
 fn nanoseconds(moment: Int96) -> i128 {
-    let words = moment.data();
-    let [low, high, day] = [0, 1, 2].map(|at| words.get(at).copied().unwrap_or_default());
+    let &[low, high, day] = moment.data() else { return 0 };
     let of_day = u64::from(high) << 32 | u64::from(low);
     (i128::from(day) - 2_440_588) * 86_400_000_000_000 + i128::from(of_day)
 }

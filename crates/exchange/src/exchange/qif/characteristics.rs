@@ -52,7 +52,7 @@ impl Definitions {
         let feature_item = [Some(item.feature.as_str()), measured].into_iter().flatten().find(|id| !id.is_empty());
         let feature_item = feature_item.and_then(|id| self.feature_items.get(id));
         let name = names.into_iter().map(String::as_str).chain(feature_item.map(|item| item.name.as_str()));
-        let name = name.chain([nominal.name.as_str()]).find(|name| !name.is_empty()).unwrap_or_default();
+        let name = name.chain([nominal.name.as_str()]).find(|name| !name.is_empty()).unwrap_or("");
         let feature = feature_item.map(|item| item.nominal.as_str()).filter(|id| !id.is_empty());
         let mut resolved = self.of_nominal(nominal, feature.unwrap_or(&nominal.feature), (name, &item.designator))?;
         let system = feature_item.map_or("", |item| item.system.as_str());

@@ -30,6 +30,7 @@ use super::imported::{Asked, Sink, Unjudged, WhyUnjudged};
 use super::source::{Beginning, Context, Source};
 use super::xml::{self, Fault, Xml};
 use super::{Format, Labels};
+use crate::within::Within as _;
 use definitions::Definitions;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::{Located, Place};
@@ -60,8 +61,7 @@ fn recognises(beginning: &Beginning<'_>) -> bool {
     let text = xml::text_of(beginning.bytes);
     let text = text.trim_start_matches('\u{feff}').trim_start();
     let is_named = |before: &str| before.ends_with(['<', ':']) || before.ends_with("<!DOCTYPE ");
-    text.starts_with('<')
-        && text.match_indices("QIFDocument").any(|(at, _)| is_named(text.get(..at).unwrap_or_default()))
+    text.starts_with('<') && text.match_indices("QIFDocument").any(|(at, _)| is_named(text.within(..at)))
 }
 
 /// A file of which all pieces are read again.

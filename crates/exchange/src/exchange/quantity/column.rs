@@ -6,6 +6,7 @@ use csv::StringRecord;
 
 use super::Quantity;
 use super::said::{Name, name, said};
+use crate::exchange::cell::Cells as _;
 use crate::exchange::cells;
 use crate::exchange::column::name_of;
 use crate::exchange::given::shorten;
@@ -31,7 +32,7 @@ pub(in crate::exchange) struct QuantityColumn {
 impl QuantityColumn {
     /// What a row says was measured; `None` where its cell is empty, or says nothing and is taken for a size.
     pub(in crate::exchange) fn of(&self, cells: &StringRecord) -> Option<Quantity> {
-        let text = cells.get(self.at).unwrap_or_default().trim();
+        let text = cells.cell(self.at).trim();
         if text.is_empty() {
             return None;
         }
@@ -57,7 +58,7 @@ pub(in crate::exchange) fn of_row<'c>(
 ) -> Option<(usize, &'c str, Quantity)> {
     let all = columns.iter().filter_map(|column| {
         let quantity = column.of(cells)?;
-        Some((column.at, cells.get(column.at).unwrap_or_default().trim(), quantity))
+        Some((column.at, cells.cell(column.at).trim(), quantity))
     });
     let rank = |quantity: &Quantity| match quantity {
         Quantity::Other => 0,
@@ -145,13 +146,13 @@ impl Sample {
         names: Option<usize>,
         free: impl Fn(usize) -> Free,
     ) -> Vec<QuantityColumn> {
-        let width = self.rows.iter().map(|(_, cells)| cells.len()).max().unwrap_or_default();
+        let width = self.rows.iter().map(|(_, cells)| cells.len()).fold(0, usize::max);
         let all = (0..width).filter_map(|at| {
             let free = free(at);
             if free == Free::No {
                 return None;
             }
-            let name = name(header.get(at).unwrap_or_default());
+            let name = name(header.cell(at));
             let (column, seen) = self.look(header, at, name, names)?;
             let is_read = match name {
                 _ if free == Free::NamesToo => seen.shapes == 0 && (seen.are_quantities() || seen.all_known(name)),
@@ -202,7 +203,7 @@ impl Sample {
             at,
             takes_unknown,
             reads_codes,
-            unknown: is_taken.then(|| (name_of(at, header.get(at).unwrap_or_default()), words())),
+            unknown: is_taken.then(|| (name_of(at, header.cell(at)), words())),
             sizes: seen.sizes.iter().map(|size| (*size).to_owned()).collect(),
         };
         Some((column, seen))

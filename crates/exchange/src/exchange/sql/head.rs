@@ -28,8 +28,10 @@ fitcheck_source, where a cell's limits come from.
 
 /// Writes the comment.
 pub(super) fn write(model: &Model, dialect: &Dialect, out: &mut dyn Write) -> io::Result<()> {
-    let (classes, cells) = (model.defined(), model.cells().len());
-    let (steps, last) = (model.ends().len(), model.ends().last().copied().unwrap_or_default());
+    let classes = model.defined();
+    let cells = model.cells().len();
+    let steps = model.ends().len();
+    let last = model.last();
     let options = model.options();
     let edition = match options.edition {
         Edition::Of1988 => "1988 (cd, ef, fg to 10 mm)",

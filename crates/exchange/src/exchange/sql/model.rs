@@ -95,7 +95,7 @@ impl Model {
         let mut over_mm = 0;
         for (step, &to_mm) in (1..).zip(&self.ends) {
             // No class changes within a step, so its end represents all of it.
-            let callout = Callout::new(millimetres(to_mm), class).ok()?;
+            let callout = Callout::new(millimetres(to_mm)?, class).ok()?;
             match sources.limits(&callout, None) {
                 Ok(limits) => {
                     let name = limits.source.with_difference();
@@ -145,11 +145,15 @@ impl Model {
         self.cells.chunk_by(|one, next| one.class == next.class).count()
     }
 
+    /// The end of the last step; 0 where there is none.
+    pub(super) fn last(&self) -> u32 {
+        self.ends.last().map_or(0, |end| *end)
+    }
+
     /// Every whole millimetre with the number of its step: a size belongs to the step of the millimetre that it is
     /// rounded up to.
     pub fn millimetres(&self) -> impl Iterator<Item = (u32, usize)> {
-        let last = self.ends.last().copied().unwrap_or_default();
-        (1..=last).map(|mm| (mm, self.ends.partition_point(|end| *end < mm) + 1))
+        (1..=self.last()).map(|mm| (mm, self.ends.partition_point(|end| *end < mm) + 1))
     }
 }
 
@@ -207,6 +211,6 @@ fn whole_millimetres(length: Length) -> Option<u32> {
     length.exact(Unit::Millimetre, 0).parse().ok()
 }
 
-fn millimetres(mm: u32) -> Length {
-    Length::from_nanometres(i64::from(mm) * 1_000_000).unwrap_or_default()
+fn millimetres(mm: u32) -> Option<Length> {
+    Length::from_nanometres(i64::from(mm) * 1_000_000).ok()
 }

@@ -201,8 +201,8 @@ const JUDGED: &str = "checked as materialized (
   )";
 
 /// Nanometres as millimetres or micrometres with all decimals.
-fn decimal(column: &str, places: usize) -> String {
-    let one = 10_i64.pow(u32::try_from(places).unwrap_or_default());
+fn decimal(column: &str, places: u32) -> String {
+    let one = 10_i64.pow(places);
     format!(
         "case when {column} is not null then printf('%s%d.%0{places}d', case when {column} < 0 then '-' else '' end, \
          abs({column}) / {one}, abs({column}) % {one}) end"

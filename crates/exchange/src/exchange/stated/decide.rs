@@ -7,6 +7,7 @@ use super::late::{late, stray_row};
 use super::mention::{Mention, Word, key, mentions, of_name, word};
 use super::{Stated, differ, joined, sign, squeezed};
 use crate::exchange::beside::BesideColumn;
+use crate::exchange::cell::Cells as _;
 use crate::exchange::cells;
 use crate::exchange::column::name_of;
 use crate::exchange::columns::Columns;
@@ -15,6 +16,7 @@ use crate::exchange::given::shorten;
 use crate::exchange::sample::Sample;
 use crate::exchange::units;
 use crate::exchange::vocabulary::Rank;
+use crate::within::Within as _;
 
 /// Decides the units of the columns of a file by its first rows.
 ///
@@ -24,11 +26,11 @@ pub(in crate::exchange) fn decide(sample: &Sample, columns: &mut Columns) -> Res
     let is_header = |line: usize| columns.header == Some(line);
     let header = sample.rows.iter().find(|(line, _)| is_header(*line)).map(|(_, cells)| cells);
     let names = header.filter(|names| columns.names_known || names.len() == columns.count);
-    let name = |at: usize| names.and_then(|names| names.get(at)).unwrap_or_default();
-    let data = sample.rows.get(sample.above..).unwrap_or_default();
+    let name = |at: usize| names.map_or("", |names| names.cell(at));
+    let data = sample.rows.within(sample.above..);
     let mut stated = Stated {
         row: sample.units_row.and_then(|at| sample.rows.get(at)).cloned(),
-        header: header.map(|names| squeezed(names.iter())).unwrap_or_default(),
+        header: header.map_or_else(String::new, |names| squeezed(names.iter())),
         first: data.first().map_or(usize::MAX, |(line, _)| *line),
         is_given: sample.given.is_some(),
         ..Stated::default()
@@ -45,8 +47,7 @@ pub(in crate::exchange) fn decide(sample: &Sample, columns: &mut Columns) -> Res
     for (line, cells) in above.chain(comments) {
         said.extend(mentions(cells.iter()).into_iter().map(|mention| (*line, joined(cells), mention)));
     }
-    for at in free.iter().copied().filter(|at| sample.is_empty(*at)) {
-        let line = columns.header.unwrap_or_default();
+    for (at, line) in free.iter().filter(|at| sample.is_empty(**at)).filter_map(|at| Some((*at, columns.header?))) {
         said.extend(mentions([name(at)].into_iter()).into_iter().map(|mention| (line, shorten(name(at)), mention)));
     }
     for (line, text, (unit, _)) in said.iter().filter(|(.., (_, is_clear))| *is_clear) {
@@ -108,7 +109,7 @@ pub(in crate::exchange) fn decide(sample: &Sample, columns: &mut Columns) -> Res
 fn in_place_of_a_value(data: &[(usize, StringRecord)], columns: &Columns) -> Result<(), ImportErrorKind> {
     // A row with a number is one whose value is wrong: it is refused by itself.
     for (line, cells) in data.iter().filter(|(_, cells)| !cells::has_number(cells)) {
-        let cell = cells.get(columns.measured.at).unwrap_or_default();
+        let cell = cells.cell(columns.measured.at);
         let unit = match word(cell) {
             Word::Length(unit) if unit != columns.measured.unit => sign(unit),
             Word::Foreign => cell.trim(),
@@ -142,7 +143,7 @@ fn own_units<'n>(
                 _ => None,
             },
         };
-        let cell = stated.row.as_ref().and_then(|(_, cells)| cells.get(at)).unwrap_or_default().trim();
+        let cell = stated.row.as_ref().map_or("", |(_, cells)| cells.cell(at)).trim();
         let by_row = match word(cell) {
             Word::Length(unit) => Some(unit),
             Word::Foreign | Word::Other | Word::Unknown if cell.chars().any(char::is_alphanumeric) => {
@@ -193,7 +194,8 @@ fn unit_columns<'n>(
             Some(Rank::Exact) => !filled.is_empty() || mentions([name(at)].into_iter()).is_empty(),
             Some(Rank::Contained) if lengths == filled.len() => 0 < lengths,
             _ if sure == 0 && lengths == rows && 0 < rows && !stated.is_given => {
-                let (line, unit) = (line_of_first_row(sample), shorten(filled.first().copied().unwrap_or_default()));
+                let (line, unit) =
+                    (line_of_first_row(sample), filled.first().map_or_else(String::new, |cell| shorten(cell)));
                 let text = shorten(&format!("{} {unit}", name_of(at, name(at))));
                 return Err(ImportErrorKind::UnitMentioned { line, unit, text });
             }
@@ -236,7 +238,7 @@ fn halves<'n>(stated: &Stated, columns: &Columns, name: &impl Fn(usize) -> &'n s
     }
     let own = |at: usize| stated.own.iter().find(|(own, _)| *own == at).map(|(_, unit)| *unit);
     let in_row = |at: usize| {
-        let cell = stated.row.as_ref().and_then(|(_, cells)| cells.get(at)).unwrap_or_default();
+        let cell = stated.row.as_ref().map_or("", |(_, cells)| cells.cell(at));
         word(cell) == Word::Length(Unit::Inch)
     };
     let says_inch = |at: &usize| in_row(*at) || units::unit(name(*at)) == Ok(Some(Unit::Inch));

@@ -10,6 +10,7 @@ use crate::exchange::delimited::lines;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
 use crate::exchange::pieces::Pieces;
+use crate::within::Within as _;
 
 fn has_figure(cells: &StringRecord) -> bool {
     cells.iter().any(|cell| cell.contains(|c: char| c.is_ascii_digit()))
@@ -77,7 +78,7 @@ pub(in crate::exchange) fn unit_lines(pieces: &mut Pieces<'_>) -> Vec<Line> {
         let mut last = next;
         for (line, from, to) in lines(&piece, 0, next) {
             last = line + 1;
-            let text = piece.get(from..to).unwrap_or_default();
+            let text = piece.within(from..to);
             let may_be = || !text.bytes().any(|byte| byte.is_ascii_digit());
             let is_comment = text.trim_start_matches([' ', '\t', '"']).starts_with('#');
             if !is_comment && !may_be() {

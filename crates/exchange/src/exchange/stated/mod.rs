@@ -24,6 +24,7 @@ use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::refused::{Cell, Refused};
 use super::units;
+use crate::exchange::cell::Cells as _;
 pub(super) use decide::decide;
 use fitcheck_core::length::Unit;
 pub(super) use late::{agree, stray, stray_row, unit_lines};
@@ -104,7 +105,7 @@ impl Stated {
     fn of_row<'c>(&self, cells: &'c StringRecord) -> Result<Option<Unit>, Refused<'c>> {
         let mut found: Option<(Unit, &str)> = None;
         for &at in &self.columns {
-            let text = cells.get(at).unwrap_or_default().trim();
+            let text = cells.cell(at).trim();
             let cell = Cell { at: Some(at), text };
             let is_other = self.others.contains(&at);
             let unit = match word(text) {
@@ -133,7 +134,7 @@ impl Stated {
             return Ok(column);
         }
         let Some(unit) = self.of_row(cells)? else { return Ok(column) };
-        let text = cells.get(column.at).unwrap_or_default().trim();
+        let text = cells.cell(column.at).trim();
         let cell = Cell { at: Some(column.at), text };
         if let Some((_, own)) = self.own.iter().find(|(own, own_unit)| *own == column.at && *own_unit != unit) {
             return Err((cell, differ((*own, &name_of(column.at, "")), (unit, sign(unit)))));
@@ -193,7 +194,7 @@ impl Stated {
         }
         self.own.iter().find(|(at, _)| *at == measured)?;
         let in_row = |(_, cells): &(usize, StringRecord)| {
-            let cell = cells.get(measured).unwrap_or_default();
+            let cell = cells.cell(measured);
             (!cells::is_blank(cells) && units::known(cell).is_some()).then(|| joined(cells))
         };
         self.row.as_ref().and_then(in_row).or_else(|| Some(name(measured)))

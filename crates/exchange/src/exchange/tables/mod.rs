@@ -51,8 +51,7 @@ pub const TABLE_FORMATS: &[TableFormat] =
 impl TableFormat {
     /// Whether a file of this name can be of this format.
     pub fn fits(&self, file: &Path) -> bool {
-        let ending = file.extension().unwrap_or_default();
-        self.endings.iter().any(|own| ending.eq_ignore_ascii_case(own))
+        file.extension().is_some_and(|ending| self.endings.iter().any(|own| ending.eq_ignore_ascii_case(own)))
     }
 }
 

@@ -6,6 +6,7 @@
 use super::token::{Kind, Token, plain, tokens};
 use super::words::{self, Whose};
 use super::{Scale, Temperature};
+use crate::within::Within as _;
 
 /// How a number says that it is one of degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]
@@ -66,7 +67,7 @@ fn may_say(text: &[u8]) -> bool {
     let begins =
         |at: usize, begin: &[u8]| text.get(at..at + begin.len()).is_some_and(|here| here.eq_ignore_ascii_case(begin));
     let is_letter = |at: usize| {
-        let before = text.get(..at).unwrap_or_default().trim_ascii_end();
+        let before = text.within(..at).trim_ascii_end();
         let is_alone = text.get(at + 1).is_none_or(|next| !next.is_ascii_alphabetic());
         before.last().is_some_and(u8::is_ascii_digit) && (is_alone || begins(at, b"cel") || begins(at, b"cen"))
     };
@@ -286,7 +287,7 @@ impl<'a> Text<'a> {
                 !clause.of_angle && (is_named() || speaks)
             }
             Unit::Letter(scale) => {
-                let before = at.checked_sub(1).and_then(|at| self.word(at)).unwrap_or_default();
+                let before = at.checked_sub(1).and_then(|at| self.word(at)).unwrap_or("");
                 let is_number = ["no", "nr", "number", "nummer", "id"].contains(&before);
                 let is_place = ["at", "bei", "bij", "a"].contains(&before);
                 let is_near = scale == Scale::Kelvin || is_place || self.is_glued(at + 1) && scale == Scale::Celsius;

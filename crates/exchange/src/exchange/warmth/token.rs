@@ -1,5 +1,7 @@
 //! A text as numbers, words and signs.
 
+use crate::within::Within as _;
+
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Kind<'a> {
     Number(f64),
@@ -39,17 +41,17 @@ pub(super) fn tokens(text: &str) -> Vec<Token<'_>> {
         }
         let (kind, length) = if first.is_ascii_digit() {
             let length = number_length(rest);
-            let digits = rest.get(..length).unwrap_or_default().replace(',', ".");
+            let digits = rest.within(..length).replace(',', ".");
             (digits.parse().map_or(Kind::Sign('#'), Kind::Number), length)
         } else if first.is_alphabetic() {
             let length = rest.find(|c: char| !c.is_alphabetic()).unwrap_or(rest.len());
-            (Kind::Word(rest.get(..length).unwrap_or_default()), length)
+            (Kind::Word(rest.within(..length)), length)
         } else {
             (Kind::Sign(first), first.len_utf8())
         };
         let token = signed(&mut found, Token { kind, is_glued });
         found.push(token);
-        rest = rest.get(length..).unwrap_or_default();
+        rest = rest.within(length..);
         is_glued = true;
     }
     found

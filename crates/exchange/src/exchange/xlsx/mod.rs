@@ -303,7 +303,7 @@ pub(super) fn samples(source: &mut Source<'_>) -> Result<(Sheets, usize), Import
     if sheets.is_empty() {
         return Err(ImportErrorKind::NoRows);
     }
-    let place = sheets.iter().position(|(name, _)| chosen.as_ref() == Some(name)).unwrap_or_default();
+    let place = sheets.iter().position(|(name, _)| chosen.as_ref() == Some(name)).unwrap_or(0);
     Ok((sheets, place))
 }
 

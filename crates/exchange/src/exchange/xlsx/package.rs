@@ -14,6 +14,7 @@ use super::{Body, broken};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
 use crate::exchange::xml::{Start, Xml, fault};
+use crate::within::Within as _;
 
 /// The most members of a workbook.
 const MOST_MEMBERS: usize = 10_000;
@@ -143,8 +144,9 @@ fn check_list(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
     };
     read().map_err(|error| ImportErrorKind::read(&error))?;
     let number = |at: usize, bytes: usize| {
-        let bytes = tail.get(at..at + bytes).unwrap_or_default();
-        bytes.iter().rev().fold(0_u64, |number, &byte| number << 8 | u64::from(byte))
+        // A mark so near to the end is not that of a list, and says nothing.
+        let bytes = tail.get(at..at + bytes);
+        bytes.map_or(0, |bytes| bytes.iter().rev().fold(0_u64, |number, &byte| number << 8 | u64::from(byte)))
     };
     let mut has_large = false;
     for at in memchr::memmem::find_iter(&tail, b"PK\x06\x06") {
@@ -296,7 +298,7 @@ fn texts(member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind> 
         return Err(too_many);
     }
     for at in memchr::memmem::find_iter(&all, b"uniqueCount") {
-        let behind = all.get(at + "uniqueCount".len()..).unwrap_or_default();
+        let behind = all.within(at + "uniqueCount".len()..);
         let digits = behind.iter().skip_while(|byte| !byte.is_ascii_digit()).take_while(|byte| byte.is_ascii_digit());
         let said =
             digits.fold(0_usize, |said, &digit| said.saturating_mul(10).saturating_add(usize::from(digit - b'0')));
@@ -310,10 +312,10 @@ fn texts(member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind> 
 /// How many texts begin: whatever prefix their elements have.
 fn count_texts(all: &[u8]) -> usize {
     let begins = |at: &usize| {
-        let tag = all.get(at + 1..).unwrap_or_default();
+        let tag = all.within(at + 1..);
         let end = tag.iter().take(64).position(|byte| matches!(byte, b'>' | b'/' | b' ' | b'\t' | b'\n' | b'\r'));
-        let name = tag.get(..end.unwrap_or_default()).unwrap_or_default();
-        name == b"si" || name.ends_with(b":si")
+        let name = end.map(|end| tag.within(..end));
+        name.is_some_and(|name| name == b"si" || name.ends_with(b":si"))
     };
     memchr::memchr_iter(b'<', all).filter(begins).count()
 }

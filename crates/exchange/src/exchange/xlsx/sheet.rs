@@ -107,7 +107,7 @@ const STRUCK: &str = "(struck through)";
 #[derive(Debug, Default)]
 pub(super) struct UnitsShown {
     /// By style: the text of its unit, or nothing.
-    units: Vec<String>,
+    units: Vec<Option<String>>,
     /// By column, from 0: first and last row of neighbouring cells with the same unit.
     runs: BTreeMap<u32, Vec<(u32, u32, usize)>>,
 }
@@ -128,7 +128,6 @@ impl UnitsShown {
         if shown.iter().all(Option::is_none) {
             return Ok(all);
         }
-        all.units = shown.iter().map(|unit| unit.clone().unwrap_or_default()).collect();
         let mut count = 0;
         while let Some((row, at, style)) = cells.next_style_id().map_err(|error| refused(&error))? {
             // Where cells without a style of their own show a unit, those with one are told apart from them.
@@ -151,6 +150,7 @@ impl UnitsShown {
                 }
             }
         }
+        all.units = shown;
         Ok(all)
     }
 
@@ -160,7 +160,9 @@ impl UnitsShown {
             let (_, last, style) = runs.get(runs.partition_point(|(first, ..)| *first <= row).checked_sub(1)?)?;
             (row <= *last).then_some(*style)
         });
-        self.units.get(style.unwrap_or_default()).filter(|unit| !unit.is_empty()).map(String::as_str)
+        // A cell without a style of its own has the first one.
+        let shown = self.units.get(style.unwrap_or(0))?.as_deref();
+        shown.filter(|unit| !unit.is_empty())
     }
 }
 

@@ -57,8 +57,9 @@ fn sections(code: &str) -> Vec<String> {
             // A condition, a colour, or a text with its language: [$mm-409].
             '[' => {
                 let inside: String = signs.by_ref().take_while(|&sign| sign != ']').collect();
-                let literal =
-                    inside.strip_prefix('$').map_or("", |inside| inside.split('-').next().unwrap_or_default());
+                let literal = inside
+                    .strip_prefix('$')
+                    .map_or("", |inside| inside.split_once('-').map_or(inside, |(sign, _)| sign));
                 text.push_str(literal);
             }
             ';' => sections.push(String::new()),

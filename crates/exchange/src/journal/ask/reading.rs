@@ -213,8 +213,7 @@ impl Signs {
 
     /// Up to the first character for which something holds.
     fn until(&mut self, ends: impl Fn(char) -> bool) -> String {
-        let text: String =
-            self.signs.get(self.at..).unwrap_or_default().iter().copied().take_while(|sign| !ends(*sign)).collect();
+        let text: String = self.signs.iter().skip(self.at).copied().take_while(|sign| !ends(*sign)).collect();
         self.at += text.chars().count();
         text
     }

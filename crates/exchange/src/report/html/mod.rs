@@ -241,7 +241,7 @@ fn render(report: &Report, words: &Words, out: &mut dyn Write) -> io::Result<()>
             Annex { words, check: &made(number, record)? }.write(out)
         })?;
     }
-    Foot { words, inspector: report.inspector.as_deref().unwrap_or_default() }.write(out)
+    Foot { words, inspector: report.inspector.as_deref().unwrap_or("") }.write(out)
 }
 
 /// The text without what a page must not contain: control characters, and marks that change the direction of writing
@@ -274,8 +274,7 @@ fn entries(report: &Report, seen: &Seen, words: &Words) -> Vec<Entry> {
 
 fn summary(seen: &Seen, parts: &[PartSheet], words: &Words) -> Summary {
     let counts = [Status::Good, Status::Rework, Status::ReMeasure, Status::Scrap].into_iter().filter_map(|status| {
-        let count = Status::ALL.iter().position(|known| *known == status).and_then(|at| seen.counts.get(at));
-        let count = count.copied().unwrap_or_default();
+        let count = seen.counts.get(status.at()).map_or(0, |count| *count);
         // Nothing is re-measured without a guard band, so a zero would only raise questions.
         (status != Status::ReMeasure || 0 < count).then(|| Count { word: words.told(&status), count })
     });
@@ -330,14 +329,11 @@ fn check(number: usize, record: &Record, words: &Words) -> askama::Result<Check>
             size("report-minimum", limits.minimum(), false),
             size("report-measured", measurement.diameter, true),
         ],
-        removals: verdict.size.removal.map(|removal| removals(removal, record, words)).unwrap_or_default(),
+        removals: verdict.size.removal.map_or_else(Default::default, |removal| removals(removal, record, words)),
         position: words.say(&text::position(verdict.position)),
-        axes: verdict
-            .position
-            .map(|position| {
-                ["X", "Y"].iter().zip(&position.axes).map(|(n, a)| words.say(&text::axis(n, a, words))).collect()
-            })
-            .unwrap_or_default(),
+        axes: verdict.position.map_or_else(Vec::new, |position| {
+            ["X", "Y"].iter().zip(&position.axes).map(|(n, a)| words.say(&text::axis(n, a, words))).collect()
+        }),
         centre: measurement
             .centre
             .map(|[x, y]| words.say(&message!("report-centre").text("x", words.mm(x, 3)).text("y", words.mm(y, 3)))),
@@ -390,7 +386,7 @@ fn contacts(contacts: &[Contact], circle: Option<Circle>, words: &Words) -> Vec<
     let line = |(before, contact): (usize, &Contact)| ContactLine {
         number: before + 1,
         axes: [contact.x, contact.y, contact.z].map(mm),
-        radial: circle.map(|circle| radial(contact, circle)).unwrap_or_default(),
+        radial: circle.map_or_else(String::new, |circle| radial(contact, circle)),
     };
     contacts.iter().enumerate().map(line).collect()
 }

@@ -221,13 +221,12 @@ fn size_view(size: &Size<'_>, step: &Step, record: Option<&crate::journal::Recor
         name: size.name(),
         asked: size.callout.map_or_else(of_point, |callout| callout.to_string()),
         limits: limits(size, words),
-        measured: record.map(|record| mm(record.measurement.diameter)).unwrap_or_default(),
+        measured: record.map_or_else(String::new, |record| mm(record.measurement.diameter)),
         deviation: record
-            .map(|record| format!("{} µm", words.signed_um(record.verdict.size.deviation)))
-            .unwrap_or_default(),
+            .map_or_else(String::new, |record| format!("{} µm", words.signed_um(record.verdict.size.deviation))),
         word,
-        origin: record.map(|record| words.told(&record.measurement.origin)).unwrap_or_default(),
-        rule: record.map(|record| origins::rule(record.verdict.rule, words)).unwrap_or_default(),
+        origin: record.map_or_else(String::new, |record| words.told(&record.measurement.origin)),
+        rule: record.map_or_else(String::new, |record| origins::rule(record.verdict.rule, words)),
     }
 }
 
