@@ -175,13 +175,15 @@ fn answer(asked: &Asked, zones: &Zones) -> Result<Map<String, Json>, CliError> {
             put("above", json!(conformity.above));
         }
     }
-    if let (Some(prior), Some(uncertainty)) = (asked.prior, rule.uncertainty()) {
+    if let (Some(prior), Some(uncertainty)) = (asked.prior, rule.uncertainty())
+        && let Ok(um) = uncertainty.um().parse::<f64>()
+    {
         let ends = |has: [bool; 2], [least, most]: [Length; 2]| {
             let end = |has: bool, length: Length, none: f64| if has { length.to_mm_f64() } else { none };
             [end(has[0], least, f64::NEG_INFINITY), end(has[1], most, f64::INFINITY)]
         };
         let limits = ends(asked.has, [bounds.minimum(), bounds.maximum()]);
-        let u = uncertainty.um().parse::<f64>().unwrap_or_default() / 1_000.0;
+        let u = um / 1_000.0;
         let accepted_ends = accepted.map_or(limits, |accepted| ends(asked.has, accepted));
         let risks = Risks::of(prior, &Acceptance { limits, accepted: accepted_ends, u });
         // Where nothing is accepted, all that conforms is not.

@@ -70,9 +70,9 @@ impl<'a> Io<'a> {
         }
     }
 
-    /// The files that were read so far.
+    /// The files that were read so far; none where they are not kept.
     pub(super) fn files(&self) -> Vec<UsedFile> {
-        self.files.clone().unwrap_or_default()
+        self.files.as_ref().map_or_else(Vec::new, Clone::clone)
     }
 
     /// Standard output for an answer that a person reads.

@@ -28,6 +28,7 @@ pub(super) struct RepeatArgs {
 
 impl RepeatArgs {
     pub(super) fn repeats(self) -> Repeats {
+        // Where nothing is said, the usual.
         self.repeats.unwrap_or_default()
     }
 }

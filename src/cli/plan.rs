@@ -307,7 +307,7 @@ impl BeginArgs {
     fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
         let mut draft = Draft::default();
-        draft.set(HeadField::Part, self.part.clone().unwrap_or_default());
+        draft.set(HeadField::Part, self.part.as_ref().map_or_else(String::new, Clone::clone));
         draft.rows = self.callouts.iter().map(|callout| Row::of([(Column::Callout, callout.clone())])).collect();
         // A plan without a feature is the frame of one.
         if draft.rows.is_empty() {

@@ -43,7 +43,7 @@ impl RuleArgs {
 
     /// The same with the uncertainty of a budget instead of the options.
     pub(super) fn rule_with(&self, budget: Option<Uncertainty>) -> Result<Rule, CliError> {
-        Rule::new(self.rule.unwrap_or_default(), self.given(budget)?).about(&What::Option { name: "rule" })
+        Rule::new(self.rule.unwrap_or(RuleName::Simple), self.given(budget)?).about(&What::Option { name: "rule" })
     }
 
     /// Which rule they name.

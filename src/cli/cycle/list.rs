@@ -77,7 +77,8 @@ pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut 
                 let effect = if row.effect { "" } else { "   no effect" };
                 let (key, question, range, unset) = (&row.key, row.question, &row.range.0, row.unset());
                 let line = format!("  {key:<6} {question:<width$}  {unset:<16} {range} {unit}");
-                let otherwise = otherwise(parameter).unwrap_or_default();
+                let otherwise = otherwise(parameter);
+                let otherwise = otherwise.as_deref().unwrap_or("");
                 writeln!(io.people(), "{}{predef}{otherwise}{effect}", line.trim_end());
             }
             let words = Words::new(language.language());

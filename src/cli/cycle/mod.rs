@@ -219,7 +219,8 @@ impl Args {
         if self.position.is_some() && self.cycle.control == Control::Milling {
             io.warn(&CliWarning::PositionUnused { code: self.cycle.code });
         }
-        for (name, _) in pairs(&self.globals).unwrap_or_default() {
+        // Pairs that are none were refused before.
+        for (name, _) in pairs(&self.globals).into_iter().flatten() {
             let key = self.cycle.parameter_named(name).map(|parameter| parameter.key);
             if key.and_then(|key| inputs.value(key)) != Some(&Value::Predef) {
                 io.warn(&CliWarning::PredefUnused { name });

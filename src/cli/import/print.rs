@@ -257,7 +257,7 @@ fn cells(row: &Row) -> [String; 9] {
     [
         format!("{}:{}", row.file, row.line.unwrap_or_default()),
         row.id.replace(char::is_control, "\u{fffd}"),
-        row.callout.clone().unwrap_or_default(),
+        row.callout.as_ref().map_or_else(String::new, Clone::clone),
         row.measured.map_or_else(String::new, mm),
         limits,
         deviation,

@@ -107,7 +107,8 @@ fn cells(row: &Row) -> [String; 9] {
         return cells;
     };
     let time = about.time.local().map_or_else(String::new, |time| time.strftime("%Y-%m-%d %H:%M").to_string());
-    let status = row::check(row).and_then(|check| Some(check.status()?.word().to_owned())).unwrap_or_default();
+    let status =
+        row::check(row).and_then(|check| check.status()).map_or_else(String::new, |status| status.word().to_owned());
     let callout = match (row::record(row), content) {
         (Some(record), _) => crate::journal::query::callout(record),
         (None, Content::Check(check)) => match &check.what {
@@ -116,7 +117,7 @@ fn cells(row: &Row) -> [String; 9] {
         },
         (None, Content::Begin(_) | Content::Withdrawal(_)) => String::new(),
     };
-    let measured = row::measured(row).map(mm);
+    let measured = row::measured(row).map_or_else(String::new, mm);
     [
         row.kept.head.number.to_string(),
         time,
@@ -124,7 +125,7 @@ fn cells(row: &Row) -> [String; 9] {
         [&about.part, &about.serial].map(String::as_str).join(" ").trim().to_owned(),
         about.feature.clone(),
         callout,
-        measured.unwrap_or_default(),
+        measured,
         status,
         marks(row, content),
     ]

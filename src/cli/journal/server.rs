@@ -135,6 +135,7 @@ fn heads_here(access: &Access, io: &mut Io<'_>) -> (Heads, Heads) {
     };
     let sent = read(Anchors::of_servers()).map(|anchors| anchors.of_server(&access.address.server()));
     let own = own().ok().and_then(|file| read(Anchors::of_user())?.at(&file));
+    // Without a file of anchors nothing is known of the server.
     (sent.unwrap_or_default(), own.map(|anchor| (anchor.chain, anchor.head)).into_iter().collect())
 }
 

@@ -25,11 +25,12 @@ impl Args {
         let last = reader.head().said()?.number;
         let row = row(&reader, self.number, last, &file)?;
         let before = match self.number.checked_sub(1) {
-            Some(number) if 0 < number => reader.entry(number).said()?.map(|kept| kept.head).unwrap_or_default(),
-            _ => Head::default(),
+            // Where the entry before was removed, its hash is not known.
+            Some(number) if 0 < number => reader.entry(number).said()?.map(|kept| kept.head),
+            _ => Some(Head::default()),
         };
         if self.format == Format::Json {
-            io.data().write_all(&line(&row, reader.chain(), Some(before)));
+            io.data().write_all(&line(&row, reader.chain(), before));
         } else {
             text::print(&row, reader.chain(), last, io);
         }

@@ -134,7 +134,7 @@ enum Output {
 /// The help of `--output`: `.html, .htm, .csv or .json`.
 fn output_help() -> String {
     let endings = report::endings().replace(' ', ", ");
-    let (first, last) = endings.rsplit_once(", ").unwrap_or_default();
+    let (first, last) = endings.rsplit_once(", ").unwrap_or(("", &endings));
     format!("File to write, in the format of its ending: {first} or {last}; \"-\" is standard output")
 }
 
@@ -193,7 +193,7 @@ impl Args {
         let (parts, of_plan) = collected.end_parts(io);
         let Some(outcome) = collected.outcome() else { return Err(CliError::ReportEmpty) };
         let report = Report {
-            title: self.title.clone().unwrap_or_default(),
+            title: self.title.as_ref().map_or_else(String::new, Clone::clone),
             part: self.part.clone().or(of_plan),
             order: self.order.clone(),
             inspector: self.inspector.clone(),

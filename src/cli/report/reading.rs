@@ -150,7 +150,8 @@ impl Collected {
                 if warning.what.kind.wants_a_look() {
                     io.look_first();
                 }
-                self.note(line(warning.place.line.unwrap_or_default()), warning.what.message(), io);
+                let place = warning.place.line.map_or_else(|| message!("report-note").text("place", name), line);
+                self.note(place, warning.what.message(), io);
             }
             Item::Contacts(_) => {}
         });

@@ -44,8 +44,7 @@ impl Listener for Printer {
 
     fn after(&mut self, machine: &Machine, io: &mut Io<'_>) {
         self.print_block(machine, io);
-        let new = machine.windows().get(self.windows..).unwrap_or_default();
-        for window in new {
+        for window in machine.windows().iter().skip(self.windows) {
             if 0 < self.windows && !self.trace {
                 writeln!(io.people());
             }

@@ -135,7 +135,7 @@ impl NewArgs {
         if holes.is_empty() || shafts.is_empty() {
             return vec![(self.output.clone(), classes.to_vec())];
         }
-        let stem = self.output.file_stem().unwrap_or_default().to_string_lossy().into_owned();
+        let stem = self.output.file_stem().map_or_else(String::new, |stem| stem.to_string_lossy().into_owned());
         let named = |feature: &str| self.output.with_file_name(format!("{stem}_{feature}.tab"));
         vec![(named("hole"), holes), (named("shaft"), shafts)]
     }
@@ -153,7 +153,7 @@ impl Choice {
         };
         let table = made.said()?;
         for (class, range) in compare(&table, options).cells() {
-            let (over, to) = table.ranges().nth(range).unwrap_or_default();
+            let Some((over, to)) = table.ranges().nth(range) else { continue };
             io.warn_about(name, &CliWarning::EmptyCell { class, over, to });
         }
         Ok(table)
