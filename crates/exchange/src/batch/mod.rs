@@ -7,6 +7,7 @@
 //! | `stream` | what comes in and goes out: plain, gzip, Zstandard, UTF-16 |
 //! | `forms` | what the rows are written as |
 //! | `text` | CSV in; CSV, TSV and JSON lines out |
+//! | `worker` | who judges a portion and writes what became of it |
 //! | `parquet` | Parquet in and out, with the feature of that name |
 //!
 //! What a row means is in `exchange::batch`.
@@ -20,6 +21,7 @@ mod forms;
 pub mod parquet;
 mod stream;
 mod text;
+mod worker;
 
 use std::io;
 use std::sync::atomic::{AtomicBool, AtomicU64, Ordering::Relaxed};

@@ -2,8 +2,9 @@
 
 use std::io::{self, Write};
 
-use super::text::{Blocks, Texts};
-use super::{Failed, Input, Manner, Rendering, Source, Summary, Watch, Watched, Work, take_turns};
+use super::text::{Blocks, Text};
+use super::worker::Worker;
+use super::{Failed, Input, Manner, Rendering, Source, Summary, Watch, Watched, take_turns};
 use crate::exchange::batch::{Answers, Block, Court, Judge, Purpose, Tally, Typed};
 use crate::exchange::parquet::{ChunkReader, Field, Group, Reader, Writer};
 
@@ -50,11 +51,13 @@ pub fn into_text<R: Rendering, F: ChunkReader + 'static>(
     tick: &mut dyn FnMut(&Watch),
 ) -> Result<Summary, Failed> {
     let fields = file.fields().to_vec();
-    let judge =
-        |typed: &mut Typed, judge: &mut Judge<'_>, take: &mut R| typed.judge(&fields, Purpose::Text, judge, take);
     let source = Portions { file, purpose: Purpose::Text };
-    let mut out = out;
-    take_turns(source, &mut out, manner.workers, Watched { watch, tick }, || Texts::new(court, manner, judge))
+    take_turns(source, out, manner.workers, Watched { watch, tick }, || {
+        let judge = |typed: &mut Typed, judge: &mut Judge<'_>, text: &mut Text<R>| {
+            text.of(|rows| typed.judge(&fields, Purpose::Text, judge, rows))
+        };
+        Worker::new(court, Text::new(court, manner), judge, |text, _, _, out| text.write(out))
+    })
 }
 
 /// Judges all rows of a Parquet file and writes them as row groups with these columns, in their order.
@@ -70,12 +73,13 @@ pub fn through<F: ChunkReader + 'static, W: Write + Send>(
     tick: &mut dyn FnMut(&Watch),
 ) -> Result<Summary, Failed> {
     let fields = file.fields().to_vec();
-    let make = |typed: &mut Typed, judge: &mut Judge<'_>, answers: &mut Answers| {
-        let tally = typed.judge(&fields, Purpose::Columns, judge, answers);
-        (tally, answers.group(Some(typed)))
-    };
     let source = Portions { file, purpose: Purpose::Columns };
-    take_turns(source, out, manner.workers, Watched { watch, tick }, || Groups::new(court, manner, 0, make))
+    take_turns(source, out, manner.workers, Watched { watch, tick }, || {
+        let judge = |typed: &mut Typed, judge: &mut Judge<'_>, rows: &mut RowGroup| {
+            rows.of(|answers| (typed.judge(&fields, Purpose::Columns, judge, answers), answers.group(Some(typed))))
+        };
+        Worker::new(court, RowGroup::new(manner, 0), judge, |rows, _, _, out| rows.write(out))
+    })
 }
 
 /// Judges all rows of a stream of CSV and writes them as row groups with these columns, in their order.
@@ -91,46 +95,32 @@ pub fn from_text<W: Write + Send>(
     tick: &mut dyn FnMut(&Watch),
 ) -> Result<Summary, Failed> {
     let texts = court.layout().names.len();
-    let make = |block: &mut Block, judge: &mut Judge<'_>, answers: &mut Answers| {
-        let tally = judge.block(block, answers);
-        (tally, answers.group(None))
-    };
     let source = Blocks { input, bytes: 0 };
-    take_turns(source, out, manner.workers, Watched { watch, tick }, || Groups::new(court, manner, texts, make))
+    take_turns(source, out, manner.workers, Watched { watch, tick }, || {
+        let judge = |block: &mut Block, judge: &mut Judge<'_>, rows: &mut RowGroup| {
+            rows.of(|answers| (judge.block(block, answers), answers.group(None)))
+        };
+        Worker::new(court, RowGroup::new(manner, texts), judge, |rows, _, _, out| rows.write(out))
+    })
 }
 
-/// A worker that writes row groups: one of each portion.
-struct Groups<'c, P, M, W> {
-    judge: Judge<'c>,
+/// The row group of a portion.
+struct RowGroup {
     answers: io::Result<Answers>,
     group: io::Result<Option<Group>>,
-    make: M,
-    streams: std::marker::PhantomData<fn(P, W)>,
 }
 
-impl<'c, P, M, W> Groups<'c, P, M, W>
-where
-    M: Fn(&mut P, &mut Judge<'_>, &mut Answers) -> (Tally, io::Result<Option<Group>>),
-{
-    /// `texts` of the columns come from text; `make` judges a portion and makes its row group.
-    fn new(court: &'c Court<'_>, manner: Columns<'_>, texts: usize, make: M) -> Self {
-        let answers = Answers::new(manner.columns, texts);
-        Self { judge: court.judge(), answers, group: Ok(None), make, streams: std::marker::PhantomData }
+impl RowGroup {
+    /// `texts` of the columns come from text.
+    fn new(manner: Columns<'_>, texts: usize) -> Self {
+        Self { answers: Answers::new(manner.columns, texts), group: Ok(None) }
     }
-}
 
-impl<'c, P, M, W> Work<'c> for Groups<'c, P, M, W>
-where
-    M: Fn(&mut P, &mut Judge<'_>, &mut Answers) -> (Tally, io::Result<Option<Group>>),
-    W: Write + Send,
-{
-    type Portion = P;
-    type Sink = Writer<W>;
-
-    fn judge(&mut self, portion: &mut P) -> Tally {
+    /// `make` judges the rows and makes a row group of them.
+    fn of(&mut self, make: impl FnOnce(&mut Answers) -> (Tally, io::Result<Option<Group>>)) -> Tally {
         match &mut self.answers {
             Ok(answers) => {
-                let (tally, group) = (self.make)(portion, &mut self.judge, answers);
+                let (tally, group) = make(answers);
                 self.group = group;
                 tally
             }
@@ -141,14 +131,10 @@ where
         }
     }
 
-    fn write(&mut self, _portion: &P, _tally: &Tally, sink: &mut Writer<W>) -> io::Result<()> {
+    fn write<W: Write + Send>(&mut self, out: &mut Writer<W>) -> io::Result<()> {
         match std::mem::replace(&mut self.group, Ok(None))? {
-            Some(group) => sink.write(group),
+            Some(group) => out.write(group),
             None => Ok(()),
         }
-    }
-
-    fn end(self) -> Judge<'c> {
-        self.judge
     }
 }

@@ -1,9 +1,9 @@
 //! CSV in; CSV, TSV, JSON lines and what else is made of its rows out.
 
 use std::io::{self, Read, Write};
-use std::marker::PhantomData;
 
-use super::{Failed, Manner, Packing, Rendering, Source, Summary, Watch, Watched, Work, take_turns};
+use super::worker::Worker;
+use super::{Failed, Manner, Packing, Rendering, Source, Summary, Watch, Watched, take_turns};
 use crate::exchange::batch::{Block, Court, Cutter, Judge, Marks, Take, Tally};
 use crate::within::long;
 
@@ -28,9 +28,11 @@ pub fn run<R: Rendering>(
     tick: &mut dyn FnMut(&Watch),
 ) -> Result<Summary, Failed> {
     let source = Blocks { input, bytes: 0 };
-    let judge = |portion: &mut Block, judge: &mut Judge<'_>, take: &mut R| judge.block(portion, take);
-    let mut out = out;
-    take_turns(source, &mut out, manner.workers, Watched { watch, tick }, || Texts::new(court, manner, judge))
+    take_turns(source, out, manner.workers, Watched { watch, tick }, || {
+        let judge =
+            |block: &mut Block, judge: &mut Judge<'_>, text: &mut Text<R>| text.of(|rows| judge.block(block, rows));
+        Worker::new(court, Text::new(court, manner), judge, |text, _, _, out| text.write(out))
+    })
 }
 
 /// What a worker makes of each block.
@@ -67,33 +69,13 @@ pub fn run_into<M: Making, S: Sink<M>>(
     watch: &Watch,
     tick: &mut dyn FnMut(&Watch),
 ) -> Result<Summary, Failed> {
-    let hire = || Maker { judge: court.judge(), made: making(), sinks: PhantomData };
-    take_turns(Blocks { input, bytes: 0 }, sink, workers, Watched { watch, tick }, hire)
-}
-
-/// A worker that makes something.
-struct Maker<'c, M, S> {
-    judge: Judge<'c>,
-    made: M,
-    sinks: PhantomData<fn(S)>,
-}
-
-impl<'c, M: Making, S: Sink<M>> Work<'c> for Maker<'c, M, S> {
-    type Portion = Block;
-    type Sink = S;
-
-    fn judge(&mut self, portion: &mut Block) -> Tally {
-        self.made.begin();
-        self.judge.block(portion, &mut self.made)
-    }
-
-    fn write(&mut self, portion: &Block, tally: &Tally, sink: &mut S) -> io::Result<()> {
-        sink.take(&mut self.made, portion, tally)
-    }
-
-    fn end(self) -> Judge<'c> {
-        self.judge
-    }
+    take_turns(Blocks { input, bytes: 0 }, sink, workers, Watched { watch, tick }, || {
+        let judge = |block: &mut Block, judge: &mut Judge<'_>, made: &mut M| {
+            made.begin();
+            judge.block(block, made)
+        };
+        Worker::new(court, making(), judge, |made, block, tally, sink: &mut S| sink.take(made, block, tally))
+    })
 }
 
 /// A stream in blocks.
@@ -117,53 +99,34 @@ impl Source for Blocks<'_> {
     }
 }
 
-/// A worker that writes text.
-pub(super) struct Texts<'c, 'o, R, P, J> {
-    judge: Judge<'c>,
+/// The text of a portion's rows, packed as the output is.
+pub(super) struct Text<R> {
     rendering: R,
     packing: Packing,
     packed: Vec<u8>,
     failed: Option<io::Error>,
-    of_portion: J,
-    streams: PhantomData<fn(P, &'o ())>,
 }
 
-impl<'c, R: Rendering, P, J: Fn(&mut P, &mut Judge<'_>, &mut R) -> Tally> Texts<'c, '_, R, P, J> {
-    /// `of_portion` judges the rows of a portion.
-    pub(super) fn new(court: &'c Court<'_>, manner: Manner<'_>, of_portion: J) -> Self {
-        Self {
-            judge: court.judge(),
-            rendering: R::new(court.layout(), manner.prefix),
-            packing: manner.packing,
-            packed: Vec::new(),
-            failed: None,
-            of_portion,
-            streams: PhantomData,
-        }
+impl<R: Rendering> Text<R> {
+    pub(super) fn new(court: &Court<'_>, manner: Manner<'_>) -> Self {
+        let rendering = R::new(court.layout(), manner.prefix);
+        Self { rendering, packing: manner.packing, packed: Vec::new(), failed: None }
     }
-}
 
-impl<'c, 'o, R: Rendering, P, J: Fn(&mut P, &mut Judge<'_>, &mut R) -> Tally> Work<'c> for Texts<'c, 'o, R, P, J> {
-    type Portion = P;
-    type Sink = &'o mut (dyn Write + Send);
-
-    fn judge(&mut self, portion: &mut P) -> Tally {
+    /// Begins with the rows that are judged now.
+    pub(super) fn of(&mut self, judge: impl FnOnce(&mut R) -> Tally) -> Tally {
         self.rendering.out().clear();
-        let tally = (self.of_portion)(portion, &mut self.judge, &mut self.rendering);
+        let tally = judge(&mut self.rendering);
         self.failed = self.packing.pack(self.rendering.out().bytes(), &mut self.packed).err();
         tally
     }
 
-    fn write(&mut self, _portion: &P, _tally: &Tally, sink: &mut Self::Sink) -> io::Result<()> {
+    pub(super) fn write<W: Write + ?Sized>(&mut self, out: &mut W) -> io::Result<()> {
         if let Some(error) = self.failed.take() {
             return Err(error);
         }
         let text = if self.packing == Packing::Plain { self.rendering.out().bytes() } else { &self.packed };
         // Whoever waits at the other end of a pipe gets what is there.
-        sink.write_all(text).and_then(|()| sink.flush())
-    }
-
-    fn end(self) -> Judge<'c> {
-        self.judge
+        out.write_all(text).and_then(|()| out.flush())
     }
 }

@@ -14,3 +14,13 @@ impl Cells for StringRecord {
         column.into().and_then(|at| self.get(at)).unwrap_or("")
     }
 }
+
+/// The cells of a line that say something, with a blank between them.
+pub(super) fn joined<'c>(cells: impl IntoIterator<Item = &'c str>) -> String {
+    cells.into_iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ")
+}
+
+/// A text with one blank wherever it has blanks, and none at its ends.
+pub(super) fn single_blanks(text: &str) -> String {
+    text.split_whitespace().collect::<Vec<_>>().join(" ")
+}

@@ -7,7 +7,7 @@ use super::error::ImportErrorKind;
 use super::given::shorten;
 use super::role::Role;
 use super::units;
-use crate::exchange::cell::Cells as _;
+use crate::exchange::cell::{Cells as _, single_blanks};
 
 /// How many columns a message names at most.
 pub(super) const NAMED: usize = 8;
@@ -44,6 +44,6 @@ pub(super) fn unit_of(name: &str) -> Result<Unit, ImportErrorKind> {
 
 /// The number of a column, and its name where it has one.
 pub(super) fn name_of(at: usize, name: &str) -> String {
-    let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
+    let name = single_blanks(name);
     if name.is_empty() { (at + 1).to_string() } else { format!("{} ({})", at + 1, shorten(&name)) }
 }

@@ -3,6 +3,7 @@
 use csv::StringRecord;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 
+use super::cell::joined;
 use super::evidence::mentions_simulation;
 use super::given::shorten;
 use super::warmth;
@@ -11,7 +12,7 @@ use super::warning::ImportWarningKind;
 /// That the cells of a line beside the measurements are not used, or what they say against them; values count as measured at this
 /// temperature, where they are not corrected already.
 pub(super) fn not_used(cells: &StringRecord, counted: Option<Temperature>) -> ImportWarningKind {
-    let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
+    let text = joined(cells);
     if mentions_simulation(&text) {
         return ImportWarningKind::SpeaksOfSimulation { text: shorten(&text) };
     }

@@ -34,7 +34,7 @@ use super::source::{Context, Source, WHOLE};
 use super::stated;
 use super::words;
 use super::{Format, Labels};
-use crate::exchange::cell::Cells as _;
+use crate::exchange::cell::{Cells as _, joined};
 use crate::journal::Record;
 use crate::within::Within as _;
 
@@ -478,8 +478,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
 
     /// The time of a row, or the time of import with a warning.
     fn time(&mut self, line: usize, cells: &StringRecord) -> DateTime {
-        let texts = self.columns.time.iter().filter_map(|&at| cells.get(at)).map(str::trim);
-        let given = texts.filter(|text| !text.is_empty()).collect::<Vec<_>>().join(" ");
+        let given = joined(self.columns.time.iter().filter_map(|&at| cells.get(at)));
         let read = date_time(&given);
         let reason = match read {
             _ if self.columns.time.is_empty() => None,

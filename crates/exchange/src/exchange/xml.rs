@@ -14,6 +14,7 @@ use quick_xml::{Reader, XmlVersion};
 
 use super::error::ImportErrorKind;
 use super::given::shorten;
+use crate::exchange::cell::single_blanks;
 use crate::within::Within as _;
 
 /// How many elements may stand within one another.
@@ -194,7 +195,7 @@ impl<'b> Xml<'b> {
                     }
                 }
                 Node::End => {
-                    element.text = element.text.split_whitespace().collect::<Vec<_>>().join(" ");
+                    element.text = single_blanks(&element.text);
                     // 25.0<x/>123 is not 25.0123.
                     if element.has_other && !element.text.is_empty() {
                         return Err(fault(element.start.at, ImportErrorKind::XmlMixed { name: element.start.name }));

@@ -61,7 +61,7 @@ impl<'a> Compared<'a> {
             }
             let cell = row.cell(column.at()).unwrap_or(b"");
             let claim = self.claim(column.at(), cell, |text| column.claim(text, Unit::Millimetre));
-            let said = claim.and_then(|claim| Some((claim.is_of_temperature(), claim.tells(&answer(judged))?)));
+            let said = said_against(claim, judged);
             self.tell(row, said, tally);
         }
         if has_figures {
@@ -75,7 +75,7 @@ impl<'a> Compared<'a> {
     fn hear(&mut self, row: &Row<'_>, (column, cell): (&RemarkColumn, &[u8]), judged: &Judged, tally: &mut Tally) {
         if !self.heard.says_nothing(column, unquoted(&utf8(cell))) {
             let claim = self.claim(column.at, cell, |text| column.claim(text, true));
-            let said = claim.and_then(|claim| Some((claim.is_of_temperature(), claim.tells(&answer(judged))?)));
+            let said = said_against(claim, judged);
             self.tell(row, said, tally);
         }
     }
@@ -104,6 +104,12 @@ impl<'a> Compared<'a> {
 
 fn answer(judged: &Judged) -> Answer {
     Answer { bounds: judged.bounds, measured: judged.measured, status: judged.status }
+}
+
+/// What a claim says against an answer, and whether that is a temperature.
+fn said_against(claim: Option<&Claim>, judged: &Judged) -> Option<(bool, ImportWarningKind)> {
+    let claim = claim?;
+    Some((claim.is_of_temperature(), claim.tells(&answer(judged))?))
 }
 
 fn unquoted(cell: &str) -> &str {

@@ -8,6 +8,7 @@ use fitcheck_core::text::windows_1252;
 use fitcheck_nc::control::simulated::is_mark;
 
 use crate::exchange::FORMATS;
+use crate::exchange::cell::single_blanks;
 use crate::exchange::cells;
 use crate::exchange::column::listed;
 use crate::exchange::columns::Columns;
@@ -84,7 +85,7 @@ impl Layout {
         let has_header = columns.header.is_some() && (columns.names_known || header.len() == columns.count);
         let names = (0..columns.count).map(|at| {
             let name = header.get(at).map_or("", |name| name.trim());
-            let name = name.split_whitespace().collect::<Vec<_>>().join(" ");
+            let name = single_blanks(name);
             if name.is_empty() || !has_header { format!("column_{}", at + 1) } else { name }
         });
         let names = names.collect();

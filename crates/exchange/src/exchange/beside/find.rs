@@ -4,7 +4,7 @@ use csv::StringRecord;
 use fitcheck_core::length::{Length, Unit};
 
 use super::{BesideColumn, Says, by_name, of_no_size};
-use crate::exchange::cell::Cells as _;
+use crate::exchange::cell::{Cells as _, joined};
 use crate::exchange::claim::Claim;
 use crate::exchange::column::name_of;
 use crate::exchange::columns::Columns;
@@ -62,14 +62,10 @@ impl Sample {
         if columns.own.are_corrected() || columns.evidence.are_corrected {
             return None;
         }
-        let text = |cells: &StringRecord| {
-            let filled = cells.iter().map(str::trim).filter(|cell| !cell.is_empty());
-            filled.collect::<Vec<_>>().join(" ")
-        };
         let lines = self.comments.iter().chain(&self.rows);
         let above = lines.filter(|(line, _)| columns.header.is_some_and(|header| *line < header));
         let name = names.get(columns.measured.at).map(str::to_owned);
-        let texts: Vec<String> = above.map(|(_, cells)| text(cells)).chain(name).collect();
+        let texts: Vec<String> = above.map(|(_, cells)| joined(cells)).chain(name).collect();
         let warm = warmth::mentioned(&texts.join("; "))?;
         let said = texts.iter().find(|text| warmth::mentioned(text) == Some(warm));
         Some(Claim::warm(said.map_or(texts.first()?, |said| said), warm))

@@ -28,6 +28,8 @@ use std::collections::BTreeMap;
 
 use serde::{Deserialize, Serialize};
 
+use crate::exchange::cell::single_blanks;
+
 pub use choice::Choice;
 pub use detected::Detected;
 pub use first_rows::FirstRows;
@@ -141,6 +143,6 @@ impl Column {
 
 /// Whether a cell of the header has a name: blanks and capitals do not count.
 fn is_named(cell: &str, name: &str) -> bool {
-    let bare = |text: &str| text.split_whitespace().collect::<Vec<_>>().join(" ").to_lowercase();
+    let bare = |text: &str| single_blanks(text).to_lowercase();
     bare(cell) == bare(name)
 }

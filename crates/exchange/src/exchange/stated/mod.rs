@@ -24,6 +24,7 @@ use super::error::{ImportErrorKind, ImportWarningKind};
 use super::given::shorten;
 use super::refused::{Cell, Refused};
 use super::units;
+use crate::exchange::cell;
 use crate::exchange::cell::Cells as _;
 pub(super) use decide::decide;
 use fitcheck_core::length::Unit;
@@ -63,9 +64,9 @@ fn squeezed<'c>(cells: impl Iterator<Item = &'c str>) -> String {
     cells.flat_map(str::chars).filter(|c| c.is_alphanumeric()).flat_map(char::to_lowercase).collect()
 }
 
+/// A line as errors repeat it.
 fn joined(cells: &StringRecord) -> String {
-    let text = cells.iter().map(str::trim).filter(|cell| !cell.is_empty()).collect::<Vec<_>>().join(" ");
-    shorten(&text)
+    shorten(&cell::joined(cells))
 }
 
 pub(super) const fn sign(unit: Unit) -> &'static str {
