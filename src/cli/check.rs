@@ -163,7 +163,8 @@ impl Args {
         };
         let status = record.verdict.status();
         if unstated && (status == Status::Rework || status == Status::Scrap) {
-            let (minimum, maximum) = (record.limits.minimum(), record.limits.maximum());
+            let minimum = record.limits.minimum();
+            let maximum = record.limits.maximum();
             return Err(CliError::ReworkOrScrap { asked, measured, minimum, maximum });
         }
         warn(&record, &sources, io);
@@ -252,7 +253,8 @@ impl Args {
         };
         io.people().write_all(text.as_bytes());
         if let Some(removal) = record.verdict.size.removal {
-            let (limit, middle) = (removal.to_limit, removal.to_middle);
+            let limit = removal.to_limit;
+            let middle = removal.to_middle;
             io.tell(CliRemark::Remove { limit, middle });
         }
         Ok(())

@@ -86,9 +86,11 @@ impl Args {
         let length = |name, text: &Option<String>| -> Result<Option<Length>, CliError> {
             text.as_ref().map(|text| text.parse::<Length>().about(&What::Option { name })).transpose()
         };
-        let (lower, upper) = (length("lower", &self.lower)?, length("upper", &self.upper)?);
+        let lower = length("lower", &self.lower)?;
+        let upper = length("upper", &self.upper)?;
         let has = [lower.is_some(), upper.is_some()];
-        let (minimum, maximum) = (lower.unwrap_or(Length::MAX.negated()), upper.unwrap_or(Length::MAX));
+        let minimum = lower.unwrap_or(Length::MAX.negated());
+        let maximum = upper.unwrap_or(Length::MAX);
         let bounds =
             Deviations::new(maximum, minimum).ok().and_then(|limits| Bounds::new(self.feature, Length::ZERO, limits));
         let bounds = bounds.filter(|_bounds| has.contains(&true) && minimum < maximum).ok_or(CliError::NoLimits)?;
@@ -229,7 +231,8 @@ fn text(asked: &Asked, answer: &Map<String, Json>, io: &mut Io<'_>) {
         writeln!(io.people(), "accepted      {} to {} mm", shown("zone_min_mm"), shown("zone_max_mm"));
     }
     if is_known("rejected_below_mm") || is_known("rejected_above_mm") {
-        let (below, above) = (shown("rejected_below_mm"), shown("rejected_above_mm"));
+        let below = shown("rejected_below_mm");
+        let above = shown("rejected_above_mm");
         writeln!(io.people(), "rejected      below {below} mm, above {above} mm");
     } else {
         writeln!(io.people(), "rejected      nothing");
@@ -244,11 +247,14 @@ fn text(asked: &Asked, answer: &Map<String, Json>, io: &mut Io<'_>) {
         writeln!(io.people(), "measured      {} mm: {}{proven}", shown("measured_mm"), Status::word(status));
     }
     if is_known("conformity") {
-        let (within, below, above) = (probability("conformity"), probability("below"), probability("above"));
+        let within = probability("conformity");
+        let below = probability("below");
+        let above = probability("above");
         writeln!(io.people(), "conformity    {within} %, too small {below} %, too large {above} %");
     }
     if is_known("consumer_risk") {
-        let (bad, consumer) = (probability("nonconforming"), probability("consumer_risk"));
+        let bad = probability("nonconforming");
+        let consumer = probability("consumer_risk");
         writeln!(io.people(), "process       {bad} % do not conform");
         writeln!(
             io.people(),
@@ -258,7 +264,8 @@ fn text(asked: &Asked, answer: &Map<String, Json>, io: &mut Io<'_>) {
     }
     if is_known("risk_zone_producer_risk") {
         let producer = probability("risk_zone_producer_risk");
-        let (least, most) = (shown("risk_zone_min_mm"), shown("risk_zone_max_mm"));
+        let least = shown("risk_zone_min_mm");
+        let most = shown("risk_zone_max_mm");
         writeln!(io.people(), "for this risk {least} to {most} mm accepted, {producer} % good and not accepted");
     }
 }

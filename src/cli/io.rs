@@ -218,7 +218,8 @@ pub fn tell(message: &str) -> ExitCode {
 
 /// Prints a remark on the process's own standard error, from where the streams are not at hand.
 pub(super) fn tell_at_once<T: Say>(what: &T) {
-    let (mut err, mut wants_a_look) = (std::io::stderr().lock(), false);
+    let mut err = std::io::stderr().lock();
+    let mut wants_a_look = false;
     Listener { err: &mut err, wants_a_look: &mut wants_a_look }.tell(remark(what));
 }
 

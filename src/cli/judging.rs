@@ -67,7 +67,8 @@ impl JudgeArgs {
     pub(super) fn judge(&self, io: &mut Io<'_>) -> Result<Judge, CliError> {
         let warmth = self.warm.warmth()?;
         let options = self.rule.clone();
-        let (named, given) = (options.named(), options.given(None)?);
+        let named = options.named();
+        let given = options.given(None)?;
         let (rule, budget) = match &self.budget {
             None => (options.rule()?, None),
             // Any uncertainty shows whether the rule has what it needs.
@@ -180,7 +181,9 @@ impl Judge {
         }
         if let Some((_file, budget)) = &self.budget {
             let Budget { name, date, valid_until, .. } = budget;
-            let (name, date, until) = (name.clone(), date.to_string(), valid_until.to_string());
+            let name = name.clone();
+            let date = date.to_string();
+            let until = valid_until.to_string();
             io.remark(&CliRemark::Budget { name, date, until });
         }
     }

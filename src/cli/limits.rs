@@ -105,7 +105,8 @@ impl LimitsOf<'_> {
 
 /// `25 H7   hole   25.000 … 25.021   mm   (0 / +21 µm)   from …`: the callout as it was understood.
 fn write_text(callout: &Callout, limits: &Limits, io: &mut Io<'_>) {
-    let (minimum, maximum) = (mm(limits.minimum()), mm(limits.maximum()));
+    let minimum = mm(limits.minimum());
+    let maximum = mm(limits.maximum());
     let range = format!("{minimum:>8} … {maximum} mm");
     let deviations = format!("({} µm)", lower_and_upper(&limits.deviations));
     let feature = callout.feature().map_or("–", Feature::word);

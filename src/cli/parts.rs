@@ -99,7 +99,8 @@ impl PlanParts {
         when: Option<DateTime>,
     ) {
         let Some(at) = self.places.get(&record.id).copied() else { return };
-        let (status, is_simulated) = (record.verdict.status(), record.measurement.origin.is_simulated());
+        let status = record.verdict.status();
+        let is_simulated = record.measurement.origin.is_simulated();
         if MOST <= self.parts.len() && !self.parts.contains_key(&key) {
             if !self.is_stream {
                 self.beyond = self.beyond.max(Some(status));
@@ -150,7 +151,8 @@ impl PlanParts {
             let said: Vec<_> = steps
                 .map(|(at, step)| {
                     let name = names.get(&at).map_or_else(String::new, |name| (*name).clone());
-                    let (who, values) = (who(key), part.values(at, step));
+                    let who = who(key);
+                    let values = part.values(at, step);
                     if who.is_empty() {
                         CliWarning::Contradiction { name, values }
                     } else {

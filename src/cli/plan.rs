@@ -176,7 +176,9 @@ impl Args {
 impl CheckArgs {
     fn run(&self, io: &mut Io<'_>) -> Result<Outcome, CliError> {
         let sources = self.tables.load(io)?;
-        let (mut has_faults, mut is_first, mut answers) = (false, true, Vec::new());
+        let mut has_faults = false;
+        let mut is_first = true;
+        let mut answers = Vec::new();
         for path in &self.files {
             let (name, read) = match read_input(path, io) {
                 Ok((name, bytes)) => {
@@ -221,7 +223,9 @@ fn text(name: &str, read: &Read, io: &mut Io<'_>) {
     let part = if plan.head.part.is_empty() { name } else { &plan.head.part };
     writeln!(io.people(), "{part}: {}", CliRemark::PlanHas { count: plan.features().len() });
     for size in plan.sizes() {
-        let (number, limits, asked) = (&size.feature.number, size.limits, asked(&size));
+        let number = &size.feature.number;
+        let limits = size.limits;
+        let asked = asked(&size);
         let place = size.feature.place.map_or_else(String::new, |[x, y, z]| format!("X{x} Y{y} Z{z}"));
         let limits = format!("{} … {}", limits.minimum(), limits.maximum());
         let line = format!("  {number:>4}  {:<20} {asked:<14} {limits:<22} {place}", size.name());
@@ -255,7 +259,8 @@ fn csv(file: &str, read: &Read, io: &mut Io<'_>) {
         Ok(plan) => plan.sizes().for_each(|size| print(&Checked::of(file, &size))),
         Err(faults) => {
             for fault in faults {
-                let (line, error) = (fault.place.line, Some(fault.what.to_string()));
+                let line = fault.place.line;
+                let error = Some(fault.what.to_string());
                 print(&Checked { file, line, error, ..Checked::default() });
             }
         }

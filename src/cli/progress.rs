@@ -143,7 +143,9 @@ impl Line {
     fn begin(&self, name: &str) {
         let mut shown = self.lock();
         shown.clear();
-        (shown.name, shown.begun, shown.last) = (name.to_owned(), Instant::now(), None);
+        shown.name = name.to_owned();
+        shown.begun = Instant::now();
+        shown.last = None;
     }
 
     /// Shows what is done, if it is time for that.
@@ -216,7 +218,8 @@ impl Done {
 
     /// `1200000 rows, 30.5 of 127.2 MB, 310000 rows a second`.
     fn text(&self, size: Size, elapsed: Duration) -> String {
-        let (rows, bytes) = (self.rows.load(Relaxed), self.bytes.load(Relaxed));
+        let rows = self.rows.load(Relaxed);
+        let bytes = self.bytes.load(Relaxed);
         let done = match size {
             Size::Rows(all) => format!("{rows} of {all} rows"),
             Size::Bytes(all) => format!("{rows} rows, {} of {} MB", megabytes(bytes), megabytes(all)),

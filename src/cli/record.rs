@@ -148,7 +148,9 @@ impl RecordArgs {
             return Ok(None);
         }
         io.remember();
-        let (station, part, serial) = (self.station.as_ref(), self.part.as_ref(), self.serial.as_ref());
+        let station = self.station.as_ref();
+        let part = self.part.as_ref();
+        let serial = self.serial.as_ref();
         let about = about(station, [self.who.as_ref(), part, serial, self.feature_name.as_ref(), self.remark.as_ref()]);
         let place = Place::of(self.journal.as_deref())?;
         Ok(Some(Recorder { place, about, plan: None, is_file_first: false, entries: Vec::new() }))
@@ -215,7 +217,8 @@ impl Recorder {
 
     /// The part of a check. The plan's own name tells parts apart by their serial numbers alone: without one, the name in the file does.
     fn part<'a>(&'a self, of_file: &'a str, has_serial: bool) -> &'a str {
-        let (option, plan) = (self.about.part.as_str(), self.plan.as_deref());
+        let option = self.about.part.as_str();
+        let plan = self.plan.as_deref();
         if !option.is_empty() && !self.is_file_first {
             return option;
         }
@@ -307,7 +310,8 @@ fn tell_remarks(journal: &Journal, io: &mut Io<'_>) {
 
 fn tell_kept(file: &Path, kept: &[Kept], io: &mut Io<'_>) {
     let (Some(first), Some(last)) = (kept.first(), kept.last()) else { return };
-    let (file, hash) = (file.display().to_string(), last.head.hash.to_string());
+    let file = file.display().to_string();
+    let hash = last.head.hash.to_string();
     io.tell(if first.head == last.head {
         Recorded::Entry { number: last.head.number, file, hash }
     } else {
@@ -319,7 +323,8 @@ impl StreamArgs {
     /// Opens the journal; `plan` is the part of a plan that names the features.
     pub(super) fn stream(&self, plan: Option<&str>, io: &mut Io<'_>) -> Result<Stream, CliError> {
         warn_of_zone(io);
-        let (part, serial) = (self.part.as_ref(), self.serial.as_ref());
+        let part = self.part.as_ref();
+        let serial = self.serial.as_ref();
         let about = about(self.station.as_ref(), [self.who.as_ref(), part, serial, None, self.remark.as_ref()]);
         let opening = opening(&about);
         let place = self.journal.place()?;

@@ -64,7 +64,8 @@ impl Cli {
         }
         let again = Self::try_parse_from(std::iter::once("fitcheck".to_owned()).chain(tamed)).err();
         again.filter(|again| again.kind() == error.kind()).unwrap_or_else(|| {
-            let (kind, said) = (error.kind(), error.render().to_string());
+            let kind = error.kind();
+            let said = error.render().to_string();
             Self::command().error(kind, io::tame_line(&said))
         })
     }

@@ -111,9 +111,15 @@ impl Args {
         let known = before(&journal, parts.as_mut())?;
         io.tell(CliRemark::Watching { folder: self.folder.display().to_string(), known: known.count() });
         let printer = Printer::new(self.format, judge.more_of(plan.as_ref()), io);
-        let (plan, sources, masks, now) = (plan.as_ref(), &sources, masks.as_slice(), super::now());
+        let plan = plan.as_ref();
+        let sources = &sources;
+        let masks = masks.as_slice();
+        let now = super::now();
         let judging = Judging { plan, sources, masks, columns: None, now, temperature: None };
-        let (judge, worst, is_bad, contradictions) = (&judge, None, false, BTreeSet::new());
+        let judge = &judge;
+        let worst = None;
+        let is_bad = false;
+        let contradictions = BTreeSet::new();
         let mut run = Run { judging, judge, journal, printer, worst, is_bad, parts, contradictions };
         let mut watcher = Watcher::new(&self.folder, known);
         leave_own(&mut watcher, run.journal.file(), alone.as_ref().ok().and_then(Option::as_ref));
@@ -130,7 +136,8 @@ impl Args {
 
 /// What the journal has: the files that were taken, and the values of the plan's parts, which later ones may contradict.
 fn before(journal: &Stream, parts: Option<&mut PlanParts>) -> Result<Known, CliError> {
-    let (mut known, mut replaced) = (Known::default(), BTreeSet::new());
+    let mut known = Known::default();
+    let mut replaced = BTreeSet::new();
     let has_plan = parts.is_some();
     journal.each(&mut |_, body| {
         known.see(body);
@@ -169,7 +176,9 @@ fn leave_own(watcher: &mut Watcher, journal: &Path, alone: Option<&Alone>) {
 impl Run<'_> {
     fn watch(&mut self, watcher: &mut Watcher, idle: Option<Duration>, io: &mut Io<'_>) -> Result<(), CliError> {
         let begun = Instant::now();
-        let (mut last, mut told, mut refused) = (begun, None, BTreeSet::new());
+        let mut last = begun;
+        let mut told = None;
+        let mut refused = BTreeSet::new();
         loop {
             let judging = Judging { now: super::now(), ..self.judging };
             match watcher.look(judging, begun.elapsed()) {

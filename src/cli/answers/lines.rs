@@ -28,7 +28,8 @@ impl Line {
     /// Reads a line without its end (LF or CRLF); calls `before_waiting` when the input may take its time.
     pub(super) fn read(&mut self, input: &mut dyn BufRead, mut before_waiting: impl FnMut()) -> std::io::Result<Found> {
         self.bytes.clear();
-        let (mut is_whole, mut is_end) = (true, true);
+        let mut is_whole = true;
+        let mut is_end = true;
         loop {
             if self.is_drained {
                 before_waiting();

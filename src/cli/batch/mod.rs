@@ -314,7 +314,8 @@ impl Job<'_> {
 
     /// All inputs have the columns of the first one, and none under the name of an added one.
     fn same_columns(&self, opened: &Opened<'_>, first: &mut Option<First>) -> Result<(), CliError> {
-        let (name, names) = (&opened.name, &opened.layout.names);
+        let name = &opened.name;
+        let names = &opened.layout.names;
         // Only CSV has a place for the mark.
         if opened.layout.are_simulated() && self.form != Form::Csv {
             return Err(CliError::BatchSimulated { name: name.clone() });
@@ -353,7 +354,9 @@ impl Job<'_> {
         let court = Court::new(&layout, self.sources);
         let is_packed = matches!(&from, From::Text(stream) if stream.packing != Packing::Plain);
         let work = Work::on(&name, size.filter(|_| !is_packed));
-        let (manner, watch, mut tick) = (self.manner(), Watch::default(), |watch: &Watch| work.follow(watch));
+        let manner = self.manner();
+        let watch = Watch::default();
+        let mut tick = |watch: &Watch| work.follow(watch);
         let mut input;
         let rows = match from {
             From::Text(stream) => {

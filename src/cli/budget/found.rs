@@ -36,7 +36,9 @@ pub(in crate::cli) fn assess(
 /// Says which budget gives the uncertainty of a check, for which contacts, and what to check about it.
 pub(in crate::cli) fn introduce(found: &Assessment, io: &mut Io<'_>) {
     let Budget { name, date, valid_until, .. } = &found.budget;
-    let (name, date, until) = (name.clone(), date.to_string(), valid_until.to_string());
+    let name = name.clone();
+    let date = date.to_string();
+    let until = valid_until.to_string();
     io.remark(&CliRemark::Budget { name, date, until });
     if let Some(Geometry { touches, step_deg, factor }) = found.geometry() {
         let step = step_deg.map_or_else(String::new, |step| format!(" × {}°", figure(step, 3)));

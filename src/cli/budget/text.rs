@@ -59,7 +59,8 @@ fn table(evaluation: &Evaluation, io: &mut Io<'_>) {
     );
     for row in &evaluation.rows {
         let Row { name, u, unit, sensitivity, contribution, share, .. } = row;
-        let (letter, law) = (row.evaluated.letter(), row.law.name());
+        let letter = row.evaluated.letter();
+        let law = row.law.name();
         let freedom = degrees(row.degrees_of_freedom);
         writeln!(
             io.people(),

@@ -152,7 +152,8 @@ pub(in crate::cli) fn check(check: &Check) -> Json {
 
 pub(super) fn print_csv(run: &Run<'_>, io: &mut Io<'_>) {
     let simulated = run.source.origin().is_simulated();
-    let (key, name) = (Some("status".to_owned()), "status".to_owned());
+    let key = Some("status".to_owned());
+    let name = "status".to_owned();
     let status =
         Line { key, name, value: run.result.verdict().map_or("", Status::word).to_owned(), unit: "", simulated };
     csv(run.result.results.iter().map(|found| Line::of(found, simulated)).chain([status]), io);

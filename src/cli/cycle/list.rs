@@ -75,7 +75,10 @@ pub(super) fn print(cycle: &Cycle, language: Dialogue, format: Format, io: &mut 
                 let unit = row.unit.unwrap_or("");
                 let predef = if row.predef { ", or PREDEF" } else { "" };
                 let effect = if row.effect { "" } else { "   no effect" };
-                let (key, question, range, unset) = (&row.key, row.question, &row.range.0, row.unset());
+                let key = &row.key;
+                let question = row.question;
+                let range = &row.range.0;
+                let unset = row.unset();
                 let line = format!("  {key:<6} {question:<width$}  {unset:<16} {range} {unit}");
                 let otherwise = otherwise(parameter);
                 let otherwise = otherwise.as_deref().unwrap_or("");

@@ -48,7 +48,8 @@ impl LogArgs {
     ) -> Result<Kept, CliError> {
         self.log_folder.as_deref().map_or(Ok(()), not_dash)?;
         let date_time = Some(self.time.unwrap_or_else(super::super::now));
-        let (program, unit) = (self.program.clone(), Unit::Millimetre);
+        let program = self.program.clone();
+        let unit = Unit::Millimetre;
         let heading = Heading { date_time, program, unit, is_simulated: source.origin().is_simulated() };
         let log = match result.log {
             LogTarget::None | LogTarget::Shown => None,

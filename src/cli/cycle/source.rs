@@ -95,8 +95,8 @@ pub(super) fn remark_on_moves(source: &Source, inputs: &Inputs, path: &[Move], i
 /// Warns of contacts that the cycle did not ask for.
 pub(super) fn warn_of_unused(source: &Source, path: &[Move], io: &mut Io<'_>) {
     let Source::Contacts { file, contacts, has_heights } = source else { return };
-    let (count, unused) =
-        (contacts.len(), probing::Source::Recorded { contacts, has_heights: *has_heights }.unused(path));
+    let count = contacts.len();
+    let unused = probing::Source::Recorded { contacts, has_heights: *has_heights }.unused(path);
     if 0 < unused {
         io.warn_about(file, &CliWarning::ContactsLeft { used: count - unused, count });
     }

@@ -6,11 +6,15 @@ use crate::probing::cycle::{LogTarget, Move, Unset};
 use crate::probing::simulated::Part;
 
 pub(super) fn print(run: &Run<'_>, with_path: bool, io: &mut Io<'_>) {
-    let (cycle, result) = (run.cycle, run.result);
+    let cycle = run.cycle;
+    let result = run.result;
     writeln!(io.people(), "{} {}", cycle.code, cycle.name(run.language));
     writeln!(io.people(), "{}", source(run));
     let probe = result.inputs.probe();
-    let (number, set_up, longest, ball) = (probe.number, probe.set_up, probe.longest_path, run.ball_radius);
+    let number = probe.number;
+    let set_up = probe.set_up;
+    let longest = probe.longest_path;
+    let ball = run.ball_radius;
     writeln!(io.people(), "probe {number}: SET_UP {set_up} mm, DIST {longest} mm, ball radius {ball} mm");
 
     writeln!(io.people());

@@ -102,7 +102,8 @@ impl Args {
             return self.reverse.run(&self.callouts, &sources, self.format, io);
         }
         let part = |text: &Option<String>, what| text.as_ref().map(|text| diameter(text, what)).transpose();
-        let (hole, shaft) = (part(&self.hole, What::MeasuredHole)?, part(&self.shaft, What::MeasuredShaft)?);
+        let hole = part(&self.hole, What::MeasuredHole)?;
+        let shaft = part(&self.shaft, What::MeasuredShaft)?;
         let is_one = matches!(self.callouts.as_slice(), [one] if one != "-");
         if !is_one && (hole.is_some() || shaft.is_some()) {
             return Err(CliError::PartsOfSeveral);

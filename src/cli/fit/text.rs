@@ -17,7 +17,8 @@ use crate::verdict::{Status, Verdict};
 pub(super) fn write(answer: &Answer<'_>, io: &mut Io<'_>) {
     let Answer { callout, hole, shaft, fit, .. } = answer;
     writeln!(io.people(), "{callout}  {}", with_remarks(&fit.kind(), *hole, *shaft));
-    let (minimum, maximum) = (fit.minimum_clearance(), fit.maximum_clearance());
+    let minimum = fit.minimum_clearance();
+    let maximum = fit.maximum_clearance();
     let range = range(minimum, maximum);
     line("clearance", format_args!("{range}, mean {} µm{}", fit.mean_clearance().signed_um(), negative(minimum)), io);
     part("hole", *hole, fit.hole(), io);
@@ -76,7 +77,8 @@ fn measured(measured: &Measured, io: &mut Io<'_>) {
         Measured::None => {}
         Measured::One(part) => {
             line(&format!("this {}", part.feature), judged(part.measured, &part.verdict), io);
-            let (range, other) = (range(part.minimum, part.maximum), part.feature.other());
+            let range = range(part.minimum, part.maximum);
+            let other = part.feature.other();
             line("possible", format_args!("{range} with a {other} within its limits"), io);
         }
         Measured::Both(actual) => {
@@ -89,10 +91,12 @@ fn measured(measured: &Measured, io: &mut Io<'_>) {
 }
 
 fn temperature(heat: &Heat, heated: &Heated, io: &mut Io<'_>) {
-    let (hole, shaft) = (heat.hole.warm.temperature, heat.shaft.warm.temperature);
+    let hole = heat.hole.warm.temperature;
+    let shaft = heat.shaft.warm.temperature;
     let name = if hole == shaft { format!("at {hole} °C") } else { "when warm".to_owned() };
     let range = range(heated.minimum, heated.maximum);
-    let (kind, change) = (heated.kind(), heated.change.signed_um());
+    let kind = heated.kind();
+    let change = heated.change.signed_um();
     line(&name, format_args!("{range}, {kind}, {change} µm against 20 °C"), io);
     if let Some(actual) = heated.actual {
         line("", format_args!("actual {} µm", actual.signed_um()), io);
@@ -104,7 +108,10 @@ fn temperature(heat: &Heat, heated: &Heated, io: &mut Io<'_>) {
 /// `at 220 °C: steel, 11.5 millionths per kelvin from -100 to 250 °C (published value)`
 fn material(part: &Part) -> String {
     let name = part.name.as_ref().map_or_else(String::new, |name| format!("{name}, "));
-    let (temperature, expansion) = (part.warm.temperature, part.warm.expansion);
-    let (certainty, least, most) = (part.certainty, part.range.least, part.range.most);
+    let temperature = part.warm.temperature;
+    let expansion = part.warm.expansion;
+    let certainty = part.certainty;
+    let least = part.range.least;
+    let most = part.range.most;
     format!("at {temperature} °C: {name}{expansion} millionths per kelvin from {least} to {most} °C ({certainty})")
 }

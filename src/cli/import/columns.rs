@@ -28,7 +28,8 @@ pub(super) fn mapping(given: &str) -> Result<Mapping, CliError> {
 /// Prints what the columns of each file are taken for.
 pub(super) fn show(paths: &[PathBuf], mapping: Option<&Mapping>, format: Format, io: &mut Io<'_>) -> Outcome {
     let open = Mapping::default();
-    let (mut bad, mut is_first) = (false, true);
+    let mut bad = false;
+    let mut is_first = true;
     let mut shown = Vec::new();
     for path in paths {
         let head = files::read_head(path, HEAD).map_err(|error| error.to_string());
@@ -78,7 +79,8 @@ fn columns(detected: &Detected) -> impl Iterator<Item = Shown<'_>> {
 fn text(path: &Path, detected: &Detected, toml: &str, io: &mut Io<'_>) {
     let shown: Vec<Shown<'_>> = columns(detected).collect();
     let wide = |length: fn(&Shown<'_>) -> usize| shown.iter().map(length).fold(0, usize::max).min(WIDEST);
-    let (names, holds) = (wide(|column| column.name.chars().count()), wide(|column| column.holds.len()));
+    let names = wide(|column| column.name.chars().count());
+    let holds = wide(|column| column.holds.len());
     let out = io.people();
     writeln!(out, "{}", path.display());
     for Shown { number, name, holds: held, first } in &shown {

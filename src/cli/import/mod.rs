@@ -173,7 +173,9 @@ impl Args {
             match Measured::open(path) {
                 Ok(file) => {
                     let beside = |ending: &str| files::beside(path, ending);
-                    let (masks, mapping, has_plan) = (masks.as_slice(), mapping.as_ref(), plan.is_some());
+                    let masks = masks.as_slice();
+                    let mapping = mapping.as_ref();
+                    let has_plan = plan.is_some();
                     let given = Given {
                         beside: &beside,
                         masks,

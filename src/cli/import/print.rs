@@ -42,7 +42,9 @@ impl Printer {
             }
             Format::Json => write!(io.data(), "["),
         }
-        let (line, table, summary) = (CsvLine::default(), Table::default(), Summary::default());
+        let line = CsvLine::default();
+        let table = Table::default();
+        let summary = Summary::default();
         Self { format, more, is_first: true, line, table, summary }
     }
 

@@ -73,7 +73,8 @@ pub(in crate::cli) struct Rows<'a> {
 impl<'a> Rows<'a> {
     pub(in crate::cli) fn of(path: &Path, judge: &'a Judge, wants_checks: bool) -> Self {
         let name = files::name_of(path).to_string_lossy().as_ref().into();
-        let (path, sizes) = (path.display().to_string().into(), Sizes::default());
+        let path = path.display().to_string().into();
+        let sizes = Sizes::default();
         Self { judge, wants_checks, sizes, path, name, sources: Vec::new(), warnings: (0, Vec::new(), false) }
     }
 
@@ -141,7 +142,8 @@ impl Rows<'_> {
             let is_wanted = self.wants_checks || record.correction.is_some();
             return Row { judged: is_wanted.then(|| Arc::from(record)), ..row };
         }
-        let (id, measured) = (record.id.clone(), Some(record.measurement.diameter));
+        let id = record.id.clone();
+        let measured = Some(record.measurement.diameter);
         let is_simulated = Some(record.measurement.origin.is_simulated());
         match self.judge.judged_of(&self.sizes, *record, &labels) {
             Ok((record, said)) => {

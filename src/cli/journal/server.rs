@@ -50,7 +50,9 @@ pub(in crate::cli) fn send(address: &str, file: &Path, station: &str, io: &mut I
     bar.finish_and_clear();
     let sent = sent.said()?;
     keep_heads(&access, [(reader.chain(), sent.head)], io);
-    let (entries, number, server) = (count(sent.entries), sent.head.number, access.address.to_string());
+    let entries = count(sent.entries);
+    let number = sent.head.number;
+    let server = access.address.to_string();
     io.tell(CliRemark::Sent { entries, number, server });
     Ok(())
 }
@@ -197,7 +199,8 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) {
             );
         }
         if let Some(Clock { newest_ms, least_ms, .. }) = clock {
-            let (newest, least) = (seconds(*newest_ms), seconds(*least_ms));
+            let newest = seconds(*newest_ms);
+            let least = seconds(*least_ms);
             writeln!(
                 io.people(),
                 "{station} ({chain}): its newest entry was received {newest} s after the time on its clock; of the newest 500, \
@@ -225,14 +228,13 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) {
     for finding in &found.findings {
         writeln!(io.people(), "{finding}");
     }
-    let (journals, beside) = (found.chains.len(), found.chains.iter().filter(|one| one.compared.is_some()).count());
+    let journals = found.chains.len();
+    let beside = found.chains.iter().filter(|one| one.compared.is_some()).count();
     if journals == 0 {
         writeln!(io.people(), "nothing was verified: the server has no entry of any journal");
     } else {
-        let (journals, entries) = (
-            if journals == 1 { "1 journal".to_owned() } else { format!("{journals} journals") },
-            entries(found.entries()),
-        );
+        let journals = if journals == 1 { "1 journal".to_owned() } else { format!("{journals} journals") };
+        let entries = entries(found.entries());
         writeln!(io.people(), "{journals} with {entries} verified, {beside} compared with an entry that is known here");
     }
     match &found.not_compared {
@@ -252,7 +254,8 @@ fn print(found: &ShopVerified, io: &mut Io<'_>) {
 
 /// Milliseconds as seconds: `-3600.250`. Below zero the station's clock is ahead of the server's.
 fn seconds(ms: i64) -> String {
-    let (sign, ms) = (if ms < 0 { "-" } else { "" }, ms.unsigned_abs());
+    let sign = if ms < 0 { "-" } else { "" };
+    let ms = ms.unsigned_abs();
     format!("{sign}{}.{:03}", ms / 1000, ms % 1000)
 }
 

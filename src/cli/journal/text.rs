@@ -96,13 +96,16 @@ fn print_size(record: &Record, io: &mut Io<'_>) {
     if let Some(callout) = &record.callout {
         line("callout", callout, io);
     }
-    let (upper, lower) = (limits.deviations.upper().signed_um(), limits.deviations.lower().signed_um());
-    let (minimum, maximum) = (mm(limits.minimum()), mm(limits.maximum()));
+    let upper = limits.deviations.upper().signed_um();
+    let lower = limits.deviations.lower().signed_um();
+    let minimum = mm(limits.minimum());
+    let maximum = mm(limits.maximum());
     line("limits", format_args!("{minimum} to {maximum} mm ({}, {lower} / {upper} µm)", limits.feature), io);
     line("source", limits.source.with_difference(), io);
     line("measured", format_args!("{} mm", mm(measurement.diameter)), io);
     if let Some(correction) = &record.correction {
-        let (as_measured, part) = (mm(correction.measured), correction.part);
+        let as_measured = mm(correction.measured);
+        let part = correction.part;
         let change = correction.change().signed_um();
         let warm = format!("{as_measured} mm at {} °C, {} · 10⁻⁶/K: {change} µm", part.temperature, part.expansion);
         line("at 20 °C", warm, io);
@@ -136,7 +139,9 @@ fn print_judgement(record: &Record, io: &mut Io<'_>) {
         line("", CliRemark::Remove { limit: removal.to_limit, middle: removal.to_middle }, io);
     }
     if let Some(budget) = &record.budget {
-        let (date, until, validity) = (budget.date, budget.valid_until, budget.validity.word());
+        let date = budget.date;
+        let until = budget.valid_until;
+        let validity = budget.validity.word();
         line(
             "budget",
             format_args!("{}, created {date} by {}, valid until {until}: {validity}", budget.name, budget.by),
@@ -165,8 +170,11 @@ fn print_cycle(cycle: &CycleCheck, io: &mut Io<'_>) {
         line("parameter", format_args!("{name} = {value}"), io);
     }
     for one in &cycle.compared {
-        let (minimum, maximum) = (mm(one.minimum), mm(one.maximum));
-        let (what, measured, status) = (&one.what, mm(one.measured), one.status.word());
+        let minimum = mm(one.minimum);
+        let maximum = mm(one.maximum);
+        let what = &one.what;
+        let measured = mm(one.measured);
+        let status = one.status.word();
         line("compared", format_args!("{what} {measured} mm, {minimum} to {maximum} mm: {status}"), io);
     }
     for (name, length) in &cycle.figures {

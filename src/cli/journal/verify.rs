@@ -133,7 +133,8 @@ fn print(found: &Verified, known: &[Head], replaced: Option<&StoreRemark>, io: &
     if let Some(replaced) = replaced {
         writeln!(io.people(), "{replaced}");
     }
-    let (entries, Head { number, hash }) = (inspected.entries, inspected.head);
+    let entries = inspected.entries;
+    let Head { number, hash } = inspected.head;
     if found.is_whole() && replaced.is_none() {
         writeln!(io.people(), "{entries} entries are as they were written; the last one is {number}:{hash}");
     } else if let Some(first) = inspected.breaks.first().map(Break::number) {

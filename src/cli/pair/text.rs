@@ -53,7 +53,8 @@ const fn simulated(part: &Size, what: &'static str) -> &'static str {
 
 fn pairs(out: &mut dyn Write, answer: &Answer, pairs: &[Pair]) -> Result<()> {
     let row = |pair: &Pair| {
-        let (hole, shaft) = (answer.asked.holes.sizes.get(pair.hole)?, answer.asked.shafts.sizes.get(pair.shaft)?);
+        let hole = answer.asked.holes.sizes.get(pair.hole)?;
+        let shaft = answer.asked.shafts.sizes.get(pair.shaft)?;
         let notes = [simulated(hole, "hole simulated"), simulated(shaft, "shaft simulated")];
         let notes = notes.into_iter().filter(|note| !note.is_empty()).collect::<Vec<_>>().join(", ");
         let clearance = pair.clearance.signed_um();
@@ -69,7 +70,8 @@ fn leftovers(out: &mut dyn Write, answer: &Answer) -> Result<()> {
     if pairing.holes.is_empty() && pairing.shafts.is_empty() {
         return Ok(());
     }
-    let (hole_count, shaft_count) = (counted(pairing.holes.len(), "hole"), counted(pairing.shafts.len(), "shaft"));
+    let hole_count = counted(pairing.holes.len(), "hole");
+    let shaft_count = counted(pairing.shafts.len(), "shaft");
     writeln!(out)?;
     writeln!(out, "left over: {hole_count}, {shaft_count}")?;
     let left = |what: &'static str, parts: &Parts, positions: &[usize]| -> Vec<[String; 4]> {

@@ -44,7 +44,8 @@ pub(super) struct Given {
 impl Given {
     fn read(&self, (path, file, work): (&Path, &Measured, &Work), take: &mut dyn FnMut(Item)) {
         let beside = |ending: &str| files::beside(path, ending);
-        let (has_plan, temperature) = (self.plan.is_some(), self.judge.temperature());
+        let has_plan = self.plan.is_some();
+        let temperature = self.judge.temperature();
         let usual = exchange::Given::new(&self.sources, self.now);
         let given = exchange::Given { beside: &beside, has_plan, temperature, ..usual };
         let by_plan = self.plan.as_deref().map(ByPlan::new);

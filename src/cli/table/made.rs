@@ -131,7 +131,8 @@ impl NewArgs {
     /// One file, or one for holes and one for shafts.
     fn parts(&self, classes: &[ToleranceClass]) -> Vec<(PathBuf, Vec<ToleranceClass>)> {
         let of = |feature| classes.iter().copied().filter(|class| class.feature() == feature).collect::<Vec<_>>();
-        let (holes, shafts) = (of(Feature::Hole), of(Feature::Shaft));
+        let holes = of(Feature::Hole);
+        let shafts = of(Feature::Shaft);
         if holes.is_empty() || shafts.is_empty() {
             return vec![(self.output.clone(), classes.to_vec())];
         }
@@ -165,7 +166,8 @@ impl ExportArgs {
         let format = self.format;
         let output = self.output.as_deref().filter(|path| *path != Path::new("-"));
         if let Some(path) = output.filter(|path| !format.fits(path)) {
-            let (path, endings) = (path.to_owned(), format.endings.join(", ."));
+            let path = path.to_owned();
+            let endings = format.endings.join(", .");
             return Err(CliError::FormatEnding { path, format: format.name, endings });
         }
         let tables = self.tables(io)?;

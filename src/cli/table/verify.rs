@@ -162,11 +162,15 @@ enum Sentence<'a> {
 }
 
 fn write_text(one: &Verified, io: &mut Io<'_>) {
-    let (table, found) = (&one.table, &one.found);
+    let table = &one.table;
+    let found = &one.found;
     for difference in &found.differences {
         writeln!(io.people(), "{}", sentence(one, difference));
     }
-    let (name, classes, ranges, cells) = (table.name(), one.classes(), table.ends().len(), found.compared);
+    let name = table.name();
+    let classes = one.classes();
+    let ranges = table.ends().len();
+    let cells = found.compared;
     let told = match cells {
         0 => Sentence::Nothing { name, classes, ranges, cells },
         _ => Sentence::Table { name, classes, ranges, cells, differ: found.cells().len() },
@@ -180,7 +184,9 @@ fn write_text(one: &Verified, io: &mut Io<'_>) {
 fn sentence<'a>(one: &Verified, difference: &'a Difference) -> Sentence<'a> {
     let place = one.place(difference).and_then(|p| Some(format!("{}:{}:{}", p.file?, p.line?, p.column?)));
     let place = place.unwrap_or_else(|| one.table.name().to_owned());
-    let (class, over, to) = (difference.class.as_str(), difference.over, difference.to);
+    let class = difference.class.as_str();
+    let over = difference.over;
+    let to = difference.to;
     match (difference.table.as_ref().map(pair), &difference.standard) {
         (Some(table), Ok(standard)) => {
             let by = [("upper", difference.upper_by()), ("lower", difference.lower_by())];

@@ -194,8 +194,10 @@ fn take_turns<'c, S: Source, W: Work<'c, Portion = S::Portion>>(
             }
         }
     });
-    let (source, sink) = (turns.source.into_inner(), turns.sink.into_inner());
-    let (source, sink) = (source.unwrap_or_else(PoisonError::into_inner), sink.unwrap_or_else(PoisonError::into_inner));
+    let source = turns.source.into_inner();
+    let sink = turns.sink.into_inner();
+    let source = source.unwrap_or_else(PoisonError::into_inner);
+    let sink = sink.unwrap_or_else(PoisonError::into_inner);
     summary.tally = sink.tally;
     match (sink.failed, source.failed) {
         (Some(error), _) => Err(Failed::Writing(error)),

@@ -28,7 +28,8 @@ pub struct ByPlan<'a> {
 impl<'a> ByPlan<'a> {
     /// Of no file yet.
     pub fn new(plan: &'a Plan) -> Self {
-        let (finder, sizes) = (Finder::new(plan), plan.sizes().collect());
+        let finder = Finder::new(plan);
+        let sizes = plan.sizes().collect();
         Self { plan, finder, sizes }
     }
 
@@ -76,7 +77,9 @@ impl<'a> ByPlan<'a> {
         }
         let status = judge_size(size.limits, measurement.diameter).status;
         if let Some(why) = labels.too_coarse(size.limits, measurement.diameter, status) {
-            let (measured, origin, id) = (Some(measurement.diameter), measurement.origin, size.name());
+            let measured = Some(measurement.diameter);
+            let origin = measurement.origin;
+            let id = size.name();
             let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
             return take(Item::Unjudged(Box::new(unjudged)));
         }
@@ -89,7 +92,8 @@ impl<'a> ByPlan<'a> {
             Some(rule) => record.by(rule),
             None => record,
         };
-        let (answer, kind) = (Answer::of(&record), &size.feature.kind);
+        let answer = Answer::of(&record);
+        let kind = &size.feature.kind;
         // A face has one side, and a point none.
         let has_sides = !matches!(kind, Kind::Face(..) | Kind::Point(..));
         let claims = labels.claims.iter().filter(|claim| has_sides || !claim.is_of_feature());
@@ -174,7 +178,8 @@ impl Value {
         let asked = Asked { nominal: Some(own.nominal), minimum: Some(own.minimum()), maximum: Some(own.maximum()) };
         let has_nominal = callout.is_some() || own.nominal != own.minimum();
         let kinds: &[&str] = if measurement.centre.is_some() { &["diameter"] } else { &[] };
-        let (position, not_positive) = (verdict.position, None);
+        let position = verdict.position;
+        let not_positive = None;
         Self { line, id, labels, asked, time, measurement, position, correction, kinds, has_nominal, not_positive }
     }
 
@@ -201,7 +206,8 @@ impl Value {
     /// The same without a feature of the plan.
     fn without(self, why: NotFound) -> Unjudged {
         let Self { line, id, labels, asked, time, measurement, position, correction, .. } = self;
-        let (measured, origin) = (Some(measurement.diameter), measurement.origin);
+        let measured = Some(measurement.diameter);
+        let origin = measurement.origin;
         let why = WhyUnjudged::NotInPlan(why);
         Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why }
     }
@@ -216,7 +222,8 @@ const ROUNDED: Length = Length::constant(12_700);
 /// of the size may have its nominal size rounded, or the middle of the plan's limits; what lies within them is told and nothing more.
 /// Without a nominal size its limits must have something in common with the plan's.
 fn contradiction(value: &Value, size: &Size<'_>, by: By) -> Option<NotFound> {
-    let (asked, limits) = (&value.asked, size.limits);
+    let asked = &value.asked;
+    let limits = size.limits;
     let planned = limits.nominal;
     let is_compared = |given: &Length| by != By::Name || value.has_nominal || *given == planned;
     if let Some(given) = asked.nominal.filter(is_compared) {

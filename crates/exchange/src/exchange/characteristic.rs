@@ -173,7 +173,8 @@ impl Characteristic {
             }
             Some(Ok(limits)) => {
                 if let Some(callout) = callout {
-                    let (minimum, maximum) = (limits.minimum(), limits.maximum());
+                    let minimum = limits.minimum();
+                    let maximum = limits.maximum();
                     warn(ImportWarningKind::LimitsDiffer { callout, minimum, maximum });
                 }
             }

@@ -85,7 +85,8 @@ pub(super) struct Answer {
 impl Answer {
     /// The answer that a record gives.
     pub(super) fn of(record: &Record) -> Self {
-        let (measured, status) = (record.measurement.diameter, record.verdict.status());
+        let measured = record.measurement.diameter;
+        let status = record.verdict.status();
         Self { bounds: record.limits.bounds(), measured, status }
     }
 }
@@ -283,7 +284,8 @@ impl Claim {
     /// What is to be told beside an answer: that the file says another one, or something that is not known.
     pub(super) fn tells(&self, answer: &Answer) -> Option<ImportWarningKind> {
         let Answer { bounds, measured, status } = answer;
-        let (nominal, given) = (bounds.nominal, self.said.clone());
+        let nominal = bounds.nominal;
+        let given = self.said.clone();
         let above = |by: Length| nominal.checked_add(by);
         let is_so = match &self.what {
             What::Status(_) => return self.differs(*status),
@@ -308,7 +310,8 @@ impl Claim {
             What::Feature(feature) if *feature == bounds.feature => true,
             What::Feature(_) => return Some(ImportWarningKind::FeatureDiffers { given, feature: bounds.feature }),
         };
-        let (minimum, maximum) = (bounds.minimum(), bounds.maximum());
+        let minimum = bounds.minimum();
+        let maximum = bounds.maximum();
         let differs = match self.what {
             What::Deviation(_) => ImportWarningKind::DeviationDiffers { given, measured: *measured, nominal },
             _ => ImportWarningKind::LimitDiffers { given, minimum, maximum },

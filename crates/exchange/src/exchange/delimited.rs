@@ -103,13 +103,15 @@ impl<'a> Rows<'a> {
 
     /// Looks at lines up to one that is not a row, or far enough: the lines before it are for the reader.
     fn look_ahead(&mut self) {
-        let (start, first) = (self.at, self.line);
+        let start = self.at;
+        let first = self.line;
         let mut end = start;
         let most = if start == 0 { FIRST_SEGMENT } else { SEGMENT };
         while self.waiting.is_none() && end < start + most {
             let Some((line, from, to)) = lines(self.text, self.at, self.line).next() else { break };
             let row = self.text.within(from..to);
-            (self.at, self.line) = (to, line + 1);
+            self.at = to;
+            self.line = line + 1;
             if LONGEST_ROW < row.len() {
                 self.waiting = Some(Item::TooLong { line });
             } else if ends_open(row, self.separator, false) && !(self.is_first && self.take_header(from)) {
@@ -118,7 +120,8 @@ impl<'a> Rows<'a> {
                     Some(Err(_)) => self.waiting = Some(Item::OpenQuote { line, text: row.trim_end() }),
                     None => {
                         self.rest = self.text.within(from..);
-                        (self.at, self.line) = (self.text.len(), line);
+                        self.at = self.text.len();
+                        self.line = line;
                         break;
                     }
                 }
@@ -134,7 +137,8 @@ impl<'a> Rows<'a> {
     /// A row of several lines waits for the reader of those before it.
     fn take_lines(&mut self, line: usize, from: usize, next: usize) {
         let text = self.text.within(from..next);
-        (self.at, self.line) = (next, line + lines(text, 0, 0).count());
+        self.at = next;
+        self.line = line + lines(text, 0, 0).count();
         self.waiting = Some(match cells_of(text, self.separator) {
             Some(cells) => Item::Lines { line, text, cells },
             None => Item::OpenQuote { line, text },
@@ -147,7 +151,8 @@ impl<'a> Rows<'a> {
         let mut further = further.take_while(|(_, _, to)| to - begin <= LONGEST_ROW);
         let closed = further.find(|&(_, from, to)| !ends_open(self.text.within(from..to), self.separator, true));
         let Some((line, _, to)) = closed else { return false };
-        (self.at, self.line) = (to, line + 1);
+        self.at = to;
+        self.line = line + 1;
         true
     }
 }

@@ -35,7 +35,8 @@ impl Evidence {
             |is: fn(&str) -> bool| (0..).zip(header).find(|(at, name)| *at != measured && is(name)).map(|(at, _)| at);
         let is_done = |name: &str| words::says_corrected(name) && !warmth::denies_correction(name);
         let are_corrected = header.get(measured).is_some_and(is_done);
-        let (origin, corrected) = (at(words::is_origin), at(words::is_corrected));
+        let origin = at(words::is_origin);
+        let corrected = at(words::is_corrected);
         Self { origin, corrected, are_corrected, warm: None, word: None, are_simulated: false }
     }
 

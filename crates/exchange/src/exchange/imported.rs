@@ -99,7 +99,8 @@ impl Labels {
         crossed.peek()?;
         let is_finer = crossed.any(|limit| limit.nanometres() % unit != 0);
         let is_denied = || self.claims.iter().any(|claim| claim.differs(status).is_some());
-        let (from, to) = (measured.checked_sub(half)?, measured.checked_add(half)?);
+        let from = measured.checked_sub(half)?;
+        let to = measured.checked_add(half)?;
         let why = WhyUnjudged::Rounded { from, to };
         (is_finer || is_denied()).then_some(why)
     }

@@ -97,7 +97,8 @@ impl Index {
     /// Sixteen bytes at a time; LF alone ends rows.
     fn find_fast(&mut self, text: &[u8], separator: u8) {
         let (steps, rest) = text.as_chunks::<STEP>();
-        let (separators, line_ends) = (u8x16::splat(separator), u8x16::splat(b'\n'));
+        let separators = u8x16::splat(separator);
+        let line_ends = u8x16::splat(b'\n');
         let mut at = 0_u32;
         for step in steps {
             let step = u8x16::new(*step);
@@ -165,7 +166,9 @@ impl Index {
         separator: u8,
         is_all: bool,
     ) -> Result<usize, Option<Broken>> {
-        let (mut is_open, mut is_first, mut lines) = (false, true, 0);
+        let mut is_open = false;
+        let mut is_first = true;
+        let mut lines = 0;
         let mut at = start;
         let limit = start + LONGEST_ROW;
         loop {

@@ -48,7 +48,8 @@ fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorK
     let mut logs = Logs::default();
     let mut line = 1;
     // Where the next log begins at the earliest, and the last line that is not blank.
-    let (mut first, mut last) = (1, 1);
+    let mut first = 1;
+    let mut last = 1;
     while let Some(piece) = pieces.next()? {
         for (number, text, is_open) in text::lines_open_from(&piece, line) {
             line = number + 1;
@@ -137,13 +138,17 @@ enum Made {
 
 impl Made {
     fn add(self, sink: &mut Sink<'_>, read: &Read, side: Option<usize>, position: Option<PositionVerdict>) {
-        let (line, time, id) = (read.line, read.time, read.id.clone());
+        let line = read.line;
+        let time = read.time;
+        let id = read.id.clone();
         let labels = Labels { side, ..read.labels.clone() };
         match self {
             Self::Record(record) => sink.keep(line, *record, labels),
             Self::Unjudged { measured, why } => {
-                let (measured, origin) = (Some(measured), read.origin.clone());
-                let (asked, correction) = (Asked::default(), None);
+                let measured = Some(measured);
+                let origin = read.origin.clone();
+                let asked = Asked::default();
+                let correction = None;
                 sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why });
             }
             Self::Refused { reason, given } => sink.refuse(Place::line(line), reason, given),
@@ -179,7 +184,8 @@ impl Read {
 
     /// Any other size, or a coordinate: its status, and no record.
     fn size(&self, what: FoundName, kind: FigureKind, figure: &Figure, source: &Context<'_>) -> Made {
-        let (measured, is_coordinate) = (figure.actual, kind == FigureKind::Coordinate);
+        let measured = figure.actual;
+        let is_coordinate = kind == FigureKind::Coordinate;
         let Some(pair) = figure.limits else {
             // As in the cycle itself, limits of 0 mean that nothing is monitored.
             let why = if is_coordinate {

@@ -74,7 +74,8 @@ pub(super) fn read_sizes(
 
 fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>) -> Result<(), ImportErrorKind> {
     let context = source.context.clone();
-    let (mapping, detects) = (source.given.mapping, Mapping::default());
+    let mapping = source.given.mapping;
+    let detects = Mapping::default();
     let has_plan = source.given.has_plan;
     // What is stated behind the last row holds for the first one as well.
     let unit_lines = stated::unit_lines(&mut source.pieces(LINE_ENDS)?);
@@ -222,8 +223,12 @@ impl<'a, 's> Reader<'a, 's, '_> {
         (columns, separator, has_plan): (&'a Columns, u8, bool),
         sink: &'a mut Sink<'s>,
     ) -> Self {
-        let (is_open, is_simulated, sizes) = (false, false, None);
-        let (nominal, renamed, heard) = (Nominal::default(), None, Heard::default());
+        let is_open = false;
+        let is_simulated = false;
+        let sizes = None;
+        let nominal = Nominal::default();
+        let renamed = None;
+        let heard = Heard::default();
         Self { source, columns, separator, has_plan, sink, is_open, is_simulated, sizes, nominal, renamed, heard }
     }
 
@@ -398,7 +403,8 @@ impl<'a, 's> Reader<'a, 's, '_> {
 
     fn rules(&self) -> Rules<'a> {
         let Context { sources, lookup, .. } = self.source;
-        let (has_commas, has_plan) = (self.separator == b',', self.has_plan);
+        let has_commas = self.separator == b',';
+        let has_plan = self.has_plan;
         Rules { columns: self.columns, has_commas, sources, has_plan, lookup: Some(lookup) }
     }
 
@@ -426,7 +432,9 @@ impl<'a, 's> Reader<'a, 's, '_> {
                 None => WhyUnjudged::NoCallout,
             };
             let labels = Labels { quantity, ..self.labels(line, cells) };
-            let (asked, measured, position) = (said, Some(measured), None);
+            let asked = said;
+            let measured = Some(measured);
+            let position = None;
             let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
             self.sink.set_aside(unjudged);
             return Ok(());
@@ -507,11 +515,14 @@ fn date_time(given: &str) -> Option<DateTime> {
     }
     let (day, time) = given.split_once([' ', 'T']).unwrap_or((given, "0:00"));
     let mut parts = day.split(['-', '.']);
-    let (day, month, year) = (parts.next()?, parts.next()?, parts.next()?);
+    let day = parts.next()?;
+    let month = parts.next()?;
+    let year = parts.next()?;
     let year = year.parse().ok().filter(|year| 1000 <= *year)?;
     let date = jiff::civil::Date::new(year, month.parse().ok()?, day.parse().ok()?).ok()?;
     let mut parts = time.trim().split(':');
-    let (hour, minute) = (parts.next()?.parse().ok()?, parts.next()?.parse().ok()?);
+    let hour = parts.next()?.parse().ok()?;
+    let minute = parts.next()?.parse().ok()?;
     let second = parts.next().map_or(Some(0), |second| second.parse().ok())?;
     Some(date.to_datetime(Time::new(hour, minute, second, 0).ok()?))
 }

@@ -304,7 +304,8 @@ pub fn import_from(file_name: &str, body: &mut dyn Body, given: Given<'_>, take:
 /// # Errors
 /// Why the bytes are not a workbook, or cannot be read.
 pub fn sheet_rows(bytes: &[u8]) -> Result<Vec<(usize, Vec<String>)>, ImportErrorKind> {
-    let (mut body, sources) = (std::io::Cursor::new(bytes), Sources::default());
+    let mut body = std::io::Cursor::new(bytes);
+    let sources = Sources::default();
     xlsx::sheet_rows(&mut Source::new("", &mut body, Given::new(&sources, DateTime::MIN))?)
 }
 

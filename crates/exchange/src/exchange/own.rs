@@ -78,7 +78,8 @@ impl OwnColumns {
     /// Refuses a row that was not judged by its size alone: a file has no position and no contacts.
     pub(super) fn decided_by_size<'c>(&self, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
         let cell = |at: Option<usize>| Cell { at, text: cells.cell(at).trim() };
-        let (position, reason) = (cell(self.position), cell(self.reason));
+        let position = cell(self.position);
+        let reason = cell(self.reason);
         if position.text.eq_ignore_ascii_case(OUT) {
             return Err((position, ImportErrorKind::PositionOut));
         }

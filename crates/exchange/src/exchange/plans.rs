@@ -93,7 +93,8 @@ fn row(characteristic: &Characteristic, line: usize, sources: &Sources, remark: 
     let deviations = characteristic.nominal.zip(characteristic.minimum.zip(characteristic.maximum));
     let of_class = characteristic.callout().map(|callout| (callout, sources.limits(&callout, characteristic.feature)));
     let own = deviations.map(|(nominal, (minimum, maximum))| {
-        let (upper, lower) = (maximum.saturating_sub(nominal), minimum.saturating_sub(nominal));
+        let upper = maximum.saturating_sub(nominal);
+        let lower = minimum.saturating_sub(nominal);
         format!("{nominal} {}/{}", signed(upper), signed(lower))
     });
     let callout = match (of_class, own) {
@@ -102,7 +103,8 @@ fn row(characteristic: &Characteristic, line: usize, sources: &Sources, remark: 
             if given == (Some(limits.minimum()), Some(limits.maximum())) {
                 callout.to_string()
             } else {
-                let (name, class) = (characteristic.id(), callout.to_string());
+                let name = characteristic.id();
+                let class = callout.to_string();
                 remark(PlanRemark::ClassLeft { name, class });
                 own
             }

@@ -46,7 +46,10 @@ impl RemarkColumn {
 /// Whether a cell may say something: not where it is empty, a number, or a name with a number in it.
 #[inline]
 pub(super) fn may_say(cell: &[u8]) -> bool {
-    let (mut has_letter, mut has_digit, mut has_blank, mut has_sign) = (false, false, false, false);
+    let mut has_letter = false;
+    let mut has_digit = false;
+    let mut has_blank = false;
+    let mut has_sign = false;
     for byte in cell {
         match byte {
             b'0'..=b'9' => has_digit = true,

@@ -141,7 +141,8 @@ impl Rules<'_> {
                 ImportErrorKind::OtherFeature { given: given.into_owned(), feature },
             ));
         }
-        let (is_simulated, quantity) = (self.is_simulated(cells)?, None);
+        let is_simulated = self.is_simulated(cells)?;
+        let quantity = None;
         Ok(Found { measured, asked: None, said: Asked::default(), is_simulated, quantity })
     }
 

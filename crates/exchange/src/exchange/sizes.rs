@@ -125,7 +125,8 @@ impl Sizes {
     /// The first name that two rows have, and how many rows have the name of an earlier one.
     fn named_twice(&self) -> Option<SizesWarning> {
         let mut lines: HashMap<&str, usize> = HashMap::new();
-        let (mut rows, mut found) = (0, None);
+        let mut rows = 0;
+        let mut found = None;
         for part in self.measured.iter().filter(|part| !part.id.is_empty()) {
             let first = *lines.entry(&part.id).or_insert(part.line);
             if first != part.line {

@@ -71,7 +71,8 @@ pub(super) fn split(header: &str) -> Parts {
 impl Parts {
     /// What stands between brackets: a unit, words that are none, or something that may be one.
     fn bracket(&mut self, text: &str) {
-        let (before, mut is_clear) = (self.units.len(), true);
+        let before = self.units.len();
+        let mut is_clear = true;
         for part in text.split([',', ';']) {
             is_clear &= self.part_of_bracket(part);
         }
@@ -84,7 +85,9 @@ impl Parts {
     /// The same between commas; `false` where it may be another unit: an unknown word, or a unit with a number.
     fn part_of_bracket(&mut self, text: &str) -> bool {
         let tokens: Vec<&str> = text.split_whitespace().collect();
-        let (mut has_unit, mut has_number, mut is_known) = (false, false, true);
+        let mut has_unit = false;
+        let mut has_number = false;
+        let mut is_known = true;
         let mut left = tokens.as_slice();
         while let [token, more @ ..] = left {
             left = more;

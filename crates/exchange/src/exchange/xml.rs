@@ -225,7 +225,8 @@ impl<'b> Xml<'b> {
     /// another element or whatever else is in it. `may_refer` is whether entities may be.
     pub(super) fn plain_text(&mut self, may_refer: bool) -> Result<Option<String>, Fault> {
         self.is_before_text = false;
-        let (mut text, mut runs) = (String::new(), 0);
+        let mut text = String::new();
+        let mut runs = 0;
         loop {
             self.reader.get_mut().left = LONGEST;
             let at = self.reader.get_ref().at();

@@ -25,7 +25,8 @@ impl Record {
         if rule.is_plain() {
             return None;
         }
-        let (bounds, measured) = (self.limits.bounds(), self.measurement.diameter);
+        let bounds = self.limits.bounds();
+        let measured = self.measurement.diameter;
         let zones = rule.zones(&bounds);
         // Where the centre decides, nothing is proven by the size.
         let is_by_size = self.verdict.status() == self.verdict.size.status;
@@ -57,7 +58,8 @@ impl Record {
             [] => None,
             contacts => Some(Geometry::of_contacts(contacts)?),
         };
-        let (size, feature) = (Some(self.measurement.diameter), Some(self.limits.feature));
+        let size = Some(self.measurement.diameter);
+        let feature = Some(self.limits.feature);
         Ok(Conditions { size, geometry, feature, correction: self.correction })
     }
 
@@ -76,6 +78,7 @@ pub(super) fn undecided(rule: Rule, measurement: &Measurement) -> Option<Undecid
 fn undecided_by_contacts(measurement: &Measurement) -> Option<Undecided> {
     measurement.circle?;
     let geometry = Geometry::of_contacts(&measurement.contacts).ok()?;
-    let (contacts, times) = (geometry.touches, geometry.times_even());
+    let contacts = geometry.touches;
+    let times = geometry.times_even();
     (Undecided::MOST_TIMES < times).then_some(Undecided::Contacts { contacts, times })
 }

@@ -34,7 +34,8 @@ impl Moment {
 
     /// The same with how far it was from UTC, for machines: `2026-11-23T13:00:00.123+01:00`.
     pub fn text(&self) -> String {
-        let (sign, offset) = (if self.offset_min < 0 { '-' } else { '+' }, self.offset_min.unsigned_abs());
+        let sign = if self.offset_min < 0 { '-' } else { '+' };
+        let offset = self.offset_min.unsigned_abs();
         let Some(local) = self.local() else { return self.utc_ms.to_string() };
         format!("{}{sign}{:02}:{:02}", local.strftime("%Y-%m-%dT%H:%M:%S%.3f"), offset / 60, offset % 60)
     }
@@ -282,7 +283,8 @@ impl Check {
     /// What is to be said of it: that it would be decided in another way today. What was decided then stands.
     pub fn remark(&self) -> Option<CheckRemark> {
         let Checked::Size(record) = &self.what else { return None };
-        let (kept, now) = (record.verdict.status(), record.judged_again().status());
+        let kept = record.verdict.status();
+        let now = record.judged_again().status();
         (kept != now).then_some(CheckRemark::JudgedOtherwise { kept, now })
     }
 }

@@ -61,7 +61,8 @@ impl Memory {
     }
 
     pub fn add(&mut self, records: Vec<Arc<Record>>) {
-        let (first, few) = (self.rows.len(), records.len() <= FEW);
+        let first = self.rows.len();
+        let few = records.len() <= FEW;
         for record in records {
             let texts = Searched::of(&record);
             self.rows.push(Row { id: RecordId(self.next), record, texts });

@@ -98,7 +98,8 @@ impl Record {
         position: Option<PositionVerdict>,
     ) -> Self {
         let measured = measurement.diameter;
-        let (verdict, doubt) = (judge(&limits, measured, position), doubt(&limits, measured));
+        let verdict = judge(&limits, measured, position);
+        let doubt = doubt(&limits, measured);
         Self { time, id, callout, limits, measurement, verdict, doubt, correction: None, budget: None }
     }
 

@@ -29,7 +29,8 @@ fn natural(mut one: &str, mut other: &str) -> Ordering {
                     Some(_) => Some('0'),
                     None => character(rest),
                 };
-                let (a, b) = (first(a, &mut one), first(b, &mut other));
+                let a = first(a, &mut one);
+                let b = first(b, &mut other);
                 if a.is_none() && b.is_none() {
                     return Ordering::Equal;
                 }

@@ -128,7 +128,8 @@ fn corrected(
         }
         None => part,
     };
-    let (temperature, expansion) = (part.temperature.to_string(), part.expansion.to_string());
+    let temperature = part.temperature.to_string();
+    let expansion = part.expansion.to_string();
     said.push(PlannedRemark::Corrected { temperature, expansion });
     let measured = record.measurement.diameter;
     Ok(record.corrected(Correction::new(measured, part, scale)))

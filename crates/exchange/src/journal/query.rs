@@ -138,7 +138,8 @@ impl Searched {
             Origin::Simulated { .. } | Origin::Typed => "",
         };
         let measured = record.measurement.diameter.exact(Unit::Millimetre, 4);
-        let (time, um) = (record.time.strftime(TIME), record.verdict.size.deviation.signed_um());
+        let time = record.time.strftime(TIME);
+        let um = record.verdict.size.deviation.signed_um();
         let text = folded(&format!("{}\n{measured}\n{um}\n{time}\n{file}", record.id));
         Self { text: text.into(), callout: callout(record).into() }
     }

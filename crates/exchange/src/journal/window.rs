@@ -16,7 +16,8 @@ use super::Record;
 pub fn status_variables(record: &Record, dialogue: Dialogue) -> Variables {
     let mut variables = Variables::new();
     let limits = &record.limits;
-    let (number, length) = (Value::Number, Value::Length);
+    let number = Value::Number;
+    let length = Value::Length;
     let um = micrometres;
     let mut set = |parameter, value| variables.set(parameter, value);
     let class = record.callout.and_then(|callout| callout.class()).map_or_else(String::new, |class| class.to_string());

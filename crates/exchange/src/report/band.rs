@@ -190,7 +190,8 @@ impl Ends {
     /// `None` where the limits themselves decide.
     fn of(rule: &Rule, limits: &Limits) -> Option<Self> {
         let bounds = limits.bounds();
-        let (zones, plain) = (rule.zones(&bounds), [bounds.minimum(), bounds.maximum()]);
+        let zones = rule.zones(&bounds);
+        let plain = [bounds.minimum(), bounds.maximum()];
         let everything = [Length::MAX.negated(), Length::MAX];
         let deviations = |ends: [Length; 2]| ends.map(|size| micrometres(size.saturating_sub(limits.nominal)));
         (zones.accepted != Some(plain) || zones.rejected != plain).then(|| Self {

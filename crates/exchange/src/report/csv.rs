@@ -184,7 +184,8 @@ impl CsvLine {
     fn next(&mut self) {
         if self.is_ended {
             self.line.clear();
-            (self.cells, self.is_ended) = (0, false);
+            self.cells = 0;
+            self.is_ended = false;
         }
         if 0 < self.cells {
             self.line.push(b',');

@@ -172,7 +172,8 @@ fn jpeg(bytes: &[u8]) -> Option<(u32, u32)> {
             0xff => at += 1,
             // Frames; the others in this range are tables.
             0xc0..=0xcf if ![0xc4, 0xc8, 0xcc].contains(&marker) => {
-                let (height, width) = (short(bytes, at + 5)?, short(bytes, at + 7)?);
+                let height = short(bytes, at + 5)?;
+                let width = short(bytes, at + 7)?;
                 return (0 < width && 0 < height).then(|| (width.into(), height.into()));
             }
             // The picture itself, or its end, without a frame before it.
@@ -185,7 +186,8 @@ fn jpeg(bytes: &[u8]) -> Option<(u32, u32)> {
 /// Refuses what is no SVG from its beginning to its end.
 fn check_svg(name: &str, bytes: &[u8]) -> Result<(), Message> {
     let mut reader = Reader::from_reader(bytes);
-    let (mut deep, mut has_root) = (0_usize, false);
+    let mut deep = 0_usize;
+    let mut has_root = false;
     loop {
         let event = reader.read_event().map_err(|error| broken(name, &error))?;
         match &event {

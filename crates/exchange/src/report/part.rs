@@ -47,7 +47,8 @@ impl PartSheet {
 
     /// Takes a value of a size, by its place in the plan, and when it was measured, where its file says so.
     pub fn take(&mut self, at: usize, record: Arc<Record>, when: Option<DateTime>) {
-        let (status, is_simulated) = (record.verdict.status(), record.measurement.origin.is_simulated());
+        let status = record.verdict.status();
+        let is_simulated = record.measurement.origin.is_simulated();
         let place = self.walk.steps().get(at).map_or(0, |step| step.taken.len());
         let taken = Taken { status, is_simulated, when, is_settled: false };
         self.walk.take(at, taken);

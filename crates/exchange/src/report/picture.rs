@@ -150,7 +150,8 @@ pub(super) fn band(record: &Record, decimals: usize, words: &Words) -> askama::R
     let limits = &record.limits;
     let band = Band::by(&record.verdict.rule, limits, Some(record.measurement.diameter));
     let at = |um: f64| LEFT + WIDTH * band.fraction(um);
-    let (lower, upper) = (at(band.lower_um), at(band.upper_um));
+    let lower = at(band.lower_um);
+    let upper = at(band.upper_um);
     let limit = |um: f64, deviation: Length, size: Length| LimitPicture {
         x: units(at(um)),
         deviation: format!("{} µm", words.signed_um(deviation)),
@@ -234,7 +235,8 @@ fn side(side: Side, [from, to]: [f64; 2], cause: String, words: &Words) -> Optio
 /// The guard bands of a rule.
 fn guards(guard: &Guard, at: impl Fn(f64) -> f64) -> Vec<GuardPicture> {
     let picture = |band: &GuardBand| {
-        let (x, width) = (at(band.from_um), at(band.to_um) - at(band.from_um));
+        let x = at(band.from_um);
+        let width = at(band.to_um) - at(band.from_um);
         GuardPicture {
             class: guard_class(band.guarded),
             x: units(x),

@@ -235,7 +235,8 @@ pub fn warnings(record: &Record) -> Vec<String> {
     }
     if let Source::Table { instead_of: Some(standard), .. } = &limits.source {
         let um = |length| Micrometres(length).text();
-        let (upper, lower) = (um(standard.upper()), um(standard.lower()));
+        let upper = um(standard.upper());
+        let lower = um(standard.lower());
         warnings.push(format!("own table: ISO 286 says {upper} and {lower} µm here"));
     }
     if let Some(budget) = &record.budget {

@@ -40,7 +40,8 @@ pub fn source(source: &Source, words: &Words) -> Message {
 /// Why the size is what it is: `12 µm above minimum, 9 µm below maximum`, `2 µm too small`.
 pub fn size(verdict: &SizeVerdict, words: &Words) -> Message {
     let um = |length: Length| words.um(length.abs());
-    let (above, below) = (verdict.above_minimum, verdict.below_maximum);
+    let above = verdict.above_minimum;
+    let below = verdict.below_maximum;
     if above < Length::ZERO {
         message!("report-too-small").text("um", um(above))
     } else if below < Length::ZERO {
@@ -53,7 +54,8 @@ pub fn size(verdict: &SizeVerdict, words: &Words) -> Message {
 /// The distance to both limits: always two numbers, also outside the zone.
 pub fn distances(verdict: &SizeVerdict, words: &Words) -> [Message; 2] {
     let um = |length: Length| words.um(length.abs());
-    let (above, below) = (verdict.above_minimum, verdict.below_maximum);
+    let above = verdict.above_minimum;
+    let below = verdict.below_maximum;
     [
         Message::new(if above < Length::ZERO { "report-below-minimum" } else { "report-above-minimum" })
             .text("um", um(above)),

@@ -75,7 +75,8 @@ pub struct Opening {
 impl Opening {
     /// With the user's own file of last entries, and a minute of patience; nobody is told of waiting.
     pub fn new(station: impl Into<String>, time: Moment) -> Self {
-        let (anchors, patience) = (Anchors::of_user(), Duration::from_mins(1));
+        let anchors = Anchors::of_user();
+        let patience = Duration::from_mins(1);
         Self { station: station.into(), time, anchors, patience, waits: |_remark| {} }
     }
 }
@@ -173,7 +174,9 @@ impl Journal {
         if head.number == 0 {
             return Err(StoreError::NoBeginning { path: path.to_owned() });
         }
-        let (path, file, opening) = (path.to_owned(), file_id(path), opening.clone());
+        let file = file_id(path);
+        let path = path.to_owned();
+        let opening = opening.clone();
         let mut journal = Self { path, file, connection, chain, opening, head, anchored: 0, remarks };
         journal.keep_head();
         Ok(journal)

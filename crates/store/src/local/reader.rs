@@ -107,7 +107,8 @@ impl Reader {
         let read = || -> rusqlite::Result<Vec<u64>> {
             let Some(words) = question.wanted_words() else { return Ok(Vec::new()) };
             let transaction = self.connection.unchecked_transaction()?;
-            let (indexed, before) = (index::indexed(&transaction)?, before.map_or(i64::MAX, integer));
+            let indexed = index::indexed(&transaction)?;
+            let before = before.map_or(i64::MAX, integer);
             let mut numbers = Vec::new();
             let mut corrections = BTreeMap::new();
             if indexed < before || question.standing {

@@ -120,7 +120,8 @@ pub(super) fn altered(connection: &Connection) -> rusqlite::Result<Option<String
 pub(super) fn derived_altered(connection: &Connection) -> rusqlite::Result<Option<String>> {
     let made = Connection::open_in_memory()?;
     made.execute_batch(FIND)?;
-    let (expected, mut there) = (tables(&made)?, tables(connection)?);
+    let expected = tables(&made)?;
+    let mut there = tables(connection)?;
     there.retain(|name, _sql| ENTRY.iter().all(|(kept, _)| kept != name));
     let mut names = expected.keys().chain(there.keys());
     if let Some(name) = names.find(|name| expected.get(*name) != there.get(*name)) {

@@ -103,7 +103,8 @@ impl<'a> Waiting<'a> {
     fn goes_on(&mut self) -> Result<(), StoreError> {
         let seen = looks(self.path);
         if seen != self.seen {
-            (self.seen, self.since) = (seen, Instant::now());
+            self.seen = seen;
+            self.since = Instant::now();
         }
         if self.opening.patience <= self.since.elapsed() {
             return Err(StoreError::Locked { path: self.path.to_owned() });

@@ -86,7 +86,8 @@ pub fn verify(
     progress: &mut dyn FnMut(u64, u64) -> ControlFlow<()>,
 ) -> Result<Verified, StoreError> {
     let _which_version = opening::look_to_read(path)?;
-    let (connection, finds) = (opening::to_read(path)?, opening::to_read(path)?);
+    let connection = opening::to_read(path)?;
+    let finds = opening::to_read(path)?;
     let failed = |error: rusqlite::Error| StoreError::of(path, &error);
     let mut findings = Vec::new();
     findings.extend(schema::altered(&connection).map_err(failed)?.map(|name| Finding::Altered { name }));
@@ -94,7 +95,8 @@ pub fn verify(
     let chain = chain_of(&connection, path, &mut findings)?;
     let mut inspection = Inspection::new(chain, known);
     let (sender, receiver) = sync_channel(AHEAD);
-    let (checked, paged) = (opening::to_read(path)?, opening::to_read(path)?);
+    let checked = opening::to_read(path)?;
+    let paged = opening::to_read(path)?;
     let no_more = [checked.get_interrupt_handle(), paged.get_interrupt_handle()];
     let (not_found, index, pages) = thread::scope(|scope| {
         let thread = |name: &str| thread::Builder::new().name(name.to_owned());
@@ -132,7 +134,8 @@ fn walk(
     let all = connection.query_row("SELECT count(*) FROM entry", [], |row| row.get(0).map(number::natural))?;
     let mut entries = connection.prepare("SELECT number, body, hash FROM entry ORDER BY number")?;
     let mut rows = entries.query([])?;
-    let (mut done, mut block) = (0_u64, Vec::with_capacity(BLOCK));
+    let mut done = 0_u64;
+    let mut block = Vec::with_capacity(BLOCK);
     while let Some(row) = rows.next()? {
         let kept = reader::kept(row)?;
         inspection.see(kept.head.number, &kept.body, kept.head.hash);
@@ -157,7 +160,8 @@ fn compared(connection: &Connection, entries: &Receiver<Vec<Kept>>) -> rusqlite:
     let mut rows = finds.query([])?;
     let mut row = rows.next()?;
     let indexed = index::indexed(&transaction)?;
-    let (mut wrong, mut last) = (0_u64, 0);
+    let mut wrong = 0_u64;
+    let mut last = 0;
     let mut classes = Classes::default();
     while let Ok(block) = entries.recv() {
         for kept in block {

@@ -31,9 +31,11 @@ pub(super) fn numbers(
              WHERE {sql} AND find.number < ? ORDER BY find.number DESC LIMIT ?"
         ))?;
         let mut rows = looking.query(bound(&[Value::Integer(before), Value::Integer(LOOK)]))?;
-        let (mut count, mut last) = (0, before);
+        let mut count = 0;
+        let mut last = before;
         while let Some(row) = rows.next()? {
-            (count, last) = (count + 1, row.get(0)?);
+            count = count + 1;
+            last = row.get(0)?;
             // One that is not found by its number is told by whoever reads it.
             let has_words =
                 |bytes| body::found(bytes).is_ok_and(|found| found.is_some_and(|found| found.has_words(words)));

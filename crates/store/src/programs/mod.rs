@@ -189,7 +189,8 @@ fn bytes_of(folder: &Path, file: &Path, path: &NcPath) -> Result<Vec<u8>, StoreE
 fn inside(folder: &Path, file: &Path, path: &NcPath) -> Result<PathBuf, StoreError> {
     let real = |path: &Path| path.canonicalize();
     let system = |error: std::io::Error| StoreError::System { path: path.clone(), reason: error.to_string() };
-    let (folder, file) = (real(folder).map_err(system)?, real(file).map_err(system)?);
+    let folder = real(folder).map_err(system)?;
+    let file = real(file).map_err(system)?;
     if file.starts_with(&folder) { Ok(file) } else { Err(StoreError::Outside { path: path.clone() }) }
 }
 

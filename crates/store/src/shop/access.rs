@@ -150,7 +150,8 @@ const fn is_open_to_others(_path: &Path) -> bool {
 /// Asks the system's keyring, on a thread of its own: it may wait for somebody to open it, and must not run where other
 /// asynchronous work does.
 fn from_keyring(service: &str, user: &str) -> Result<Option<Password>, String> {
-    let (service, user) = (service.to_owned(), user.to_owned());
+    let service = service.to_owned();
+    let user = user.to_owned();
     on_its_own(move || match entry(&service, &user)?.get_password() {
         Ok(password) => Ok(Some(Password::new(password))),
         Err(keyring::Error::NoEntry) => Ok(None),
@@ -163,7 +164,8 @@ fn from_keyring(service: &str, user: &str) -> Result<Option<Password>, String> {
 /// # Errors
 /// What the keyring says, without the password.
 pub fn keep_in_keyring(address: &ShopAddress, password: &Password) -> Result<(), String> {
-    let (user, password) = (address.to_string(), password.clone());
+    let user = address.to_string();
+    let password = password.clone();
     on_its_own(move || entry(SERVICE, &user)?.set_password(password.secret()).map_err(|error| error.to_string()))
 }
 

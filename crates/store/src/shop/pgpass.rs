@@ -49,7 +49,8 @@ fn field<'a>(rest: &mut &'a str) -> Option<Field<'a>> {
 
 /// What is before the next colon, or everything.
 fn unescaped(text: &str) -> Field<'_> {
-    let (mut plain, mut characters) = (String::new(), text.char_indices());
+    let mut plain = String::new();
+    let mut characters = text.char_indices();
     while let Some((at, character)) = characters.next() {
         match character {
             ':' => return Field { raw: text.within(..at), text: plain },

@@ -131,7 +131,8 @@ struct Fetched {
 
 impl Fetched {
     fn of(row: &tokio_postgres::Row) -> Result<Self, ShopError> {
-        let (chain, number) = (chain_of(value(row, 0)?)?, natural(value(row, 1)?));
+        let chain = chain_of(value(row, 0)?)?;
+        let number = natural(value(row, 1)?);
         let head = Head { number, hash: hash_of(value(row, 2)?)? };
         let corrected_by: Option<i64> = value(row, 6)?;
         Ok(Self {

@@ -98,7 +98,8 @@ impl Sending {
         let _begun = server.ask(client.execute(begin, &[&chain]))?;
         let asked = "SELECT login::text, session_user::text FROM fitcheck.chain WHERE chain = $1";
         let row = server.ask(client.query_one(asked, &[&chain]))?;
-        let (login, ours): (String, String) = (value(&row, 0)?, value(&row, 1)?);
+        let login: String = value(&row, 0)?;
+        let ours: String = value(&row, 1)?;
         if login == ours { Ok(()) } else { Err(ShopError::OtherLogin { login, ours }) }
     }
 
@@ -123,7 +124,8 @@ impl Sending {
     /// Sends entries that follow `before`, in one transaction. Entries that are already there have to be the same.
     fn batch(&self, before: Head, entries: &[Kept]) -> Result<(), ShopError> {
         let Self { server, chain, station } = self;
-        let (client, chain) = (&server.client, chain.0.as_slice());
+        let client = &server.client;
+        let chain = chain.0.as_slice();
         server.run("BEGIN")?;
         let lock =
             "SELECT pg_catalog.pg_advisory_xact_lock(pg_catalog.hashtextextended(pg_catalog.encode($1, 'hex'), 0))";
@@ -137,7 +139,8 @@ impl Sending {
         let there = server.ask(client.query(asked, &[&chain, &first, &last]))?;
         let mut is_before_there = before.number == 0;
         for row in &there {
-            let (number, theirs) = (natural(value(row, 0)?), hash_of(value(row, 1)?)?);
+            let number = natural(value(row, 0)?);
+            let theirs = hash_of(value(row, 1)?)?;
             is_before_there |= number == before.number;
             let ours =
                 [before].into_iter().chain(entries.iter().map(|kept| kept.head)).find(|head| head.number == number);
@@ -197,7 +200,8 @@ fn body(kept: &Kept) -> Result<&str, ShopError> {
 }
 
 fn sendable(kept: &Kept) -> Result<(), ShopError> {
-    let (number, bytes) = (kept.head.number, kept.body.len());
+    let number = kept.head.number;
+    let bytes = kept.body.len();
     if LONGEST_BODY < bytes {
         return Err(ShopError::TooLong { number, bytes });
     }

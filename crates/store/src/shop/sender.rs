@@ -160,11 +160,14 @@ impl Work {
         let found = self.access.take();
         let Sending { source, station, address, given, places, patience, .. } = &self.sending;
         let access = found.unwrap_or_else(|| Access::find(address.clone(), given.clone(), places));
-        let (status, tell, stop) = (&mut self.status, &mut self.tell, &self.stop);
+        let status = &mut self.status;
+        let tell = &mut self.tell;
+        let stop = &self.stop;
         let mut last = Instant::now();
         let mut progress = |sent: Sent| {
             let is_new = status.server.is_none();
-            (status.server, status.unsent) = (Some(sent.head), Some(sent.unsent));
+            status.server = Some(sent.head);
+            status.unsent = Some(sent.unsent);
             if is_new || Duration::from_millis(100) < last.elapsed() {
                 last = Instant::now();
                 tell(status);
@@ -186,7 +189,9 @@ impl Work {
                 self.pause = patience.first_pause;
                 self.change(|status| {
                     status.doing = Doing::Resting;
-                    (status.server, status.unsent, status.problem) = (Some(sent.head), Some(sent.unsent), None);
+                    status.server = Some(sent.head);
+                    status.unsent = Some(sent.unsent);
+                    status.problem = None;
                 });
                 None
             }

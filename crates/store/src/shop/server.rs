@@ -101,7 +101,8 @@ impl Server {
                 return Err(error);
             }
         };
-        let (stop, database) = (stop.clone(), address.database().to_owned());
+        let stop = stop.clone();
+        let database = address.database().to_owned();
         let server = Self { runtime: Some(runtime), client, patience, stop, is_broken: Cell::new(false), database };
         server.settle()?;
         Ok(server)
@@ -176,7 +177,8 @@ async fn bounded<T>(
     limit: Duration,
     stop: &Stop,
 ) -> Result<T, ShopError> {
-    let (mut work, begun) = (pin!(work), Instant::now());
+    let mut work = pin!(work);
+    let begun = Instant::now();
     loop {
         if let Ok(done) = tokio::time::timeout(LOOKS, work.as_mut()).await {
             return done;

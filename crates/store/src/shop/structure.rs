@@ -66,7 +66,8 @@ fn findings(access: &Access, patience: Patience) -> Result<Vec<ShopFinding>, Sho
     server.run("ROLLBACK")?;
     for (kind, name) in found.keys().chain(made.keys()).collect::<BTreeSet<_>>() {
         let thing = (kind.clone(), name.clone());
-        let (kind, name) = (Thing::of(kind), name.clone());
+        let kind = Thing::of(kind);
+        let name = name.clone();
         let finding = match (found.get(&thing), made.get(&thing)) {
             (found, made) if found == made => continue,
             // As it was said before there was more to compare.
@@ -115,7 +116,8 @@ fn bodies(server: &Server) -> Result<Vec<ShopFinding>, ShopError> {
     let sql = "SELECT proname::text, prosrc FROM pg_proc WHERE pronamespace = 'fitcheck'::regnamespace ORDER BY 1";
     let mut findings = Vec::new();
     for row in &server.ask(server.client.query(sql, &[]))? {
-        let (name, body): (&str, &str) = (value(row, 0)?, value(row, 1)?);
+        let name: &str = value(row, 0)?;
+        let body: &str = value(row, 1)?;
         if ours.get(name).is_some_and(|ours| *ours != body) {
             findings.push(ShopFinding::Changed { kind: Thing::Function, name: name.to_owned() });
         }
@@ -141,7 +143,8 @@ fn around(server: &Server) -> Result<Vec<ShopFinding>, ShopError> {
                  ORDER BY pg_get_userbyid(grantee)) FROM aclexplode(nspacl) WHERE grantee <> nspowner) \
                FROM pg_namespace WHERE nspname = 'fitcheck'";
     let row = server.ask(server.client.query_one(sql, &[]))?;
-    let (owner, grants): (String, Option<String>) = (value(&row, 0)?, value(&row, 1)?);
+    let owner: String = value(&row, 0)?;
+    let grants: Option<String> = value(&row, 1)?;
     let mut findings = Vec::new();
     let mut changed = |kind: Thing, name: &str| findings.push(ShopFinding::Changed { kind, name: name.to_owned() });
     if owner != "fitcheck_owner" {

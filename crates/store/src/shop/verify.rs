@@ -111,7 +111,8 @@ pub fn verify_beside(
     let Compared { findings: of_structure, not_compared } = structure::compare(access, patience);
     findings.extend(of_structure.into_iter().filter(|one| !findings.contains(one)).collect::<Vec<_>>());
     let mut behind = Vec::new();
-    let (mut chains, mut done) = (Vec::new(), 0);
+    let mut chains = Vec::new();
+    let mut done = 0;
     let all = entries(&server)?;
     for name in names(&server)? {
         let Ok(chain) = name.parse::<ChainId>() else {
@@ -121,7 +122,8 @@ pub fn verify_beside(
         let of_chain = |all: &[(ChainId, Head)]| -> Vec<Head> {
             all.iter().filter(|(other, head)| *other == chain && 0 < head.number).map(|(_, head)| *head).collect()
         };
-        let (mut heads, last) = (of_chain(known.sent), head(&server, chain)?.number);
+        let mut heads = of_chain(known.sent);
+        let last = head(&server, chain)?.number;
         for own in of_chain(known.own) {
             if own.number <= last {
                 heads.push(own);

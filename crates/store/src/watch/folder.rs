@@ -41,7 +41,8 @@ impl Sight {
     #[cfg(unix)]
     fn of(about: &Metadata) -> Self {
         use std::os::unix::fs::MetadataExt as _;
-        let (number, touched) = ((about.dev(), about.ino()), (about.ctime(), about.ctime_nsec()));
+        let number = (about.dev(), about.ino());
+        let touched = (about.ctime(), about.ctime_nsec());
         Self { length: about.len(), changed: about.modified().ok(), number, touched }
     }
 
@@ -105,7 +106,8 @@ pub(super) struct Folder {
 
 impl Folder {
     pub(super) fn new(path: &Path) -> Self {
-        let (left_names, left_files) = (BTreeSet::new(), BTreeSet::new());
+        let left_names = BTreeSet::new();
+        let left_files = BTreeSet::new();
         Self { path: path.to_owned(), seen: BTreeMap::new(), ear: Ear::new(path), left_names, left_files }
     }
 
@@ -131,7 +133,8 @@ impl Folder {
         renamed: &mut dyn FnMut(&str, &str),
     ) -> Result<Vec<Found>, FileError> {
         let failed = |error: std::io::Error| system(&self.path, &error);
-        let (mut there, mut found) = (BTreeSet::new(), Vec::new());
+        let mut there = BTreeSet::new();
+        let mut found = Vec::new();
         // What was closed before the folder is looked at was closed as it is seen now, or is written again.
         let written = self.ear.hear(&self.path, &mut |before, now| renamed(&name_of(before), &name_of(now)));
         for entry in std::fs::read_dir(&self.path).map_err(failed)? {
@@ -139,13 +142,15 @@ impl Folder {
             // A file that goes while the folder is read is gone.
             let Ok(about) = std::fs::metadata(&path) else { continue };
             there.insert(path.clone());
-            let (name, stamp) = (name_of(&path), stamp(&path, &about));
+            let name = name_of(&path);
+            let stamp = stamp(&path, &about);
             if !about.is_file() || is_passing(&name) || self.is_left(&path, &stamp) {
                 continue;
             }
             let new = Seen { stamp, since: clock, ..Seen::default() };
             let seen = self.seen.entry(path.clone()).or_insert_with(|| new.clone());
-            let (is_heard, is_done) = (written.contains(&path), seen.state == State::Done);
+            let is_heard = written.contains(&path);
+            let is_done = seen.state == State::Done;
             // A file that is written within the same moment keeps its stamp.
             if seen.stamp != stamp || is_heard && is_done {
                 let is_own = stamp.own.is_written(&seen.stamp.own);
@@ -163,7 +168,9 @@ impl Folder {
             }
             seen.writer = writer;
             if seen.state != State::Done {
-                let (quiet, was_done, seen) = (clock.saturating_sub(seen.since), seen.was_done, seen.clone());
+                let quiet = clock.saturating_sub(seen.since);
+                let was_done = seen.was_done;
+                let seen = seen.clone();
                 found.push(Found { path, name, quiet, was_done, seen });
             }
         }

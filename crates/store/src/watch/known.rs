@@ -120,7 +120,8 @@ impl Known {
         let Some(lines) = past.lines.take() else { return };
         let last = past.last;
         let past = self.past(now);
-        (past.lines, past.last) = (Some(lines), last.or(past.last));
+        past.lines = Some(lines);
+        past.last = last.or(past.last);
         for names in self.hashes.values_mut().filter(|names| names.iter().any(|name| name == before)) {
             if names.iter().all(|name| name != now) {
                 names.push(now.to_owned());
@@ -168,7 +169,8 @@ impl Known {
         line_ends: &[u8],
         most: usize,
     ) -> io::Result<Extent> {
-        let (mut extent, nothing) = (Extent::default(), TakenLines::default());
+        let mut extent = Extent::default();
+        let nothing = TakenLines::default();
         let past = self.files.get(name).filter(|_| !line_ends.is_empty());
         let taken = past.and_then(|past| past.lines.as_ref()).unwrap_or(&nothing);
         extent.whole = each_mark(body, line_ends, &mut |side, mark| {
@@ -211,7 +213,8 @@ impl Known {
             Standing::Grown => Some(extent.known),
             // Its first lines may be the same as before, but they are other measurements.
             Standing::Cut | Standing::CutWithinLine | Standing::Replaced => {
-                (extent.known, extent.part) = (Mark::default(), None);
+                extent.known = Mark::default();
+                extent.part = None;
                 None
             }
             _ => None,
@@ -291,7 +294,8 @@ mod tests {
     #[test]
     fn names_are_read_from_a_journal_as_they_were() {
         let mut known = Known::default();
-        let (hash, name) = (Hash::of_file(b"a"), "a\"b\\c\u{fc}.csv");
+        let hash = Hash::of_file(b"a");
+        let name = "a\"b\\c\u{fc}.csv";
         let text = serde_json::to_string(name).unwrap();
         known.see(format!("{{\"files\":[{{\"role\":\"x\",\"name\":{text},\"sha256\":\"{hash}\"}}]}}").as_bytes());
         assert_eq!(known.name_of(&hash, name), Some(name));

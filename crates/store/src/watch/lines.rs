@@ -29,9 +29,12 @@ pub(super) enum Side {
 /// Shows a mark before and after each line end of a file; lines end with one of these bytes. Returns the mark of the whole file: a last line
 /// without a line end is not counted.
 pub(super) fn each_mark(body: &mut dyn Body, line_ends: &[u8], see: &mut dyn FnMut(Side, Mark)) -> io::Result<Mark> {
-    let (mut hash, mut so_far, mut piece) = (FileHash::default(), Mark::default(), Vec::new());
+    let mut hash = FileHash::default();
+    let mut so_far = Mark::default();
+    let mut piece = Vec::new();
     // Of UTF-16, whether the larger byte of a character comes first.
-    let (mut is_big_first, mut was_return) = (None, false);
+    let mut is_big_first = None;
+    let mut was_return = false;
     body.rewind()?;
     while 0 < body.take(READ).read_to_end(&mut piece)? {
         if so_far.end == 0 {

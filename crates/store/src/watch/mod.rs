@@ -193,7 +193,8 @@ pub struct Watcher {
 impl Watcher {
     /// A folder, and what was taken from it or elsewhere before.
     pub fn new(folder: &Path, known: Known) -> Self {
-        let (notes, refused) = (Vec::new(), BTreeSet::new());
+        let notes = Vec::new();
+        let refused = BTreeSet::new();
         Self { folder: Folder::new(folder), known, notes, refused, begun: None }
     }
 

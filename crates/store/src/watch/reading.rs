@@ -188,7 +188,8 @@ impl Reading<'_> {
         problems.extend(late.iter().cloned());
         let before = all.count(known_lines);
         all.behind(known_lines);
-        let (new, says) = (all, |id: &'static str, says: bool| says.then(|| Message::new(id)));
+        let new = all;
+        let says = |id: &'static str, says: bool| says.then(|| Message::new(id));
         let counted = |message: Message, count: usize| (0 < count).then(|| message.count("count", count));
         let again = if known_lines == 0 { new.count(*same_lines) } else { 0 };
         let older = if *standing == Standing::Older { before } else { 0 };
@@ -222,8 +223,10 @@ impl Reading<'_> {
     fn read_to(&self, end: Mark) -> io::Result<Units> {
         let Judging { plan, sources, masks, now, temperature, .. } = self.judging;
         let beside = |ending: &str| files::beside(&self.found.path, ending);
-        let (mapping, has_plan) = (self.remembered(end)?, plan.is_some());
-        let (mapping, lasts) = (mapping.as_ref(), RefCell::new(BTreeMap::new()));
+        let mapping = self.remembered(end)?;
+        let has_plan = plan.is_some();
+        let mapping = mapping.as_ref();
+        let lasts = RefCell::new(BTreeMap::new());
         let units = |first: usize, last: usize| {
             lasts.borrow_mut().insert(first, last);
         };
@@ -237,7 +240,8 @@ impl Reading<'_> {
             temperature,
             ..Given::new(sources, now)
         };
-        let (mut items, by_plan) = (Vec::new(), plan.map(ByPlan::new));
+        let mut items = Vec::new();
+        let by_plan = plan.map(ByPlan::new);
         import_from(&self.found.name, &mut beginning(self.file, end.end)?, given, &mut |item| match &by_plan {
             Some(by_plan) => by_plan.item(item, &mut |item| items.push(item)),
             None => items.push(item),

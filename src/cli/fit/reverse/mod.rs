@@ -132,7 +132,8 @@ fn of_function(
         let callout = Callout::fit(size, named.hole, named.shaft).said()?;
         match Fit::of_callout(&callout, sources) {
             Ok(fit) => {
-                let (minimum, maximum) = (fit.minimum_clearance(), fit.maximum_clearance());
+                let minimum = fit.minimum_clearance();
+                let maximum = fit.maximum_clearance();
                 candidates.push(Candidate::new(named.hole, named.shaft, minimum, maximum));
             }
             Err(error) => refused.push(about(&callout.to_string(), &error)),
@@ -173,7 +174,8 @@ fn print_text(searched: &Searched<'_>, io: &mut Io<'_>) {
     let size = searched.size;
     match (&searched.wanted, searched.function) {
         (Some((wanted, _)), _) => {
-            let (range, negative) = (range(wanted.minimum, wanted.maximum), negative(wanted.minimum));
+            let range = range(wanted.minimum, wanted.maximum);
+            let negative = negative(wanted.minimum);
             let shown =
                 if candidates.len() < *total { format!(", the best {}", candidates.len()) } else { String::new() };
             let pairs = if *total == 1 { "pair" } else { "pairs" };

@@ -47,7 +47,8 @@ fn date_of(text: &str) -> Option<Date> {
 fn time_of(text: &str) -> Option<Time> {
     let mut parts = text.split(':');
     let mut next = || figures(parts.next()?, 2)?.try_into().ok();
-    let (hour, minute) = (next()?, next()?);
+    let hour = next()?;
+    let minute = next()?;
     let second = if text.matches(':').count() == 2 { next()? } else { 0 };
     if parts.next().is_some() {
         return None;

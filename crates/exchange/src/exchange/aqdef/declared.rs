@@ -57,7 +57,8 @@ impl Declared {
             warnings: Vec::new(),
         };
         for (key, line, other) in asked.twice() {
-            let (text, other) = (asked.text(key.0), shorten(other));
+            let text = asked.text(key.0);
+            let other = shorten(other);
             reading.fail(line, AqdefFault::Twice { key: key.to_string(), other }, text);
         }
         let kind = reading.whole(2004);

@@ -81,7 +81,8 @@ impl<'a, 's> Reader<'a, 's> {
     /// # Errors
     /// What is wrong with the whole file.
     pub(super) fn read(&mut self, mut pieces: Pieces<'_>) -> Result<(), ImportErrorKind> {
-        let (mut next, mut is_open) = (1, false);
+        let mut next = 1;
+        let mut is_open = false;
         while let Some(piece) = pieces.next()? {
             is_open = !piece.ends_with(PLAIN_LINE_ENDS);
             let mut lines = plain_lines_from(&piece, next).peekable();
@@ -93,7 +94,8 @@ impl<'a, 's> Reader<'a, 's> {
                 }
             }
         }
-        let (found, expected) = (self.row.values.len(), self.before);
+        let found = self.row.values.len();
+        let expected = self.before;
         if is_open && 0 < found && found < expected {
             self.told.warn(next - 1, AqdefWarning::Fewer { found, expected }.into());
         }

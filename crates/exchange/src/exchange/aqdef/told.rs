@@ -61,7 +61,8 @@ impl<'s, 'a> Told<'s, 'a> {
     pub(super) fn declared(&mut self, line: usize, kind: ImportWarningKind) {
         match self.beside.clone() {
             Some(file) => {
-                let (reason, stands_against) = (kind.message(), kind.stands_against());
+                let reason = kind.message();
+                let stands_against = kind.stands_against();
                 self.warn(1, AqdefWarning::Beside { file, line, reason, stands_against }.into());
             }
             None => self.warn(line, kind),

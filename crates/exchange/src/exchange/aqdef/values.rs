@@ -120,7 +120,9 @@ impl Reader<'_, '_> {
         let labels = labels(declared, fields);
         let id = declared.characteristic.id();
         let origin = Origin::Imported { file: Arc::clone(&self.context.file) };
-        let (position, asked, correction) = (None, declared.characteristic.said(), None);
+        let position = None;
+        let asked = declared.characteristic.said();
+        let correction = None;
         let unjudged = Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why };
         self.told.sink.set_aside(unjudged);
     }

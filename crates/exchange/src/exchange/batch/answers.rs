@@ -97,7 +97,8 @@ impl Answers {
         if self.rows == 0 {
             return Ok(None);
         }
-        let (rows, chunks) = (self.rows, &mut self.chunks);
+        let rows = self.rows;
+        let chunks = &mut self.chunks;
         if let Some(typed) = typed {
             if typed.rows.count != rows {
                 return Err(io::Error::other("a row without an answer"));

@@ -68,7 +68,8 @@ fn text(text: &str, out: &mut Line) {
 impl Take for JsonLines {
     fn judged(&mut self, row: &Row<'_>, judged: &Judged) {
         self.cells(row);
-        let (out, [minimum, maximum, deviation, status, remove, error]) = (&mut self.out, &self.added);
+        let out = &mut self.out;
+        let [minimum, maximum, deviation, status, remove, error] = &self.added;
         out.append(minimum);
         out.pieces(|out| judged.bounds.minimum().put_mm(0, out));
         out.append(maximum);

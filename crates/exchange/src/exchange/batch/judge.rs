@@ -374,7 +374,8 @@ impl Judge<'_> {
             return take.refused(row, "");
         }
         let stray = || stated::stray(columns, &cells);
-        let (has_commas, sources) = (self.court.fast.has_commas, self.court.sources);
+        let has_commas = self.court.fast.has_commas;
+        let sources = self.court.sources;
         let rules = Rules { columns, has_commas, sources, has_plan: false, lookup: None };
         if self.court.fast.has_comments && cells::is_comment(&cells) {
             if marks_simulation(&cells) && !columns.evidence.are_simulated {

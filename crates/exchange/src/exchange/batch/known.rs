@@ -95,7 +95,8 @@ pub type Figures = BTreeMap<(ToleranceClass, Length), FigureWarning>;
 
 impl<'a> Classes<'a> {
     pub(super) fn new(sources: &'a Sources, steps: &'a Steps) -> Self {
-        let (places, wide) = (vec![(0, 0); PLACES], BTreeMap::new());
+        let places = vec![(0, 0); PLACES];
+        let wide = BTreeMap::new();
         Self { sources, steps, places, used: 0, known: Vec::new(), cells: Vec::new(), wide, figures: Figures::new() }
     }
 

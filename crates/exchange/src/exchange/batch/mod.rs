@@ -15,7 +15,6 @@
 //!
 //! Nothing here opens a file or starts a thread: `batch` does, and hands blocks to as many judges as there are workers.
 
-use crate::within::Within as _;
 use std::borrow::Cow;
 
 #[cfg(feature = "parquet")]
@@ -53,6 +52,7 @@ pub use typed::{Purpose, Typed, layout_of};
 
 pub use super::index::row_end;
 pub use super::row::{Row, cells_of};
+use crate::within::Within as _;
 
 /// The names of the columns that are added, in order. They must not change.
 pub const ADDED: [&str; 6] = ["min_mm", "max_mm", "deviation_um", "status", "remove_um", "error"];

@@ -92,7 +92,9 @@ impl Sample {
         let is_other = |at: &usize| {
             let rows = self.rows.iter().skip(self.above);
             let pairs = rows.filter_map(|(_, cells)| Some((size(cells, columns.measured.at)?, size(cells, *at)?)));
-            let (mut all, mut near, mut differ) = (0, 0, 0);
+            let mut all = 0;
+            let mut near = 0;
+            let mut differ = 0;
             for (measured, other) in pairs {
                 let off = measured.saturating_sub(other).abs().nanometres();
                 all += 1;

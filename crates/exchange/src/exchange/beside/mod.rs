@@ -109,7 +109,8 @@ fn has(list: &str, name: &str) -> bool {
 
 /// What the name of a column says, alone and with its unit.
 fn by_name(header: &str, with_unit: &str) -> Option<Says> {
-    let (name, bare) = (letters(header), words::bare(header));
+    let name = letters(header);
+    let bare = words::bare(header);
     let is_signed = |sign: char| {
         let text = header.trim().replace('\u{2212}', "-");
         let rest = text.strip_prefix(sign).or_else(|| text.strip_suffix(sign));

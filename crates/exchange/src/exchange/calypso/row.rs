@@ -58,7 +58,8 @@ impl Row {
             let kind = ImportErrorKind::RowLong { found: cells.len(), expected: columns.count };
             return Err(Refused { kind, column: None, given: text });
         }
-        let (symbol, short) = (columns.text(&cells, Column::Symbol), columns.text(&cells, Column::Type));
+        let symbol = columns.text(&cells, Column::Symbol);
+        let short = columns.text(&cells, Column::Type);
         let is_diameter = [symbol, short].iter().any(|text| text.eq_ignore_ascii_case(DIAMETER));
         let (unit, is_unit_assumed) = match columns.text(&cells, Column::Unit) {
             "" => (Some(Unit::Millimetre), true),
@@ -105,7 +106,8 @@ impl Row {
             expanded: None,
             labels: Labels { serial: String::new(), ..labels.clone() },
         };
-        let (deviation, exceed) = (cells.length(Column::Deviation)?, cells.length(Column::Exceed)?);
+        let deviation = cells.length(Column::Deviation)?;
+        let exceed = cells.length(Column::Exceed)?;
         let out = exceed.filter(|exceed| *exceed != Length::ZERO);
         let claims =
             out.map(|_| Claim::out(&format!("{} {}", EXCEED, cells.text(Column::Exceed)))).into_iter().collect();

@@ -47,7 +47,9 @@ impl Sample {
         let best = |role: Role, ranks: &[Rank]| best(header, &roles, role, ranks);
         let sure = [Rank::Exact, Rank::Contained];
         let chosen = self.chosen(header, &roles)?;
-        let (tolerance, nominal, measured_at) = (chosen.tolerance, chosen.nominal, chosen.measured);
+        let tolerance = chosen.tolerance;
+        let nominal = chosen.nominal;
+        let measured_at = chosen.measured;
         let time: Vec<usize> =
             (0..).zip(&roles).filter(|(_, r)| matches!(r, Some((Role::Time, _)))).map(|(at, _)| at).take(2).collect();
         let id = names(header, &roles);

@@ -84,7 +84,9 @@ pub fn read(bytes: &[u8]) -> Result<Contacts, Located<ContactsError>> {
     let separator = separator(&text);
     let mut read = Contacts { contacts: Vec::new(), has_heights: false, ignored: Vec::new(), warm: None };
     let mut places: Option<Places> = None;
-    let (mut decimal_sign, mut unit, mut warm) = (None, None, None::<(usize, (String, Scale))>);
+    let mut decimal_sign = None;
+    let mut unit = None;
+    let mut warm = None::<(usize, (String, Scale))>;
     for item in Rows::new(&text, 1, separator) {
         let (line, cells) = match item {
             Item::Row { line, cells } => (line, cells),

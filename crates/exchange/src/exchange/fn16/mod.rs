@@ -127,7 +127,9 @@ fn fitting<'a>(masks: &'a [(String, Mask)], head: &str) -> Result<Fitting<'a>, I
 /// What the beginning of a file has of a mask; `None` where most of its lines are others.
 fn sample(inverse: &Inverse, head: &str) -> Option<Vec<Printed>> {
     let lines: Vec<&str> = text::lines(head).map(|(_, line)| line).filter(|line| !is_mark(line)).collect();
-    let (mut at, mut fit, mut other) = (0, 0, 0);
+    let mut at = 0;
+    let mut fit = 0;
+    let mut other = 0;
     let mut sample = Vec::new();
     while let Some(rest) = lines.get(at..).filter(|rest| !rest.is_empty()) {
         let count = match inverse.at(rest) {

@@ -261,7 +261,8 @@ impl Fields<'_> {
         let numbers: Vec<usize> = numbers.filter(is_first).map(|(at, _)| at).collect();
         let named = |list: &[usize]| {
             RESULTS.iter().flat_map(|result| result.limits).find_map(|(minimum, maximum)| {
-                let (minimum, maximum) = (self.number(*minimum)?, self.number(*maximum)?);
+                let minimum = self.number(*minimum)?;
+                let maximum = self.number(*maximum)?;
                 (list.contains(&minimum) && list.contains(&maximum)).then_some((minimum, maximum))
             })
         };

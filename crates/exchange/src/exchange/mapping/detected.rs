@@ -70,7 +70,8 @@ impl Detected {
                 .collect(),
         };
         let is_own = columns.own != OwnColumns::default();
-        let (header, skipped) = (columns.header, columns.ignored.clone());
+        let header = columns.header;
+        let skipped = columns.ignored.clone();
         let unit_from = columns.stated.source(columns.measured, &names);
         Self { mapping, names, roles, rows, header, skipped, is_own, unit_from }
     }

@@ -49,7 +49,8 @@ impl FirstRows {
     }
 
     fn read(file: &str, bytes: &[u8], format: impl FnOnce(&str) -> Option<&'static str>) -> Option<Self> {
-        let (mut body, sources) = (Cursor::new(bytes), Sources::default());
+        let mut body = Cursor::new(bytes);
+        let sources = Sources::default();
         let mut source = Source::new(file, &mut body, Given::new(&sources, DateTime::MIN)).ok()?;
         let format = format(file)?;
         let held = if format == xlsx::FORMAT.name {
@@ -162,7 +163,8 @@ impl FirstRows {
     pub fn items(&self, mapping: &Mapping, given: Given<'_>) -> Result<Vec<Item>, ImportErrorKind> {
         let mut sample = self.sample(mapping);
         let columns = mapping.columns(&mut sample)?;
-        let (file, lookup) = (self.file.as_str().into(), Lookup::default());
+        let file = self.file.as_str().into();
+        let lookup = Lookup::default();
         let counted = given.temperature.unwrap_or(Temperature::REFERENCE);
         let context = Context { file, sources: given.sources, now: given.now, counted, lookup };
         let mut items = Vec::new();

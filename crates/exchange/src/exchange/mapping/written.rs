@@ -101,7 +101,8 @@ impl FromStr for Mapping {
         let mut written = Written::default();
         for part in text.split(',').map(str::trim).filter(|part| !part.is_empty()) {
             let (word, value) = part.split_once('=').ok_or_else(|| MappingError::NoValue { given: part.to_owned() })?;
-            let (word, value) = (word.trim(), value.trim());
+            let word = word.trim();
+            let value = value.trim();
             let of_the_file = match word {
                 "sheet" => Some(&mut written.sheet),
                 "separator" => Some(&mut written.separator),

@@ -46,7 +46,8 @@ pub(super) fn put(numbers: &[i64], out: &mut Vec<u8>) {
 
 /// The bits of numbers one behind the other, the lowest first.
 fn pack(numbers: &[u64], width: u32, out: &mut Vec<u8>) {
-    let (mut waiting, mut bits) = (0_u128, 0);
+    let mut waiting = 0_u128;
+    let mut bits = 0;
     for number in numbers {
         waiting |= u128::from(*number) << bits;
         bits += width;

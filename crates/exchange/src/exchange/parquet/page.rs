@@ -58,7 +58,8 @@ impl Packer {
     ) -> Result<Chunk, ParquetError> {
         let mut out = TrackedWrite::new(Vec::new());
         let mut pages = SerializedPageWriter::new(&mut out);
-        let (mut unpacked, mut packed) = (0, 0);
+        let mut unpacked = 0;
+        let mut packed = 0;
         // Numbers in all their bits, packed differences and numbers of words hardly get smaller; texts do.
         let is_packed = matches!(body, Body::Plain(_)) && column.physical_type() == Type::BYTE_ARRAY;
         let num_values = u32::try_from(rows).map_err(too_large)?;

@@ -199,7 +199,8 @@ fn put_double(number: f64, out: &mut Vec<u8>) {
 /// IEEE 754 binary16, the smaller byte first.
 fn half(bytes: [u8; 2]) -> f32 {
     let bits = u16::from_le_bytes(bytes);
-    let (exponent, fraction) = (i32::from(bits >> 10 & 0x1f), f32::from(bits & 0x3ff));
+    let exponent = i32::from(bits >> 10 & 0x1f);
+    let fraction = f32::from(bits & 0x3ff);
     let magnitude = match exponent {
         0 => fraction * 2_f32.powi(-24),
         0x1f if fraction == 0.0 => f32::INFINITY,

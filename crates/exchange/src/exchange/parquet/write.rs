@@ -66,7 +66,8 @@ impl Chunks {
         levels: &[i16],
         values: &[i64],
     ) -> Result<(), ParquetError> {
-        let (least, most) = (values.iter().min().copied(), values.iter().max().copied());
+        let least = values.iter().min().copied();
+        let most = values.iter().max().copied();
         let nulls = u64::try_from(rows.saturating_sub(values.len())).ok();
         self.numbers_with(rows, levels, values, Some(Statistics::int64(least, most, None, nulls, false)))
     }

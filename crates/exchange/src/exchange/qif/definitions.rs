@@ -140,7 +140,8 @@ impl Trace {
     /// What an element `InspectionTraceability` says.
     pub(super) fn of(element: &Element) -> Self {
         let time = |name| element.text_at(&[name]).to_owned();
-        let (start, end) = (time("InspectionStart"), time("InspectionEnd"));
+        let start = time("InspectionStart");
+        let end = time("InspectionEnd");
         let who = name(element.text_at(&["InspectionOperator", "Name"]));
         Self { who, time: shorten(if end.is_empty() { &start } else { &end }) }
     }

@@ -180,7 +180,8 @@ impl Reader<'_, '_> {
         let status = if own.is_empty() { element.text_at(&["Status", "OtherCharacteristicStatus"]) } else { own };
         // A radius is half a diameter.
         if is_size(&resolved.kind) && resolved.kind != measured.kind {
-            let (measured, defined) = (in_words(measured.kind), in_words(&resolved.kind));
+            let measured = in_words(measured.kind);
+            let defined = in_words(&resolved.kind);
             return Err(nothing_given(ImportErrorKind::QifOtherKind { measured, defined }));
         }
         if 1 < element.children().filter(|child| child.start.name == "Value").count() {
@@ -239,7 +240,10 @@ impl Reader<'_, '_> {
     fn set_aside(&mut self, line: usize, why: WhyUnjudged, id: String, labels: Labels, time: Option<DateTime>) {
         let time = time.unwrap_or(self.context.now);
         let origin = Origin::Imported { file: Arc::clone(&self.context.file) };
-        let (measured, position, asked, correction) = (None, None, Asked::default(), None);
+        let measured = None;
+        let position = None;
+        let asked = Asked::default();
+        let correction = None;
         self.sink.set_aside(Unjudged { line, id, labels, time, measured, origin, position, asked, correction, why });
     }
 
@@ -296,7 +300,8 @@ mod tests {
     use fitcheck_core::tolerance::{Feature, Sources};
 
     fn planned(text: &str) -> Result<Vec<(usize, Characteristic)>, String> {
-        let (mut body, sources) = (std::io::Cursor::new(text.as_bytes()), Sources::default());
+        let mut body = std::io::Cursor::new(text.as_bytes());
+        let sources = Sources::default();
         let mut source = Source::new("a.qif", &mut body, Given::new(&sources, DateTime::MIN)).unwrap();
         plan(&mut source).map_err(|error| error.to_string())
     }

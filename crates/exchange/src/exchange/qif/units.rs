@@ -165,7 +165,8 @@ impl Units {
     pub(super) fn of(units: &Element) -> Result<Self, ImportErrorKind> {
         let primary = units.child("PrimaryUnits");
         let unit = |name: &str| primary.and_then(|primary| primary.child(name)).map(declared).transpose();
-        let (plain, pmi) = (unit("LinearUnit")?, unit("PMILinearUnit")?);
+        let plain = unit("LinearUnit")?;
+        let pmi = unit("PMILinearUnit")?;
         let mut named = HashMap::new();
         let others = units.child("OtherUnits").into_iter().flat_map(Element::children);
         let others: Result<Vec<_>, _> = others.filter(|unit| unit.start.name == "LinearUnit").map(declared).collect();

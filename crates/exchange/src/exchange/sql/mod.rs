@@ -104,7 +104,8 @@ pub fn write(model: &Model, dialect: &Dialect, out: &mut dyn Write) -> io::Resul
     let steps = model.millimetres().map(|(mm, step)| format!("{mm},{step}"));
     insert("fitcheck_step", steps, dialect.rows, out)?;
     let cells = model.cells().iter().map(|cell| {
-        let (lower, upper) = ((dialect.deviation)(cell.lower), (dialect.deviation)(cell.upper));
+        let lower = (dialect.deviation)(cell.lower);
+        let upper = (dialect.deviation)(cell.upper);
         let Cell { class, step, over_mm, to_mm, source, .. } = cell;
         format!("{},{step},{over_mm},{to_mm},{lower},{upper},{source}", literal(class.as_str()))
     });

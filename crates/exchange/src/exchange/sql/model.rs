@@ -104,7 +104,8 @@ impl Model {
                         self.sources.push(name.clone());
                         next
                     });
-                    let (lower, upper) = (limits.deviations.lower(), limits.deviations.upper());
+                    let lower = limits.deviations.lower();
+                    let upper = limits.deviations.upper();
                     self.cells.push(Cell { class, step, over_mm, to_mm, lower, upper, source });
                     refused = None;
                 }

@@ -104,7 +104,8 @@ fn split(name: &str) -> (String, String) {
 
 /// `read`: the text input, read.
 fn text() -> String {
-    let ((size_sign, size_point), (value_sign, value_point)) = (split("size"), split("value"));
+    let (size_sign, size_point) = split("size");
+    let (value_sign, value_point) = split("value");
     format!(
         "given as materialized (
     select id, callout, measured, {} as text, {} as value from fitcheck_input_text
@@ -251,7 +252,8 @@ from judged;
 }
 
 fn all_views() -> String {
-    let (text, typed) = (text(), typed());
+    let text = text();
+    let typed = typed();
     [
         INPUTS.to_owned(),
         limits("fitcheck_size_limits", "id, nominal_nm, given_class as class", &typed),

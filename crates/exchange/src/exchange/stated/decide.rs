@@ -194,8 +194,8 @@ fn unit_columns<'n>(
             Some(Rank::Exact) => !filled.is_empty() || mentions([name(at)].into_iter()).is_empty(),
             Some(Rank::Contained) if lengths == filled.len() => 0 < lengths,
             _ if sure == 0 && lengths == rows && 0 < rows && !stated.is_given => {
-                let (line, unit) =
-                    (line_of_first_row(sample), filled.first().map_or_else(String::new, |cell| shorten(cell)));
+                let line = line_of_first_row(sample);
+                let unit = filled.first().map_or_else(String::new, |cell| shorten(cell));
                 let text = shorten(&format!("{} {unit}", name_of(at, name(at))));
                 return Err(ImportErrorKind::UnitMentioned { line, unit, text });
             }

@@ -18,7 +18,8 @@ fn has_figure(cells: &StringRecord) -> bool {
 
 pub(super) fn late(columns: &Columns, line: Option<usize>, unit: &str, text: &str) -> ImportErrorKind {
     let read = columns.stated.decided(columns.measured).map_or("-", sign);
-    let (unit, text) = (shorten(unit), shorten(text));
+    let unit = shorten(unit);
+    let text = shorten(text);
     match line {
         Some(line) => ImportErrorKind::UnitLate { line, unit, text, read },
         None => ImportErrorKind::UnitStray { unit, text, read },
@@ -84,7 +85,8 @@ pub(in crate::exchange) fn unit_lines(pieces: &mut Pieces<'_>) -> Vec<Line> {
             if !is_comment && !may_be() {
                 continue;
             }
-            let (said, this) = (mentions(split(text)), || (line, text.trim().to_owned()));
+            let said = mentions(split(text));
+            let this = || (line, text.trim().to_owned());
             let has_room = found.len() < MOST_SAID;
             match found.iter_mut().find(|(before, _)| *before == said) {
                 _ if said.is_empty() => {}

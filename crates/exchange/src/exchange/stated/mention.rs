@@ -126,7 +126,8 @@ pub(super) fn mentions<'c>(cells: impl Iterator<Item = &'c str>) -> Vec<Mention>
     let mut found = Vec::new();
     let mut at = 0;
     while let Some(&field) = fields.get(at) {
-        let (before, behind) = (at.checked_sub(1).and_then(|at| fields.get(at)), fields.get(at + 1));
+        let before = at.checked_sub(1).and_then(|at| fields.get(at));
+        let behind = fields.get(at + 1);
         at += 1;
         if let Some(rank) = key(field)
             && let Some(text) = behind
@@ -332,7 +333,9 @@ mod tests {
         let unclear = |unit: Unit| vec![(Ok(unit), false)];
         let no = |text: &str| vec![(Err(text.to_owned()), true)];
         let asked = |text: &str| vec![(Err(text.to_owned()), false)];
-        let (mm, um, inch) = (Unit::Millimetre, Unit::Micrometre, Unit::Inch);
+        let mm = Unit::Millimetre;
+        let um = Unit::Micrometre;
+        let inch = Unit::Inch;
         for (line, expected) in [
             ("# unit: inch", clear(inch)),
             ("Unit:;inch", clear(inch)),

@@ -47,7 +47,9 @@ fn file(tables: &[Arc<DeviationTable>]) -> std::io::Result<Vec<u8>> {
     let [over, to, lower, upper] =
         ["over_mm", "to_mm", "lower_mm", "upper_mm"].map(|name| Field::decimal(name, 6, false));
     let fields = [Field::required_text("class")?, Field::boolean("hole")?, over?, to?, lower?, upper?];
-    let (mut classes, mut holes, mut figures) = (Vec::new(), Vec::new(), [const { Vec::new() }; 4]);
+    let mut classes = Vec::new();
+    let mut holes = Vec::new();
+    let mut figures = [const { Vec::new() }; 4];
     for table in tables {
         for column in table.columns() {
             for ((over, to), cell) in table.ranges().zip(&column.cells) {

@@ -116,7 +116,8 @@ impl Clause {
     };
 
     fn take(&mut self, word: &str) {
-        let (correction, whose) = (words::correction(word), words::whose(word));
+        let correction = words::correction(word);
+        let whose = words::whose(word);
         let of_temperature = word.contains("temp");
         self.corrects = self.corrects.max(correction);
         self.is_done |= words::says_done(word);

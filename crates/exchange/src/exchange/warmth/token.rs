@@ -32,7 +32,8 @@ pub(super) fn plain(text: &str) -> String {
 /// The tokens of such a text. A number has digits on both sides of its decimal sign, and a sign where one stands before it alone.
 pub(super) fn tokens(text: &str) -> Vec<Token<'_>> {
     let mut found: Vec<Token<'_>> = Vec::new();
-    let (mut rest, mut is_glued) = (text, false);
+    let mut rest = text;
+    let mut is_glued = false;
     while let Some(first) = rest.chars().next() {
         if first.is_whitespace() {
             rest = rest.trim_start();

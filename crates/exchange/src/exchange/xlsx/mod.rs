@@ -121,7 +121,8 @@ pub(super) fn read_sizes(
 
 fn read(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>) -> Result<(), ImportErrorKind> {
     let context = source.context.clone();
-    let (mapping, detects) = (source.given.mapping, Mapping::default());
+    let mapping = source.given.mapping;
+    let detects = Mapping::default();
     let has_plan = source.given.has_plan;
     let (mut workbook, seen) = open(source)?;
     let names = names(&workbook);
@@ -366,7 +367,8 @@ pub(super) fn sheet_rows(source: &mut Source<'_>) -> Result<Vec<(usize, Vec<Stri
     for name in names(&workbook) {
         let units = units(&mut workbook, &name)?;
         let mut rows = rows(&mut workbook, &name, &units)?;
-        let (mut all, mut count) = (Vec::new(), 0);
+        let mut all = Vec::new();
+        let mut count = 0;
         while let Some((line, cells)) = calm(|| rows.next())? {
             count += cells.len();
             if MOST_CELLS < count {

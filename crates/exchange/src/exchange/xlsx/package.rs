@@ -111,7 +111,8 @@ pub(super) fn check(body: &mut dyn Body) -> Result<Seen, ImportErrorKind> {
     if twice.is_some() || archive.has_duplicate_names() {
         return Err(ImportErrorKind::ZipTwice);
     }
-    let (mut seen, mut all) = (Seen::default(), 0);
+    let mut seen = Seen::default();
+    let mut all = 0;
     for index in 0..archive.len() {
         let member = archive.by_index(index).map_err(|error| unreadable(&error))?;
         let packed = member.compressed_size();
@@ -124,7 +125,8 @@ pub(super) fn check(body: &mut dyn Body) -> Result<Seen, ImportErrorKind> {
         let most = kind.most().min(ALL.saturating_sub(all));
         let mut counted = Counted { inner: member, packed, read: 0, most, is_over: false };
         let looked = kind.look(&name, &mut counted, &mut seen);
-        let (read, is_over) = (counted.read, counted.is_over);
+        let read = counted.read;
+        let is_over = counted.is_over;
         if is_over {
             return Err(too_large());
         }
@@ -161,7 +163,8 @@ fn check_list(body: &mut dyn Body) -> Result<(), ImportErrorKind> {
         return Err(ImportErrorKind::ZipCutOff);
     }
     for at in ends {
-        let (members, list) = (number(at + 10, 2), number(at + 12, 4));
+        let members = number(at + 10, 2);
+        let list = number(at + 12, 4);
         let is_elsewhere = members == 0xffff || list == 0xffff_ffff;
         let is_long = LONGEST_LIST < list || MOST_MEMBERS < usize::try_from(members).unwrap_or(usize::MAX);
         if if is_elsewhere { !has_large } else { is_long } {
@@ -260,9 +263,11 @@ fn survey(member: &mut dyn Read, seen: &mut Seen) -> Result<(), ImportErrorKind>
 /// Looks at a sheet in the same way, and at each cell: whoever reads the cells takes the first piece of a value for all of it, and the
 /// number of a text that is none for 0. Gives what it hides.
 fn sheet(member: &str, body: &mut dyn Read) -> Result<Hidden, ImportErrorKind> {
-    let (mut measure, mut hidden) = (Measure::default(), Hidden::default());
+    let mut measure = Measure::default();
+    let mut hidden = Hidden::default();
     let mut xml = Xml::new(body, b"", &["r", "t", "hidden", "min", "max"])?;
-    let (mut cell, mut has_value) = (Start::default(), false);
+    let mut cell = Start::default();
+    let mut has_value = false;
     while let Some((start, depth, position)) = xml.begin()? {
         measure.see(&start, depth, position)?;
         hidden.see(&start);

@@ -96,7 +96,8 @@ impl Question {
                 if self.before_ms.replace(end).is_some() { Err(twice()) } else { Ok(()) }
             }
             _ => {
-                let (key, known) = (shortened(key, 40), KEYS.map(|key| format!("{key}:")).join(", "));
+                let key = shortened(key, 40);
+                let known = KEYS.map(|key| format!("{key}:")).join(", ");
                 Err(AskError { kind: AskErrorKind::UnknownKey { key, known }, span: word.span.clone() })
             }
         }
@@ -118,7 +119,8 @@ impl Question {
         match switch {
             "today" => self.days(here, here.today(), 1).ok_or_else(twice),
             "week" => {
-                let (today, since) = (here.today(), here.today().weekday().to_monday_zero_offset());
+                let today = here.today();
+                let since = here.today().weekday().to_monday_zero_offset();
                 let monday = today.checked_sub(i64::from(since).days()).unwrap_or(today);
                 self.days(here, monday, 7).ok_or_else(twice)
             }
@@ -271,7 +273,8 @@ fn words(text: &str) -> Result<Vec<Word>, AskError> {
         let begin = signs.at;
         let is_quoted = signs.peek() == Some('"');
         let value = if is_quoted { signs.quoted()? } else { signs.until(char::is_whitespace) };
-        let (span, value_span) = (start..signs.at, begin..signs.at);
+        let span = start..signs.at;
+        let value_span = begin..signs.at;
         let key = head.to_lowercase();
         if value.is_empty() && !is_quoted && KEYS.contains(&key.as_str()) {
             return Err(AskError { kind: AskErrorKind::NoValue { key }, span });

@@ -104,7 +104,8 @@ fn measurement(measurement: &wire::Measurement) -> Result<Measurement, BodyError
 
 fn correction(correction: &wire::Correction) -> Result<Correction, BodyError> {
     let warm = |warm: &wire::Warm| {
-        let (temperature, expansion) = (warm.temperature_c_thousandths, warm.expansion_um_per_m_k_thousandths);
+        let temperature = warm.temperature_c_thousandths;
+        let expansion = warm.expansion_um_per_m_k_thousandths;
         Ok(Warm {
             temperature: Temperature::from_thousandths(temperature)
                 .ok_or_else(|| BodyError::value("check.size.correction.temperature_c_thousandths", temperature))?,

@@ -68,7 +68,9 @@ fn corrects(field: &'static str, correction: &Correction) -> Result<wire::Correc
         return Err(BodyError::value("corrects.number", number));
     }
     let number = whole("corrects.number", *number)?;
-    let (hash, reason, by) = (hash.to_string(), long(field, reason)?, name("corrects.by", by)?);
+    let hash = hash.to_string();
+    let reason = long(field, reason)?;
+    let by = name("corrects.by", by)?;
     Ok(wire::Corrects { number, hash, reason, by })
 }
 
@@ -79,7 +81,8 @@ fn check(check: &Check) -> Result<wire::Check, BodyError> {
         Checked::Cycle(of_cycle) => (None, Some(cycle(of_cycle)?)),
     };
     let file = |file: &UsedFile| {
-        let (role, sha256) = (file.role.word().to_owned(), file.sha256.to_string());
+        let role = file.role.word().to_owned();
+        let sha256 = file.sha256.to_string();
         Ok(wire::File { role, name: name("check.files.name", &file.name)?, sha256 })
     };
     Ok(wire::Check {
@@ -238,7 +241,8 @@ fn cycle(cycle: &CycleCheck) -> Result<wire::Cycle, BodyError> {
         })
     });
     let block = cycle.block.as_ref().map(|(file, line)| {
-        let (file, line) = (name("check.cycle.block.file", file)?, whole("check.cycle.block.line", *line)?);
+        let file = name("check.cycle.block.file", file)?;
+        let line = whole("check.cycle.block.line", *line)?;
         Ok(wire::Block { file, line })
     });
     let file = |file: &str| name("check.cycle.origin.file", file);

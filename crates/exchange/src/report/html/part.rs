@@ -169,7 +169,8 @@ fn balloon([x, y]: [f64; 2], label: &str, (name, standing): (&str, &FeatureStand
 }
 
 fn heading(part: &PartSheet, words: &Words) -> String {
-    let (name, serial) = (&part.plan.head.part, part.serial());
+    let name = &part.plan.head.part;
+    let serial = part.serial();
     words.say(&match (name.is_empty(), serial.is_empty()) {
         (true, true) => message!("report-part"),
         (true, false) => message!("walk-page-part-serial").text("serial", serial),

@@ -72,7 +72,8 @@ impl Seen {
 
     /// Shows every check that the page lists, with its number in the report.
     pub fn each(&self, report: &Report, see: &mut dyn FnMut(usize, &Record) -> io::Result<()>) -> io::Result<()> {
-        let (mut at, mut wanted) = (0, self.wanted.iter().peekable());
+        let mut at = 0;
+        let mut wanted = self.wanted.iter().peekable();
         report.checks.each(&mut |record| {
             at += 1;
             if self.is_whole() || wanted.next_if_eq(&&(at - 1)).is_some() { see(at, record) } else { Ok(()) }

@@ -164,7 +164,9 @@ fn number(count: usize) -> Figure {
 impl<'a> Figures<'a> {
     fn of(answer: &'a Answer) -> Self {
         let Answer { asked, pairing, grinding, .. } = answer;
-        let (holes, shafts, wanted) = (asked.holes.as_ref(), asked.shafts.as_ref(), asked.wanted);
+        let holes = asked.holes.as_ref();
+        let shafts = asked.shafts.as_ref();
+        let wanted = asked.wanted;
         let groups = answer.groups();
         let parts = Both { holes, shafts, groups };
         let refused = |parts: &'a Parts| parts.errors.iter().map(|error| RefusedFigures::of(parts.file(), error));
@@ -213,7 +215,8 @@ impl<'a> Both<'a, '_> {
     }
 
     fn pair(&self, pair: &Pair) -> Option<PairFigures<'a>> {
-        let (hole, shaft) = (self.hole(pair.hole)?, self.shaft(pair.shaft)?);
+        let hole = self.hole(pair.hole)?;
+        let shaft = self.shaft(pair.shaft)?;
         Some(PairFigures { hole, shaft, clearance_um: Figure::um(pair.clearance) })
     }
 }

@@ -76,7 +76,8 @@ pub const FORMATS: &[Format] = &[figures::CSV, figures::JSON];
 impl Asked {
     /// Pairs and sorts.
     pub fn answer(self) -> Answer {
-        let (holes, shafts) = (&self.holes.measured, &self.shafts.measured);
+        let holes = &self.holes.measured;
+        let shafts = &self.shafts.measured;
         let pairing = pair(holes, shafts, self.wanted);
         let grinding = grinding(holes, shafts, &pairing, self.wanted);
         let sorted = self.group_count.map(|count| groups(holes, shafts, count, self.ranges()?));
