@@ -1,17 +1,10 @@
 //! Rows judged one after the other: most of them fast, the others exactly as `import` reads them, with the same answer.
 
-use std::fmt;
-
-use fitcheck_core::length::{Length, Unit};
-use fitcheck_core::message::Say;
-use fitcheck_core::tolerance::fit::thermal::Temperature;
-use fitcheck_core::tolerance::{Bounds, Sources, ToleranceClass};
-use fitcheck_core::verdict::{Status, doubt_of};
-
 use super::compared::{Compared, told};
+use super::court::Court;
 use super::cut::Block;
 use super::judged::Judged;
-use super::known::{Classes, Figures, Steps};
+use super::known::{Classes, Figures};
 use super::layout::{Layout, utf8};
 use super::tally::{Kind, Tally};
 use crate::exchange::ImportWarningKind;
@@ -22,11 +15,16 @@ use crate::exchange::given::shorten;
 use crate::exchange::imported::WhyUnjudged;
 use crate::exchange::index::{Broken, Index, LONGEST_ROW, line_end};
 use crate::exchange::left_out;
-use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::row::{Part, Row};
 use crate::exchange::rules::{Found, Rules};
 use crate::exchange::stated;
 use crate::within::Within as _;
+use fitcheck_core::length::{Length, Unit};
+use fitcheck_core::message::Say;
+use fitcheck_core::tolerance::fit::thermal::Temperature;
+use fitcheck_core::tolerance::{Bounds, ToleranceClass};
+use fitcheck_core::verdict::{Status, doubt_of};
+use std::fmt;
 
 /// Takes what is found in a block, in its order.
 pub trait Take {
@@ -45,96 +43,6 @@ pub trait Take {
     fn broken(&mut self, line: &str, reason: &ImportErrorKind);
     /// A line that is no row: empty, or a comment. With its line end.
     fn line(&mut self, line: &[u8]);
-}
-
-/// What every worker needs to judge: the layout of the stream and where limits come from.
-#[derive(Debug)]
-pub struct Court<'a> {
-    layout: &'a Layout,
-    sources: &'a Sources,
-    steps: Steps,
-    fast: Fast<'a>,
-}
-
-/// Which rows can be judged fast.
-#[derive(Debug)]
-#[expect(clippy::struct_excessive_bools, reason = "each answers another question about the rows")]
-struct Fast<'a> {
-    measured: (usize, Unit),
-    nominal: Option<(usize, Unit)>,
-    tolerance: Option<usize>,
-    /// The only column that states the unit of each row.
-    unit: Option<usize>,
-    /// Whether lengths are in inch by a statement: a callout with a size of its own is doubtful.
-    is_inch: bool,
-    /// Columns in which a row may say that nobody measured, or that the size alone does not decide.
-    aside: Vec<usize>,
-    /// Columns that say what was measured: with one of its words of a size a row is plain.
-    quantities: &'a [QuantityColumn],
-    count: usize,
-    /// A decimal sign that the measured values do not have.
-    foreign_sign: Option<u8>,
-    /// Cells between commas, where a decimal comma may have become a separator.
-    has_commas: bool,
-    /// Whether the cell before the callout may belong to it.
-    may_join: bool,
-    /// Whether a line may be a comment.
-    has_comments: bool,
-}
-
-impl<'a> Court<'a> {
-    /// For rows of a layout, with limits from these sources.
-    pub fn new(layout: &'a Layout, sources: &'a Sources) -> Self {
-        let columns = &layout.columns;
-        let has_commas = layout.has_commas();
-        let plain = columns.stated.plain();
-        // Without a plain unit no row is fast.
-        let (unit, is_inch) = plain.unwrap_or((None, false));
-        let fast = Fast {
-            measured: (columns.measured.at, columns.measured.unit),
-            nominal: columns.nominal.map(|column| (column.at, column.unit)),
-            // Without a column of callouts no row is fast; simulated rows are counted where each is read as a whole.
-            tolerance: columns.tolerance.filter(|_| plain.is_some() && !columns.evidence.are_simulated),
-            unit,
-            is_inch,
-            aside: columns
-                .simulated
-                .into_iter()
-                .chain(columns.evidence.origin)
-                .chain(columns.evidence.word)
-                .chain(columns.own.deciding().into_iter().flatten())
-                .collect(),
-            quantities: &columns.quantities,
-            count: columns.count,
-            foreign_sign: columns.decimal_sign.map(|sign| if sign == '.' { b',' } else { b'.' }),
-            has_commas,
-            may_join: has_commas && !columns.names_known,
-            has_comments: !layout.is_typed,
-        };
-        Self { layout, sources, steps: Steps::of(sources), fast }
-    }
-
-    /// The layout of the rows.
-    pub const fn layout(&self) -> &'a Layout {
-        self.layout
-    }
-
-    /// Where limits come from.
-    pub const fn sources(&self) -> &Sources {
-        self.sources
-    }
-
-    /// A worker's own judge.
-    pub fn judge(&self) -> Judge<'_> {
-        Judge {
-            court: self,
-            classes: Classes::new(self.sources, &self.steps),
-            counts: Vec::new(),
-            others: Counts::default(),
-            index: Index::default(),
-            compared: Compared::with(&self.layout.columns),
-        }
-    }
 }
 
 /// Judges blocks of rows, and remembers the classes that it met.
@@ -162,6 +70,20 @@ pub struct Met {
     pub others: Counts,
     /// What to check about the figures behind the limits.
     pub figures: Figures,
+}
+
+impl<'a> Court<'a> {
+    /// A worker's own judge.
+    pub fn judge(&self) -> Judge<'_> {
+        Judge {
+            court: self,
+            classes: Classes::new(self.sources, &self.steps),
+            counts: Vec::new(),
+            others: Counts::default(),
+            index: Index::default(),
+            compared: Compared::with(&self.layout.columns),
+        }
+    }
 }
 
 impl Judge<'_> {

@@ -4,6 +4,7 @@
 //! |---|---|
 //! | `layout` | what the first rows say: separator, columns, header |
 //! | `cut` | a stream cut into blocks of whole rows |
+//! | `court` | what every worker needs to judge, and which rows are plain |
 //! | `judge` | rows judged: most of them fast, the others as `import` reads them |
 //! | `judged`, `compared` | a row with its verdict; what the file says beside it |
 //! | `known` | limit deviations, looked up once for each class and step |
@@ -20,6 +21,7 @@ use std::borrow::Cow;
 #[cfg(feature = "parquet")]
 mod answers;
 mod compared;
+mod court;
 mod csv;
 mod cut;
 mod json_lines;
@@ -36,10 +38,11 @@ mod typed;
 
 #[cfg(feature = "parquet")]
 pub use answers::{Answers, output_fields};
+pub use court::Court;
 pub use csv::Csv;
 pub use cut::{BLOCK, Block, Cutter, read};
 pub use json_lines::JsonLines;
-pub use judge::{Counts, Court, Judge, Met, Take};
+pub use judge::{Counts, Judge, Met, Take};
 pub use judged::Judged;
 pub use known::Figures;
 pub use layout::{HEAD, Layout};

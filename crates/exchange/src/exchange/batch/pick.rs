@@ -8,8 +8,9 @@ use fitcheck_core::tolerance::Sources;
 use fitcheck_core::tolerance::fit::thermal::Temperature;
 use jiff::civil::DateTime;
 
+use super::court::Court;
 use super::cut::Block;
-use super::judge::{Court, Take};
+use super::judge::Take;
 use super::judged::Judged;
 use super::layout::Layout;
 use super::marks::{Fate, Part};

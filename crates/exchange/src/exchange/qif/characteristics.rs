@@ -3,7 +3,8 @@
 use fitcheck_core::length::Length;
 use fitcheck_core::tolerance::{Feature, ToleranceClass};
 
-use super::definitions::{Definition, Definitions, Item, Nominal, Tolerance};
+use super::declared::{Definition, Item, Nominal, Tolerance};
+use super::definitions::Definitions;
 use super::kinds::{in_words, is_size};
 use super::units::{NotALength, Number, Of, Units};
 use crate::exchange::Labels;

@@ -3,16 +3,15 @@
 //! Each thing has a number, and refers to others by theirs. The parts that a file may have at most, and that are kept, are
 //! bounded: definitions are for a drawing, not for a production.
 
-use std::collections::{BTreeMap, HashMap, HashSet};
-
-use fitcheck_core::message::shortened;
-use fitcheck_core::tolerance::Feature;
-
-use super::axis::{Placed, is_common, placed};
+use super::axis::{is_common, placed};
+use super::declared::{
+    Definition, FeatureDefinition, FeatureItem, FeatureNominal, Item, Nominal, Trace, id, key, name, only_id,
+};
 use super::units::{Number, Units};
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
-use crate::exchange::given::shorten;
 use crate::exchange::xml::{Element, Fault, Start, Xml, fault};
+use fitcheck_core::tolerance::Feature;
+use std::collections::{BTreeMap, HashMap, HashSet};
 
 /// The most things of a kind that are kept.
 pub(super) const MOST: usize = 100_000;
@@ -64,89 +63,6 @@ const OF_UNITS: &[&str] = &[
 /// What is kept of the traceability of an inspection.
 pub(super) const OF_TRACE: &[&str] = &["InspectionOperator", "Name", "InspectionStart", "InspectionEnd"];
 
-/// The limits of a characteristic.
-#[derive(Debug, Clone, PartialEq, Eq)]
-pub(super) enum Tolerance {
-    /// Largest and smallest value, as limits or else as deviations.
-    Limits { maximum: Option<Number>, minimum: Option<Number>, are_limits: bool },
-    /// The numbers are those of a tolerance with this number.
-    Shared { id: String, are_limits: bool },
-    /// Limits or deviations: the file does not say which.
-    Unclear,
-    /// A class, and `HOLE` or `SHAFT`.
-    Class { class: String, zone: String },
-    /// None.
-    Nothing,
-}
-
-/// What a characteristic is, and its limits.
-#[derive(Debug, Clone)]
-pub(super) struct Definition {
-    /// Its kind, such as `Diameter`.
-    pub(super) kind: String,
-    name: String,
-    pub(super) tolerance: Tolerance,
-}
-
-/// A characteristic with its nominal value.
-#[derive(Debug, Clone)]
-pub(super) struct Nominal {
-    pub(super) name: String,
-    pub(super) definition: String,
-    pub(super) target: Option<Number>,
-    pub(super) feature: String,
-}
-
-/// A characteristic of a feature of the part.
-#[derive(Debug, Clone)]
-pub(super) struct Item {
-    pub(super) name: String,
-    pub(super) designator: String,
-    pub(super) nominal: String,
-    pub(super) feature: String,
-}
-
-#[derive(Debug, Clone)]
-pub(super) struct FeatureDefinition {
-    pub(super) feature: Option<Feature>,
-    pub(super) diameter: Option<Number>,
-}
-
-/// A feature where it should be.
-#[derive(Debug, Clone)]
-pub(super) struct FeatureNominal {
-    pub(super) definition: String,
-    /// X, Y and Z as one text, or why no cycle can be sent there.
-    pub(super) place: Option<Placed>,
-}
-
-/// A feature of the part.
-#[derive(Debug, Clone)]
-pub(super) struct FeatureItem {
-    pub(super) nominal: String,
-    pub(super) name: String,
-    /// The number of the coordinate system that it is checked in; empty for that of the file.
-    pub(super) system: String,
-}
-
-/// Who measured, and when.
-#[derive(Debug, Clone, Default)]
-pub(super) struct Trace {
-    pub(super) who: String,
-    pub(super) time: String,
-}
-
-impl Trace {
-    /// What an element `InspectionTraceability` says.
-    pub(super) fn of(element: &Element) -> Self {
-        let time = |name| element.text_at(&[name]).to_owned();
-        let start = time("InspectionStart");
-        let end = time("InspectionEnd");
-        let who = name(element.text_at(&["InspectionOperator", "Name"]));
-        Self { who, time: shorten(if end.is_empty() { &start } else { &end }) }
-    }
-}
-
 /// All that a file declares.
 #[derive(Debug, Default)]
 pub(super) struct Definitions {
@@ -174,31 +90,6 @@ pub(super) struct Definitions {
     /// The part of each measurement results, in their order; empty where there is none, or several.
     pub(super) measured_parts: Vec<String>,
     pub(super) warnings: Vec<((usize, usize), ImportWarningKind)>,
-}
-
-/// The longest name that is kept, in characters.
-const LONGEST_NAME: usize = 500;
-
-fn name(text: &str) -> String {
-    shortened(text, LONGEST_NAME)
-}
-
-/// The number of a thing, or one that it refers to.
-fn key(text: &str) -> String {
-    shorten(text.trim())
-}
-
-fn id(element: &Element) -> String {
-    key(element.start.attribute("id"))
-}
-
-/// The only one of a list of numbers; empty where there are several.
-fn only_id(list: Option<&Element>) -> String {
-    let mut ids = list.into_iter().flat_map(Element::children).filter(|id| id.start.name == "Id");
-    match (ids.next(), ids.next()) {
-        (Some(id), None) => key(&id.text),
-        _ => String::new(),
-    }
 }
 
 impl Definitions {
@@ -459,36 +350,4 @@ fn keep<T>(
     }
     all.insert(id, new);
     Ok(true)
-}
-
-impl Definition {
-    fn of(element: &Element) -> Self {
-        let kind = element.start.name.trim_end_matches("CharacteristicDefinition").to_owned();
-        let name = self::name(element.text_at(&["Name"]));
-        let tolerance = if let Some(tolerance) = element.child("Tolerance") {
-            let limit = |name| tolerance.child(name).and_then(Number::of);
-            let are_limits = match tolerance.text_at(&["DefinedAsLimit"]) {
-                "true" | "1" => Some(true),
-                "false" | "0" => Some(false),
-                _ => None,
-            };
-            match (tolerance.child("DefinitionId"), are_limits) {
-                (_, None) => Tolerance::Unclear,
-                (Some(id), Some(are_limits)) => Tolerance::Shared { id: key(&id.text), are_limits },
-                (None, Some(are_limits)) => {
-                    Tolerance::Limits { maximum: limit("MaxValue"), minimum: limit("MinValue"), are_limits }
-                }
-            }
-        } else if let Some(fit) = element.child("LimitsAndFitsSpecification") {
-            let class = format!("{}{}", fit.text_at(&["FormVariance"]), fit.text_at(&["Grade"]));
-            Tolerance::Class { class: shorten(&class), zone: fit.start.attribute("zoneVariance").to_owned() }
-        } else {
-            Tolerance::Nothing
-        };
-        Self { kind, name, tolerance }
-    }
-
-    pub(super) fn name(&self) -> &str {
-        &self.name
-    }
 }

@@ -1,6 +1,6 @@
 //! QIF 3.0 (ISO 23952): results and plans of measuring software as XML.
 //!
-//! A file is read twice: first what is declared in it, which is kept (`definitions`), then its values, which are not
+//! A file is read twice: first what is declared in it, which is kept (`definitions`, each thing in `declared`), then its values, which are not
 //! (`results`). What stands behind the values, such as serial numbers, belongs to them all the same. `characteristics` puts
 //! together what the definitions say of a value, `units` makes lengths of its numbers, `axis` says which features have a place to probe,
 //! `kinds` which values are lengths.
@@ -11,6 +11,7 @@
 
 mod axis;
 mod characteristics;
+mod declared;
 mod definitions;
 mod kinds;
 mod results;

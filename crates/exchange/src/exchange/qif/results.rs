@@ -4,7 +4,8 @@ use std::collections::HashMap;
 use std::ops::ControlFlow;
 
 use super::axis::{Placed, placed};
-use super::definitions::{Definitions, MOST, OF_TRACE, Trace, miscounted};
+use super::declared::Trace;
+use super::definitions::{Definitions, MOST, OF_TRACE, miscounted};
 use super::units::Number;
 use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
 use crate::exchange::given::shorten;

@@ -1,208 +1,51 @@
-//! CSV of id, callout and measured value, with or without a header.
-//!
-//! Separator, decimal sign and columns are detected by the first rows; what could be meant in two ways is refused. The text is read in
-//! pieces of whole lines, and a row that spans two of them is read with the second: a file of any size takes the memory of one piece.
+//! Rows whose columns are known: each is judged, refused, or told about.
 
-use std::borrow::Cow;
-use std::sync::Arc;
-
+use super::time::{date_time, has_offset};
+use crate::exchange::Labels;
+use crate::exchange::cell::{Cells as _, joined};
+use crate::exchange::cells;
+use crate::exchange::claim::{Answer, Claim};
+use crate::exchange::column::listed;
+use crate::exchange::columns::Columns;
+use crate::exchange::delimited::{Item, Rows, lines};
+use crate::exchange::error::{ImportErrorKind, ImportWarningKind};
+use crate::exchange::evidence::marks_simulation;
+use crate::exchange::given::shorten;
+use crate::exchange::imported::{Sink, Unjudged, WhyUnjudged};
+use crate::exchange::index::LONGEST_ROW;
+use crate::exchange::left_out;
+use crate::exchange::refused::{Cell, Refused};
+use crate::exchange::remarks::Heard;
+use crate::exchange::rules::{Found, Rules};
+use crate::exchange::size::{Size, SizesOf};
+use crate::exchange::source::Context;
+use crate::exchange::stated;
+use crate::exchange::words;
+use crate::journal::Record;
+use crate::within::Within as _;
 use csv::StringRecord;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::Place;
 use fitcheck_core::probing::{Measurement, Origin};
-use jiff::civil::{DateTime, Time};
-
-use super::cells;
-use super::claim::{Answer, Claim};
-use super::column::listed;
-use super::columns::Columns;
-use super::delimited::{Item, Rows, lines, without_separator_line};
-use super::error::{ImportErrorKind, ImportWarningKind};
-use super::evidence::marks_simulation;
-use super::given::shorten;
-use super::imported::{Sink, Unjudged, WhyUnjudged};
-use super::index::LONGEST_ROW;
-use super::left_out;
-use super::mapping::Mapping;
-use super::pieces::Pieces;
-use super::refused::{Cell, Refused};
-use super::remarks::Heard;
-use super::rules::{Found, Rules};
-use super::sample::{NO_SEPARATOR, Sample};
-use super::size::{Size, SizesOf};
-use super::source::{Context, Source, WHOLE};
-use super::stated;
-use super::words;
-use super::{Format, Labels};
-use crate::exchange::cell::{Cells as _, joined};
-use crate::journal::Record;
-use crate::within::Within as _;
-
-/// The bytes that end a row.
-pub(super) const LINE_ENDS: &[u8] = b"\n\r";
-
-pub(super) const FORMAT: Format = Format {
-    name: "measurements",
-    endings: &["csv", "tsv", "txt"],
-    description: "exchange-format-measurements",
-    recognises: |beginning| is_text(&beginning.text()),
-    read,
-    plan: None,
-    line_ends: LINE_ENDS,
-    has_marks: false,
-    shows_end: true,
-};
-
-/// Text, not arbitrary bytes: at most one of fifty characters is a control character.
-fn is_text(head: &str) -> bool {
-    let odd = head.chars().filter(|c| c.is_control() && !"\t\r\n".contains(*c)).count();
-    odd * 50 <= head.chars().count()
-}
-
-fn read(source: &mut Source<'_>, sink: &mut Sink<'_>) -> Result<(), ImportErrorKind> {
-    read_rows(source, sink, None)
-}
-
-/// Reads the measured sizes alone: limits are not looked up.
-pub(super) fn read_sizes(
-    source: &mut Source<'_>,
-    sink: &mut Sink<'_>,
-    sizes: SizesOf<'_>,
-) -> Result<(), ImportErrorKind> {
-    read_rows(source, sink, Some(sizes))
-}
-
-fn read_rows(source: &mut Source<'_>, sink: &mut Sink<'_>, sizes: Option<SizesOf<'_>>) -> Result<(), ImportErrorKind> {
-    let context = source.context.clone();
-    let mapping = source.given.mapping;
-    let detects = Mapping::default();
-    let has_plan = source.given.has_plan;
-    // What is stated behind the last row holds for the first one as well.
-    let unit_lines = stated::unit_lines(&mut source.pieces(LINE_ENDS)?);
-    let mut pieces = source.pieces(LINE_ENDS)?;
-    let head = head(&mut pieces)?;
-    let (text, first_line, separator) = without_separator_line(&head);
-    let mapping = mapping.unwrap_or(&detects);
-    let mut sample = Sample::of(text, first_line, mapping.separator().or(separator));
-    let separator = sample.separator;
-    let columns = mapping.columns(&mut sample)?;
-    stated::agree(&columns, &unit_lines)?;
-    // The first rows are read once more with the rest.
-    drop(sample);
-    let mut reader = Reader { sizes, ..Reader::new(&context, (&columns, separator, has_plan), sink) };
-    reader.warn_of_columns(first_line);
-    let mut rows = Rows::new(text, first_line, separator).going_on(true);
-    let mut next = reader.rows(&mut rows);
-    let mut rest = rows.rest().to_owned();
-    drop(head);
-    let mut goes_on = true;
-    while goes_on && let Some(line) = next {
-        let piece = pieces.next()?;
-        goes_on = piece.is_some();
-        // Behind the last piece only the rest of it is left.
-        let piece = piece.unwrap_or(Cow::Borrowed(""));
-        let text = if rest.is_empty() { piece } else { Cow::Owned(std::mem::take(&mut rest) + &piece) };
-        let mut rows = Rows::after(&text, line, separator).going_on(goes_on);
-        next = reader.rows(&mut rows);
-        rows.rest().clone_into(&mut rest);
-    }
-    if reader.sink.rows() == 0 {
-        reader.refuse(first_line, NOTHING, ImportErrorKind::NoRows);
-    }
-    reader.tell_all_nominal(first_line);
-    Ok(())
-}
-
-/// Reads the rows of a file that has cells as such; a row is not known to be the last one.
-pub(super) struct Cells<'a, 's, 'z>(Reader<'a, 's, 'z>);
-
-impl<'a, 's, 'z> Cells<'a, 's, 'z> {
-    pub(super) fn new(
-        source: &'a Context<'a>,
-        columns: &'a Columns,
-        has_plan: bool,
-        sink: &'a mut Sink<'s>,
-        sizes: Option<SizesOf<'z>>,
-    ) -> Self {
-        let separator = NO_SEPARATOR;
-        let mut reader = Reader { sizes, ..Reader::new(source, (columns, separator, has_plan), sink) };
-        reader.warn_of_columns(1);
-        Self(reader)
-    }
-
-    /// Reads a row; `false` where no more are wanted.
-    pub(super) fn row(&mut self, line: usize, cells: &StringRecord) -> bool {
-        if self.0.sink.is_full(line) {
-            return false;
-        }
-        self.0.row(line, cells);
-        true
-    }
-
-    /// Tells it where no row held anything.
-    pub(super) fn end(mut self) {
-        if self.0.sink.rows() == 0 {
-            self.0.refuse(1, NOTHING, ImportErrorKind::NoRows);
-        }
-        self.0.tell_all_nominal(1);
-    }
-}
-
-/// Reads some rows of a file of which no more are known.
-pub(super) fn read_these<'r>(
-    source: &Context<'_>,
-    (columns, separator, has_plan): (&Columns, u8, bool),
-    rows: impl Iterator<Item = &'r (usize, StringRecord)>,
-    sink: &mut Sink<'_>,
-) {
-    let mut reader = Reader::new(source, (columns, separator, has_plan), sink);
-    for (line, cells) in rows {
-        reader.row(*line, cells);
-    }
-}
-
-/// The beginning of a text, by which its columns are known: down to rows below comments and header.
-pub(super) fn head(pieces: &mut Pieces<'_>) -> Result<String, ImportErrorKind> {
-    let most = WHOLE.try_into().unwrap_or(usize::MAX);
-    let mut head = String::new();
-    while let Some(piece) = pieces.next()? {
-        head.push_str(&piece);
-        let (text, first_line, separator) = without_separator_line(&head);
-        if most < head.len() || Sample::of(text, first_line, separator).has_data() {
-            break;
-        }
-    }
-    Ok(head)
-}
+use jiff::civil::DateTime;
+use std::sync::Arc;
 
 /// No cell.
-const NOTHING: Cell<'_> = Cell { at: None, text: "" };
+pub(super) const NOTHING: Cell<'_> = Cell { at: None, text: "" };
 
-/// Reads a single row whose columns are known, as one of a whole file.
-pub(super) fn read_row(
-    source: &Context<'_>,
-    (columns, separator): (&Columns, u8),
-    (line, cells): (usize, &StringRecord),
-    sink: &mut Sink<'_>,
-) {
-    let mut reader = Reader::new(source, (columns, separator, false), sink);
-    if let Err((cell, reason)) = reader.measurement(line, cells) {
-        reader.refuse(line, cell, reason);
-    }
-}
-
-struct Reader<'a, 's, 'z> {
+/// Reads rows, one after the other.
+pub(super) struct Reader<'a, 's, 'z> {
     source: &'a Context<'a>,
     columns: &'a Columns,
     separator: u8,
     has_plan: bool,
-    sink: &'a mut Sink<'s>,
+    pub(super) sink: &'a mut Sink<'s>,
     /// Whether the row is the last one and has no line end.
     is_open: bool,
     /// Whether the mark of a simulation stands above it.
     is_simulated: bool,
     /// Where sizes go, if they alone are wanted.
-    sizes: Option<SizesOf<'z>>,
+    pub(super) sizes: Option<SizesOf<'z>>,
     nominal: Nominal,
     /// The line that names other columns: what is below it is not known.
     renamed: Option<usize>,
@@ -217,8 +60,8 @@ struct Nominal {
     exact: usize,
 }
 
-impl<'a, 's> Reader<'a, 's, '_> {
-    fn new(
+impl<'a, 's, 'z> Reader<'a, 's, 'z> {
+    pub(super) fn new(
         source: &'a Context<'a>,
         (columns, separator, has_plan): (&'a Columns, u8, bool),
         sink: &'a mut Sink<'s>,
@@ -232,8 +75,13 @@ impl<'a, 's> Reader<'a, 's, '_> {
         Self { source, columns, separator, has_plan, sink, is_open, is_simulated, sizes, nominal, renamed, heard }
     }
 
+    /// The same for sizes alone, where they are wanted.
+    pub(super) fn of(self, sizes: Option<SizesOf<'z>>) -> Self {
+        Self { sizes, ..self }
+    }
+
     /// Reads some rows, and gives the number of the line after them; `None` where no more are wanted.
-    fn rows(&mut self, rows: &mut Rows<'_>) -> Option<usize> {
+    pub(super) fn rows(&mut self, rows: &mut Rows<'_>) -> Option<usize> {
         let mut next = rows.next();
         while let Some(item) = next {
             if self.sink.is_full(item.line()) {
@@ -265,7 +113,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
         }
     }
 
-    fn warn_of_columns(&mut self, first_line: usize) {
+    pub(super) fn warn_of_columns(&mut self, first_line: usize) {
         let line = self.columns.header.unwrap_or(first_line);
         if let Some((line, reason)) = self.columns.stated.told(self.columns.measured) {
             self.warn(line, reason);
@@ -286,7 +134,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
     }
 
     /// Tells that nobody may have measured: a drawing's list of sizes passes every limit of H and h.
-    fn tell_all_nominal(&mut self, first_line: usize) {
+    pub(super) fn tell_all_nominal(&mut self, first_line: usize) {
         let Nominal { judged, exact } = self.nominal;
         if 1 < judged && judged == exact {
             let line = self.columns.header.unwrap_or(first_line);
@@ -302,12 +150,12 @@ impl<'a, 's> Reader<'a, 's, '_> {
         self.sink.warn(Place::line(line), Some(line), reason);
     }
 
-    fn refuse(&mut self, line: usize, cell: Cell<'_>, reason: ImportErrorKind) {
+    pub(super) fn refuse(&mut self, line: usize, cell: Cell<'_>, reason: ImportErrorKind) {
         let given = shorten(cell.text.trim());
         self.sink.refuse(Place { column: cell.at.map(|at| at + 1), ..Place::line(line) }, reason, given);
     }
 
-    fn row(&mut self, line: usize, cells: &StringRecord) {
+    pub(super) fn row(&mut self, line: usize, cells: &StringRecord) {
         if cells::is_blank(cells) || self.columns.stated.is_row_of_units(cells) {
             return;
         }
@@ -409,7 +257,7 @@ impl<'a, 's> Reader<'a, 's, '_> {
     }
 
     /// Judges a row and keeps it, or names the cell that cannot be used.
-    fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
+    pub(super) fn measurement<'c>(&mut self, line: usize, cells: &'c StringRecord) -> Result<(), Refused<'c>> {
         let Found { measured, asked, said, is_simulated, quantity } = self.rules().read(cells)?;
         let id = cells.cell(self.columns.id).trim().to_owned();
         self.tell_cut_off(line, cells);
@@ -500,29 +348,4 @@ impl<'a, 's> Reader<'a, 's, '_> {
         }
         read.unwrap_or(self.source.now)
     }
-}
-
-/// Whether a date and time says how far it is from UTC, or in which time zone it is.
-fn has_offset(given: &str) -> bool {
-    let time = given.split_once(['T', 't', ' ']).map_or("", |(_, time)| time);
-    given.contains('[') || time.contains(['+', '-', '\u{2212}'])
-}
-
-/// `2024-03-14 08:05:09` as in ISO 8601 (the time is optional), or day first: `14.3.2024 8:05`.
-fn date_time(given: &str) -> Option<DateTime> {
-    if let Ok(time) = given.parse() {
-        return Some(time);
-    }
-    let (day, time) = given.split_once([' ', 'T']).unwrap_or((given, "0:00"));
-    let mut parts = day.split(['-', '.']);
-    let day = parts.next()?;
-    let month = parts.next()?;
-    let year = parts.next()?;
-    let year = year.parse().ok().filter(|year| 1000 <= *year)?;
-    let date = jiff::civil::Date::new(year, month.parse().ok()?, day.parse().ok()?).ok()?;
-    let mut parts = time.trim().split(':');
-    let hour = parts.next()?.parse().ok()?;
-    let minute = parts.next()?.parse().ok()?;
-    let second = parts.next().map_or(Some(0), |second| second.parse().ok())?;
-    Some(date.to_datetime(Time::new(hour, minute, second, 0).ok()?))
 }
