@@ -10,7 +10,7 @@ pub trait Within<Range> {
     fn within(&self, range: Range) -> &Self;
 }
 
-impl<Range: SliceIndex<str, Output = str>> Within<Range> for str {
+impl<Range: SliceIndex<Self, Output = Self>> Within<Range> for str {
     #[inline]
     fn within(&self, range: Range) -> &Self {
         let found = self.get(range);

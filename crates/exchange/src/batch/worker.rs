@@ -12,7 +12,8 @@ pub(super) struct Worker<'c, P, M, J, W, K: ?Sized> {
     made: M,
     of_portion: J,
     into: W,
-    ends: PhantomData<(fn(P), fn(&K))>,
+    portions: PhantomData<fn(P)>,
+    sink: PhantomData<fn(&K)>,
 }
 
 impl<'c, P, M, J, W, K> Worker<'c, P, M, J, W, K>
@@ -22,7 +23,7 @@ where
     K: ?Sized,
 {
     pub(super) fn new(court: &'c Court<'_>, made: M, of_portion: J, into: W) -> Self {
-        Self { judge: court.judge(), made, of_portion, into, ends: PhantomData }
+        Self { judge: court.judge(), made, of_portion, into, portions: PhantomData, sink: PhantomData }
     }
 }
 

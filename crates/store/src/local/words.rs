@@ -34,7 +34,7 @@ pub(super) fn numbers(
         let mut count = 0;
         let mut last = before;
         while let Some(row) = rows.next()? {
-            count = count + 1;
+            count += 1;
             last = row.get(0)?;
             // One that is not found by its number is told by whoever reads it.
             let has_words =

@@ -72,7 +72,7 @@ pub struct Met {
     pub figures: Figures,
 }
 
-impl<'a> Court<'a> {
+impl Court<'_> {
     /// A worker's own judge.
     pub fn judge(&self) -> Judge<'_> {
         Judge {

@@ -156,6 +156,8 @@ fn too_large(error: std::num::TryFromIntError) -> ParquetError {
 /// Numbers of a few bits: as one run where all are the same, else each in its bits, the lowest first (the format's hybrid
 /// of run lengths and packed bits).
 fn put_bits(mut numbers: impl Iterator<Item = u8> + Clone, count: usize, width: u32, out: &mut Vec<u8>) {
+    /// Fills the last group of eight.
+    const PADDING: u8 = 0;
     let mut all = numbers.clone();
     // Of no numbers there is a run of length 0.
     let first = all.next().unwrap_or(0);
@@ -164,8 +166,6 @@ fn put_bits(mut numbers: impl Iterator<Item = u8> + Clone, count: usize, width: 
         out.push(first);
         return;
     }
-    /// Fills the last group of eight.
-    const PADDING: u8 = 0;
     put_varint(long(count.div_ceil(8) << 1 | 1), out);
     for _ in 0..count.div_ceil(8) {
         // Eight numbers of at most eight bits fit.
