@@ -143,7 +143,7 @@ impl Line {
     fn begin(&self, name: &str) {
         let mut shown = self.lock();
         shown.clear();
-        shown.name = name.to_owned();
+        name.clone_into(&mut shown.name);
         shown.begun = Instant::now();
         shown.last = None;
     }

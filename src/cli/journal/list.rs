@@ -7,7 +7,7 @@ use crate::cli::people::{Aligned, mm};
 use crate::cli::record::Place;
 use crate::cli::rows;
 use crate::journal::ask::Question;
-use crate::journal::entry::{Content, Entry};
+use crate::journal::entry::{Check, Content, Entry};
 use crate::store::local::{Reader, Row};
 
 fn help() -> String {
@@ -107,8 +107,7 @@ fn cells(row: &Row) -> [String; 9] {
         return cells;
     };
     let time = about.time.local().map_or_else(String::new, |time| time.strftime("%Y-%m-%d %H:%M").to_string());
-    let status =
-        row::check(row).and_then(|check| check.status()).map_or_else(String::new, |status| status.word().to_owned());
+    let status = row::check(row).and_then(Check::status).map_or_else(String::new, |status| status.word().to_owned());
     let callout = match (row::record(row), content) {
         (Some(record), _) => crate::journal::query::callout(record),
         (None, Content::Check(check)) => match &check.what {
