@@ -5,7 +5,9 @@ use std::path::PathBuf;
 use fitcheck_core::message::{Located, Message, Say as _, message};
 use fitcheck_core::part::Plan;
 use fitcheck_core::tolerance::Sources;
-use fitcheck_exchange::exchange::{ByPlan, Choice, ColumnUnit, DecimalSign, Detected, FirstRows, Given, Item, Kept, Mapping, Role, Separator};
+use fitcheck_exchange::exchange::{
+    ByPlan, Choice, ColumnUnit, DecimalSign, Detected, FirstRows, Given, Item, Kept, Mapping, Role, Separator,
+};
 use jiff::civil::DateTime;
 
 use crate::purpose::ImportInto;
