@@ -10,10 +10,11 @@ use super::effects::{Beside, Errands, Runner};
 use super::in_turn::InTurn;
 use super::journal::Records;
 use super::keeping::Keeper;
+use super::pages::page_of;
 use super::store::Store;
 use super::theme;
 use super::view::View;
-use super::{budget, check, cycles, dialogs, field, fit, keys, pairing, parts, program, records, tables, top_bar};
+use super::{dialogs, field, keys, parts, top_bar};
 use crate::files;
 use crate::message::{Message, Say as _};
 use crate::session::{CheckField, Command, Effect, FilesCommand, Page, Purpose, Session, Theme};
@@ -251,16 +252,6 @@ fn touched(ui: &Ui) -> Option<bool> {
 fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
     keys::keys_ui(ui, view);
     top_bar::top_bar_ui(ui, view);
-    match view.session.page() {
-        Page::Check => check::check_ui(ui, view),
-        Page::Fit => fit::fit_ui(ui, view),
-        Page::Cycles => cycles::cycles_ui(ui, view),
-        Page::Tables => tables::tables_ui(ui, view),
-        Page::Program => program::program_ui(ui, view),
-        Page::Pairing => pairing::pairing_ui(ui, view),
-        Page::Budget => budget::budget_ui(ui, view),
-        Page::Records => records::records_ui(ui, view),
-        Page::Parts => parts::parts_ui(ui, view),
-    }
+    (page_of(view.session.page()).ui)(ui, view);
     dialogs::dialogs_ui(ui, view);
 }

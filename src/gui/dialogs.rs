@@ -8,84 +8,21 @@ use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Win
 use super::columns_panel::columns_ui;
 use super::field::select_all;
 use super::folder_list::{folder_list_ui, has_room};
+use super::pages::page_of;
 use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
 use super::working::working_ui;
 use crate::message::{Message, message};
 use crate::session::parts::PlanCommand;
-use crate::session::{
-    BudgetCommand, Command, CycleFile, Dialog, FilesCommand, Notice, Page, PairingCommand, PartsCommand, Purpose,
-};
+use crate::session::{BudgetCommand, Command, CycleFile, Dialog, Notice, PartsCommand, Purpose};
 use crate::tolerance::Feature;
 
 /// Files dropped on the window are read, each as the open page uses it.
 fn dropped(ui: &Ui, view: &mut View<'_>) {
     let dropped = ui.input(|input| input.raw.dropped_files.clone());
     for (number, file) in dropped.iter().enumerate() {
-        let purpose = match view.session.page() {
-            Page::Tables => Purpose::OpenTable,
-            Page::Cycles if is_tools(file.path()) => Purpose::OpenTools,
-            Page::Cycles => Purpose::OpenCycleFile(cycle_file(file.path())),
-            Page::Program => program_file(file.path()),
-            Page::Budget => budget_file(view, file.path()),
-            Page::Parts => parts_file(file.path()),
-            Page::Pairing => {
-                let Some(feature) = view.session.pairing().side_of_dropped(number) else {
-                    let name = file.path().file_name().unwrap_or_default().to_string_lossy().into_owned();
-                    view.send(PairingCommand::NoSideFree { name });
-                    continue;
-                };
-                Purpose::OpenParts(feature)
-            }
-            Page::Check | Page::Fit | Page::Records => Purpose::Import,
-        };
-        view.send(FilesCommand::Open(purpose, file.path().to_owned()));
-    }
-}
-
-/// What kind a file dropped on the program page is, by its ending.
-fn program_file(path: &Path) -> Purpose {
-    match cycle_file(path) {
-        _ if is_tools(path) => Purpose::OpenTools,
-        CycleFile::Workpiece => Purpose::OpenCycleFile(CycleFile::Workpiece),
-        _ if path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("csv")) => {
-            Purpose::OpenCycleFile(CycleFile::Contacts)
-        }
-        _ => Purpose::OpenProgram,
-    }
-}
-
-/// What a file dropped on the parts page is, by its ending: a plan, its picture, or measurements.
-fn parts_file(path: &Path) -> Purpose {
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
-    match ending.as_str() {
-        "toml" => Purpose::OpenPlan,
-        ending if Purpose::OpenPicture.endings().contains(&ending) => Purpose::OpenPicture,
-        _ => Purpose::Import,
-    }
-}
-
-/// What a file dropped on the budget page is: a budget by its ending, else readings where the budget asks for them.
-fn budget_file(view: &View<'_>, path: &Path) -> Purpose {
-    match cycle_file(path) {
-        CycleFile::Workpiece => Purpose::OpenBudget,
-        _ if view.session.budget().asks().readings => Purpose::OpenReadings,
-        _ => Purpose::Import,
-    }
-}
-
-/// Whether a file is a tool table, by its ending.
-fn is_tools(path: &Path) -> bool {
-    path.extension().is_some_and(|ending| ending.eq_ignore_ascii_case("t"))
-}
-
-/// What kind a file dropped on the cycles page is, by its ending.
-fn cycle_file(path: &Path) -> CycleFile {
-    let ending = path.extension().map(|ending| ending.to_string_lossy().to_lowercase()).unwrap_or_default();
-    match ending.as_str() {
-        "toml" => CycleFile::Workpiece,
-        "tp" => CycleFile::Probes,
-        _ => CycleFile::Contacts,
+        let command = (page_of(view.session.page()).dropped)(view, file.path(), number);
+        view.send(command);
     }
 }
 

@@ -11,6 +11,7 @@
 //! | `journal` | who keeps and reads records |
 //! | `theme` | colours, sizes, fonts |
 //! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `parts` | the pages |
+//! | `pages` | the list of the pages |
 //! | `top_bar`, `dialogs`, `folder_list`, `columns_panel` | what belongs to every page |
 //! | `who` | who is measuring |
 //! | `tools` | the tool table on the pages that measure |
@@ -25,7 +26,7 @@
 //! To add a page, begin with the list in `crates/session/src/lib.rs`, and then:
 //!
 //! 1. Write its folder: `NAME_ui` in `mod.rs`, one file per panel. A panel draws from the session and sends commands.
-//! 2. Add its arm to `window_ui` in `app.rs`, and to `dropped` in `dialogs.rs`: what a file that is dropped on it is.
+//! 2. Say in its `PAGE` how it is drawn and what a file is that is dropped on it, and add its line to `pages.rs`.
 //! 3. Carry out its new effects in `effects.rs`: what touches a file or takes long runs off the frame's thread.
 //! 4. Add its texts to every folder of `assets/locales`: a file `NAME-page.ftl`, with `page-NAME` for the top bar.
 //! 5. Test it by label and key in `tests/gui/NAME_page.rs`; add it to `sizes.rs` (every size and language) and, with its picture, to
@@ -54,6 +55,7 @@ mod limits;
 mod long_list;
 mod material;
 mod measurements;
+mod pages;
 mod pairing;
 mod parts;
 mod picture;

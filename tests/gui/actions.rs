@@ -4,7 +4,7 @@ use fitcheck::session::{CheckAction, CyclesAction, ProgramAction, WindowAction};
 use std::collections::BTreeSet;
 
 use eframe::egui::accesskit::Role;
-use eframe::egui::{Key, Modifiers};
+use eframe::egui::{Id, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::App;
@@ -93,17 +93,9 @@ impl Pair {
 
     /// Gives the focus to the part of the page; on pages without one, nothing has it.
     fn focus(&mut self) {
-        match self.session.page() {
-            Page::Fit => self.window.get_by_role_and_label(Role::RadioGroup, "Hole classes").focus(),
-            Page::Tables => self.window.get_by_role(Role::Grid).focus(),
-            Page::Program => self.window.get_by_role(Role::List).focus(),
-            Page::Check | Page::Pairing | Page::Parts => {
-                // Without checks there is no list.
-                if let Some(list) = self.window.query_by_role(Role::Grid) {
-                    list.focus();
-                }
-            }
-            Page::Cycles | Page::Budget | Page::Records => {}
+        // Without checks there is no list.
+        if let Some(part) = Part::of(self.session.page()).next() {
+            self.window.ctx.memory_mut(|memory| memory.request_focus(Id::unique(part.name)));
         }
         self.window.step();
         self.window.step();

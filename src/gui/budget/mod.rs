@@ -13,15 +13,21 @@ mod bars;
 mod table;
 mod text_panel;
 
+use crate::gui::pages::{PageView, ending, open};
+use crate::session::Command;
+use crate::session::Purpose;
 use eframe::egui::{Id, Ui};
+use std::path::Path;
 
 use super::columns::{Page, column_ui, columns_ui};
 use super::dialogs::just_opened;
 use super::theme::space;
 use super::view::{View, quiet};
 
+pub(super) const PAGE: PageView = PageView { ui: budget_ui, dropped };
+
 /// The page: left what is asked, middle what is seen, right the answer.
-pub(super) fn budget_ui(ui: &mut Ui, view: &mut View<'_>) {
+fn budget_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("budget-page")) {
         ui.memory_mut(|memory| memory.request_focus(text_panel::id(view)));
     }
@@ -52,4 +58,14 @@ fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
         table::table_ui(ui, view, found);
         bars::bars_ui(ui, view, found);
     });
+}
+
+/// A budget by its ending, else readings where the budget asks for them.
+fn dropped(view: &View<'_>, path: &Path, _number: usize) -> Command {
+    let purpose = match ending(path).as_str() {
+        "toml" => Purpose::OpenBudget,
+        _ if view.session.budget().asks().readings => Purpose::OpenReadings,
+        _ => Purpose::Import,
+    };
+    open(purpose, path)
 }

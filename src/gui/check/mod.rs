@@ -24,6 +24,7 @@ mod rule_panel;
 mod status_panel;
 mod worth_lines;
 
+use crate::gui::pages::{PageView, measurements};
 pub(super) use answer_panel::card as check_card;
 use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
 pub(super) use history_list::{PAD, text_ui};
@@ -44,8 +45,10 @@ const ULTRA_WIDE: f32 = 650.0;
 /// From this width on the columns are wider, and the history is a table whatever the height.
 const WIDE: f32 = 400.0;
 
+pub(super) const PAGE: PageView = PageView { ui: check_ui, dropped: measurements };
+
 /// The check page: left what is asked, middle what was seen, right the answer, bottom the earlier checks.
-pub(super) fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
+fn check_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
     let is_wide = space(WIDE) <= size.x;
     let page = Page {

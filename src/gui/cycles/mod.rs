@@ -18,7 +18,10 @@ pub(super) mod picture;
 mod seen_panel;
 pub(super) mod workpiece_window;
 
+use crate::gui::pages::{PageView, cycle_file, ending, open};
+use crate::session::Purpose;
 use eframe::egui::{Id, Ui};
+use std::path::Path;
 
 use super::columns::{Page, columns_ui};
 use super::dialogs::just_opened;
@@ -28,8 +31,10 @@ use super::verdict_card::least_width;
 use super::view::View;
 use crate::session::{Action, Command, CycleField, CyclesCommand};
 
+pub(super) const PAGE: PageView = PageView { ui: cycles_ui, dropped };
+
 /// The page: left what is asked, middle what is seen, right the answer.
-pub(super) fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
+fn cycles_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("cycles-page"))
         && let Some(first) = view.session.cycles().cycle().parameters.first()
     {
@@ -79,4 +84,10 @@ fn opener_ui(ui: &mut Ui, view: &mut View<'_>, action: impl Into<Action>, is_ope
     if was_open && !is_open {
         button.request_focus();
     }
+}
+
+/// A tool table, a probe table, a workpiece or contacts, by its ending.
+fn dropped(_view: &View<'_>, path: &Path, _number: usize) -> Command {
+    let is_tools = ending(path) == "t";
+    open(if is_tools { Purpose::OpenTools } else { Purpose::OpenCycleFile(cycle_file(path)) }, path)
 }

@@ -17,6 +17,7 @@ mod picture;
 mod search_panel;
 mod staircase;
 
+use crate::gui::pages::{PageView, measurements};
 use eframe::egui::{Id, Ui};
 
 use super::columns::{Page, column_ui, columns_ui};
@@ -26,8 +27,10 @@ use super::theme::space;
 use super::view::View;
 use crate::session::FitField;
 
+pub(super) const PAGE: PageView = PageView { ui: fit_ui, dropped: measurements };
+
 /// The page: left what is asked, middle what is seen, right the answer.
-pub(super) fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
+fn fit_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("fit-page")) {
         ui.memory_mut(|memory| memory.request_focus(field::id(FitField::Callout)));
     }

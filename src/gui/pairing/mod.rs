@@ -14,7 +14,12 @@ mod groups_panel;
 mod pairs_list;
 mod picture;
 
+use crate::gui::pages::{PageView, open};
+use crate::session::Command;
+use crate::session::PairingCommand;
+use crate::session::Purpose;
 use eframe::egui::{Id, Ui};
+use std::path::Path;
 
 use super::columns::{Page, columns_ui, of_height};
 use super::dialogs::just_opened;
@@ -23,8 +28,10 @@ use super::theme::{control, space};
 use super::view::View;
 use crate::session::PairingField;
 
+pub(super) const PAGE: PageView = PageView { ui: pairing_ui, dropped };
+
 /// The page: left what is asked, middle what is seen, right the answer.
-pub(super) fn pairing_ui(ui: &mut Ui, view: &mut View<'_>) {
+fn pairing_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("pairing-page")) {
         ui.memory_mut(|memory| memory.request_focus(field::id(PairingField::Wanted)));
     }
@@ -53,4 +60,15 @@ fn seen_ui(ui: &mut Ui, view: &mut View<'_>) {
         ui.separator();
     }
     pairs_list::list_ui(ui, view, paired);
+}
+
+/// Measurements of the side that is free; of several, one for each.
+fn dropped(view: &View<'_>, path: &Path, number: usize) -> Command {
+    match view.session.pairing().side_of_dropped(number) {
+        Some(feature) => open(Purpose::OpenParts(feature), path),
+        None => {
+            let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy().into_owned();
+            PairingCommand::NoSideFree { name }.into()
+        }
+    }
 }

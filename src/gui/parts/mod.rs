@@ -15,15 +15,21 @@ mod plan;
 mod plan_view;
 mod walk;
 
+use crate::gui::pages::{PageView, ending, open};
+use crate::session::Command;
+use crate::session::Purpose;
 use eframe::egui::{CentralPanel, Frame, Panel, Ui};
+use std::path::Path;
 
 use super::view::View;
 use crate::session::parts::PartsView;
 pub(super) use plan::grid::{focus as focus_table, id as plan_id};
 pub(super) use walk::sizes_id;
 
+pub(super) const PAGE: PageView = PageView { ui: parts_ui, dropped };
+
 /// The page.
-pub(super) fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
+fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
     home::home_ui(ui, view);
     let is_walk = view.session.parts().view() == PartsView::Walk;
     // Where there is no room, the head scrolls with the walk: the verdict stays in sight.
@@ -36,4 +42,14 @@ pub(super) fn parts_ui(ui: &mut Ui, view: &mut View<'_>) {
     } else {
         CentralPanel::default().show(ui, |ui| plan_view::plan_ui(ui, view));
     }
+}
+
+/// A plan, its picture, or measurements, by its ending.
+fn dropped(_view: &View<'_>, path: &Path, _number: usize) -> Command {
+    let purpose = match ending(path).as_str() {
+        "toml" => Purpose::OpenPlan,
+        ending if Purpose::OpenPicture.endings().contains(&ending) => Purpose::OpenPicture,
+        _ => Purpose::Import,
+    };
+    open(purpose, path)
 }

@@ -24,6 +24,11 @@ mod tool_bar;
 mod tools_panel;
 mod watch_panel;
 
+use crate::gui::pages::{PageView, ending, open};
+use crate::session::Command;
+use crate::session::CycleFile;
+use crate::session::Purpose;
+use std::path::Path;
 use std::time::Duration;
 
 use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
@@ -38,8 +43,10 @@ use super::view::View;
 use crate::session::program::Speed;
 use crate::session::{ProgramCommand, ProgramField};
 
+pub(super) const PAGE: PageView = PageView { ui: program_ui, dropped };
+
 /// The page: left what goes in, middle the program, right what comes out.
-pub(super) fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
+fn program_ui(ui: &mut Ui, view: &mut View<'_>) {
     focus_first(ui, view);
     tick(ui, view);
     let size = ui.available_size();
@@ -134,4 +141,15 @@ fn tick(ui: &Ui, view: &mut View<'_>) {
     } else {
         ui.request_repaint_after(Duration::from_secs_f64((interval - waited).clamp(0.0, 1.0)));
     }
+}
+
+/// A tool table, a workpiece, contacts or a program, by its ending.
+fn dropped(_view: &View<'_>, path: &Path, _number: usize) -> Command {
+    let purpose = match ending(path).as_str() {
+        "t" => Purpose::OpenTools,
+        "toml" => Purpose::OpenCycleFile(CycleFile::Workpiece),
+        "csv" => Purpose::OpenCycleFile(CycleFile::Contacts),
+        _ => Purpose::OpenProgram,
+    };
+    open(purpose, path)
 }

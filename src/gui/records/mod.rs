@@ -17,6 +17,7 @@ mod list;
 mod reasons;
 mod record_panel;
 
+use crate::gui::pages::{PageView, measurements};
 use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
 
 use super::columns::{Side, column_ui, panel_ui};
@@ -29,8 +30,10 @@ use crate::session::Keeping;
 /// From this width on the open record stands beside the list.
 const BESIDE: f32 = 230.0;
 
+pub(super) const PAGE: PageView = PageView { ui: records_ui, dropped: measurements };
+
 /// The page.
-pub(super) fn records_ui(ui: &mut Ui, view: &mut View<'_>) {
+fn records_ui(ui: &mut Ui, view: &mut View<'_>) {
     if just_opened(ui, Id::unique("records-page")) {
         ui.memory_mut(|memory| memory.request_focus(list::id()));
     }

@@ -14,6 +14,8 @@ mod grid;
 mod paint;
 mod tool_bar;
 
+use crate::gui::pages::{PageView, open};
+use crate::session::Purpose;
 use eframe::egui::{CentralPanel, Frame, Panel, ScrollArea, Ui};
 
 use super::columns::{Side, panel_ui};
@@ -21,8 +23,11 @@ use super::keypad::{self, keypad_ui};
 use super::theme::{palette, space};
 use super::view::View;
 
+pub(super) const PAGE: PageView =
+    PageView { ui: tables_ui, dropped: |_view, path, _number| open(Purpose::OpenTable, path) };
+
 /// The page: above which table, middle its cells, right the selected cell.
-pub(super) fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
+fn tables_ui(ui: &mut Ui, view: &mut View<'_>) {
     let size = ui.available_size();
     Panel::top("table-tools").show(ui, |ui| tool_bar::tool_bar_ui(ui, view));
     Panel::bottom("table-strip").exact_size(space(8.0)).show(ui, |ui| tool_bar::strip_ui(ui, view));
