@@ -17,8 +17,9 @@
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
 //! | `in_turn` | keys that come faster than frames |
 //! | `picture` | pictures of parts become dots |
+//! | `table` | a list of rows with heads |
 //! | `columns` | three columns, and how they fold |
-//! | `class_chooser`, `field`, `keypad`, `limits`, `long_list`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
+//! | `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
 //!
@@ -51,7 +52,6 @@ mod keeping;
 mod keypad;
 mod keys;
 mod limits;
-mod long_list;
 mod material;
 mod measurements;
 mod pairing;
@@ -64,6 +64,7 @@ mod records;
 mod rows;
 mod shapes;
 mod store;
+mod table;
 mod tables;
 mod theme;
 mod tools;

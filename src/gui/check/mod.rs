@@ -26,8 +26,12 @@ mod worth_lines;
 
 pub(super) use answer_panel::card as check_card;
 use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
-pub(super) use history_list::{PAD, id as history_id, text_ui};
+#[cfg(test)]
+pub(super) use history_list::COLUMNS as HISTORY;
+pub(super) use history_list::id as history_id;
 pub(super) use record_panel::recorded_ui;
+#[cfg(test)]
+pub(super) use rows_list::COLUMNS as ROWS;
 pub(super) use rows_list::id as rows_id;
 pub(super) use rows_panel::grouped;
 pub(super) use status_panel::mask_chooser_ui;

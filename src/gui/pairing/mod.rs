@@ -16,6 +16,8 @@ mod picture;
 
 use eframe::egui::{Id, Ui};
 
+#[cfg(test)]
+pub(super) use pairs_list::columns;
 pub(super) use pairs_list::id as list_id;
 
 use super::columns::{Page, columns_ui, of_height};

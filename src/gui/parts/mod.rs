@@ -20,6 +20,8 @@ use eframe::egui::{CentralPanel, Frame, Panel, Ui};
 use super::view::View;
 use crate::session::parts::PartsView;
 pub(super) use plan::grid::{focus as focus_table, id as plan_id};
+#[cfg(test)]
+pub(super) use walk::SIZES;
 pub(super) use walk::sizes_id;
 
 /// The page.

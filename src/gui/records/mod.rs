@@ -18,6 +18,8 @@ mod reasons;
 mod record_panel;
 
 use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
+#[cfg(test)]
+pub(super) use list::COLUMNS;
 pub(super) use list::id as list_id;
 
 use super::columns::{Side, column_ui, panel_ui};

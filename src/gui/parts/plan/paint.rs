@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align2, Painter, Rect, Stroke, StrokeKind, vec2};
 
-use crate::gui::check::{PAD, text_ui};
+use crate::gui::table::{PAD, text_ui};
 use crate::gui::theme::{self, Palette, sizes, space};
 
 /// What is shown of a cell.

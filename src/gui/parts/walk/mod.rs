@@ -16,6 +16,8 @@ mod skip_panel;
 mod watch_panel;
 
 use eframe::egui::{Event, Popup, Ui};
+#[cfg(test)]
+pub(in crate::gui) use sizes_list::COLUMNS as SIZES;
 pub(in crate::gui) use sizes_list::id as sizes_id;
 
 use super::head::head_ui;

@@ -2,8 +2,8 @@
 
 use eframe::egui::{CursorIcon, Id, Rect, Sense, Ui, pos2, vec2};
 
-use super::shapes::{self, lines_of, part_of, times};
-use super::theme::{control, palette, space};
+use crate::gui::shapes::{self, lines_of, part_of, times};
+use crate::gui::theme::{control, palette, space};
 
 /// A list that is longer than its room.
 pub(super) struct Long {
@@ -15,7 +15,7 @@ pub(super) struct Long {
 }
 
 /// The first place in sight, and how many points of it are above.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Top {
     /// The first place in sight.
     pub place: usize,
@@ -63,7 +63,12 @@ pub(super) fn scrolled(ui: &Ui, list: &Long, rect: Rect, bar: f32) -> Top {
         top = top.scroll(-drag.drag_delta().y, height, last);
     }
     if ui.rect_contains_pointer(rect) {
+        let before = top;
         top = top.scroll(-ui.input(|input| input.smooth_scroll_delta().y), height, last);
+        if top != before {
+            // What scrolls here scrolls nothing around it.
+            ui.input_mut(|input| input.smooth_scroll_delta.y = 0.0);
+        }
     }
     top = bar_ui(ui, id, rect, (top, last), bar);
     let (look, place) = list.look;
