@@ -5,10 +5,12 @@
 //! |---|---|
 //! | `columns` | what a column is, and where the columns stand within a width |
 //! | `heads` | the names above, what sorts, and edges that are dragged |
+//! | `grid` | cells under heads that stay, of a page of its own |
 //! | `rows` | the rows in sight and their cells |
 //! | `long_list` | scrolling, for more rows than a scroll area can count |
 
 mod columns;
+pub(super) mod grid;
 mod heads;
 mod long_list;
 mod rows;
