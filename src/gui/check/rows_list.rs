@@ -6,7 +6,7 @@ use eframe::egui::{Id, Ui};
 
 use super::rows_panel::{fate_text, grouped};
 use crate::exchange::batch::Picked;
-use crate::gui::table::{Cell, Column, Row, Table};
+use crate::gui::table::{Cell, Column, Row, Table, joined};
 use crate::gui::view::View;
 use crate::length::Length;
 use crate::message::message;
@@ -127,7 +127,6 @@ impl Cells {
     fn said(&self, words: &Words) -> String {
         let line = words.say(&message!("rows-row-line").text("line", &self.line));
         let measured = if self.measured.is_empty() { String::new() } else { format!("{} mm", self.measured) };
-        let parts = [&line, &self.part, &self.callout, &measured, &self.deviation, &self.status, &self.what];
-        parts.into_iter().filter(|part| !part.is_empty()).map(String::as_str).collect::<Vec<_>>().join(", ")
+        joined([&line, &self.part, &self.callout, &measured, &self.deviation, &self.status, &self.what])
     }
 }

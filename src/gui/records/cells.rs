@@ -1,6 +1,6 @@
 //! The texts of a row of the list.
 
-use crate::gui::table::{Cell, Row};
+use crate::gui::table::{Cell, Row, joined};
 use crate::gui::view::Digits;
 use crate::journal::entry::Checked;
 use crate::message::message;
@@ -110,20 +110,9 @@ impl Cells {
             "…" => self.measured.clone(),
             measured => format!("{measured} mm"),
         };
-        let parts = [
-            &number,
-            &self.time,
-            &self.part,
-            &self.serial,
-            &self.feature,
-            &self.callout,
-            &measured,
-            &self.deviation,
-            &self.status,
-            &self.who,
-        ];
-        let parts: Vec<&str> = parts.into_iter().map(String::as_str).filter(|part| !part.is_empty()).collect();
-        let said = parts.join(", ");
+        let who = [&number, &self.time, &self.part, &self.serial, &self.feature];
+        let what = [&self.callout, &measured, &self.deviation, &self.status, &self.who];
+        let said = joined(who.into_iter().chain(what));
         if is_chosen { words.say(&message!("history-row-chosen").text("row", said)) } else { said }
     }
 }

@@ -22,8 +22,8 @@ use std::ops::Range;
 pub(super) use columns::Column;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Id, Rect, Sense, Ui, UiBuilder, WidgetInfo, vec2};
-use long_list::{Long, scrolled};
-pub(super) use rows::{Cell, PAD, Row, text_ui};
+use long_list::scrolled;
+pub(super) use rows::{Cell, PAD, Row, joined, text_ui};
 
 use super::shapes::{focus_ring, lines_of, times};
 use super::theme::{control, space};
@@ -91,7 +91,7 @@ impl<'a> Table<'a> {
         }
         let list = ui.interact(rect, self.id, Sense::focusable_noninteractive());
         list.widget_info(|| WidgetInfo::labeled(Role::Grid, true, view.text(self.name)));
-        let top = scrolled(ui, &Long { id: self.id, count: self.count, look: self.look }, rect, bar);
+        let top = scrolled(ui, self, rect, bar);
         let fit = lines_of((rect.height() / control(ui)).ceil()) + 1;
         seen.places = top.place..(top.place + fit).min(self.count);
         ui.scope_builder(UiBuilder::new().max_rect(rect).id_salt((self.id, "body")), |ui| {

@@ -67,6 +67,12 @@ impl From<String> for Cell {
     }
 }
 
+/// What a screen reader says of a row: its parts as far as there is something in them.
+pub(in crate::gui) fn joined<'a>(parts: impl IntoIterator<Item = &'a String>) -> String {
+    let parts = parts.into_iter().map(String::as_str).filter(|part| !part.is_empty());
+    parts.collect::<Vec<_>>().join(", ")
+}
+
 /// The rows, the first of them in `first`.
 pub(super) fn rows_ui<K: Copy + Debug + Hash>(
     ui: &Ui,
@@ -93,7 +99,7 @@ fn row_ui<K: Copy + Debug + Hash>(
 ) {
     ground(ui, rect, &row, is_odd);
     // Not focusable: the table is one stop for Tab.
-    let response = ui.interact(rect, table.id.with(&row.key), Sense::CLICK);
+    let response = ui.interact(rect, table.id.with(row.key), Sense::CLICK);
     response.widget_info(|| WidgetInfo::labeled(Role::Row, true, &row.said));
     ui.ctx().accesskit_node_builder(response.id, |node| node.set_selected(row.is_cursor));
     if row.is_cursor {

@@ -41,13 +41,8 @@ pub(super) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// A cell that was drawn.
-struct Place {
-    column: usize,
-    range: usize,
-    class: ToleranceClass,
-    rect: Rect,
-}
+/// A cell: its column among all, its class and its range.
+type Place = (usize, ToleranceClass, usize);
 
 /// Draws the cells in sight.
 fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&Grid, &Cells<'_>), focused: bool) {
@@ -69,18 +64,19 @@ fn body_ui(ui: &Ui, view: &mut View<'_>, document: &Document, (grid, cells): (&G
                 marked: filter.rows().contains(&range),
             };
             paint::cell(ui.painter(), rect, &look);
-            cell_ui(ui, view, document, grid, &Place { column, range, class: class.class, rect });
+            cell_ui(ui, view, document, grid, ((column, class.class, range), rect));
         }
     }
 }
 
 /// A cell can be clicked; for a screen reader it has a name.
-fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, grid: &Grid, place: &Place) {
-    let selected = document.selected() == Some((place.class, place.range));
-    let (salt, click) = ((place.class.as_str(), place.range), (place.rect, Sense::CLICK));
+fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, grid: &Grid, (place, rect): (Place, Rect)) {
+    let (_, class, range) = place;
+    let selected = document.selected() == Some((class, range));
+    let (salt, click) = ((class.as_str(), range), (rect, Sense::CLICK));
     let response = grid.cell_ui(ui, salt, click, selected, || cell_name(view, document, place));
     if response.clicked() {
-        view.send(TablesCommand::Select(place.class, place.range));
+        view.send(TablesCommand::Select(class, range));
         ui.memory_mut(|memory| memory.request_focus(id()));
     }
     if response.double_clicked() {
@@ -89,17 +85,16 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, document: &Document, grid: &Grid, place
 }
 
 /// `H7, over 18 up to 30 mm, +21 / 0 µm, differs from ISO 286`.
-fn cell_name(view: &View<'_>, document: &Document, place: &Place) -> String {
-    let (over, to) = document.range(place.range).unwrap_or_default();
-    let figures = match document.cell(place.class, place.range) {
+fn cell_name(view: &View<'_>, document: &Document, (column, class, range): Place) -> String {
+    let (over, to) = document.range(range).unwrap_or_default();
+    let figures = match document.cell(class, range) {
         Some(cell) => message!("tables-pair")
             .text("upper", view.words.signed_um(cell.upper()))
             .text("lower", view.words.signed_um(cell.lower())),
         None => message!("tables-no-value"),
     };
-    let id =
-        if document.differences(place.column, place.range).is_empty() { "tables-cell" } else { "tables-cell-differs" };
-    let message = Message::new(id).text("class", place.class).number("over", over).number("to", to);
+    let id = if document.differences(column, range).is_empty() { "tables-cell" } else { "tables-cell-differs" };
+    let message = Message::new(id).text("class", class).number("over", over).number("to", to);
     view.words.say(&message.message("figures", figures))
 }
 

@@ -5,7 +5,7 @@ use std::ops::Range;
 use eframe::egui::{Id, Ui};
 
 use super::asked_text;
-use crate::gui::table::{Cell, Column, Row, Table};
+use crate::gui::table::{Cell, Column, Row, Table, joined};
 use crate::gui::view::{Digits, View, quiet};
 use crate::message::message;
 use crate::session::parts::{WalkCommand, WalkRow, Walking};
@@ -82,8 +82,7 @@ fn row_of(view: &View<'_>, place: usize, WalkRow { size, step, value }: &WalkRow
     let (deviation, remark) = (deviation.unwrap_or_default(), remarks.join(", "));
     let word = status.map_or_else(|| view.text("walk-page-open"), |status| words.told(&status));
     let measured = if shown.is_empty() { String::new() } else { format!("{shown} mm") };
-    let parts = [&name, &asked, &word, &measured, &deviation, &remark];
-    let said = parts.into_iter().filter(|part| !part.is_empty()).cloned().collect::<Vec<_>>().join(", ");
+    let said = joined([&name, &asked, &word, &measured, &deviation, &remark]);
     let mark = match status {
         Some(_) => Cell::Verdict { status, is_simulated, word },
         None => Cell::Text(String::new()),
