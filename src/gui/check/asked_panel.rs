@@ -106,13 +106,11 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
         for by in [MeasureBy::Typing, MeasureBy::Simulating] {
             view.radio(ui, Action::MeasureBy(by));
         }
-        let keypad = view.named(Action::Keypad).selected(view.session.has_keypad());
-        view.button_as(ui, Action::Keypad, keypad);
+        view.toggle(ui, Action::Keypad);
     });
     ui.horizontal(|ui| {
         view.main_button(ui, Action::Measure, vec2(width * 0.6, control(ui)));
-        let clear = view.named(Action::ClearResult).min_size(vec2(0.0, control(ui)));
-        view.button_as(ui, Action::ClearResult, clear);
+        view.field_button(ui, Action::ClearResult);
     });
 }
 

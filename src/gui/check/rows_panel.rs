@@ -60,8 +60,7 @@ pub(super) fn switch_ui(ui: &mut Ui, view: &mut View<'_>) {
     for shows_rows in [true, false] {
         let action = Action::ShowRows(shows_rows);
         if view.session.can(action) {
-            let button = view.named(action).selected(action.is_on(view.session) == Some(true));
-            view.button_as(ui, action, button);
+            view.toggle(ui, action);
         }
     }
 }

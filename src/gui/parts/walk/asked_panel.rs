@@ -94,7 +94,7 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
         let size = vec2(view.width_of(ui, &[Action::BeginPart]), control(ui));
         view.main_button(ui, Action::BeginPart, size);
         view.field_button(ui, Action::CountUp);
-        keypad_ui(ui, view);
+        view.toggle(ui, Action::Keypad);
     });
     recent_ui(ui, view);
 }
@@ -215,12 +215,7 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
             let size = vec2(view.width_of(ui, &[Action::TakeValue]), control(ui));
             view.main_button(ui, Action::TakeValue, size);
             view.field_button(ui, Action::SimulateValue);
-            keypad_ui(ui, view);
+            view.toggle(ui, Action::Keypad);
         });
     });
-}
-
-fn keypad_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let keypad = view.named(Action::Keypad).selected(view.session.has_keypad()).min_size(vec2(0.0, control(ui)));
-    view.button_as(ui, Action::Keypad, keypad);
 }
