@@ -19,7 +19,7 @@
 //! | `picture` | pictures of parts become dots |
 //! | `table` | a list of rows with heads |
 //! | `columns` | three columns, and how they fold |
-//! | `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
+//! | `card`, `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
 //!
@@ -36,6 +36,7 @@
 
 mod app;
 mod budget;
+mod card;
 mod check;
 mod class_chooser;
 mod columns;

@@ -300,6 +300,17 @@ pub(super) fn one_of_ui<T: PartialEq>(
     (chosen, list)
 }
 
+/// Two columns: a name, and its figure.
+pub(super) fn named_figures_ui(ui: &mut Ui, id: &'static str, rows: impl IntoIterator<Item = (String, String)>) {
+    egui::Grid::new(id).num_columns(2).min_row_height(0.0).spacing(vec2(theme::space(4.0), 0.0)).show(ui, |ui| {
+        for (name, figure) in rows {
+            ui.label(name);
+            ui.label(RichText::new(figure).font(theme::bold(theme::sizes().limits)));
+            ui.end_row();
+        }
+    });
+}
+
 /// A line behind the shape of a verdict, to be clicked.
 pub(super) fn marked_ui(ui: &mut Ui, (status, colour): (Option<Status>, egui::Color32), line: Button<'_>) -> Response {
     let line = ui.horizontal(|ui| {
