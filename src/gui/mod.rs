@@ -26,6 +26,7 @@
 //! To add a page, begin with the list in `crates/session/src/lib.rs`, and then:
 //!
 //! 1. Write its folder: `NAME_ui` in `mod.rs`, one file per panel. A panel draws from the session and sends commands.
+//!    It declares a list of rows as a `table::Table`, cells under heads as a `table::grid::Grid`, and its answer as a `card`.
 //! 2. Add its arm to `window_ui` in `app.rs`, and to `dropped` in `dialogs.rs`: what a file that is dropped on it is.
 //! 3. Carry out its new effects in `effects.rs`: what touches a file or takes long runs off the frame's thread.
 //! 4. Add its texts to every folder of `assets/locales`: a file `NAME-page.ftl`, with `page-NAME` for the top bar.
