@@ -19,8 +19,8 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::journal::{Local, Records};
 use fitcheck::gui::{App, Errands, Setup, Store};
+use fitcheck::session::Purpose;
 use fitcheck::session::parts::PartsView;
-use fitcheck::session::{Action, Purpose};
 use fitcheck::words::{Language, Words};
 
 /// How many features.

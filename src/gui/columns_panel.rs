@@ -1,6 +1,5 @@
 //! The columns of a file of measurements: its first rows, above each column what it is taken for, and what that makes of the rows.
 
-use crate::session::WindowAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, Grid, Id, Label, RichText, ScrollArea, Ui, vec2};
 
@@ -9,6 +8,7 @@ use super::theme::{self, control, sizes, space};
 use super::view::{View, heading, keep_focus, list_ui, live, problem, quiet};
 use crate::exchange::{ColumnUnit, DecimalSign, Role, Separator};
 use crate::message::{Message, message};
+use crate::session::WindowAction;
 use crate::session::{ColumnChoice, ColumnsCommand, OpenColumns, role_id, unit_id};
 
 /// What a column may hold, in the order of the list.

@@ -1,6 +1,5 @@
 //! The file dialog with its typed path and its question, and notices.
 
-use crate::session::{FilesAction, WindowAction};
 use std::path::Path;
 
 use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Window, vec2};
@@ -15,6 +14,7 @@ use super::working::working_ui;
 use crate::message::{Message, message};
 use crate::session::parts::PlanCommand;
 use crate::session::{BudgetCommand, Command, CycleFile, Dialog, Notice, PartsCommand, Purpose};
+use crate::session::{FilesAction, WindowAction};
 use crate::tolerance::Feature;
 
 /// Files dropped on the window are read, each as the open page uses it.
@@ -31,9 +31,9 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
     dropped(ui, view);
     let session = view.session;
     if view.session.is_leaving() {
-        Modal::new(Id::unique("leaving")).show(ui, |ui| leaving_ui(ui, view));
+        leaving_ui(ui, view);
     } else if session.budget().is_asking() || session.parts().is_asking() {
-        Modal::new(Id::unique("discarding")).show(ui, |ui| discarding_ui(ui, view));
+        discarding_ui(ui, view);
     } else if let Some(dialog) = session.dialog() {
         Modal::new(Id::unique("file-dialog")).show(ui, |ui| dialog_ui(ui, view, dialog));
     } else if let Some(open) = session.open_columns() {
@@ -50,59 +50,69 @@ pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
     }
 }
 
+/// A question over the page that loses something by one of its answers.
+struct Asked {
+    id: &'static str,
+    head: &'static str,
+    /// The answer that loses nothing: Enter gives it. Then the other one.
+    answers: [&'static str; 2],
+    answer: fn(bool) -> Command,
+}
+
+impl Asked {
+    fn show(&self, ui: &Ui, view: &mut View<'_>, said: impl FnOnce(&mut Ui, &View<'_>)) {
+        Modal::new(Id::unique(self.id)).show(ui, |ui| {
+            ui.set_width(space(110.0));
+            heading(ui, view.text(self.head));
+            said(ui, view);
+            ui.horizontal(|ui| {
+                ui.spacing_mut().interact_size.y = control(ui);
+                for (text, loses) in self.answers.into_iter().zip([false, true]) {
+                    let button = ui.button(view.text(text));
+                    if !loses && just_opened(ui, Id::unique(self.id)) {
+                        button.request_focus();
+                    }
+                    if button.clicked() {
+                        view.send((self.answer)(loses));
+                    }
+                }
+            });
+        });
+    }
+}
+
 /// Nothing is lost without a question to the user.
-fn leaving_ui(ui: &mut Ui, view: &mut View<'_>) {
-    ui.set_width(space(110.0));
-    heading(ui, view.text("leave"));
-    let names = view.session.unsaved().join(", ");
-    if !names.is_empty() {
-        ui.label(view.words.say(&message!("leave-unsaved").text("names", names)));
-    }
-    let unwritten = view.session.recording().unwritten();
-    if 0 < unwritten {
-        problem(ui, view.words.say(&message!("records-page-leave").count("count", unwritten)));
-    }
-    ui.horizontal(|ui| {
-        ui.spacing_mut().interact_size.y = control(ui);
-        let stay = ui.button(view.text("leave-stay"));
-        if just_opened(ui, Id::unique("leaving")) {
-            stay.request_focus();
+fn leaving_ui(ui: &Ui, view: &mut View<'_>) {
+    let answers = ["leave-stay", "leave-anyway"];
+    let asked = Asked { id: "leaving", head: "leave", answers, answer: Command::Leave };
+    asked.show(ui, view, |ui, view| {
+        let names = view.session.unsaved().join(", ");
+        if !names.is_empty() {
+            ui.label(view.words.say(&message!("leave-unsaved").text("names", names)));
         }
-        if stay.clicked() {
-            view.send(Command::Leave(false));
-        }
-        if ui.button(view.text("leave-anyway")).clicked() {
-            view.send(Command::Leave(true));
+        let unwritten = view.session.recording().unwritten();
+        if 0 < unwritten {
+            problem(ui, view.words.say(&message!("records-page-leave").count("count", unwritten)));
         }
     });
 }
 
 /// Another file takes the place of one with changes.
-fn discarding_ui(ui: &mut Ui, view: &mut View<'_>) {
+fn discarding_ui(ui: &Ui, view: &mut View<'_>) {
     let session = view.session;
-    let (texts, name, answer): ([&str; 4], String, fn(bool) -> Command) = if session.budget().is_asking() {
-        let texts = ["budget-page-discard", "budget-page-unsaved", "budget-page-discard-no", "budget-page-discard-yes"];
-        (texts, session.budget().name(), |lose| BudgetCommand::Discard(lose).into())
+    let (asked, question, name) = if session.budget().is_asking() {
+        let answers = ["budget-page-discard-no", "budget-page-discard-yes"];
+        let answer = |lose| BudgetCommand::Discard(lose).into();
+        let asked = Asked { id: "discarding", head: "budget-page-discard", answers, answer };
+        (asked, "budget-page-unsaved", session.budget().name())
     } else {
-        let texts = ["parts-page-discard", "parts-page-unsaved", "parts-page-discard-no", "parts-page-discard-yes"];
-        (texts, session.parts().document().name(), |lose| PartsCommand::Plan(PlanCommand::Discard(lose)).into())
+        let answers = ["parts-page-discard-no", "parts-page-discard-yes"];
+        let answer = |lose| PartsCommand::Plan(PlanCommand::Discard(lose)).into();
+        let asked = Asked { id: "discarding", head: "parts-page-discard", answers, answer };
+        (asked, "parts-page-unsaved", session.parts().document().name())
     };
-    let [head, question, no, yes] = texts;
-    ui.set_width(space(110.0));
-    heading(ui, view.text(head));
-    ui.label(view.words.say(&Message::new(question).text("name", name)));
-    ui.horizontal(|ui| {
-        ui.spacing_mut().interact_size.y = control(ui);
-        let keep = ui.button(view.text(no));
-        if just_opened(ui, Id::unique("discarding")) {
-            keep.request_focus();
-        }
-        if keep.clicked() {
-            view.send(answer(false));
-        }
-        if ui.button(view.text(yes)).clicked() {
-            view.send(answer(true));
-        }
+    asked.show(ui, view, |ui, view| {
+        ui.label(view.words.say(&Message::new(question).text("name", name)));
     });
 }
 
@@ -214,8 +224,7 @@ fn buttons_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
     if ui.add_enabled(!dialog.busy, confirm).clicked() {
         view.send(Command::Confirm);
     }
-    let browse = view.named(FilesAction::Browse).min_size(vec2(space(24.0), control(ui)));
-    view.button_as(ui, FilesAction::Browse, browse);
+    view.wide_button(ui, FilesAction::Browse);
     if ui.add(cancel).clicked() {
         view.send(Command::Close);
     }
@@ -226,14 +235,11 @@ fn replace_ui(ui: &mut Ui, view: &mut View<'_>, path: &Path) {
     let name = path.file_name().unwrap_or(path.as_os_str()).to_string_lossy();
     let question = view.words.say(&message!("dialog-exists").text("name", name));
     problem(ui, question);
-    let size = vec2(space(24.0), control(ui));
-    let keep = view.named(FilesAction::KeepFile).min_size(size);
-    let keep = view.button_as(ui, FilesAction::KeepFile, keep);
+    let keep = view.wide_button(ui, FilesAction::KeepFile);
     if just_opened(ui, Id::unique("replace")) {
         keep.request_focus();
     }
-    let replace = view.named(FilesAction::ReplaceFile).min_size(size);
-    view.button_as(ui, FilesAction::ReplaceFile, replace);
+    view.wide_button(ui, FilesAction::ReplaceFile);
 }
 
 /// A window that cannot be moved, at a distance below its anchor.
@@ -276,8 +282,7 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
             view.button_as(ui, WindowAction::Undo, undo);
         }
         if notice.records {
-            let again = view.named(WindowAction::RecordAgain).min_size(vec2(space(24.0), control(ui)));
-            view.button_as(ui, WindowAction::RecordAgain, again);
+            view.wide_button(ui, WindowAction::RecordAgain);
         }
         let of_columns = notice.columns.iter().flat_map(|columns| {
             let forget = columns.shape.is_some().then_some(WindowAction::ForgetColumns);
@@ -289,8 +294,7 @@ fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {
         let of_file =
             [WindowAction::OpenWritten, WindowAction::ShowWritten].into_iter().filter(|_| notice.file.is_some());
         for action in of_file.chain([WindowAction::Close]) {
-            let button = view.named(action).min_size(vec2(space(24.0), control(ui)));
-            view.button_as(ui, action, button);
+            view.wide_button(ui, action);
         }
     });
 }

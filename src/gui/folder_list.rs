@@ -1,6 +1,5 @@
 //! The list of a folder in the file dialog. Tab passes over it: the arrow keys move in it while the path has the focus.
 
-use crate::session::FilesAction;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Frame, Id, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
@@ -8,6 +7,7 @@ use super::theme::{control, palette, space};
 use super::view::{View, problem, quiet, quiet_cut};
 use crate::files::{Entry, MOST_ENTRIES};
 use crate::message::{Message, message};
+use crate::session::FilesAction;
 use crate::session::{Dialog, FilesCommand};
 use crate::words::Words;
 

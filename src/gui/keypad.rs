@@ -4,7 +4,6 @@
 //! It stands below what is asked and covers nothing. Keys act when released, are 15 mm or more on a 10 inch panel, and
 //! need no gesture; figures and signs on one page, letters for classes and names on another.
 
-use crate::session::TablesAction;
 use std::ops::Range;
 
 use eframe::egui::text::{CCursor, CCursorRange};
@@ -14,6 +13,7 @@ use eframe::egui::{Button, Context, Id, Panel, RichText, Ui, Vec2, vec2};
 use super::field;
 use super::theme::{self, sizes, space};
 use super::view::View;
+use crate::session::TablesAction;
 use crate::session::{CheckField, Command, Field, Page};
 
 /// What a key does.

@@ -2,11 +2,11 @@
 //!
 //! A widget handles keys of its own itself (Enter in a field, Space on a list).
 
-use crate::session::{CheckAction, PartsAction};
 use eframe::egui::{self, Event, EventFilter, Id, KeyboardShortcut, Modifiers, Ui};
 
 use super::view::View;
 use crate::session::action::{Held, Keeps, Key, Part, Shortcut};
+use crate::session::{CheckAction, PartsAction};
 
 /// Does what was pressed in this frame, before anything is drawn: a key that an action takes reaches no widget.
 pub(super) fn keys_ui(ui: &Ui, view: &mut View<'_>) {

@@ -18,14 +18,16 @@
 //! | `view`, `keys` | actions as buttons, entries of menus and keys |
 //! | `in_turn` | keys that come faster than frames |
 //! | `picture` | pictures of parts become dots |
+//! | `table` | a list of rows with heads |
 //! | `columns` | three columns, and how they fold |
-//! | `class_chooser`, `field`, `keypad`, `limits`, `long_list`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
+//! | `card`, `class_chooser`, `field`, `keypad`, `limits`, `material`, `popup`, `shapes`, `verdict_card` | widgets of our own |
 //!
 //! Nothing here decides anything or computes with lengths; nothing outside names egui.
 //!
 //! To add a page, begin with the list in `crates/session/src/lib.rs`, and then:
 //!
 //! 1. Write its folder: `NAME_ui` in `mod.rs`, one file per panel. A panel draws from the session and sends commands.
+//!    It declares a list of rows as a `table::Table`, cells under heads as a `table::grid::Grid`, and its answer as a `card`.
 //! 2. Say in its `PAGE` how it is drawn and what a file is that is dropped on it, and add its line to `pages.rs`.
 //! 3. Carry out its new effects in `effects.rs`: what touches a file or takes long runs off the frame's thread.
 //! 4. Add its texts to every folder of `assets/locales`: a file `NAME-page.ftl`, with `page-NAME` for the top bar.
@@ -36,6 +38,7 @@
 
 mod app;
 mod budget;
+mod card;
 mod check;
 mod class_chooser;
 mod columns;
@@ -52,7 +55,6 @@ mod keeping;
 mod keypad;
 mod keys;
 mod limits;
-mod long_list;
 mod material;
 mod measurements;
 mod pages;
@@ -66,6 +68,7 @@ mod records;
 mod rows;
 mod shapes;
 mod store;
+mod table;
 mod tables;
 mod theme;
 mod tools;

@@ -1,6 +1,5 @@
 //! The tool table on the pages that measure: which one is open, a list to pick a tool from, and what a run has changed.
 
-use crate::session::WorkpieceAction;
 use std::fmt::Debug;
 use std::hash::Hash;
 use std::ops::Range;
@@ -15,6 +14,7 @@ use crate::control::tool_table::{Tool, ToolTable};
 use crate::control::variables::Parameter;
 use crate::length::Length;
 use crate::message::message;
+use crate::session::WorkpieceAction;
 use crate::session::{NamedTool, text_of_tool, tool_message};
 use crate::text::cut;
 

@@ -1,6 +1,5 @@
 //! Top: pages, import and export, and the menu of settings.
 
-use crate::session::{CheckAction, WindowAction};
 use eframe::egui::{Button, Id, Panel, RichText, Ui};
 
 use super::dialogs::title_id;
@@ -10,6 +9,7 @@ use super::who::{names_ui, who_ui};
 use crate::message::message;
 use crate::report::RENDERINGS;
 use crate::session::{Action, Command, Density, FilesCommand, Page, Theme};
+use crate::session::{CheckAction, WindowAction};
 use crate::tolerance::Base;
 use crate::words::Language;
 

@@ -1,17 +1,19 @@
 //! The verdict's card: one word that can be read from two metres, its shape, and the lines below it.
 
-use eframe::egui::accesskit::{Live, Role};
+use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextWrapping};
 use eframe::egui::{
-    Align, Align2, Color32, FontId, Frame, Layout, Margin, Response, RichText, Sense, Ui, WidgetInfo, pos2, vec2,
+    Align, Align2, Color32, FontId, Layout, Margin, Response, RichText, Sense, Ui, WidgetInfo, pos2, vec2,
 };
 
+use super::card::{MARGIN, verdict_ui};
 use super::columns::{is_low, is_tiny};
 use super::shapes;
 use super::theme::{self, Palette, control, palette, sizes, space};
-use super::view::{View, live};
+use super::view::{Digits, View, doubt_text};
 use crate::length::{Length, Unit};
 use crate::message::{Say as _, message};
+use crate::session::Question;
 use crate::verdict::Status;
 use crate::words::Words;
 
@@ -39,20 +41,28 @@ pub(super) struct Card {
 
 impl Card {
     /// What a screen reader says.
-    fn said(&self, simulated: Option<&String>) -> String {
+    fn said(&self, simulated: Option<&String>) -> Vec<String> {
         let instruction = self.instruction.as_ref().map(|(what, rest)| format!("{what} {rest}"));
         let parts = simulated.into_iter().chain([&self.word]).chain(&self.value).chain(&instruction).chain(&self.lines);
-        parts.map(String::as_str).collect::<Vec<_>>().join(". ")
+        parts.cloned().collect()
     }
 }
-
-/// Around the text of a card.
-const MARGIN: i8 = 12;
 
 /// The width that a card needs so that no word is set smaller than its size.
 pub(super) fn least_width(ui: &Ui, view: &View<'_>) -> f32 {
     let width = |status: Status| word_width(ui, &view.words.told(&status), sizes().status);
     Status::ALL.map(width).into_iter().fold(0.0, f32::max) + f32::from(MARGIN) * 2.0 + space(4.0)
+}
+
+/// The card of what is asked about a measured value before it is judged; as high as its page wants it.
+pub(super) fn question_card(view: &View<'_>, question: &Question, height: f32) -> Card {
+    Card {
+        word: view.text("word-question"),
+        value: Some(format!("{} mm", view.words.mm(question.measured, 3))),
+        lines: vec![doubt_text(view.words, question.doubt), view.text("question-enter")],
+        height,
+        ..Card::default()
+    }
 }
 
 /// The lines of a card for which it has no room.
@@ -75,8 +85,7 @@ fn word_width(ui: &Ui, word: &str, size: f32) -> f32 {
 pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>, card: &Card) {
     let (fill, colour) = colours(palette(ui.ctx()), card.status, card.is_simulated);
     let simulated = card.is_simulated.then(|| view.text("simulated"));
-    let shown = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::same(MARGIN)).show(ui, |ui| {
-        ui.set_min_width(ui.available_width());
+    verdict_ui(ui, (fill, colour), card.is_simulated, Margin::same(MARGIN), |ui| {
         let least = if is_low(ui) { 0.0 } else { space(54.0) };
         ui.set_min_height(least.max(card.height - f32::from(MARGIN) * 2.0));
         ui.spacing_mut().item_spacing.y = space(1.0);
@@ -100,12 +109,8 @@ pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>, card: &Card) {
                 ui.label(RichText::new(line).font(theme::font(sizes().limits)).color(colour));
             }
         });
+        card.said(simulated.as_ref())
     });
-    if simulated.is_some() {
-        shapes::dashed_frame(ui.painter(), shown.response.rect, colour);
-    }
-    let response = ui.interact(shown.response.rect, ui.scope_id().with("verdict"), Sense::hover());
-    live(ui, &response, &card.said(simulated.as_ref()), Live::Assertive);
 }
 
 /// The height that a card takes in what is left of the width, so that a page can keep it for another result.
@@ -256,8 +261,16 @@ pub(super) fn remove(words: &Words, um: &str) -> (String, String) {
     (words.say(&message!("remove-amount").text("um", um)), words.get("remove-to-limit"))
 }
 
+/// Half of a length as it is shown, µm.
+pub(super) fn half(words: &Words, digits: Digits, length: Length) -> String {
+    match digits {
+        Digits::Exact => words.number(&half_um(length)),
+        Digits::Rounded => digits.um(words, length.midpoint(Length::ZERO)),
+    }
+}
+
 /// Half of a length in µm, exact.
-pub(super) fn half_um(length: Length) -> String {
+fn half_um(length: Length) -> String {
     let nm = length.nanometres();
     let whole =
         Length::from_nanometres(nm / 2).unwrap_or_default().exact(Unit::Micrometre, if nm % 2 == 0 { 0 } else { 3 });

@@ -1,6 +1,5 @@
 //! What every panel gets: the state, the words, and a place to put its commands.
 
-use crate::session::PartsAction;
 use std::fmt::Debug;
 use std::hash::Hash;
 
@@ -9,12 +8,14 @@ use eframe::egui::{self, Button, ComboBox, Key, Response, RichText, Ui, Vec2, Wi
 use egui_plot::Plot;
 
 use super::keys::{is_held, told};
+use super::shapes;
 use super::theme::{self, control};
 use crate::journal::Record;
 use crate::length::{Length, Unit};
 use crate::message::{Say as _, message};
+use crate::session::PartsAction;
 use crate::session::{Action, Command, Session};
-use crate::verdict::Doubt;
+use crate::verdict::{Doubt, Status};
 use crate::words::Words;
 
 /// What every panel is given.
@@ -77,6 +78,21 @@ impl View<'_> {
     pub fn field_button(&mut self, ui: &mut Ui, action: impl Into<Action>) -> Response {
         let action = action.into();
         let button = self.named(action).min_size(vec2(0.0, control(ui)));
+        self.button_as(ui, action, button)
+    }
+
+    /// The same for an action that is on or off: pressed in while it is on.
+    pub fn toggle(&mut self, ui: &mut Ui, action: impl Into<Action>) -> Response {
+        let action = action.into();
+        let is_on = action.is_on(self.session) == Some(true);
+        let button = self.named(action).selected(is_on).min_size(vec2(0.0, control(ui)));
+        self.button_as(ui, action, button)
+    }
+
+    /// The same for a dialog: as wide as the others beside it.
+    pub fn wide_button(&mut self, ui: &mut Ui, action: impl Into<Action>) -> Response {
+        let action = action.into();
+        let button = self.named(action).min_size(vec2(theme::space(24.0), control(ui)));
         self.button_as(ui, action, button)
     }
 
@@ -209,23 +225,25 @@ pub(super) fn heading(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
 
 /// Secondary text.
 pub(super) fn quiet(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
-    let colour = theme::palette(ui.ctx()).quiet.0;
-    ui.label(RichText::new(text).color(colour).size(theme::sizes().small))
+    let text = quiet_text(ui, text);
+    ui.label(text)
+}
+
+fn quiet_text(ui: &Ui, text: impl Into<String>) -> RichText {
+    RichText::new(text).color(theme::palette(ui.ctx()).quiet.0).size(theme::sizes().small)
 }
 
 /// Secondary text in one line, cut where there is no room; the whole text shows under the pointer.
 pub(super) fn quiet_cut(ui: &mut Ui, text: impl Into<String>) -> egui::Response {
-    let colour = theme::palette(ui.ctx()).quiet.0;
-    ui.add(egui::Label::new(RichText::new(text).color(colour).size(theme::sizes().small)).truncate())
+    ui.add(egui::Label::new(quiet_text(ui, text)).truncate())
 }
 
 /// Secondary text of a given width, whole: it goes on in another line where one is too short.
 pub(super) fn quiet_within(ui: &mut Ui, text: impl Into<String>, width: f32) -> egui::Response {
-    let colour = theme::palette(ui.ctx()).quiet.0;
     let row = vec2(width, ui.available_height());
     let within = ui.allocate_ui_with_layout(row, egui::Layout::left_to_right(egui::Align::Center), |ui| {
         ui.set_min_width(width);
-        ui.add(egui::Label::new(RichText::new(text).color(colour).size(theme::sizes().small)).wrap())
+        ui.add(egui::Label::new(quiet_text(ui, text)).wrap())
     });
     within.inner
 }
@@ -270,6 +288,49 @@ pub(super) fn list_ui(
 ) -> Response {
     let list = ComboBox::from_id_salt(salt).selected_text(shown).width(width).truncate().height(list_height(ui));
     list.show_ui(ui, content).response
+}
+
+/// A drop-down list of which one entry is chosen; its caller names it. Returns what was chosen just now.
+pub(super) fn one_of_ui<T: PartialEq>(
+    ui: &mut Ui,
+    salt: impl Hash + Debug,
+    width: f32,
+    now: &T,
+    entries: impl IntoIterator<Item = (T, String)>,
+) -> (Option<T>, Response) {
+    let entries: Vec<(T, String)> = entries.into_iter().collect();
+    let shown = entries.iter().find(|(of, _)| of == now).map(|(_, text)| text.clone()).unwrap_or_default();
+    let mut chosen = None;
+    let list = list_ui(ui, salt, shown, width, |ui| {
+        for (of, text) in entries {
+            if ui.add(Button::selectable(of == *now, text).min_size(vec2(0.0, control(ui)))).clicked() {
+                chosen = Some(of);
+                ui.close();
+            }
+        }
+    });
+    (chosen, list)
+}
+
+/// Two columns: a name, and its figure.
+pub(super) fn named_figures_ui(ui: &mut Ui, id: &'static str, rows: impl IntoIterator<Item = (String, String)>) {
+    egui::Grid::new(id).num_columns(2).min_row_height(0.0).spacing(vec2(theme::space(4.0), 0.0)).show(ui, |ui| {
+        for (name, figure) in rows {
+            ui.label(name);
+            ui.label(RichText::new(figure).font(theme::bold(theme::sizes().limits)));
+            ui.end_row();
+        }
+    });
+}
+
+/// A line behind the shape of a verdict, to be clicked.
+pub(super) fn marked_ui(ui: &mut Ui, (status, colour): (Option<Status>, egui::Color32), line: Button<'_>) -> Response {
+    let line = ui.horizontal(|ui| {
+        let (mark, _) = ui.allocate_exact_size(Vec2::splat(theme::space(4.0)), egui::Sense::hover());
+        shapes::status(ui.painter(), mark, status, colour);
+        ui.add(line.frame(false).min_size(vec2(0.0, control(ui))))
+    });
+    line.inner
 }
 
 /// Keeps the focus on a list after a choice by key; after a choice by pointer, Enter does what it did before.

@@ -1,6 +1,5 @@
 //! Who is measuring: in the top bar, with the last names and a field for another one.
 
-use crate::session::WindowAction;
 use eframe::egui::containers::menu::{MenuButton, MenuConfig};
 use eframe::egui::{PopupCloseBehavior, RichText, Ui};
 
@@ -8,6 +7,7 @@ use super::field::{Look, field_ui};
 use super::theme::{self, control, sizes, space};
 use super::view::{View, quiet};
 use crate::message::Message;
+use crate::session::WindowAction;
 use crate::session::{Command, RecordsCommand, RecordsField};
 
 /// The button with the name, and its menu; nothing where nothing is recorded.

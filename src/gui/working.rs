@@ -1,7 +1,6 @@
 //! A file that is read or written on a thread says how far it is, and can be stopped: what was not read whole is not taken, and what was
 //! not written whole is not there.
 
-use crate::session::WindowAction;
 use std::cell::RefCell;
 use std::io::{self, Read, Seek, SeekFrom, Write};
 use std::path::Path;
@@ -18,6 +17,7 @@ use super::theme::space;
 use super::view::{View, quiet};
 use crate::exchange::Body;
 use crate::message::{Message, message};
+use crate::session::WindowAction;
 use crate::session::Working;
 
 /// Before this nothing is said: most files are done by then.

@@ -3,7 +3,6 @@
 use fitcheck::session::{CheckAction, CyclesAction, ProgramAction, WindowAction};
 use std::collections::BTreeSet;
 
-use eframe::egui::accesskit::Role;
 use eframe::egui::{Id, Key, Modifiers};
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;

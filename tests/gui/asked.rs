@@ -11,7 +11,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::journal::ask::Question;
 use fitcheck::journal::entry::About;
-use fitcheck::session::{Action, BudgetCommand, CheckField, Command, PartsField};
+use fitcheck::session::{BudgetCommand, CheckField, Command};
 use fitcheck::store::local::Reader;
 use fitcheck::tolerance::Feature;
 

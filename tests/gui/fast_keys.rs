@@ -7,7 +7,7 @@ use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::part::Column;
 use fitcheck::session::PartsAction;
-use fitcheck::session::{Action, BudgetCommand, CheckField, Command, Field, FitField, Page, RecordsField};
+use fitcheck::session::{BudgetCommand, CheckField, Command, Field, FitField, Page, RecordsField};
 
 use crate::harness::{DESK, click, press, scan, settle, verdict, window};
 use crate::walk_page::{begun, put, window_of};

@@ -3,7 +3,7 @@
 use std::time::Duration;
 
 use eframe::egui::accesskit::{Role, SortDirection};
-use eframe::egui::{Event, Key, Modifiers, OutputCommand, Vec2, ViewportId, vec2};
+use eframe::egui::{Event, Key, Modifiers, OutputCommand, PointerButton, Vec2, ViewportId, vec2};
 use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::exchange::import;
@@ -11,7 +11,7 @@ use fitcheck::gui::App;
 use fitcheck::session::{CheckCommand, CheckField, Command};
 use fitcheck::words::Language;
 
-use crate::harness::{Window, check, click, cursor, press, rows, type_into, window};
+use crate::harness::{Window, check, click, cursor, press, rows, settle, type_into, window};
 
 fn now() -> jiff::civil::DateTime {
     jiff::civil::date(2026, 11, 21).at(10, 42, 7, 0)
@@ -164,6 +164,43 @@ fn a_head_sorts_and_says_how() {
     window.run();
     press(&mut window, Key::Space);
     assert_eq!(parts(&window), "A10 A2 B");
+}
+
+/// Drags the edge before a head from where it is, and leaves it there.
+fn drag_edge(window: &mut Harness<'_, App>, head: &str, by: f32) {
+    let edge = window.get_by_role_and_label(Role::Button, head).rect().left_center();
+    window.drag_at(edge);
+    window.run();
+    window.hover_at(edge + vec2(by, 0.0));
+    window.run();
+    window.drop_at(edge + vec2(by, 0.0));
+    window.run();
+}
+
+#[test]
+fn the_edge_of_a_head_is_dragged_and_a_double_click_gives_the_width_back() {
+    let mut window = three();
+    let left = |window: &Harness<'_, App>, head| window.get_by_role_and_label(Role::Button, head).rect().left();
+    let (part, callout) = (left(&window, "Part"), left(&window, "Callout"));
+    drag_edge(&mut window, "Callout", 40.0);
+    assert!((left(&window, "Callout") - callout - 40.0).abs() < 1.0, "a part has more room");
+    assert!((left(&window, "Part") - part).abs() < 1.0, "what is before it stays");
+    assert_eq!(parts(&window), "B A2 A10", "nothing was sorted");
+    drag_edge(&mut window, "Callout", -1000.0);
+    assert!(part + 20.0 < left(&window, "Callout"), "a column stays wide enough to be taken again");
+    let edge = window.get_by_role_and_label(Role::Button, "Callout").rect().left_center();
+    let button = |pressed| Event::PointerButton {
+        pos: edge,
+        button: PointerButton::Primary,
+        pressed,
+        modifiers: Modifiers::NONE,
+    };
+    let twice = [true, false, true, false].map(button);
+    window.input_mut().events.push(Event::PointerMoved(edge));
+    window.input_mut().events.extend(twice);
+    settle(&mut window);
+    assert!((left(&window, "Callout") - callout).abs() < 0.01);
+    assert_eq!(parts(&window), "B A2 A10");
 }
 
 #[test]

@@ -9,7 +9,7 @@ use egui_kittest::Harness;
 use egui_kittest::kittest::{NodeT as _, Queryable as _};
 use fitcheck::gui::App;
 use fitcheck::part::Column;
-use fitcheck::session::{Action, Command, Density, Purpose};
+use fitcheck::session::{Command, Density, Purpose};
 use fitcheck::words::Language;
 
 use crate::harness::{DESK, Window, click, press, type_into};

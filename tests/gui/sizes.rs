@@ -20,7 +20,7 @@ use fitcheck::message::Bundle;
 use fitcheck::session::parts::{PartsView, PlanCommand, WalkCommand};
 use fitcheck::session::{
     BudgetCommand, BudgetField, CheckCommand, CheckField, Command, CyclesCommand, Field, FilesCommand, FitField,
-    MeasureBy, Page, PairingCommand, PairingField, PartsCommand, PartsField, ProgramCommand, Purpose, RecordsCommand,
+    MeasureBy, Page, PairingCommand, PairingField, PartsCommand, ProgramCommand, Purpose, RecordsCommand,
 };
 use fitcheck::tolerance::Feature;
 use fitcheck::verdict::Status;

@@ -1,7 +1,6 @@
 //! The walk through a part in the window, by label and key: values typed, gauged, simulated, from files and from a watched folder; touch
 //! alone; interrupted and brought back.
 
-use fitcheck::session::WalkField;
 use std::path::{Path, PathBuf};
 use std::sync::Arc;
 use std::time::{Duration, Instant};

@@ -8,7 +8,7 @@ use eframe::egui::accesskit::Role;
 use egui_kittest::Harness;
 use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::App;
-use fitcheck::session::{Action, Command, FilesCommand, Page, Purpose, Working};
+use fitcheck::session::{Command, FilesCommand, Page, Purpose, Working};
 
 use crate::harness::{DESK, Window, click, press, type_into, window};
 

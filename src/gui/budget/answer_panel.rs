@@ -1,47 +1,34 @@
 //! Right: the answer. U and whether the budget is valid as a card, then how it came about, what would help most, and its
 //! use for checks.
 
-use crate::session::BudgetAction;
-use eframe::egui::accesskit::Live;
-use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Ui, vec2};
+use eframe::egui::{RichText, Sense, Ui, vec2};
 
 use super::table::degrees;
 use crate::budget::{Answer, Assessment, Validity};
+use crate::gui::card::{plain_ui, word_ui};
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, heading, live, problem, quiet};
+use crate::gui::view::{View, heading, problem, quiet};
 use crate::length::without_zeros;
 use crate::message::message;
-use crate::session::{UseOf, advice};
+use crate::session::{BudgetAction, UseOf, advice};
 use crate::verdict::Status;
 
 /// U and the validity. It is not a verdict on a part, so it does not have the colour of one.
 pub(super) fn card_ui(ui: &mut Ui, view: &View<'_>) {
-    let palette = palette(ui.ctx());
     let found = view.session.budget().found();
     let word = view.text(if found.is_some() { "budget-page-answer" } else { "budget-page-no-answer" });
-    let mut said = vec![word.clone()];
-    let card =
-        Frame::new().fill(palette.background.0).corner_radius(6.0).inner_margin(Margin::same(12)).show(ui, |ui| {
-            ui.set_min_width(ui.available_width());
-            ui.with_layout(Layout::top_down(Align::Center), |ui| {
-                ui.spacing_mut().item_spacing.y = space(0.5);
-                quiet(ui, &word);
-                let Some(found) = found else { return };
-                let um = format!("{:.3}", found.expanded());
-                let large = view.words.say(&message!("budget-page-expanded").number("um", um));
-                let wanted = (ui.available_width() * 0.14).min(ui.ctx().content_rect().height() * 0.08);
-                let galley = ui.painter().layout_no_wrap(large.clone(), theme::bold(wanted), Color32::PLACEHOLDER);
-                let size = wanted.min(wanted * ui.available_width() / galley.size().x.max(1.0)).floor();
-                ui.label(RichText::new(&large).font(theme::bold(size)).color(palette.text.0));
-                let covered = covered(view, found);
-                ui.label(&covered);
-                said.extend([large, covered]);
-                said.extend(validity_ui(ui, view, found));
-            });
-        });
-    let response = ui.interact(card.response.rect, ui.scope_id().with("budget-answer"), Sense::hover());
-    live(ui, &response, &said.join(". "), Live::Polite);
+    plain_ui(ui, "budget-answer", false, |ui| {
+        ui.spacing_mut().item_spacing.y = space(0.5);
+        quiet(ui, &word);
+        let Some(found) = found else { return vec![word] };
+        let um = format!("{:.3}", found.expanded());
+        let large = view.words.say(&message!("budget-page-expanded").number("um", um));
+        word_ui(ui, &large, (0.14, 0.08));
+        let covered = covered(view, found);
+        ui.label(&covered);
+        [word, large, covered].into_iter().chain(validity_ui(ui, view, found)).collect()
+    });
 }
 
 fn covered(view: &View<'_>, found: &Assessment) -> String {

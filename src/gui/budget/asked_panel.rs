@@ -1,12 +1,12 @@
 //! Left, below the text: what the budget is evaluated for. Only what it asks for is shown.
 
-use crate::session::BudgetAction;
 use eframe::egui::Ui;
 
 use crate::gui::field::{Pairs, pairs_ui};
 use crate::gui::theme::space;
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
+use crate::session::BudgetAction;
 use crate::session::{BudgetField, Readings};
 
 /// How many notes on readings are shown; a notice had all of them.

@@ -13,16 +13,17 @@ mod bars;
 mod table;
 mod text_panel;
 
-use crate::gui::pages::{PageView, ending, open};
-use crate::session::Command;
-use crate::session::Purpose;
-use eframe::egui::{Id, Ui};
 use std::path::Path;
+
+use eframe::egui::{Id, Ui};
 
 use super::columns::{Page, column_ui, columns_ui};
 use super::dialogs::just_opened;
 use super::theme::space;
 use super::view::{View, quiet};
+use crate::gui::pages::{PageView, ending, open};
+use crate::session::Command;
+use crate::session::Purpose;
 
 pub(super) const PAGE: PageView = PageView { ui: budget_ui, dropped };
 

@@ -1,6 +1,5 @@
 //! Left: the budget as TOML, edited in place, and what is wrong with it.
 
-use crate::session::BudgetAction;
 use eframe::egui::accesskit::Invalid;
 use eframe::egui::text::{LayoutJob, TextFormat};
 use eframe::egui::{Id, ScrollArea, Stroke, TextBuffer, TextEdit, Ui};
@@ -9,6 +8,7 @@ use crate::gui::columns::is_low;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::message;
+use crate::session::BudgetAction;
 use crate::session::BudgetCommand;
 
 /// The lines of the text that are in sight at least.

@@ -1,17 +1,17 @@
 //! Right, above: the answer. One word that can be read from two metres, its shape, and what to do.
 
-use crate::session::CheckAction;
 use eframe::egui::{CollapsingHeader, Ui, vec2};
 
 use crate::gui::check::record_panel::recorded_ui;
 use crate::gui::check::worth_lines;
 use crate::gui::columns::is_low;
 use crate::gui::theme::{control, space};
-use crate::gui::verdict_card::{Card, card_ui, chip_ui, half_um, lines_below_ui, remove, status_id};
+use crate::gui::verdict_card::{Card, card_ui, chip_ui, half, lines_below_ui, question_card, remove, status_id};
 use crate::gui::view::{Digits, View, doubt_text, heading, quiet};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::{Message, Say, message};
+use crate::session::CheckAction;
 use crate::session::{Doubted, Lot, Question, Step};
 use crate::tolerance::Source;
 use crate::verdict::{PositionVerdict, Status};
@@ -60,13 +60,7 @@ pub(super) fn reasons_ui(ui: &mut Ui, view: &mut View<'_>) {
 
 /// What is asked about a typed value before it is judged.
 fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question) {
-    let card = Card {
-        word: view.text("word-question"),
-        value: Some(format!("{} mm", view.words.mm(question.measured, 3))),
-        lines: vec![doubt_text(view.words, question.doubt), view.text("question-enter")],
-        ..Card::default()
-    };
-    card_ui(ui, view, &card);
+    card_ui(ui, view, &question_card(view, question, 0.0));
     ui.add_space(space(1.0));
     let size = vec2(ui.available_width(), control(ui));
     view.answers_ui(ui, size);
@@ -143,10 +137,7 @@ pub(in crate::gui) fn card(words: &Words, record: &Record, is_round: bool) -> Ca
     let removal = size.removal.filter(|_| status == size.status);
     if let Some(removal) = removal {
         lines.push(words.say(&message!("remove-to-middle").text("um", um(removal.to_middle))));
-        let half = match digits {
-            Digits::Exact => words.number(&half_um(removal.to_limit)),
-            Digits::Rounded => um(removal.to_limit.midpoint(Length::ZERO)),
-        };
+        let half = half(words, digits, removal.to_limit);
         if is_round {
             lines.push(words.say(&message!("remove-per-side").text("um", half)));
         }

@@ -1,6 +1,5 @@
 //! Left: what is asked. Callout, limits, measured value, probe position, simulated workpiece.
 
-use crate::session::{CheckAction, WindowAction};
 use eframe::egui::{Align, CollapsingHeader, Grid, Key, Layout, Rect, Sense, Ui, UiBuilder, vec2};
 
 use crate::gui::check::record_panel::record_ui;
@@ -11,6 +10,7 @@ use crate::gui::limits::{self, feature_id};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
+use crate::session::{CheckAction, WindowAction};
 use crate::session::{CheckCommand, CheckField, Command, MeasureBy};
 use crate::tolerance::{Feature, Limits, Source};
 
@@ -107,13 +107,11 @@ fn measured_ui(ui: &mut Ui, view: &mut View<'_>, features: Option<Rect>) {
         for by in [MeasureBy::Typing, MeasureBy::Simulating] {
             view.radio(ui, CheckAction::MeasureBy(by));
         }
-        let keypad = view.named(WindowAction::Keypad).selected(view.session.has_keypad());
-        view.button_as(ui, WindowAction::Keypad, keypad);
+        view.toggle(ui, WindowAction::Keypad);
     });
     ui.horizontal(|ui| {
         view.main_button(ui, CheckAction::Measure, vec2(width * 0.6, control(ui)));
-        let clear = view.named(CheckAction::ClearResult).min_size(vec2(0.0, control(ui)));
-        view.button_as(ui, CheckAction::ClearResult, clear);
+        view.field_button(ui, CheckAction::ClearResult);
     });
 }
 

@@ -1,7 +1,6 @@
 //! Bottom: earlier checks. A title row with the filter, and the list below it; on a small window a strip with the last
 //! ones.
 
-use crate::session::{CheckAction, WindowAction};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Button, Frame, Id, Key, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
 
@@ -15,6 +14,7 @@ use crate::gui::view::{Digits, View, heading, quiet};
 use crate::journal::Record;
 use crate::journal::query::callout;
 use crate::message::{Message, message};
+use crate::session::{CheckAction, WindowAction};
 use crate::session::{CheckField, Field, status_text};
 
 /// How many checks the strip shows.

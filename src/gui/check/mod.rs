@@ -24,17 +24,20 @@ mod rule_panel;
 mod status_panel;
 mod worth_lines;
 
-use crate::gui::pages::{PageView, measurements};
 pub(super) use answer_panel::card as check_card;
 use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
-pub(super) use history_list::{PAD, text_ui};
+#[cfg(test)]
+pub(super) use history_list::COLUMNS as HISTORY;
 pub(super) use record_panel::recorded_ui;
+#[cfg(test)]
+pub(super) use rows_list::COLUMNS as ROWS;
 pub(super) use rows_panel::grouped;
 pub(super) use status_panel::mask_chooser_ui;
 pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};
 
 use super::columns::{Page, Shape, Side, column_ui, columns_ui, panel_ui};
 use super::keypad::keypad_ui;
+use super::pages::{PageView, measurements};
 use super::theme::space;
 use super::verdict_card::least_width;
 use super::view::View;

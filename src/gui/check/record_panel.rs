@@ -1,12 +1,12 @@
 //! What is recorded with the next checks, and what has become of the shown one.
 
-use crate::session::WindowAction;
 use eframe::egui::{CollapsingHeader, Label, RichText, Ui};
 
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, palette, sizes};
 use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::message;
+use crate::session::WindowAction;
 use crate::session::{CheckField, Keeping, Recorded};
 
 /// Left: serial number and remark, and whether checks are recorded.

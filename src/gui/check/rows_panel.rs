@@ -1,7 +1,6 @@
 //! Bottom, in the place of the history: the rows of a large file. How far it is judged, how many rows have which verdict
 //! (each count lists its rows), the classes, and what was remarked.
 
-use crate::session::CheckAction;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align, ComboBox, Label, Layout, PopupCloseBehavior, ProgressBar, Rect, ScrollArea, Sense, Stroke, StrokeKind, Ui,
@@ -14,6 +13,7 @@ use crate::gui::shapes::{self, share};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
 use crate::message::{Message, message};
+use crate::session::CheckAction;
 use crate::session::{End, LARGE, Large, Rows, RowsCommand};
 use crate::tolerance::ToleranceClass;
 use crate::verdict::Status;
@@ -63,8 +63,7 @@ pub(super) fn switch_ui(ui: &mut Ui, view: &mut View<'_>) {
     for shows_rows in [true, false] {
         let action = CheckAction::ShowRows(shows_rows);
         if view.session.can(action) {
-            let button = view.named(action).selected(action.is_on(view.session) == Some(true));
-            view.button_as(ui, action, button);
+            view.toggle(ui, action);
         }
     }
 }

@@ -1,15 +1,15 @@
 //! Left: what a measured value is worth. The decision rule, the uncertainty, what the process makes; the temperature.
 
-use crate::session::WindowAction;
 use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
 
 use crate::gui::check::asked_panel::pairs_ui;
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::material::material_ui;
 use crate::gui::theme::space;
-use crate::gui::view::{View, list_ui, quiet};
+use crate::gui::view::{View, one_of_ui, quiet};
 use crate::length::Length;
 use crate::message::{Message, message};
+use crate::session::WindowAction;
 use crate::session::{CheckCommand, CheckField, Page, UncertaintyFrom, Worth};
 use crate::verdict::rules::{Prover, RuleName, percent};
 
@@ -59,15 +59,12 @@ fn rule_ui(ui: &mut Ui, view: &mut View<'_>) {
     let judging = worth(view).judging();
     let name = quiet(ui, view.text("check-rule"));
     let width = ui.available_width();
-    let list = list_ui(ui, "rule-list", view.text(&name_id(judging.rule)), width - space(2.0), |ui| {
-        for rule in RuleName::ALL {
-            if ui.selectable_label(rule == judging.rule, view.text(&name_id(rule))).clicked() {
-                view.send(CheckCommand::UseRule(rule));
-                ui.close();
-            }
-        }
-    });
+    let rules = RuleName::ALL.map(|rule| (rule, view.text(&name_id(rule))));
+    let (rule, list) = one_of_ui(ui, "rule-list", width - space(2.0), &judging.rule, rules);
     list.labelled_by(name.id);
+    if let Some(rule) = rule {
+        view.send(CheckCommand::UseRule(rule));
+    }
     if judging.rule.takes_prover() {
         ui.horizontal_wrapped(|ui| {
             for (prover, text) in [(Prover::Supplier, "prover-supplier"), (Prover::Customer, "prover-customer")] {

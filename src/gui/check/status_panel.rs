@@ -1,6 +1,5 @@
 //! Right, below: the status window, as the control's pop-up prints it.
 
-use crate::session::CheckAction;
 use eframe::egui::{ComboBox, Ui};
 
 use crate::gui::popup::popup_ui;
@@ -8,6 +7,7 @@ use crate::gui::view::{Digits, View, quiet};
 use crate::journal::Record;
 use crate::length::Length;
 use crate::message::message;
+use crate::session::CheckAction;
 use crate::session::{Command, MaskChoice, Purpose};
 use crate::words::{Dialogue, Words};
 

@@ -1,6 +1,5 @@
 //! Right: the verdict, the status window, the result parameters as the control lists them, and what is worth knowing.
 
-use crate::session::{CyclesAction, WorkpieceAction};
 use eframe::egui::{Align, Color32, Label, Layout, RichText, Ui, vec2};
 
 use crate::gui::check::mask_chooser_ui;
@@ -8,12 +7,13 @@ use crate::gui::check::recorded_ui;
 use crate::gui::columns::is_tiny;
 use crate::gui::popup::popup_ui;
 use crate::gui::theme::{self, sizes, space};
-use crate::gui::verdict_card::{Card, card_height, card_ui, half_um, lines_below_ui, remove, status_id};
+use crate::gui::verdict_card::{Card, card_height, card_ui, half, lines_below_ui, remove, status_id};
 use crate::gui::view::{Digits, View, by_limits_ui, heading, quiet, quiet_height, quiet_within};
 use crate::length::{Length, Unit};
 use crate::message::{Message, message};
 use crate::probing::cycle::{Check, CycleResult, Found, FoundName, LogTarget, Value};
 use crate::session::{CycleRun, RunLog};
+use crate::session::{CyclesAction, WorkpieceAction};
 use crate::verdict::Status;
 use crate::words::Words;
 
@@ -156,10 +156,7 @@ fn check_card(words: &Words, check: &Check) -> Card {
             lines.push(if check.below_maximum() < Length::ZERO { below } else { above });
             lines.push(words.say(&message!("remove-to-middle").text("um", um(removal.to_middle))));
             if check.what == FoundName::DIAMETER {
-                let half = match digits {
-                    Digits::Exact => words.number(&half_um(removal.to_limit)),
-                    Digits::Rounded => um(removal.to_limit.midpoint(Length::ZERO)),
-                };
+                let half = half(words, digits, removal.to_limit);
                 lines.push(words.say(&message!("remove-per-side").text("um", half)));
             }
         }

@@ -1,11 +1,11 @@
 //! An NC block, typed or pasted, that fills the form.
 
-use crate::session::CyclesAction;
 use eframe::egui::{Align2, Button, Id, TextEdit, Ui, vec2};
 
 use crate::gui::dialogs::{fixed_window, just_opened};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, problem, quiet};
+use crate::session::CyclesAction;
 use crate::session::CyclesCommand;
 
 /// The window, where it is open.

@@ -1,16 +1,16 @@
 //! Left: the cycle, where its contacts come from, and its parameters, made from the declaration.
 
-use crate::session::{CyclesAction, WindowAction, WorkpieceAction};
 use eframe::egui::{CollapsingHeader, Id, Ui, vec2};
 
 use super::opener_ui;
 use super::parameter_row::{figure_ui, parameter_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, heading, keep_focus, list_ui, problem, quiet, quiet_cut};
+use crate::gui::view::{View, heading, keep_focus, list_ui, one_of_ui, problem, quiet, quiet_cut};
 use crate::message::message;
 use crate::probing::cycle::{Cycle, Key};
 use crate::probing::cycles::CYCLES;
 use crate::session::{Axis, ContactsFrom, CycleField, CyclesCommand};
+use crate::session::{CyclesAction, WindowAction, WorkpieceAction};
 
 /// What stands above the form: the cycle, where contacts come from, and what runs it.
 pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -34,19 +34,12 @@ fn title(view: &View<'_>, cycle: &Cycle) -> String {
 fn chooser_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("cycles-cycle"));
     let chosen = view.session.cycles().cycle();
-    let mut is_picked = false;
     let width = ui.available_width() - space(2.5);
-    let list = list_ui(ui, "cycle", title(view, chosen), width, |ui| {
-        for cycle in CYCLES {
-            if ui.selectable_label(cycle.number == chosen.number, title(view, cycle)).clicked() {
-                view.send(CyclesCommand::Choose(cycle.number));
-                is_picked = true;
-                ui.close();
-            }
-        }
-    });
+    let all = CYCLES.iter().map(|cycle| (cycle.number, title(view, cycle)));
+    let (picked, list) = one_of_ui(ui, "cycle", width, &chosen.number, all);
     let list = list.labelled_by(name.id);
-    if is_picked {
+    if let Some(number) = picked {
+        view.send(CyclesCommand::Choose(number));
         keep_focus(ui, &list);
     }
     for note in chosen.notes {
@@ -148,10 +141,8 @@ fn run_ui(ui: &mut Ui, view: &mut View<'_>) {
         let widths = [small(ui, "clear"), small(ui, "keypad")];
         let width = ui.available_width() - widths.iter().sum::<f32>() - space(5.0);
         view.main_button(ui, CyclesAction::RunCycle, vec2(width, control(ui)));
-        let clear = view.named(CyclesAction::ClearCycle).min_size(vec2(0.0, control(ui)));
-        view.button_as(ui, CyclesAction::ClearCycle, clear);
-        let keypad = view.named(WindowAction::Keypad).selected(view.session.has_keypad());
-        view.button_as(ui, WindowAction::Keypad, keypad.min_size(vec2(0.0, control(ui))));
+        view.field_button(ui, CyclesAction::ClearCycle);
+        view.toggle(ui, WindowAction::Keypad);
     });
 }
 

@@ -1,6 +1,5 @@
 //! Middle: the parameter in focus, the path step by step, contacts with their deviations, criteria side by side.
 
-use crate::session::CyclesAction;
 use eframe::egui::{Label, Slider, Ui, vec2};
 
 use super::form_panel::last_focused;
@@ -12,6 +11,7 @@ use crate::gui::view::{View, heading, quiet};
 use crate::length::without_zeros;
 use crate::message::{Message, message};
 use crate::probing::cycle::{Move, Parameter, Phase, Range};
+use crate::session::CyclesAction;
 use crate::session::{CycleRun, CyclesCommand, Step};
 use crate::words::Words;
 

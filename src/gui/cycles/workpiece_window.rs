@@ -1,6 +1,5 @@
 //! The dialog of the simulated workpiece: surface, probe, scatter, temperature, all from one seed and one file.
 
-use crate::session::WorkpieceAction;
 use eframe::egui::{Align2, Button, Id, ScrollArea, Ui, vec2};
 
 use super::parameter_row::figure_ui;
@@ -10,6 +9,7 @@ use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;
 use crate::probing::simulated::Shape;
+use crate::session::WorkpieceAction;
 use crate::session::{WorkpieceCommand, WorkpieceField, shape_id};
 
 /// The window, where it is open. What is typed counts at once.

@@ -1,9 +1,9 @@
 //! Right: the answer. The kind of fit as a word and a shape, then the figures, and what follows from them.
 
-use crate::session::FitAction;
-use eframe::egui::accesskit::{Live, Role};
-use eframe::egui::{Align, Button, Color32, Frame, Grid, Layout, Margin, RichText, Sense, Ui, WidgetInfo, vec2};
+use eframe::egui::accesskit::Role;
+use eframe::egui::{Align, Button, Color32, Layout, RichText, Sense, Ui, WidgetInfo, vec2};
 
+use crate::gui::card::{plain_ui, word_ui};
 use crate::gui::class_chooser::feature_picture;
 use crate::gui::columns::{is_low, is_tiny};
 use crate::gui::limits::{self, feature_id};
@@ -11,10 +11,10 @@ use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::chip_ui;
 use crate::gui::verdict_card::status_id;
-use crate::gui::view::{View, doubt_text, heading, live, problem, quiet};
+use crate::gui::view::{View, doubt_text, heading, named_figures_ui, problem, quiet};
 use crate::length::Length;
 use crate::message::{Message, Say as _, message};
-use crate::session::{Equivalent, FitCommand, Parts, WarmFit, extremes};
+use crate::session::{Equivalent, FitAction, FitCommand, Parts, WarmFit, extremes};
 use crate::tolerance::Feature;
 use crate::tolerance::fit::preferred::{function, preference};
 use crate::tolerance::fit::{Fit, Kind, basis};
@@ -61,39 +61,26 @@ fn range(view: &View<'_>, minimum: Length, maximum: Length) -> String {
 /// The kind of fit. It is not a verdict, so it does not have the colour of one.
 pub(super) fn kind_ui(ui: &mut Ui, view: &View<'_>) {
     let fit = view.session.fit().fit();
-    let palette = palette(ui.ctx());
-    let (fill, colour) = (palette.background.0, palette.text.0);
     let word = view.text(fit.map_or("fit-word-none", |fit| kind_id(fit.kind())));
-    let mut said = vec![word.clone()];
-    let card = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::same(12)).show(ui, |ui| {
-        ui.set_min_width(ui.available_width());
-        ui.with_layout(Layout::top_down(Align::Center), |ui| {
-            let Some(fit) = fit else {
-                quiet(ui, &word);
-                return;
-            };
-            if !is_low(ui) {
-                let (rect, _) = ui.allocate_exact_size(vec2(space(16.0), space(16.0)), Sense::hover());
-                shapes::fit_kind(ui.painter(), rect, fit.kind(), colour, fill);
-            }
-            let wanted = (ui.available_width() * 0.12).min(ui.ctx().content_rect().height() * 0.1);
-            let galley = ui.painter().layout_no_wrap(word.clone(), theme::bold(wanted), colour);
-            let size = wanted.min(wanted * ui.available_width() / galley.size().x.max(1.0));
-            ui.label(RichText::new(&word).font(theme::bold(size.floor())).color(colour));
-            let (minimum, maximum) = (fit.minimum_clearance(), fit.maximum_clearance());
-            let line = range(view, minimum, maximum);
-            ui.label(RichText::new(&line).font(theme::bold(sizes().value)).color(colour));
-            said.push(line);
-        });
-        if let Some(fit) = fit
-            && !is_tiny(ui)
-        {
-            said.extend(figures_ui(ui, view, fit));
+    plain_ui(ui, "kind", false, |ui| {
+        let Some(fit) = fit else {
+            quiet(ui, &word);
+            return vec![word];
+        };
+        let palette = palette(ui.ctx());
+        if !is_low(ui) {
+            let (rect, _) = ui.allocate_exact_size(vec2(space(16.0), space(16.0)), Sense::hover());
+            shapes::fit_kind(ui.painter(), rect, fit.kind(), palette.text.0, palette.background.0);
         }
+        word_ui(ui, &word, (0.12, 0.1));
+        let line = range(view, fit.minimum_clearance(), fit.maximum_clearance());
+        ui.label(RichText::new(&line).font(theme::bold(sizes().value)).color(palette.text.0));
+        let mut said = vec![word, line];
+        if !is_tiny(ui) {
+            ui.with_layout(Layout::top_down(Align::Min), |ui| said.extend(figures_ui(ui, view, fit)));
+        }
+        said
     });
-    let said = said.join(". ");
-    let response = ui.interact(card.response.rect, ui.scope_id().with("kind"), Sense::hover());
-    live(ui, &response, &said, Live::Polite);
 }
 
 /// The ends of the range and its middle, by name; returns what a screen reader says.
@@ -104,16 +91,9 @@ fn figures_ui(ui: &mut Ui, view: &View<'_>, fit: &Fit) -> Vec<String> {
     // The maximum comes first, even where it is the largest interference.
     let (first, second) = if fit.kind() == Kind::Interference { (lower, upper) } else { (upper, lower) };
     let rows = [first, second, (mean_id, mean.abs())];
-    let mut said = Vec::new();
-    Grid::new("fit-figures").num_columns(2).min_row_height(0.0).spacing(vec2(space(4.0), 0.0)).show(ui, |ui| {
-        for (id, amount) in rows {
-            let (name, value) = (view.text(id), format!("{} µm", view.words.um(amount)));
-            said.push(format!("{name} {value}"));
-            ui.label(name);
-            ui.label(RichText::new(value).font(theme::bold(sizes().limits)));
-            ui.end_row();
-        }
-    });
+    let rows = rows.map(|(id, amount)| (view.text(id), format!("{} µm", view.words.um(amount))));
+    let said = rows.iter().map(|(name, value)| format!("{name} {value}")).collect();
+    named_figures_ui(ui, "fit-figures", rows);
     said
 }
 

@@ -3,7 +3,6 @@
 //! One widget for the keyboard (arrows go to the next defined class), one node a class for screen readers and the
 //! pointer.
 
-use crate::session::FitAction;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{
     Align2, Button, Id, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
@@ -14,6 +13,7 @@ use crate::gui::class_chooser::feature_classes_id;
 use crate::gui::theme::{self, Palette, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::message;
+use crate::session::FitAction;
 use crate::session::{ClassMap, FitCommand, MapCell};
 use crate::tolerance::iso286::{self, Grade, Letter};
 use crate::tolerance::{Feature, ToleranceClass};

@@ -17,7 +17,6 @@ mod picture;
 mod search_panel;
 mod staircase;
 
-use crate::gui::pages::{PageView, measurements};
 use eframe::egui::{Id, Ui};
 
 use super::columns::{Page, column_ui, columns_ui};
@@ -25,6 +24,7 @@ use super::dialogs::just_opened;
 use super::field;
 use super::theme::space;
 use super::view::View;
+use crate::gui::pages::{PageView, measurements};
 use crate::session::FitField;
 
 pub(super) const PAGE: PageView = PageView { ui: fit_ui, dropped: measurements };

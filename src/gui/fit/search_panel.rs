@@ -5,7 +5,7 @@ use eframe::egui::{Atom, AtomExt as _, Button, RichText, ScrollArea, Ui, vec2};
 
 use super::parts_panel::pair_ui;
 use crate::gui::theme::{self, Hex, control, palette, sizes, space};
-use crate::gui::view::{View, heading, list_ui, problem, quiet};
+use crate::gui::view::{View, heading, one_of_ui, problem, quiet};
 use crate::length::Length;
 use crate::message::message;
 use crate::session::{FitCommand, FitField};
@@ -35,15 +35,12 @@ pub(super) fn search_ui(ui: &mut Ui, view: &mut View<'_>) {
         let name = quiet(ui, view.text("fit-scope"));
         let width = ui.available_width() - space(2.0);
         let now = view.session.fit().scope();
-        let list = list_ui(ui, "fit-scope", view.text(scope_id(now)), width, |ui| {
-            for scope in [Scope::All, Scope::Basis, Scope::Preferred] {
-                if ui.selectable_label(scope == now, view.text(scope_id(scope))).clicked() {
-                    view.send(FitCommand::SearchAmong(scope));
-                    ui.close();
-                }
-            }
-        });
+        let scopes = [Scope::All, Scope::Basis, Scope::Preferred].map(|scope| (scope, view.text(scope_id(scope))));
+        let (chosen, list) = one_of_ui(ui, "fit-scope", width, &now, scopes);
         list.labelled_by(name.id);
+        if let Some(scope) = chosen {
+            view.send(FitCommand::SearchAmong(scope));
+        }
     });
     let session = view.session;
     match session.fit().found() {

@@ -1,22 +1,19 @@
 //! Right: the answer. How many pairs, their clearances, what is left over and what grinding would save, and its files.
 
-use crate::session::PairingAction;
-use eframe::egui::accesskit::Live;
-use eframe::egui::{Align, Frame, Grid, Layout, Margin, RichText, Sense, Ui, vec2};
+use eframe::egui::{RichText, Ui};
 
 use super::groups_panel::groups_ui;
+use crate::gui::card::{plain_ui, word_ui};
 use crate::gui::columns::is_tiny;
-use crate::gui::shapes;
-use crate::gui::theme::{self, palette, sizes, space};
-use crate::gui::view::{View, heading, live, quiet};
+use crate::gui::theme::{palette, space};
+use crate::gui::view::{View, heading, named_figures_ui, quiet};
 use crate::message::message;
 use crate::pairing::Grinding;
 use crate::report::pairing::FORMATS;
-use crate::session::Paired;
+use crate::session::{Paired, PairingAction};
 
 /// The number of pairs, their clearances and what is left over. It is not a verdict, so it does not have the colour of one.
 pub(super) fn count_ui(ui: &mut Ui, view: &View<'_>) {
-    let palette = palette(ui.ctx());
     let paired = view.session.pairing().paired();
     let lines = paired.map_or_else(Vec::new, |paired| lines(view, paired));
     let word = match paired {
@@ -24,29 +21,17 @@ pub(super) fn count_ui(ui: &mut Ui, view: &View<'_>) {
         None if view.session.pairing().is_pairing() => view.text("pairing-page-at-work"),
         None => view.text("pairing-page-none"),
     };
-    let card =
-        Frame::new().fill(palette.background.0).corner_radius(6.0).inner_margin(Margin::same(12)).show(ui, |ui| {
-            ui.set_min_width(ui.available_width());
-            ui.with_layout(Layout::top_down(Align::Center), |ui| {
-                if paired.is_none() {
-                    quiet(ui, &word);
-                    return;
-                }
-                let wanted = (ui.available_width() * 0.12).min(ui.ctx().content_rect().height() * 0.1);
-                let galley = ui.painter().layout_no_wrap(word.clone(), theme::bold(wanted), palette.text.0);
-                let size = wanted.min(wanted * ui.available_width() / galley.size().x.max(1.0));
-                ui.label(RichText::new(&word).font(theme::bold(size.floor())).color(palette.text.0));
-                for line in &lines {
-                    ui.label(RichText::new(line).color(palette.text.0));
-                }
-            });
-        });
-    if paired.is_some_and(|paired| 0 < paired.simulated) {
-        shapes::dashed_frame(ui.painter(), card.response.rect, palette.text.0);
-    }
-    let said = std::iter::once(word).chain(lines).collect::<Vec<_>>().join(". ");
-    let response = ui.interact(card.response.rect, ui.scope_id().with("pairs"), Sense::hover());
-    live(ui, &response, &said, Live::Polite);
+    plain_ui(ui, "pairs", paired.is_some_and(|paired| 0 < paired.simulated), |ui| {
+        if paired.is_none() {
+            quiet(ui, &word);
+        } else {
+            word_ui(ui, &word, (0.12, 0.1));
+            for line in &lines {
+                ui.label(RichText::new(line).color(palette(ui.ctx()).text.0));
+            }
+        }
+        std::iter::once(word).chain(lines).collect()
+    });
 }
 
 /// A range of clearance with its signs: `+7 … +41 µm`.
@@ -106,13 +91,7 @@ fn figures_ui(ui: &mut Ui, view: &View<'_>, paired: &Paired) {
         ("pairing-page-middle", um(view.words.number(&paired.middle_um()))),
         ("pairing-page-band", um(view.words.um(paired.answer.pairing.band))),
     ];
-    Grid::new("pairing-figures").num_columns(2).min_row_height(0.0).spacing(vec2(space(4.0), 0.0)).show(ui, |ui| {
-        for (id, value) in rows {
-            ui.label(view.text(id));
-            ui.label(RichText::new(value).font(theme::bold(sizes().limits)));
-            ui.end_row();
-        }
-    });
+    named_figures_ui(ui, "pairing-figures", rows.map(|(id, value)| (view.text(id), value)));
 }
 
 /// What grinding the leftovers would save.

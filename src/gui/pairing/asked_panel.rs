@@ -1,6 +1,5 @@
 //! Left: the wanted clearance or fit, the measured parts with everything about them that has to be said, the groups.
 
-use crate::session::PairingAction;
 use eframe::egui::{RichText, ScrollArea, Ui, vec2};
 
 use crate::exchange::ImportError;
@@ -10,6 +9,7 @@ use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, heading, list_height, problem, quiet, quiet_cut};
 use crate::message::{Located, Message, Say as _, message};
 use crate::report::pairing::{Note, Parts, PartsFrom};
+use crate::session::PairingAction;
 use crate::session::PairingField;
 use crate::tolerance::Feature;
 

@@ -14,12 +14,17 @@ mod groups_panel;
 mod pairs_list;
 mod picture;
 
+use std::path::Path;
+
+use eframe::egui::{Id, Ui};
+
 use crate::gui::pages::{PageView, open};
 use crate::session::Command;
 use crate::session::PairingCommand;
 use crate::session::Purpose;
-use eframe::egui::{Id, Ui};
-use std::path::Path;
+
+#[cfg(test)]
+pub(super) use pairs_list::columns;
 
 use super::columns::{Page, columns_ui, of_height};
 use super::dialogs::just_opened;

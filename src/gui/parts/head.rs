@@ -1,11 +1,11 @@
 //! Above both views: the switch between them, new, open, save, and the plan's name.
 
-use crate::session::PartsAction;
 use eframe::egui::{Button, Ui, vec2};
 
 use crate::gui::theme::control;
 use crate::gui::view::{View, quiet};
 use crate::message::message;
+use crate::session::PartsAction;
 use crate::session::parts::PartsView;
 
 pub(super) fn head_ui(ui: &mut Ui, view: &mut View<'_>) {

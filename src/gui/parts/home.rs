@@ -1,11 +1,11 @@
 //! Where the focus goes when whatever had it is gone: Escape was pressed, or a dialog or a notice was closed.
 
-use crate::session::WalkField;
 use eframe::egui::{Id, Key, Popup, Ui};
 
 use super::{plan_id, sizes_id};
 use crate::gui::field;
 use crate::gui::view::View;
+use crate::session::WalkField;
 use crate::session::parts::{PartsView, PlanField};
 
 /// What lies over the page.

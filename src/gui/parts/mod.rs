@@ -15,15 +15,18 @@ mod plan;
 mod plan_view;
 mod walk;
 
+use std::path::Path;
+
+use eframe::egui::{CentralPanel, Frame, Panel, Ui};
+
+use super::view::View;
 use crate::gui::pages::{PageView, ending, open};
 use crate::session::Command;
 use crate::session::Purpose;
-use eframe::egui::{CentralPanel, Frame, Panel, Ui};
-use std::path::Path;
-
-use super::view::View;
 use crate::session::parts::PartsView;
 pub(super) use plan::grid::{focus as focus_table, id as plan_id};
+#[cfg(test)]
+pub(super) use walk::SIZES;
 pub(super) use walk::sizes_id;
 
 pub(super) const PAGE: PageView = PageView { ui: parts_ui, dropped };

@@ -1,6 +1,5 @@
 //! The plan as a table, with its picture beside it and what is wrong with it below.
 
-use crate::session::PartsAction;
 use eframe::egui::{CentralPanel, Frame, Ui, vec2};
 
 use super::picture;
@@ -9,6 +8,7 @@ use crate::gui::columns::{Side, column_ui, of_height, panel_ui};
 use crate::gui::keypad::keypad_ui;
 use crate::gui::theme::{control, space};
 use crate::gui::view::{View, quiet};
+use crate::session::PartsAction;
 
 /// The least size of a window in which table, picture and faults stand beside each other.
 const ROOM: [f32; 2] = [225.0, 160.0];

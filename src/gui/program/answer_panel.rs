@@ -1,15 +1,15 @@
 //! Right: the windows that the program opens, files that it would write, what was measured.
 
-use eframe::egui::accesskit::Live;
-use eframe::egui::{Button, CollapsingHeader, Frame, Label, Margin, RichText, Sense, Ui, vec2};
+use eframe::egui::{Button, CollapsingHeader, Label, Margin, RichText, Sense, Ui, vec2};
 
 use super::tools_panel::changes_ui;
+use crate::gui::card::{self, MARGIN};
 use crate::gui::check::recorded_ui;
 use crate::gui::popup;
 use crate::gui::shapes;
-use crate::gui::theme::{self, control, palette, sizes, space};
+use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::{colours, status_id};
-use crate::gui::view::{View, by_limits_ui, heading, live, quiet};
+use crate::gui::view::{View, by_limits_ui, heading, marked_ui, quiet};
 use crate::message::{Message, message};
 use crate::nc::machine::{CycleRun, Window};
 use crate::probing::cycle::Value;
@@ -53,8 +53,7 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
     let (fill, colour) = colours(palette(ui.ctx()), status, is_simulated);
     let simulated = (is_simulated && status.is_some()).then(|| view.text("simulated"));
     let size = if status.is_some() { sizes().status * 0.5 } else { sizes().value };
-    let card = Frame::new().fill(fill).corner_radius(6.0).inner_margin(Margin::symmetric(12, 8)).show(ui, |ui| {
-        ui.set_min_width(ui.available_width());
+    card::verdict_ui(ui, (fill, colour), simulated.is_some(), Margin::symmetric(MARGIN, 8), |ui| {
         // As high before the run as after it: nothing below moves.
         let line = |size: f32| ui.fonts_mut(|fonts| fonts.row_height(&theme::bold(size)));
         let above = if view.session.program().is_simulated() { line(sizes().limits) + space(1.0) } else { 0.0 };
@@ -71,13 +70,8 @@ pub(super) fn verdict_ui(ui: &mut Ui, view: &mut View<'_>) {
                 ui.label(RichText::new(measured).font(theme::bold(sizes().limits)).color(colour));
             }
         });
+        simulated.into_iter().chain([word]).chain(measured).collect()
     });
-    if simulated.is_some() {
-        shapes::dashed_frame(ui.painter(), card.response.rect, colour);
-    }
-    let said = simulated.into_iter().chain([word]).chain(measured).collect::<Vec<_>>().join(". ");
-    let response = ui.interact(card.response.rect, ui.scope_id().with("verdict"), Sense::hover());
-    live(ui, &response, &said, Live::Assertive);
     let slip = view.session.program().run().and_then(Run::record);
     recorded_ui(ui, view, slip.and_then(|slip| view.session.recording().of_slip(slip)));
 }
@@ -119,18 +113,13 @@ fn cycles_ui(ui: &mut Ui, view: &mut View<'_>, run: &Run) {
         quiet(ui, view.words.say(&message));
     }
     for cycle in cycles.iter().rev().take(MOST).rev() {
-        ui.horizontal(|ui| {
-            let status = cycle.result.verdict();
-            let (mark, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
-            shapes::status(ui.painter(), mark, status, palette(ui.ctx()).text.0);
-            let word = view.text(status_id(status));
-            let value = main_value(view.words, cycle).unwrap_or_default();
-            let text = format!("{}  {word}  {value}", cycle.cycle.code);
-            let button = Button::new(text).frame(false).min_size(vec2(0.0, control(ui)));
-            if ui.add(button).on_hover_text(view.text("program-page-show-block")).clicked() {
-                view.send(ProgramCommand::GoTo(cycle.place.clone()));
-            }
-        });
+        let status = cycle.result.verdict();
+        let value = main_value(view.words, cycle).unwrap_or_default();
+        let text = format!("{}  {}  {value}", cycle.cycle.code, view.text(status_id(status)));
+        let line = marked_ui(ui, (status, palette(ui.ctx()).text.0), Button::new(text));
+        if line.on_hover_text(view.text("program-page-show-block")).clicked() {
+            view.send(ProgramCommand::GoTo(cycle.place.clone()));
+        }
     }
 }
 

@@ -1,6 +1,5 @@
 //! Left: the inputs of 8255, what is measured, and below them program and native answer side by side.
 
-use crate::session::WorkpieceAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, Grid, RichText, Sense, Ui, vec2};
 
@@ -11,8 +10,9 @@ use crate::gui::limits::source_ui;
 use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::verdict_card::status_id;
-use crate::gui::view::{View, heading, list_ui, live, problem, quiet};
+use crate::gui::view::{View, heading, live, one_of_ui, problem, quiet};
 use crate::message::message;
+use crate::session::WorkpieceAction;
 use crate::session::program::{Agreement, Input, Run, WorkpieceFrom};
 use crate::session::{Field, ProgramCommand, ProgramField};
 use crate::verdict::Status;
@@ -149,15 +149,13 @@ fn workpiece_ui(ui: &mut Ui, view: &mut View<'_>) {
     let name = heading(ui, view.text("program-page-workpiece"));
     let chosen = view.session.program().workpiece();
     let has_limits = view.session.program().has_inputs();
-    let (shown, width) = (view.text(from_id(chosen, has_limits)), ui.available_width() - space(2.0));
-    let list = list_ui(ui, "program-workpiece", shown, width, |ui| {
-        for from in WorkpieceFrom::ALL {
-            if ui.selectable_label(chosen == from, view.text(from_id(from, has_limits))).clicked() {
-                view.send(ProgramCommand::ChooseWorkpiece(from));
-            }
-        }
-    });
+    let width = ui.available_width() - space(2.0);
+    let all = WorkpieceFrom::ALL.map(|from| (from, view.text(from_id(from, has_limits))));
+    let (from, list) = one_of_ui(ui, "program-workpiece", width, &chosen, all);
     list.labelled_by(name.id);
+    if let Some(from) = from {
+        view.send(ProgramCommand::ChooseWorkpiece(from));
+    }
     match chosen {
         WorkpieceFrom::Perfect => {}
         WorkpieceFrom::Given => {

@@ -24,10 +24,6 @@ mod tool_bar;
 mod tools_panel;
 mod watch_panel;
 
-use crate::gui::pages::{PageView, ending, open};
-use crate::session::Command;
-use crate::session::CycleFile;
-use crate::session::Purpose;
 use std::path::Path;
 use std::time::Duration;
 
@@ -40,6 +36,10 @@ use super::field;
 use super::keypad::{self, keypad_ui};
 use super::theme::{palette, space};
 use super::view::View;
+use crate::gui::pages::{PageView, ending, open};
+use crate::session::Command;
+use crate::session::CycleFile;
+use crate::session::Purpose;
 use crate::session::program::Speed;
 use crate::session::{ProgramCommand, ProgramField};
 

@@ -1,10 +1,9 @@
 //! Below the listing: errors, warnings and remarks, whole; a click shows the block.
 
-use eframe::egui::{Button, Color32, FontId, RichText, ScrollArea, Sense, Ui, vec2};
+use eframe::egui::{Button, Color32, FontId, RichText, ScrollArea, Ui};
 
-use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, heading, quiet};
+use crate::gui::view::{View, heading, marked_ui, quiet};
 use crate::message::message;
 use crate::session::ProgramCommand;
 use crate::session::program::{Note, NoteKind, Run};
@@ -77,17 +76,12 @@ pub(super) fn notes_ui(ui: &mut Ui, view: &mut View<'_>) {
 fn row_ui(ui: &mut Ui, view: &mut View<'_>, note: Note, is_whole: bool) {
     let palette = palette(ui.ctx());
     let is_error = note.kind == NoteKind::Error;
-    ui.horizontal(|ui| {
-        let (mark, _) = ui.allocate_exact_size(vec2(space(4.0), space(4.0)), Sense::hover());
-        let (shape, colour) = if is_error { (Some(Status::Scrap), palette.error.0) } else { (None, palette.quiet.0) };
-        shapes::status(ui.painter(), mark, shape, colour);
-        let said = view.words.say(&note.message);
-        let colour = if is_error { palette.error.0 } else { palette.text.0 };
-        let text = RichText::new(&said).font(font(&note)).color(colour);
-        let button = Button::new(text).frame(false).min_size(vec2(0.0, control(ui)));
-        let button = if is_whole { button.wrap() } else { button.truncate() };
-        if ui.add(button).on_hover_text(said).clicked() {
-            view.send(ProgramCommand::GoTo(note.place));
-        }
-    });
+    let (shape, mark) = if is_error { (Some(Status::Scrap), palette.error.0) } else { (None, palette.quiet.0) };
+    let said = view.words.say(&note.message);
+    let colour = if is_error { palette.error.0 } else { palette.text.0 };
+    let line = Button::new(RichText::new(&said).font(font(&note)).color(colour));
+    let line = if is_whole { line.wrap() } else { line.truncate() };
+    if marked_ui(ui, (shape, mark), line).on_hover_text(said).clicked() {
+        view.send(ProgramCommand::GoTo(note.place));
+    }
 }

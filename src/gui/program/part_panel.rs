@@ -1,6 +1,5 @@
 //! Left: the simulated part of several features, listed by name, kind, size and place. The list takes the focus as a whole.
 
-use crate::session::ProgramAction;
 use eframe::egui::accesskit::Role;
 use eframe::egui::{EventFilter, Id, Key, Label, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
@@ -8,6 +7,7 @@ use crate::gui::shapes::{focus_ring, times};
 use crate::gui::theme::{sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::message::message;
+use crate::session::ProgramAction;
 use crate::session::feature_message;
 
 /// How many features are visible without scrolling.

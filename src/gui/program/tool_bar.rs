@@ -1,13 +1,13 @@
 //! Above: which program; run, pause, single block, breakpoints, speed; what the run does, in words.
 
-use crate::session::ProgramAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Align, Button, Layout, RichText, ScrollArea, Sense, Ui, vec2};
 
 use super::paint;
 use crate::gui::theme::{self, control, palette, sizes, space};
-use crate::gui::view::{View, list_height, list_ui, live};
+use crate::gui::view::{View, list_height, list_ui, live, one_of_ui};
 use crate::nc::machine::Shipped;
+use crate::session::ProgramAction;
 use crate::session::program::{Document, EntryKind, Origin, Run, Speed, State, Switch};
 use crate::session::{Command, ProgramCommand, Purpose};
 
@@ -123,14 +123,12 @@ const fn speed_id(speed: Speed) -> &'static str {
 fn speed_ui(ui: &mut Ui, view: &mut View<'_>) {
     let speed = view.session.program().speed();
     let name = view.text("program-page-speed");
-    let list = list_ui(ui, "program-speed", view.text(speed_id(speed)), space(LIST), |ui| {
-        for choice in Speed::ALL {
-            if ui.selectable_label(choice == speed, view.text(speed_id(choice))).clicked() {
-                view.send(ProgramCommand::SetSpeed(choice));
-            }
-        }
-    });
+    let all = Speed::ALL.map(|speed| (speed, view.text(speed_id(speed))));
+    let (chosen, list) = one_of_ui(ui, "program-speed", space(LIST), &speed, all);
     list.accessible_name(name);
+    if let Some(speed) = chosen {
+        view.send(ProgramCommand::SetSpeed(speed));
+    }
 }
 
 fn options_ui(ui: &mut Ui, view: &mut View<'_>) {

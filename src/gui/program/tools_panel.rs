@@ -1,6 +1,5 @@
 //! Left: the tool table, and the tools of Q330; right: what a run has changed in the table.
 
-use crate::session::WorkpieceAction;
 use eframe::egui::{Button, Id, RichText, Ui, vec2};
 
 use crate::control::variables::Parameter;
@@ -9,6 +8,7 @@ use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::tools::{Pick, named_ui, pick_ui, table_list_ui};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::{Say as _, message};
+use crate::session::WorkpieceAction;
 use crate::session::program::{Document, Run, ToolOf};
 use crate::session::{ProgramCommand, ProgramField};
 

@@ -1,6 +1,5 @@
 //! Right, below: parameters with names and values; what the last command changed stands out, by more than colour.
 
-use crate::session::ProgramAction;
 use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextWrapping};
 use eframe::egui::{Align2, Button, Rect, RichText, ScrollArea, Sense, Ui, WidgetInfo, pos2, vec2};
@@ -11,6 +10,7 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::message::Message;
 use crate::nc::machine::shown;
+use crate::session::ProgramAction;
 use crate::session::program::{Name, Watched};
 use crate::session::{ProgramCommand, ProgramField};
 

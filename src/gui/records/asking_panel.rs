@@ -1,18 +1,18 @@
 //! Above: the question, the words of it that have a button, and how many records answer it.
 
-use crate::session::{RecordsAction, WindowAction};
-use eframe::egui::{Id, Key, Label, RichText, Ui, vec2};
+use eframe::egui::{Id, Key, Label, RichText, Ui};
 
 use super::list;
 use crate::gui::check::grouped;
 use crate::gui::columns::is_tiny;
 use crate::gui::field::{Look, error_ui, field_ui};
-use crate::gui::theme::{self, control, palette, sizes, space};
+use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, problem, quiet};
 use crate::message::{Message, message};
 use crate::report::RENDERINGS;
 use crate::session::records::{LeftOut, Shorthand};
 use crate::session::{Field, RecordsField};
+use crate::session::{RecordsAction, WindowAction};
 
 /// The question, and what comes of it. In a very low window its buttons are in a menu, so that rows stay in sight.
 pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -26,8 +26,7 @@ pub(super) fn asking_ui(ui: &mut Ui, view: &mut View<'_>) {
             ui.menu_button(view.text("records-page-more-actions"), |ui| more_ui(ui, view));
         } else {
             for action in Shorthand::ALL.map(RecordsAction::AskRecords) {
-                let button = view.named(action).selected(action.is_on(view.session) == Some(true));
-                view.button_as(ui, action, button.min_size(vec2(0.0, control(ui))));
+                view.toggle(ui, action);
             }
         }
         count_ui(ui, view);

@@ -1,5 +1,6 @@
 //! The texts of a row of the list.
 
+use crate::gui::table::{Cell, Row, joined};
 use crate::gui::view::Digits;
 use crate::journal::entry::Checked;
 use crate::message::message;
@@ -85,44 +86,33 @@ impl Cells {
         }
     }
 
-    /// From the number to who measured; the verdict is drawn apart.
-    pub const fn all(&self) -> [&String; 10] {
-        [
-            &self.number,
-            &self.time,
-            &self.part,
-            &self.serial,
-            &self.feature,
-            &self.callout,
-            &self.measured,
-            &self.deviation,
-            &self.status,
-            &self.who,
-        ]
+    /// Its row in the table, behind the choice for a report.
+    pub fn into_row(self, words: &Words, number: u64, (is_chosen, can_choose): (bool, bool)) -> Row<u64> {
+        let said = self.said(words, is_chosen);
+        let name = words.say(&message!("records-page-choose-record").text("number", number));
+        let status = if self.is_check && !self.is_struck {
+            Cell::Verdict { status: self.verdict, is_simulated: self.is_simulated, word: self.status }
+        } else {
+            Cell::Text(self.status)
+        };
+        let texts =
+            [self.number, self.time, self.part, self.serial, self.feature, self.callout, self.measured, self.deviation];
+        let choice = Cell::Choice { is_chosen, can_choose, name };
+        let cells = std::iter::once(choice).chain(texts.map(Cell::Text)).chain([status, Cell::Text(self.who)]);
+        Row::new(number, cells.collect(), said)
     }
 
     /// What a screen reader says of a row.
-    pub fn said(&self, words: &Words, is_chosen: bool) -> String {
+    fn said(&self, words: &Words, is_chosen: bool) -> String {
         let number = words.say(&message!("records-page-record").text("number", &self.number));
         let measured = match self.measured.as_str() {
             "" => String::new(),
             "…" => self.measured.clone(),
             measured => format!("{measured} mm"),
         };
-        let parts = [
-            &number,
-            &self.time,
-            &self.part,
-            &self.serial,
-            &self.feature,
-            &self.callout,
-            &measured,
-            &self.deviation,
-            &self.status,
-            &self.who,
-        ];
-        let parts: Vec<&str> = parts.into_iter().map(String::as_str).filter(|part| !part.is_empty()).collect();
-        let said = parts.join(", ");
+        let who = [&number, &self.time, &self.part, &self.serial, &self.feature];
+        let what = [&self.callout, &measured, &self.deviation, &self.status, &self.who];
+        let said = joined(who.into_iter().chain(what));
         if is_chosen { words.say(&message!("history-row-chosen").text("row", said)) } else { said }
     }
 }

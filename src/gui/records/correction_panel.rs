@@ -1,6 +1,5 @@
 //! The form of a correction: what the record should say, and why. The old entry stays.
 
-use crate::session::{RecordsAction, WindowAction};
 use eframe::egui::{Ui, vec2};
 
 use crate::gui::field::{Look, error_ui, field_ui};
@@ -9,6 +8,7 @@ use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::message;
 use crate::session::RecordsField;
 use crate::session::records::Correcting;
+use crate::session::{RecordsAction, WindowAction};
 
 pub(super) fn correction_ui(ui: &mut Ui, view: &mut View<'_>, form: &Correcting) {
     heading(ui, view.text("records-page-correction"));

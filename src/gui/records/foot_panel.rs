@@ -1,6 +1,5 @@
 //! Below: where records are kept, how many there are, what is wrong; and the walk along the chain.
 
-use crate::session::{RecordsAction, WindowAction};
 use eframe::egui::accesskit::Role;
 use eframe::egui::{ProgressBar, Ui, WidgetInfo};
 
@@ -13,6 +12,7 @@ use crate::gui::view::{View, problem, quiet, quiet_cut};
 use crate::message::{Message, message};
 use crate::session::records::{Verified, Walk};
 use crate::session::{Keeping, RecordsField};
+use crate::session::{RecordsAction, WindowAction};
 
 /// The foot of the page.
 pub(super) fn foot_ui(ui: &mut Ui, view: &mut View<'_>) {

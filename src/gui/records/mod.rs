@@ -17,8 +17,11 @@ mod list;
 mod reasons;
 mod record_panel;
 
-use crate::gui::pages::{PageView, measurements};
 use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
+
+use crate::gui::pages::{PageView, measurements};
+#[cfg(test)]
+pub(super) use list::COLUMNS;
 
 use super::columns::{Side, column_ui, panel_ui};
 use super::dialogs::just_opened;

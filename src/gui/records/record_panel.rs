@@ -1,6 +1,5 @@
 //! The record that is open: its verdict, its whole reasoning, and what can be done with it.
 
-use crate::session::RecordsAction;
 use eframe::egui::{Align, Label, Layout, RichText, Ui, vec2};
 
 use super::cells::Cells;
@@ -12,6 +11,7 @@ use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::verdict_card::chip_ui;
 use crate::gui::view::{View, heading, problem, quiet};
 use crate::message::{Message, message};
+use crate::session::RecordsAction;
 use crate::session::{RecordRow, RecordsCommand};
 use crate::words::Words;
 

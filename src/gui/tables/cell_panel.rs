@@ -1,6 +1,5 @@
 //! Right: the selected cell against ISO 286, and the fields that change it.
 
-use crate::session::TablesAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Align, Grid, Id, Key, Layout, Pos2, Rect, Response, RichText, Sense, Ui, vec2};
 
@@ -10,6 +9,7 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, live, quiet};
 use crate::length::Length;
 use crate::message::{Message, Say as _, message};
+use crate::session::TablesAction;
 use crate::session::tables::{Document, Origin};
 use crate::session::{TablesCommand, TablesField};
 use crate::tolerance::compare::Difference;

@@ -1,11 +1,11 @@
 //! Right, below: classes of ISO 286 as columns of this table, or as a table of their own.
 
-use crate::session::TablesAction;
 use eframe::egui::Ui;
 
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, sizes, space};
 use crate::gui::view::{View, heading, quiet};
+use crate::session::TablesAction;
 use crate::session::TablesField;
 
 /// The panel's content.

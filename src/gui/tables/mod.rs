@@ -14,14 +14,14 @@ mod grid;
 mod paint;
 mod tool_bar;
 
-use crate::gui::pages::{PageView, open};
-use crate::session::Purpose;
 use eframe::egui::{CentralPanel, Frame, Panel, ScrollArea, Ui};
 
 use super::columns::{Side, panel_ui};
 use super::keypad::{self, keypad_ui};
 use super::theme::{palette, space};
 use super::view::View;
+use crate::gui::pages::{PageView, open};
+use crate::session::Purpose;
 
 pub(super) const PAGE: PageView =
     PageView { ui: tables_ui, dropped: |_view, path, _number| open(Purpose::OpenTable, path) };

@@ -1,7 +1,8 @@
 //! How cells and heads look: figures right-aligned on their decimal sign, and marks that need no colour.
 
-use eframe::egui::{Align2, Color32, FontId, Painter, Rect, Stroke, StrokeKind, pos2, vec2};
+use eframe::egui::{Align2, Color32, FontId, Painter, Rect, Stroke, pos2, vec2};
 
+use crate::gui::table::grid::{cursor_frame, ground, head_ground, wrong_frame};
 use crate::gui::theme::{self, Palette, sizes, space};
 use crate::length::Length;
 use crate::tolerance::Deviations;
@@ -15,26 +16,16 @@ pub(super) struct Look<'a> {
     pub decimals: f32,
     pub cell: Option<Deviations>,
     pub differs: bool,
-    pub selected: Selection,
+    /// The keys are there; whether the grid has the focus.
+    pub cursor: Option<bool>,
     /// The filter names its row.
     pub marked: bool,
-}
-
-/// Whether a cell is the selected one.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) enum Selection {
-    None,
-    Selected,
-    /// The same, and the grid has the focus.
-    Focused,
 }
 
 /// A cell: upper over lower deviation, or a quiet dash.
 pub(super) fn cell(painter: &Painter, rect: Rect, look: &Look<'_>) {
     let palette = look.palette;
-    let ground = if look.selected == Selection::None { palette.field.0 } else { palette.selection.0 };
-    painter.rect_filled(rect, 0.0, ground);
-    painter.rect_stroke(rect, 0.0, Stroke::new(0.5, palette.line.0), StrokeKind::Middle);
+    ground(painter, rect, if look.cursor.is_none() { palette.field } else { palette.selection });
     if let Some(pair) = look.cell {
         let third = rect.height() * 0.29;
         figure(painter, rect, rect.top() + third, look, pair.upper());
@@ -49,16 +40,13 @@ pub(super) fn cell(painter: &Painter, rect: Rect, look: &Look<'_>) {
         painter.hline(rect.x_range(), rect.bottom() - 1.0, line);
     }
     if look.differs {
-        painter.rect_stroke(rect.shrink(1.5), 2.0, Stroke::new(1.5, palette.error.0), StrokeKind::Inside);
+        wrong_frame(painter, rect);
         let mark = Rect::from_center_size(rect.left_center() + vec2(space(3.0), 0.0), vec2(space(3.0), space(3.0)));
         unequal(painter, mark, palette.error.0);
     }
-    let width = match look.selected {
-        Selection::None => return,
-        Selection::Selected => 1.5,
-        Selection::Focused => 3.0,
-    };
-    painter.rect_stroke(rect, 2.0, Stroke::new(width, palette.accent.0), StrokeKind::Inside);
+    if let Some(is_focused) = look.cursor {
+        cursor_frame(painter, rect, is_focused);
+    }
 }
 
 /// A deviation; its decimals take the room that the column's longest ones need.
@@ -113,9 +101,7 @@ pub(super) struct Head<'a> {
 /// Draws a head.
 pub(super) fn head(painter: &Painter, rect: Rect, head: &Head<'_>) {
     let palette = head.palette;
-    let ground = if head.marked { palette.selection.0 } else { palette.background.0 };
-    painter.rect_filled(rect, 0.0, ground);
-    painter.rect_stroke(rect, 0.0, Stroke::new(0.5, palette.line.0), StrokeKind::Middle);
+    head_ground(painter, rect, head.marked);
     let raised = if head.remark.is_empty() { 0.0 } else { rect.height() * 0.18 };
     let font = theme::bold(sizes().body);
     painter.text(rect.center() - vec2(0.0, raised), Align2::CENTER_CENTER, head.text, font, palette.text.0);

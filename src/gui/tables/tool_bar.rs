@@ -1,6 +1,5 @@
 //! Above the cells: which table, filter, save as, and whether the table agrees with ISO 286.
 
-use crate::session::TablesAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Label, RichText, Sense, Ui, vec2};
 
@@ -11,6 +10,7 @@ use crate::gui::shapes;
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, list_ui, live, quiet, quiet_cut};
 use crate::message::message;
+use crate::session::TablesAction;
 use crate::session::tables::{Origin, TableChoice};
 use crate::session::{TablesCommand, TablesField};
 use crate::verdict::Status;

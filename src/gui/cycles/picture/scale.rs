@@ -74,10 +74,7 @@ impl Scale {
             _ => {}
         }
         let fold = |axis: fn(&[f64; 2]) -> f64| {
-            let (least, most) = places
-                .iter()
-                .map(axis)
-                .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)));
+            let (least, most) = ends(&places, axis);
             (f64::midpoint(least, most), most - least)
         };
         let ((x, wide), (y, high)) = (fold(|[x, _]| *x), fold(|[_, y]| *y));
@@ -297,16 +294,18 @@ impl Scale {
 
 /// How far the path reaches in the direction in which it reaches farthest, mm.
 fn extent_of(way: &Way<'_>) -> f64 {
-    let reach = |places: Vec<[f64; 2]>, axis: fn(&[f64; 2]) -> f64| {
-        let (least, most) = places
-            .iter()
-            .map(axis)
-            .fold((f64::INFINITY, f64::NEG_INFINITY), |(least, most), value| (least.min(value), most.max(value)));
+    let reach = |eye: Eye, axis: fn(&[f64; 2]) -> f64| {
+        let (least, most) = ends(&way.places(eye), axis);
         most - least
     };
-    let first = reach(way.places(Eye::Above), |[x, _]| *x);
-    let second = reach(way.places(Eye::Above), |[_, y]| *y);
-    first.max(second).max(reach(way.places(Eye::Side), |[_, y]| *y))
+    let first = reach(Eye::Above, |[x, _]| *x);
+    first.max(reach(Eye::Above, |[_, y]| *y)).max(reach(Eye::Side, |[_, y]| *y))
+}
+
+/// Between which values places lie along an axis.
+fn ends(places: &[[f64; 2]], axis: fn(&[f64; 2]) -> f64) -> (f64, f64) {
+    let none = (f64::INFINITY, f64::NEG_INFINITY);
+    places.iter().map(axis).fold(none, |(least, most), value| (least.min(value), most.max(value)))
 }
 
 /// Whether a place can be drawn at all.

@@ -1,6 +1,5 @@
 //! Everything that is wrong with the plan: how much, where, and a way there.
 
-use crate::session::PartsAction;
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, RichText, ScrollArea, Ui, vec2};
 
@@ -9,6 +8,7 @@ use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, live, problem, quiet};
 use crate::message::message;
 use crate::part::{Finding, Spot};
+use crate::session::PartsAction;
 use crate::session::PartsCommand;
 use crate::session::parts::PlanCommand;
 

@@ -1,6 +1,5 @@
 //! What the plan says of the part as a whole.
 
-use crate::session::PartsAction;
 use eframe::egui::{Align, Layout, RichText, Ui, vec2};
 
 use super::head_id;
@@ -8,6 +7,7 @@ use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, control, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::part::HeadField;
+use crate::session::PartsAction;
 use crate::session::PartsCommand;
 use crate::session::parts::{PlanCommand, PlanField};
 

@@ -1,13 +1,11 @@
 //! The cells in sight: a row a feature, heads that stay. The table takes the focus as a whole.
 
-use eframe::egui::accesskit::Role;
-use eframe::egui::style::ScrollAnimation;
-use eframe::egui::{
-    Context, Event, FocusDirection, Id, Key, Pos2, Rect, ScrollArea, Sense, Ui, UiBuilder, WidgetInfo, pos2, vec2,
-};
+use eframe::egui::accesskit::Invalid;
+use eframe::egui::{Context, Event, FocusDirection, Id, Key, Rect, Sense, Ui, vec2};
 
 use super::{column_id, editor, paint};
-use crate::gui::shapes::{focus_ring, lines_of, times};
+use crate::gui::shapes::{focus_ring, lines_of};
+use crate::gui::table::grid::{Cells, Grid};
 use crate::gui::theme::{control, palette, space};
 use crate::gui::view::View;
 use crate::message::{Message, Say as _, message};
@@ -66,71 +64,34 @@ impl Shown {
     }
 }
 
-/// Where everything is.
-struct Layout {
-    /// Each column, from where and how wide.
-    columns: Vec<(Shown, f32, f32)>,
-    width: f32,
-    rows: usize,
-    height: f32,
-    head: f32,
-    left: f32,
-}
-
-impl Layout {
-    fn of(ui: &Ui, view: &View<'_>) -> Self {
-        let parts = view.session.parts();
-        let (mut columns, mut from) = (Vec::new(), 0.0);
-        let with_limits = parts.sheet().columns().iter().flat_map(|column| {
-            let limits = (*column == Column::Callout).then_some(Shown::Limits);
-            std::iter::once(Shown::Of(*column)).chain(limits)
-        });
-        for shown in with_limits {
-            columns.push((shown, from, space(shown.width())));
-            from += space(shown.width());
-        }
-        let rows = Sheet::rows(parts.document().draft());
-        Self { columns, width: from, rows, height: control(ui), head: space(8.0), left: space(14.0) }
-    }
-
-    fn rect(&self, origin: Pos2, row: usize, (from, width): (f32, f32)) -> Rect {
-        let corner = pos2(origin.x + from, origin.y + times(self.height, row));
-        Rect::from_min_size(corner, vec2(width, self.height))
-    }
-
-    fn across(&self, column: Column) -> Option<(f32, f32)> {
-        let of = |(shown, from, width): &(Shown, f32, f32)| (*shown == Shown::Of(column)).then_some((*from, *width));
-        self.columns.iter().find_map(of)
-    }
+/// The columns of the plan, each with what it gives behind it.
+fn columns(view: &View<'_>) -> Vec<Shown> {
+    let of = |column: &Column| {
+        let limits = (*column == Column::Callout).then_some(Shown::Limits);
+        std::iter::once(Shown::Of(*column)).chain(limits)
+    };
+    view.session.parts().sheet().columns().iter().flat_map(of).collect()
 }
 
 /// The table in the room that is left.
 pub(in crate::gui::parts) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let layout = Layout::of(ui, view);
+    let columns = columns(view);
+    let widths = columns.iter().map(|shown| space(shown.width()));
+    let rows = (Sheet::rows(view.session.parts().document().draft()), control(ui));
+    let grid = Grid::new(id(), 0, vec2(space(14.0), space(8.0)), widths, rows);
     let rect = ui.available_rect_before_wrap();
     if ui.data(|data| data.get_temp::<u64>(soon()).is_some_and(|frame| frame < ui.ctx().cumulative_frame_nr())) {
         ui.data_mut(|data| data.remove::<u64>(soon()));
         ui.memory_mut(|memory| memory.request_focus(id()));
     }
     leave(ui, view);
-    let grid = ui.interact(rect, id(), Sense::focusable_noninteractive());
-    grid.widget_info(|| WidgetInfo::labeled(Role::Grid, true, view.text("parts-page-table")));
-    let is_focused = grid.has_focus();
+    let is_focused = grid.place_ui(ui, rect, &view.text("parts-page-table")).has_focus();
     // The field of the cell takes the focus where it is drawn, which is after this.
     if is_focused && !view.session.parts().sheet().is_editing() {
         typed(ui, view);
     }
-    let body = Rect::from_min_max(rect.min + vec2(layout.left, layout.head), rect.max);
-    let room = UiBuilder::new().max_rect(body).id_salt("plan-body");
-    let output = ui.scope_builder(room, |ui| {
-        // Cut cells look cut already; a fade would cover the selected one.
-        ui.spacing_mut().scroll.fade.strength = 0.0;
-        ScrollArea::both()
-            .id_salt("plan")
-            .auto_shrink(false)
-            .show_viewport(ui, |ui, viewport| body_ui(ui, view, &layout, (viewport, is_focused)))
-    });
-    heads_ui(ui, view, &layout, rect, (output.inner.inner_rect, output.inner.inner));
+    let cells = grid.cells_ui(ui, rect, |ui, cells| body_ui(ui, view, &columns, (&grid, cells), is_focused));
+    heads_ui(ui, view, &columns, rect, &cells);
     if is_focused {
         focus_ring(ui, rect);
     }
@@ -176,46 +137,36 @@ fn typed(ui: &Ui, view: &mut View<'_>) {
     }
 }
 
-/// Draws the cells that the viewport shows; returns where the first one is.
-fn body_ui(ui: &mut Ui, view: &mut View<'_>, layout: &Layout, (viewport, is_focused): (Rect, bool)) -> Pos2 {
-    let size = vec2(layout.width, times(layout.height, layout.rows));
-    let (content, _) = ui.allocate_exact_size(size, Sense::hover());
-    let origin = content.min;
-    let seen = viewport.translate(origin.to_vec2());
-    let first = lines_of(((seen.top() - origin.y) / layout.height).floor());
-    let last = lines_of(((seen.bottom() - origin.y) / layout.height).ceil());
-    for row in first..last.min(layout.rows) {
-        for (shown, from, width) in &layout.columns {
-            let rect = layout.rect(origin, row, (*from, *width));
-            if rect.right() < seen.left() || seen.right() < rect.left() {
-                continue;
-            }
-            match shown {
-                Shown::Of(column) => cell_ui(ui, view, rect, (row, *column), is_focused),
-                Shown::Limits => limits_ui(ui, view, rect, row),
+/// Draws the cells in sight.
+fn body_ui(ui: &mut Ui, view: &mut View<'_>, columns: &[Shown], (grid, cells): (&Grid, &Cells<'_>), is_focused: bool) {
+    for row in cells.rows() {
+        for place in cells.columns() {
+            match columns.get(place) {
+                Some(Shown::Of(column)) => cell_ui(ui, view, grid, cells.rect(row, place), (row, *column), is_focused),
+                Some(Shown::Limits) => limits_ui(ui, view, grid, cells.rect(row, place), row),
+                None => {}
             }
         }
     }
     let (row, column) = view.session.parts().sheet().at();
-    let at = layout.across(column).map(|across| layout.rect(origin, row, across));
-    follow(ui, view, at, viewport.height());
-    if let Some(rect) = at.filter(|_| view.session.parts().sheet().is_editing()) {
-        editor::editor_ui(ui, view, rect);
+    let Some(place) = columns.iter().position(|shown| *shown == Shown::Of(column)) else { return };
+    follow(ui, view, cells, (row, place));
+    if view.session.parts().sheet().is_editing() {
+        editor::editor_ui(ui, view, cells.rect(row, place));
     }
-    origin
 }
 
 /// The cell comes into sight when the keys have moved, or the table has become lower; afterwards scrolling is free.
-fn follow(ui: &Ui, view: &View<'_>, at: Option<Rect>, height: f32) {
-    let moves = (view.session.parts().sheet().moves(), lines_of(height));
+fn follow(ui: &Ui, view: &View<'_>, cells: &Cells<'_>, (row, place): (usize, usize)) {
+    let moves = (view.session.parts().sheet().moves(), lines_of(cells.seen.height()));
     let before = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(id().with("moves")), moves));
-    if let Some(rect) = at.filter(|_| before != moves) {
-        ui.scroll_to_rect_animation(rect, None, ScrollAnimation::none());
+    if before != moves {
+        cells.look_at(ui, row, place);
     }
 }
 
 /// A cell can be clicked; for a screen reader it has a name.
-fn cell_ui(ui: &Ui, view: &mut View<'_>, rect: Rect, (row, column): (usize, Column), is_focused: bool) {
+fn cell_ui(ui: &Ui, view: &mut View<'_>, grid: &Grid, rect: Rect, (row, column): (usize, Column), is_focused: bool) {
     let parts = view.session.parts();
     let (document, sheet) = (parts.document(), parts.sheet());
     let text = document.draft().rows.get(row).map_or("", |cells| &cells.cell(column).text);
@@ -233,10 +184,7 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, rect: Rect, (row, column): (usize, Colu
         cursor: is_at.then_some(is_focused),
     };
     paint::cell(ui.painter(), rect, &look);
-    let cell_id = id().with((row, column));
-    // Not focusable: the table is one stop for Tab.
-    let response = ui.interact(rect, cell_id, Sense::CLICK);
-    response.widget_info(|| {
+    let response = grid.cell_ui(ui, (row, column), (rect, Sense::CLICK), is_in, || {
         let cell = if text.trim().is_empty() { "parts-page-cell-empty" } else { "parts-page-cell" };
         let cell = Message::new(cell).count("row", row + 1).text("column", view.text(&column_id(column)));
         let cell = cell.text("text", text);
@@ -247,14 +195,11 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, rect: Rect, (row, column): (usize, Colu
             }
             None => cell,
         };
-        WidgetInfo::labeled(Role::GridCell, true, view.words.say(&named))
+        view.words.say(&named)
     });
-    ui.ctx().accesskit_node_builder(cell_id, |node| {
-        node.set_selected(is_in);
-        if finding.is_some() {
-            node.set_invalid(eframe::egui::accesskit::Invalid::True);
-        }
-    });
+    if finding.is_some() {
+        ui.ctx().accesskit_node_builder(response.id, |node| node.set_invalid(Invalid::True));
+    }
     let extends = ui.input(|input| input.modifiers.shift);
     if response.double_clicked() {
         view.send(PartsCommand::Plan(PlanCommand::Edit(None)));
@@ -264,7 +209,7 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, rect: Rect, (row, column): (usize, Colu
     }
 }
 
-fn limits_ui(ui: &Ui, view: &View<'_>, rect: Rect, row: usize) {
+fn limits_ui(ui: &Ui, view: &View<'_>, grid: &Grid, rect: Rect, row: usize) {
     let feature = view.session.parts().document().feature(row);
     let text = feature.map(|feature| limits(view.words, feature)).unwrap_or_default();
     let palette = palette(ui.ctx());
@@ -278,11 +223,10 @@ fn limits_ui(ui: &Ui, view: &View<'_>, rect: Rect, row: usize) {
         cursor: None,
     };
     paint::cell(ui.painter(), rect, &look);
-    let cell = ui.interact(rect, id().with((row, "limits")), Sense::HOVER);
-    cell.widget_info(|| {
+    grid.cell_ui(ui, (row, "limits"), (rect, Sense::HOVER), false, || {
         let id = if text.is_empty() { "parts-page-cell-empty" } else { "parts-page-cell" };
         let name = Message::new(id).count("row", row + 1).text("column", view.text("parts-page-limits"));
-        WidgetInfo::labeled(Role::GridCell, true, view.words.say(&name.text("text", &text)))
+        view.words.say(&name.text("text", &text))
     });
 }
 
@@ -294,32 +238,28 @@ fn limits(words: &Words, feature: &PlanFeature) -> String {
 }
 
 /// The heads above and on the left, moved along with the cells.
-fn heads_ui(ui: &Ui, view: &mut View<'_>, layout: &Layout, rect: Rect, (seen, origin): (Rect, Pos2)) {
+fn heads_ui(ui: &Ui, view: &mut View<'_>, shown: &[Shown], rect: Rect, cells: &Cells<'_>) {
     let palette = palette(ui.ctx());
     let mut rows = Vec::new();
     let parts = view.session.parts();
     let (row, column) = parts.sheet().at();
-    let above = ui.painter().with_clip_rect(Rect::from_min_max(pos2(seen.left(), rect.top()), seen.right_top()));
-    for (shown, from, width) in &layout.columns {
-        let head = Rect::from_min_size(pos2(origin.x + from, rect.top()), vec2(*width, layout.head));
-        if head.intersects(above.clip_rect()) {
-            paint::head(&above, head, palette, &shown.name(view), (*shown == Shown::Of(column), false));
-        }
-    }
-    let left = ui.painter().with_clip_rect(Rect::from_min_max(pos2(rect.left(), seen.top()), seen.left_bottom()));
-    let first = lines_of(((seen.top() - origin.y) / layout.height).floor());
-    let last = lines_of(((seen.bottom() - origin.y) / layout.height).ceil());
-    for at in first..last.min(layout.rows) {
-        let head = layout.rect(pos2(rect.left(), origin.y), at, (0.0, layout.left));
-        let is_new = at == parts.document().draft().rows.len();
-        let text = if is_new { view.text("parts-page-new-row") } else { (at + 1).to_string() };
-        paint::head(&left, head, palette, &text, (at == row, parts.document().is_wrong(at)));
-        if ui.interact(head.intersect(left.clip_rect()), id().with((at, "head")), Sense::CLICK).clicked() {
-            rows.push(at);
-        }
-    }
-    let corner = Rect::from_min_size(rect.min, vec2(layout.left, layout.head));
-    ui.painter().rect_filled(corner, 0.0, palette.background.0);
+    cells.heads_ui(
+        ui,
+        rect,
+        |painter, head, place| {
+            if let Some(shown) = shown.get(place) {
+                paint::head(painter, head, palette, &shown.name(view), (*shown == Shown::Of(column), false));
+            }
+        },
+        |painter, head, at| {
+            let is_new = at == parts.document().draft().rows.len();
+            let text = if is_new { view.text("parts-page-new-row") } else { (at + 1).to_string() };
+            paint::head(painter, head, palette, &text, (at == row, parts.document().is_wrong(at)));
+            if ui.interact(head.intersect(painter.clip_rect()), id().with((at, "head")), Sense::CLICK).clicked() {
+                rows.push(at);
+            }
+        },
+    );
     // The head of a row selects all of it; with Shift, all rows between.
     let columns = parts.sheet().columns();
     if let (Some(at), Some(first), Some(last)) = (rows.pop(), columns.first(), columns.last()) {

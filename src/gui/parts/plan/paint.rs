@@ -1,8 +1,9 @@
 //! How cells and heads look: what is wrong is marked by a frame and a sign, never by colour alone.
 
-use eframe::egui::{Align2, Painter, Rect, Stroke, StrokeKind, vec2};
+use eframe::egui::{Align2, Painter, Rect, vec2};
 
-use crate::gui::check::{PAD, text_ui};
+use crate::gui::table::grid::{cursor_frame, ground, head_ground, wrong_frame};
+use crate::gui::table::{PAD, text_ui};
 use crate::gui::theme::{self, Palette, sizes, space};
 
 /// What is shown of a cell.
@@ -22,16 +23,15 @@ pub(super) struct Look<'a> {
 
 pub(super) fn cell(painter: &Painter, rect: Rect, look: &Look<'_>) {
     let palette = look.palette;
-    let ground = match (look.is_selected, look.is_fixed) {
-        (true, _) => palette.selection.0,
-        (false, true) => palette.background.0,
-        (false, false) => palette.field.0,
+    let fill = match (look.is_selected, look.is_fixed) {
+        (true, _) => palette.selection,
+        (false, true) => palette.background,
+        (false, false) => palette.field,
     };
-    painter.rect_filled(rect, 0.0, ground);
-    painter.rect_stroke(rect, 0.0, Stroke::new(0.5, palette.line.0), StrokeKind::Middle);
+    ground(painter, rect, fill);
     let mut room = rect.shrink2(vec2(PAD, 0.0));
     if look.is_wrong {
-        painter.rect_stroke(rect.shrink(1.5), 2.0, Stroke::new(1.5, palette.error.0), StrokeKind::Inside);
+        wrong_frame(painter, rect);
         let font = theme::bold(sizes().body);
         painter.text(room.right_center(), Align2::RIGHT_CENTER, "!", font, palette.error.0);
         room.max.x -= space(2.0);
@@ -43,17 +43,14 @@ pub(super) fn cell(painter: &Painter, rect: Rect, look: &Look<'_>) {
         room.min.x = room.min.x.max(room.max.x - width - 1.0);
     }
     text_ui(painter, room, look.text, &font, colour);
-    if let Some(focused) = look.cursor {
-        let width = if focused { 3.0 } else { 1.5 };
-        painter.rect_stroke(rect, 2.0, Stroke::new(width, palette.accent.0), StrokeKind::Inside);
+    if let Some(is_focused) = look.cursor {
+        cursor_frame(painter, rect, is_focused);
     }
 }
 
 /// A head of a column or a row.
 pub(super) fn head(painter: &Painter, rect: Rect, palette: &Palette, text: &str, (is_marked, is_wrong): (bool, bool)) {
-    let ground = if is_marked { palette.selection.0 } else { palette.background.0 };
-    painter.rect_filled(rect, 0.0, ground);
-    painter.rect_stroke(rect, 0.0, Stroke::new(0.5, palette.line.0), StrokeKind::Middle);
+    head_ground(painter, rect, is_marked);
     let mut room = rect.shrink2(vec2(PAD, 0.0));
     if is_wrong {
         painter.text(room.right_center(), Align2::RIGHT_CENTER, "!", theme::bold(sizes().body), palette.error.0);

@@ -1,11 +1,11 @@
 //! What can be done with rows and columns, as buttons.
 
-use crate::session::PartsAction;
 use eframe::egui::Ui;
 
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, quiet};
 use crate::message::message;
+use crate::session::PartsAction;
 use crate::session::Step;
 
 /// What is done with cells.

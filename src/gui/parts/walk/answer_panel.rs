@@ -2,16 +2,18 @@
 //!
 //! Card, strip and buttons keep their places, whatever the verdict is: lines for which the card has no room go below.
 
-use crate::session::PartsAction;
 use eframe::egui::{Id, Ui, vec2};
 
 use crate::gui::check::{check_card, recorded_ui};
 use crate::gui::columns::is_tiny;
 use crate::gui::theme::{control, sizes, space};
-use crate::gui::verdict_card::{Card, card_height, card_ui, lines_below_ui, remove, status_id, strip_height, strip_ui};
-use crate::gui::view::{Digits, View, doubt_text, heading, problem, quiet, steady};
+use crate::gui::verdict_card::{
+    Card, card_height, card_ui, lines_below_ui, question_card, remove, status_id, strip_height, strip_ui,
+};
+use crate::gui::view::{Digits, View, heading, problem, quiet, steady};
 use crate::message::{Message, Say as _, message};
 use crate::report::RENDERINGS;
+use crate::session::PartsAction;
 use crate::session::parts::{Headline, Value, Walking};
 use crate::session::{Keeping, Question, Recorded};
 use crate::verdict::Status;
@@ -55,14 +57,8 @@ fn question_ui(ui: &mut Ui, view: &mut View<'_>, question: &Question, room: f32)
     let record = if view.session.recording().is_on() { sizes().small * 1.4 + gap } else { 0.0 };
     let buttons = f32::from(u8::try_from(view.session.answers().len()).unwrap_or(u8::MAX));
     let all = room + space(1.0) + gap + strip_height(ui) + record;
-    let card = Card {
-        word: view.text("word-question"),
-        value: Some(format!("{} mm", view.words.mm(question.measured, 3))),
-        lines: vec![doubt_text(view.words, question.doubt), view.text("question-enter")],
-        height: (all - buttons * (control(ui) + gap)).max(0.0),
-        ..Card::default()
-    };
-    card_ui(ui, view, &card);
+    let height = (all - buttons * (control(ui) + gap)).max(0.0);
+    card_ui(ui, view, &question_card(view, question, height));
     ui.data_mut(|data| data.insert_temp(below_id(), Vec::<String>::new()));
     let size = vec2(ui.available_width(), control(ui));
     view.answers_ui(ui, size);

@@ -1,6 +1,5 @@
 //! Left: before a part its plan and serial number, then the size that is asked for and the field of its value.
 
-use crate::session::{PartsAction, WalkField, WindowAction};
 use eframe::egui::{Button, Key, RichText, Ui, vec2};
 
 use super::asked_text;
@@ -14,6 +13,7 @@ use crate::gui::view::{View, heading, problem, quiet, steady};
 use crate::message::message;
 use crate::part::Size;
 use crate::session::{FilesCommand, Purpose};
+use crate::session::{PartsAction, WalkField, WindowAction};
 
 /// The panel's content.
 pub(super) fn asked_ui(ui: &mut Ui, view: &mut View<'_>) {
@@ -95,7 +95,7 @@ fn begin_ui(ui: &mut Ui, view: &mut View<'_>) {
         let size = vec2(view.width_of(ui, &[PartsAction::BeginPart]), control(ui));
         view.main_button(ui, PartsAction::BeginPart, size);
         view.field_button(ui, PartsAction::CountUp);
-        keypad_ui(ui, view);
+        view.toggle(ui, WindowAction::Keypad);
     });
     recent_ui(ui, view);
 }
@@ -216,12 +216,7 @@ fn value_ui(ui: &mut Ui, view: &mut View<'_>, size: &Size<'_>) {
             let size = vec2(view.width_of(ui, &[PartsAction::TakeValue]), control(ui));
             view.main_button(ui, PartsAction::TakeValue, size);
             view.field_button(ui, PartsAction::SimulateValue);
-            keypad_ui(ui, view);
+            view.toggle(ui, WindowAction::Keypad);
         });
     });
-}
-
-fn keypad_ui(ui: &mut Ui, view: &mut View<'_>) {
-    let keypad = view.named(WindowAction::Keypad).selected(view.session.has_keypad()).min_size(vec2(0.0, control(ui)));
-    view.button_as(ui, WindowAction::Keypad, keypad);
 }

@@ -15,8 +15,11 @@ mod sizes_list;
 mod skip_panel;
 mod watch_panel;
 
-use crate::session::WalkField;
 use eframe::egui::{Event, Popup, Ui};
+
+use crate::session::WalkField;
+#[cfg(test)]
+pub(in crate::gui) use sizes_list::COLUMNS as SIZES;
 pub(in crate::gui) use sizes_list::id as sizes_id;
 
 use super::head::head_ui;

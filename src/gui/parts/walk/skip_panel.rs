@@ -1,6 +1,5 @@
 //! Why a size is left out: one of the usual reasons, or another one.
 
-use crate::session::{PartsAction, WalkField};
 use eframe::egui::{Button, Ui, vec2};
 
 use crate::gui::dialogs::just_opened;
@@ -8,6 +7,7 @@ use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::theme::{self, control, sizes};
 use crate::gui::view::{View, heading, steady};
 use crate::session::parts::WalkCommand;
+use crate::session::{PartsAction, WalkField};
 
 /// The usual reasons.
 const USUAL: [&str; 4] =

@@ -2,20 +2,12 @@
 
 use eframe::egui::{CursorIcon, Id, Rect, Sense, Ui, pos2, vec2};
 
-use super::shapes::{self, lines_of, part_of, times};
-use super::theme::{control, palette, space};
-
-/// A list that is longer than its room.
-pub(super) struct Long {
-    pub id: Id,
-    /// How many rows it has.
-    pub count: usize,
-    /// A number that changes when a row has to come into sight, and its place.
-    pub look: (u64, Option<usize>),
-}
+use super::Table;
+use crate::gui::shapes::{self, lines_of, part_of, times};
+use crate::gui::theme::{control, palette, space};
 
 /// The first place in sight, and how many points of it are above.
-#[derive(Debug, Clone, Copy, Default)]
+#[derive(Debug, Clone, Copy, Default, PartialEq)]
 pub(super) struct Top {
     /// The first place in sight.
     pub place: usize,
@@ -47,12 +39,12 @@ impl Top {
 }
 
 /// Where the list stands after the wheel, a finger, the bar, or a cursor that has to come into sight.
-pub(super) fn scrolled(ui: &Ui, list: &Long, rect: Rect, bar: f32) -> Top {
-    let (id, height) = (list.id, control(ui));
+pub(super) fn scrolled(ui: &Ui, table: &Table<'_>, rect: Rect, bar: f32) -> Top {
+    let (id, height) = (table.id, control(ui));
     let key = id.with("top");
     let (mut top, looked): (Top, u64) = ui.data(|data| data.get_temp(key)).unwrap_or_default();
     let fit = lines_of((rect.height() / height).floor());
-    let last = match list.count.checked_sub(fit + 1) {
+    let last = match table.count.checked_sub(fit + 1) {
         Some(place) => Top { place, hidden: height - (rect.height() - times(height, fit)) },
         None => Top::default(),
     };
@@ -63,10 +55,15 @@ pub(super) fn scrolled(ui: &Ui, list: &Long, rect: Rect, bar: f32) -> Top {
         top = top.scroll(-drag.drag_delta().y, height, last);
     }
     if ui.rect_contains_pointer(rect) {
+        let before = top;
         top = top.scroll(-ui.input(|input| input.smooth_scroll_delta().y), height, last);
+        if top != before {
+            // What scrolls here scrolls nothing around it.
+            ui.input_mut(|input| input.smooth_scroll_delta.y = 0.0);
+        }
     }
     top = bar_ui(ui, id, rect, (top, last), bar);
-    let (look, place) = list.look;
+    let (look, place) = table.look;
     if look != looked
         && let Some(place) = place
     {

@@ -1,0 +1,64 @@
+//! What is around every card: an answer at which one look is enough. A screen reader says it whenever it changes.
+
+use eframe::egui::accesskit::Live;
+use eframe::egui::{Align, Color32, Frame, Layout, Margin, RichText, Sense, Ui};
+
+use super::shapes;
+use super::theme::{self, palette};
+use super::view::live;
+
+/// Around the text of a card.
+pub(super) const MARGIN: i8 = 12;
+
+/// The card of a verdict in its colours, with dashes around what nobody measured; its content returns what is said of it, part by part.
+pub(super) fn verdict_ui(
+    ui: &mut Ui,
+    (fill, colour): (Color32, Color32),
+    is_simulated: bool,
+    margin: Margin,
+    content: impl FnOnce(&mut Ui) -> Vec<String>,
+) {
+    let dashes = is_simulated.then_some(colour);
+    around_ui(ui, ("verdict", Live::Assertive), (fill, dashes, margin), content);
+}
+
+/// A card that is no verdict on a part, so it does not have the colour of one.
+pub(super) fn plain_ui(
+    ui: &mut Ui,
+    id: &'static str,
+    is_simulated: bool,
+    content: impl FnOnce(&mut Ui) -> Vec<String>,
+) {
+    let palette = palette(ui.ctx());
+    let look = (palette.background.0, is_simulated.then_some(palette.text.0), Margin::same(MARGIN));
+    around_ui(ui, (id, Live::Polite), look, |ui| ui.with_layout(Layout::top_down(Align::Center), content).inner);
+}
+
+/// A card as wide as its panel.
+fn around_ui(
+    ui: &mut Ui,
+    (id, politeness): (&str, Live),
+    (fill, dashes, margin): (Color32, Option<Color32>, Margin),
+    content: impl FnOnce(&mut Ui) -> Vec<String>,
+) {
+    let shown = Frame::new().fill(fill).corner_radius(6.0).inner_margin(margin).show(ui, |ui| {
+        ui.set_min_width(ui.available_width());
+        content(ui)
+    });
+    let rect = shown.response.rect;
+    if let Some(colour) = dashes {
+        shapes::dashed_frame(ui.painter(), rect, colour);
+    }
+    let response = ui.interact(rect, ui.scope_id().with(id), Sense::hover());
+    live(ui, &response, &shown.inner.join(". "), politeness);
+}
+
+/// The word of such a card, as large as its shares of the card's width and of the window's height; a longer one is smaller.
+pub(super) fn word_ui(ui: &mut Ui, word: &str, (of_width, of_height): (f32, f32)) {
+    let colour = palette(ui.ctx()).text.0;
+    let width = ui.available_width();
+    let wanted = (width * of_width).min(ui.ctx().content_rect().height() * of_height);
+    let galley = ui.painter().layout_no_wrap(word.to_owned(), theme::bold(wanted), colour);
+    let size = wanted.min(wanted * width / galley.size().x.max(1.0));
+    ui.label(RichText::new(word).font(theme::bold(size.floor())).color(colour));
+}
