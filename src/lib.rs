@@ -32,7 +32,6 @@ pub mod cli;
 pub mod gui;
 
 pub use fitcheck_core::{budget, length, message, pairing, part, probing, text, tolerance, verdict, words};
-use fitcheck_exchange::within;
 pub use fitcheck_exchange::{batch, exchange, journal, report};
 pub use fitcheck_files as files;
 pub use fitcheck_nc::{self as nc, control};

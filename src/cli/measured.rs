@@ -8,7 +8,7 @@ use std::time::SystemTime;
 use crate::exchange::Body;
 use crate::files::{self, FileError};
 use crate::journal::chain::{FileHash, Hash};
-use crate::within::{Within as _, long};
+use fitcheck_core::text::{Within as _, long};
 
 /// A file of measurements, open.
 #[derive(Debug)]

@@ -10,7 +10,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use crate::batch::Watch;
 use crate::exchange::Body;
 use crate::files::Stop;
-use crate::within::long;
+use fitcheck_core::text::long;
 
 /// Before this nothing is shown: most calls are done by then.
 const PATIENCE: Duration = Duration::from_millis(500);

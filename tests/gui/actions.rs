@@ -5,7 +5,6 @@ use std::collections::BTreeSet;
 
 use eframe::egui::{Id, Key, Modifiers};
 use egui_kittest::Harness;
-use egui_kittest::kittest::Queryable as _;
 use fitcheck::gui::App;
 use fitcheck::session::action::{Held, Part, Shortcut};
 use fitcheck::session::parts::{PartsView, PlanCommand};

@@ -5,7 +5,6 @@
 //! | [`exchange`] | one file per format of other tools: bytes in; records, warnings, errors out |
 //! | [`journal`] | what was checked, when, by which rule: an entry, its bytes, the chain |
 //! | [`report`] | inspection reports: one model, one file per rendering |
-//! | [`within`] | what lies between two places of a text or list |
 //! | [`batch`] | rows by the million, judged by several workers |
 //!
 //! No file is opened here, no path is followed and no database is asked: bytes come in and go out.
@@ -14,4 +13,3 @@ pub mod batch;
 pub mod exchange;
 pub mod journal;
 pub mod report;
-pub mod within;

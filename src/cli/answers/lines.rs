@@ -1,6 +1,6 @@
 //! Lines of standard input in bounded memory.
 
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 use std::io::BufRead;
 
 /// The longest line of standard input in bytes; a longer one is refused.

@@ -30,7 +30,7 @@ use crate::exchange::batch::{ADDED, BLOCK, Court, Cutter, Layout};
 use crate::files;
 use crate::message::Say as _;
 use crate::tolerance::Sources;
-use crate::within::long;
+use fitcheck_core::text::long;
 use judging::{Above, Judging, Rows};
 use summary::Told;
 

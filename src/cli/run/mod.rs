@@ -24,8 +24,8 @@ use crate::journal::entry::{CycleCheck, FileRole};
 use crate::nc::machine::{Contacts, Fault, Machine, NcPath, Pause, Settings, Shipped, Step};
 use crate::nc::program::{Program, ProgramWarning};
 use crate::store::programs::Folders;
-use crate::within::long;
 use crate::words::Dialogue;
+use fitcheck_core::text::long;
 
 /// How much of a block's text is shown, in characters: a control's line has some 250.
 const LONGEST_TEXT: usize = 1_000;

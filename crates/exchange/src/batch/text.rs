@@ -5,7 +5,7 @@ use std::io::{self, Read, Write};
 use super::worker::Worker;
 use super::{Failed, Manner, Packing, Rendering, Source, Summary, Watch, Watched, take_turns};
 use crate::exchange::batch::{Block, Court, Cutter, Judge, Marks, Take, Tally};
-use crate::within::long;
+use fitcheck_core::text::long;
 
 /// Where the rows come from.
 pub struct Input<'a> {

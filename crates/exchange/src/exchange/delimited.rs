@@ -7,7 +7,7 @@ use csv::{ReaderBuilder, StringRecord};
 
 use super::index::{LONGEST_ROW, row_end};
 use super::row::cells_of;
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// The separators that are tried.
 pub(super) const SEPARATORS: [u8; 4] = [b';', b'\t', b'|', b','];

@@ -3,7 +3,7 @@
 //! A quotation mark counts at the beginning of a cell only, and a doubled one within a quoted cell is a quotation mark (RFC
 //! 4180; elsewhere it is a character, as in `5" pipe`). LF, CRLF and CR end a row.
 
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 use wide::u8x16;
 
 /// The longest row in bytes, 1 MiB: every cell takes memory, also an empty one.

@@ -13,7 +13,7 @@ use fitcheck_core::text::windows_1252;
 use super::batch::{BLOCK, read};
 use super::error::ImportErrorKind;
 use super::index::LONGEST_ROW;
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// How much the first piece has: the longest row and a header, so that the columns are known by it.
 const FIRST: usize = LONGEST_ROW + BLOCK;

@@ -6,7 +6,7 @@ use csv::StringRecord;
 use fitcheck_core::length::{Length, Unit};
 
 use super::index::{self, Index};
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// A row within a text.
 #[derive(Debug, Clone, Copy)]

@@ -7,7 +7,7 @@ use unicode_normalization::UnicodeNormalization as _;
 
 use super::vocabulary::is_word;
 use super::warmth;
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// The longest last word of a name that may be the sign of a unit.
 const LONGEST_SIGN: usize = 3;

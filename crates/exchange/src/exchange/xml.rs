@@ -15,7 +15,7 @@ use quick_xml::{Reader, XmlVersion};
 use super::error::ImportErrorKind;
 use super::given::shorten;
 use crate::exchange::cell::single_blanks;
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// How many elements may stand within one another.
 const DEEPEST: usize = 200;

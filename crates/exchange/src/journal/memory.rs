@@ -7,7 +7,7 @@ use fitcheck_core::verdict::Status;
 
 use super::Record;
 use super::query::{Query, RecordId, Records, Searched};
-use crate::within::long;
+use fitcheck_core::text::long;
 
 /// Up to this many new records are put in place one by one; more of them are sorted together with the others.
 const FEW: usize = 64;

@@ -2,7 +2,7 @@
 //!
 //! A page shows it as a picture, so an SVG file runs no script and opens no other file.
 
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 use std::fmt;
 use std::path::{Component, Path};
 use std::sync::Arc;

@@ -2,7 +2,6 @@
 //!
 //! Forms and effects: manuals and public programs, see `docs/SOURCES.md`, "Around a measurement".
 
-use super::block::Body;
 use super::movement::{Axis, AxisWord, MachineFunction};
 use super::operand::Operand;
 
@@ -16,11 +15,6 @@ pub struct PassedOver {
     pub goes: Goes,
     /// Its M functions: these act as in any block.
     pub machine: Vec<MachineFunction>,
-}
-
-/// A block that is passed over, moves nothing and has no M functions.
-pub(super) fn still(words: impl Into<String>) -> Body {
-    Body::PassedOver(PassedOver { words: words.into(), goes: Goes::default(), machine: Vec::new() })
 }
 
 /// Where the tool is after a block whose path is not followed.

@@ -5,7 +5,7 @@ use std::ops::Range;
 
 use fitcheck_core::message::as_text;
 
-use super::around::{Frame, Mode, PassedOver};
+use super::around::{Frame, Goes, Mode, PassedOver};
 use super::cycle_block::{CycleBlock, CycleName};
 use super::expression::{Expression, Relation, Test, TextExpression};
 use super::movement::{Axis, MachineFunction, Movement};
@@ -234,4 +234,9 @@ pub enum Tool {
     Number(Operand),
     /// By name, or by the name in a QS parameter.
     Name(TextOperand),
+}
+
+/// A block that is passed over, moves nothing and has no M functions.
+pub(super) fn still(words: impl Into<String>) -> Body {
+    Body::PassedOver(PassedOver { words: words.into(), goes: Goes::default(), machine: Vec::new() })
 }

@@ -2,9 +2,6 @@
 
 use fitcheck_core::probing::cycle::Control;
 
-use super::lines::Lines;
-use super::{din_plus, iso};
-
 /// How a program is written. All notations give the same blocks.
 #[derive(Debug, Clone, Copy, PartialEq, Eq, Hash)]
 pub enum Notation {
@@ -17,16 +14,6 @@ pub enum Notation {
 }
 
 impl Notation {
-    pub(super) fn of(text: &str, lines: &Lines) -> Self {
-        if iso::begins(text, lines) {
-            Self::Iso
-        } else if din_plus::is_written_so(text, lines) {
-            Self::DinPlus
-        } else {
-            Self::Klartext
-        }
-    }
-
     /// How a program begins.
     pub const fn begin(self) -> &'static str {
         match self {

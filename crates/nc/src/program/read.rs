@@ -39,7 +39,7 @@ impl Program {
         is_text(bytes)?;
         let (text, encoding) = Encoding::decode(bytes);
         let lines = Lines::of(&text, MOST_LINES).ok_or(ProgramError::TooManyLines { most: MOST_LINES })?;
-        let notation = Notation::of(&text, &lines);
+        let notation = notation_of(&text, &lines);
         let mut warnings = Warnings::default();
         let source = Source::new(&text, &lines, &mut warnings);
         let (blocks, has_unit) = match notation {
@@ -74,4 +74,15 @@ fn is_text(bytes: &[u8]) -> Result<(), ProgramError> {
         return Err(ProgramError::Binary { controls: zeros + odd, bytes: bytes.len() });
     }
     Ok(())
+}
+
+/// In which notation a text is written.
+fn notation_of(text: &str, lines: &Lines) -> Notation {
+    if iso::begins(text, lines) {
+        Notation::Iso
+    } else if din_plus::is_written_so(text, lines) {
+        Notation::DinPlus
+    } else {
+        Notation::Klartext
+    }
 }

@@ -2,7 +2,7 @@
 
 mod names;
 
-use fitcheck_exchange::within::Within as _;
+use fitcheck_core::text::Within as _;
 use std::cell::RefCell;
 use std::collections::HashMap;
 use std::ffi::OsString;

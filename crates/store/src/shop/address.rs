@@ -12,7 +12,7 @@ use tokio_postgres::Config;
 use tokio_postgres::config::{Host, SslMode};
 
 use super::password::Password;
-use fitcheck_exchange::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// What an address begins with.
 const SCHEMES: [&str; 2] = ["postgres://", "postgresql://"];

@@ -3,7 +3,7 @@
 //! The rules are those of libpq: the first line that fits counts, `*` fits everything, `\:` and `\\` are a colon and a
 //! backslash, and a line that begins with `#` is a remark.
 
-use fitcheck_exchange::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// The password of the first line that fits this host, port, database and user.
 pub fn find(text: &str, wanted: [&str; 4]) -> Option<String> {

@@ -13,7 +13,7 @@ use super::error::{ShopError, hash_of};
 use super::schema::{self, value};
 use super::server::{Patience, Server, Stop};
 use super::source::Source;
-use fitcheck_exchange::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// The most entries of a transaction.
 const MOST_ENTRIES: usize = 500;

@@ -8,7 +8,7 @@ use fitcheck_exchange::exchange::Body;
 use fitcheck_exchange::journal::chain::Hash;
 
 use super::lines::{Mark, Side, each_mark};
-use fitcheck_exchange::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// The hashes of what was taken, and the names that the files had then.
 #[derive(Debug, Clone, Default)]

@@ -1,6 +1,6 @@
 //! Where the lines of a file end, and the hash of everything up to there.
 
-use fitcheck_exchange::within::Within as _;
+use fitcheck_core::text::Within as _;
 use std::io::{self, Read as _};
 
 use fitcheck_exchange::exchange::Body;

@@ -11,7 +11,7 @@ use super::layout::Layout;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::index::line_end;
 use crate::exchange::row::Row;
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// Room for the longest word of a status between two separators.
 const LONGEST_STATUS: usize = 16;

@@ -3,7 +3,7 @@
 use std::io::{self, Read};
 
 use crate::exchange::index::{Broken, Index, LONGEST_ROW, last_line_end, line_end};
-use crate::within::{Within as _, long};
+use fitcheck_core::text::{Within as _, long};
 
 /// How much is read at a time, 256 KiB: larger blocks are no faster and only take memory.
 pub const BLOCK: usize = 256 << 10;

@@ -18,7 +18,7 @@ use crate::exchange::index::{Index, LONGEST_ROW, last_line_end};
 use crate::exchange::left_out;
 use crate::exchange::row::Row;
 use crate::exchange::sample::Sample;
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// How much of a stream decides at most what its columns are: the longest row and a header.
 pub const HEAD: usize = LONGEST_ROW + (256 << 10);

@@ -13,7 +13,7 @@ use super::tally::Tally;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::index::{Broken, wide};
 use crate::exchange::row::Row;
-use crate::within::long;
+use fitcheck_core::text::long;
 
 /// How many fates there are.
 pub const FATES: usize = Status::ALL.len() + 1;

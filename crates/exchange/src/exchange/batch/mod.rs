@@ -55,7 +55,7 @@ pub use typed::{Purpose, Typed, layout_of};
 
 pub use super::index::row_end;
 pub use super::row::{Row, cells_of};
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// The names of the columns that are added, in order. They must not change.
 pub const ADDED: [&str; 6] = ["min_mm", "max_mm", "deviation_um", "status", "remove_um", "error"];

@@ -8,7 +8,7 @@ use super::judged::Judged;
 use super::layout::Layout;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::row::{Row, unquoted};
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// Writes TSV.
 #[derive(Debug)]

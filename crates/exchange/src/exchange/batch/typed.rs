@@ -8,7 +8,7 @@ use super::{Block, Tally};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::index::LONGEST_ROW;
 use crate::exchange::parquet::{ChunkReader, Field, Kind, Reader, Rows, Value, Wanted, put};
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// How many rows decide what the columns are, as with CSV.
 const SAMPLE: Wanted = Wanted { rows: 200, bytes: 512 << 10 };

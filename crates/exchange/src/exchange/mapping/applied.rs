@@ -14,7 +14,7 @@ use crate::exchange::quantity::QuantityColumn;
 use crate::exchange::role::Role;
 use crate::exchange::sample::Sample;
 use crate::exchange::stated::{self, Stated};
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// What a mapping says of the columns of a file, and what is detected beside it.
 struct Said<'a> {

@@ -96,7 +96,7 @@ impl ColumnUnit {
     }
 
     /// The unit of a text that stands behind this word of a mapping.
-    pub(super) fn said(word: &str, given: &str) -> Result<Self, MappingError> {
+    pub(super) fn of_word(word: &str, given: &str) -> Result<Self, MappingError> {
         known(word, given, &Self::ALL, Self::word)
     }
 }
@@ -121,7 +121,7 @@ impl FromStr for ColumnUnit {
     type Err = MappingError;
 
     fn from_str(text: &str) -> Result<Self, MappingError> {
-        Self::said("unit", text)
+        Self::of_word("unit", text)
     }
 }
 

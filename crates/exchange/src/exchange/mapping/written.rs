@@ -54,7 +54,7 @@ impl Written {
             separator: self.separator.as_deref().map(Separator::from_str).transpose()?,
             decimal: self.decimal.as_deref().map(DecimalSign::from_str).transpose()?,
             unit: self.unit.as_deref().map(ColumnUnit::from_str).transpose()?,
-            place_unit: self.place_unit.as_deref().map(|given| ColumnUnit::said("place-unit", given)).transpose()?,
+            place_unit: self.place_unit.as_deref().map(|given| ColumnUnit::of_word("place-unit", given)).transpose()?,
             first_row: self.first_row,
             columns,
         })

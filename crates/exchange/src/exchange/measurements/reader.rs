@@ -22,11 +22,11 @@ use crate::exchange::source::Context;
 use crate::exchange::stated;
 use crate::exchange::words;
 use crate::journal::Record;
-use crate::within::Within as _;
 use csv::StringRecord;
 use fitcheck_core::length::Length;
 use fitcheck_core::message::Place;
 use fitcheck_core::probing::{Measurement, Origin};
+use fitcheck_core::text::Within as _;
 use jiff::civil::DateTime;
 use std::sync::Arc;
 

@@ -1,7 +1,7 @@
 //! Whole numbers as packed differences (the format's `DELTA_BINARY_PACKED`): half the size of the plain encoding where
 //! numbers have no order at all, next to nothing where they count up, and much faster than to pack the plain ones.
 
-use crate::within::long;
+use fitcheck_core::text::long;
 
 /// How many numbers share a smallest difference.
 const BLOCK: usize = 128;

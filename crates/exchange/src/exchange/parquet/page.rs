@@ -16,7 +16,7 @@ use parquet::file::writer::{SerializedPageWriter, TrackedWrite};
 use parquet::schema::types::ColumnDescPtr;
 
 use super::delta::put_varint;
-use crate::within::long;
+use fitcheck_core::text::long;
 
 /// The column of a row group, ready to be written.
 #[derive(Debug)]

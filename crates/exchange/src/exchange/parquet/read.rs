@@ -10,7 +10,7 @@ use super::checked::Checked;
 use super::column::Rows;
 use super::guarded::guarded;
 use crate::exchange::error::ImportErrorKind;
-use crate::within::long;
+use fitcheck_core::text::long;
 
 /// How many rows are read of one column before the next one's turn.
 const STEP: usize = 8_192;

@@ -10,7 +10,7 @@ use parquet::data_type::Int96;
 
 use super::column::Value;
 use super::field::{Kind, Part};
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// Appends the text of a value.
 #[inline]

@@ -16,7 +16,7 @@ use crate::exchange::given::shorten;
 use crate::exchange::sample::Sample;
 use crate::exchange::units;
 use crate::exchange::vocabulary::Rank;
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// Decides the units of the columns of a file by its first rows.
 ///

@@ -10,7 +10,7 @@ use crate::exchange::delimited::lines;
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
 use crate::exchange::pieces::Pieces;
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 fn has_figure(cells: &StringRecord) -> bool {
     cells.iter().any(|cell| cell.contains(|c: char| c.is_ascii_digit()))

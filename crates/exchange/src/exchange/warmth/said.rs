@@ -6,7 +6,7 @@
 use super::token::{Kind, Token, plain, tokens};
 use super::words::{self, Whose};
 use super::{Scale, Temperature};
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// How a number says that it is one of degrees.
 #[derive(Debug, Clone, Copy, PartialEq, Eq)]

@@ -1,6 +1,6 @@
 //! A text as numbers, words and signs.
 
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 #[derive(Debug, Clone, Copy, PartialEq)]
 pub(super) enum Kind<'a> {

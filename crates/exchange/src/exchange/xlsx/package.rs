@@ -14,7 +14,7 @@ use super::{Body, broken};
 use crate::exchange::error::ImportErrorKind;
 use crate::exchange::given::shorten;
 use crate::exchange::xml::{Start, Xml, fault};
-use crate::within::Within as _;
+use fitcheck_core::text::Within as _;
 
 /// The most members of a workbook.
 const MOST_MEMBERS: usize = 10_000;

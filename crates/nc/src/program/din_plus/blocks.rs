@@ -1,7 +1,7 @@
 //! From lines to blocks, section by section: every line is a block.
 
-use super::super::around::{Goes, PassedOver, still};
-use super::super::block::{Block, Body, Unit};
+use super::super::around::{Goes, PassedOver};
+use super::super::block::{Block, Body, Unit, still};
 use super::super::cursor::{Cursor, Stop, shown};
 use super::super::error::ProgramWarningKind;
 use super::super::fault::{BlockFault, Wanted};

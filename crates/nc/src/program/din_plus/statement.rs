@@ -1,7 +1,6 @@
 //! Blocks that begin with a word of the language or a variable.
 
-use super::super::around::still;
-use super::super::block::{Body, Target};
+use super::super::block::{Body, Target, still};
 use super::super::cursor::{Cursor, Read};
 use super::super::expression::{Expression, Test, TextExpression};
 use super::super::fault::Wanted;

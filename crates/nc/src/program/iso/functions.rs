@@ -1,7 +1,6 @@
 //! D functions: those of Klartext's FN, by the same numbers, with their operands behind `P01`, `P02` and `P03`.
 
-use super::super::around::still;
-use super::super::block::{Body, Condition, Target};
+use super::super::block::{Body, Condition, Target, still};
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::expression::Expression;
 use super::super::fault::{BlockFault, Wanted};

@@ -5,13 +5,13 @@
 use fitcheck_core::probing::cycle::Control;
 use fitcheck_core::probing::cycles::cycles_of;
 
-use super::super::around::{Frame, Goes, Mode, PassedOver, still};
-use super::super::block::Body;
+use super::super::around::{Frame, Goes, Mode, PassedOver};
+use super::super::block::{Body, still};
 use super::super::cursor::{Cursor, Read};
 use super::super::cycle_block::{CycleBlock, CycleLine, CycleValue};
-use super::super::movement::{AxisWord, MachineFunction};
+use super::super::movement::MachineFunction;
 use super::frames::{plane, preset, transformation};
-use super::path_words::{axis_letter, axis_word, is_machine_function, machine_functions};
+use super::path_words::{axis, is_machine_function, machine_functions};
 use crate::control::variables::Parameter;
 
 /// Where the words of a path end up.
@@ -166,15 +166,6 @@ fn path(cursor: &mut Cursor<'_>, words: String, end: End) -> Read<Body> {
         goes.axes.clear();
     }
     Ok(Body::PassedOver(PassedOver { words, goes, machine }))
-}
-
-/// `X+10`, `IY - 5`, if it comes next.
-pub(super) fn axis(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
-    let mut ahead = cursor.clone();
-    ahead.take_prefix("I");
-    let is_value =
-        axis_letter(&mut ahead).is_some() && matches!(ahead.next(), Some('0'..='9' | '+' | '-' | '.' | 'Q' | 'q'));
-    if is_value { axis_word(cursor) } else { Ok(None) }
 }
 
 /// `FUNCTION MODE …`, after the words; a name of a kinematics may follow.

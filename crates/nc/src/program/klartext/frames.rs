@@ -1,15 +1,15 @@
 //! Blocks that change the system that coordinates count in: `PLANE`, `TRANS`, `PRESET SELECT`, and the cycles of `CYCL DEF` whose lines are
 //! blocks of their own.
 
-use super::super::around::{Frame, still};
-use super::super::block::Body;
+use super::super::around::Frame;
+use super::super::block::{Body, still};
 use super::super::cursor::{Cursor, Read, Stop};
 use super::super::cycle_block::CycleBlock;
 use super::super::fault::{BlockFault, Wanted};
 use super::super::movement::{Axis, AxisWord};
 use super::super::operand::Operand;
 use super::super::words::AXES;
-use super::around::axis;
+use super::path_words::axis;
 
 /// The last of the control's own cycles whose lines are blocks of their own: 39, a contour on a cylinder.
 const MOST_DOTTED: u32 = 39;

@@ -1,7 +1,7 @@
 //! Blocks that begin with `FN`, and assignments.
 
-use super::super::around::{Frame, still};
-use super::super::block::{Body, Columns, Condition};
+use super::super::around::Frame;
+use super::super::block::{Body, Columns, Condition, still};
 use super::super::cursor::{Cursor, Read};
 use super::super::expression::{Expression, NumberFunction, Operation};
 use super::super::fault::{BlockFault, Wanted};

@@ -60,3 +60,12 @@ pub(super) fn is_machine_function(cursor: &Cursor<'_>) -> bool {
     let mut ahead = cursor.clone();
     ahead.take_prefix("M") && ahead.rest().trim_start().starts_with(|c: char| c.is_ascii_digit())
 }
+
+/// `X+10`, `IY - 5`, if it comes next.
+pub(super) fn axis(cursor: &mut Cursor<'_>) -> Read<Option<AxisWord>> {
+    let mut ahead = cursor.clone();
+    ahead.take_prefix("I");
+    let is_value =
+        axis_letter(&mut ahead).is_some() && matches!(ahead.next(), Some('0'..='9' | '+' | '-' | '.' | 'Q' | 'q'));
+    if is_value { axis_word(cursor) } else { Ok(None) }
+}

@@ -1,9 +1,13 @@
-//! From the bytes of a control's text file to text.
+//! From the bytes of a text file to text, and pieces of texts and lists.
 //!
 //! Controls write UTF-8 or Windows-1252, with LF, CRLF, CR or byte 0 between lines: text transfer over LSV2 separates
 //! lines with byte 0 (`docs/SOURCES.md`).
 
+mod within;
+
 use std::borrow::Cow;
+
+pub use within::{Within, long};
 
 /// Text of a file: UTF-8 if it is valid (a byte order mark is dropped), else Windows-1252. Never fails.
 pub fn decode(bytes: &[u8]) -> Cow<'_, str> {
