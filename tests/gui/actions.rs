@@ -84,7 +84,7 @@ impl Pair {
         if let Some((_, action)) = heard {
             let command = action.command(&self.session).unwrap();
             self.apply(command);
-            self.done.insert(format!("{action:?} {shortcut}"));
+            self.done.insert(named(action, shortcut));
         }
         self.check_same(&format!("{shortcut} on {page:?} for {heard:?}"));
     }
@@ -125,11 +125,18 @@ impl Pair {
         };
         for action in Action::all().filter(|action| action.shortcut_on(page).is_some() && !is_of_rows(action)) {
             for shortcut in action.shortcuts() {
-                let name = format!("{action:?} {shortcut}");
+                let name = named(action, shortcut);
                 assert!(self.done.contains(&name), "{name} was never possible on {page:?}");
             }
         }
     }
+}
+
+/// An action by its own name, without the page's, and its keys.
+fn named(action: Action, shortcut: Shortcut) -> String {
+    let action = format!("{action:?}");
+    let (_page, name) = action.split_once('(').unwrap();
+    format!("{name} {shortcut}")
 }
 
 /// A whole session as text; of a program, whose labels have no order, only what is seen.
