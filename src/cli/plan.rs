@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use jiff::civil::DateTime;
 use serde_json::{Value as Json, json};
 
-use super::answers::csv_line;
+use super::rows::csv_line;
 use super::rows::{line, names};
 use super::{CliError, CliRemark, Figure, Format, Io, Outcome, Refused as _, TableArgs, What, read_input};
 use crate::cli::io::{is_dash, write_new};

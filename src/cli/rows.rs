@@ -1,7 +1,6 @@
 //! Answers in figures, declared: every value is one line with its name in JSON, which is its column in CSV, too.
 
 use super::Io;
-use super::answers::csv_line;
 use crate::report::csv::{CsvLine, cell};
 use crate::report::figure::Figure;
 use crate::verdict::Status;
@@ -29,6 +28,13 @@ pub(super) fn line<R: Columns>(row: &R) -> CsvLine {
     let mut line = CsvLine::default();
     R::put(Some(row), &mut line);
     line
+}
+
+/// A line of CSV; a text that a spreadsheet would compute gets an apostrophe, as in every CSV of Fitcheck.
+pub(super) fn csv_line<T: AsRef<str>>(cells: impl IntoIterator<Item = T>, io: &mut Io<'_>) {
+    let mut line = CsvLine::default();
+    cells.into_iter().for_each(|text| line.cell(&cell(text.as_ref())));
+    io.data().write_all(line.end());
 }
 
 /// Prints rows as CSV, below the names of their columns.

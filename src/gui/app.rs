@@ -6,11 +6,12 @@ use std::time::Duration;
 use eframe::egui::{Context, Event, ThemePreference, Ui, ViewportCommand};
 use jiff::civil::DateTime;
 
-use super::effects::{Beside, Errands, Runner};
+use super::effects::{Beside, Runner};
+use super::errands::Errands;
 use super::in_turn::InTurn;
 use super::journal::Records;
 use super::keeping::Keeper;
-use super::pages::page_of;
+use super::pages::{dropped_ui, page_of};
 use super::store::Store;
 use super::theme;
 use super::view::View;
@@ -253,5 +254,6 @@ fn window_ui(ui: &mut Ui, view: &mut View<'_>) {
     keys::keys_ui(ui, view);
     top_bar::top_bar_ui(ui, view);
     (page_of(view.session.page()).ui)(ui, view);
+    dropped_ui(ui, view);
     dialogs::dialogs_ui(ui, view);
 }

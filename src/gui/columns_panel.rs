@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Live;
 use eframe::egui::{Button, Grid, Id, Label, RichText, ScrollArea, Ui, vec2};
 
-use super::dialogs::just_opened;
+use super::over_page::just_opened;
 use super::theme::{self, control, sizes, space};
 use super::view::{View, heading, keep_focus, list_ui, live, problem, quiet};
 use crate::exchange::{ColumnUnit, DecimalSign, Role, Separator};

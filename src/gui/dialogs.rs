@@ -2,33 +2,22 @@
 
 use std::path::Path;
 
-use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, Window, vec2};
+use eframe::egui::{Align2, Button, Id, Key, Modal, ScrollArea, TextEdit, Ui, vec2};
 
 use super::columns_panel::columns_ui;
 use super::field::select_all;
 use super::folder_list::{folder_list_ui, has_room};
-use super::pages::page_of;
+use super::over_page::{fixed_window, just_opened, title_id};
 use super::theme::{control, sizes, space};
 use super::view::{View, heading, problem, quiet};
 use super::working::working_ui;
 use crate::message::{Message, message};
 use crate::session::parts::PlanCommand;
-use crate::session::{BudgetCommand, Command, CycleFile, Dialog, Notice, PartsCommand, Purpose};
+use crate::session::{BudgetCommand, Command, Dialog, Notice, PartsCommand};
 use crate::session::{FilesAction, WindowAction};
-use crate::tolerance::Feature;
-
-/// Files dropped on the window are read, each as the open page uses it.
-fn dropped(ui: &Ui, view: &mut View<'_>) {
-    let dropped = ui.input(|input| input.raw.dropped_files.clone());
-    for (number, file) in dropped.iter().enumerate() {
-        let command = (page_of(view.session.page()).dropped)(view, file.path(), number);
-        view.send(command);
-    }
-}
 
 /// Draws the open dialog, or the oldest notice.
 pub(super) fn dialogs_ui(ui: &Ui, view: &mut View<'_>) {
-    dropped(ui, view);
     let session = view.session;
     if view.session.is_leaving() {
         leaving_ui(ui, view);
@@ -114,39 +103,6 @@ fn discarding_ui(ui: &Ui, view: &mut View<'_>) {
     asked.show(ui, view, |ui, view| {
         ui.label(view.words.say(&Message::new(question).text("name", name)));
     });
-}
-
-/// What a file is asked for, or was read for.
-pub(super) const fn title_id(purpose: Purpose) -> &'static str {
-    match purpose {
-        Purpose::Import | Purpose::ImportValues(_) => "dialog-import",
-        Purpose::AskColumns(_) => "columns-page-dialog",
-        Purpose::LoadMask => "dialog-mask",
-        Purpose::LoadTables => "dialog-tables",
-        Purpose::Export(_) | Purpose::ReportRecords(_) | Purpose::ReportPart(_) => "dialog-export",
-        Purpose::ExportStatus => "dialog-export-status",
-        Purpose::OpenCycleFile(CycleFile::Contacts) => "cycles-dialog-contacts",
-        Purpose::OpenCycleFile(CycleFile::Workpiece) => "cycles-dialog-workpiece",
-        Purpose::OpenCycleFile(CycleFile::Probes) => "cycles-dialog-probes",
-        Purpose::SaveWorkpiece => "cycles-dialog-save-workpiece",
-        Purpose::SaveCycleLog => "cycles-dialog-save-log",
-        Purpose::OpenTable => "tables-dialog-open",
-        Purpose::OpenProgram => "program-page-dialog-open",
-        Purpose::OpenPart => "program-page-dialog-part",
-        Purpose::OpenTools => "tools-dialog-open",
-        Purpose::SaveTools => "tools-dialog-save",
-        Purpose::SaveTable(_) => "tables-dialog-save",
-        Purpose::OpenBudget | Purpose::UseBudget => "budget-page-dialog-open",
-        Purpose::SaveBudget => "budget-page-dialog-save",
-        Purpose::OpenPlan => "parts-page-dialog-open",
-        Purpose::WatchFolder => "walk-page-dialog-watch",
-        Purpose::SavePlan(_) => "parts-page-dialog-save",
-        Purpose::OpenPicture => "parts-page-dialog-picture",
-        Purpose::OpenReadings => "budget-page-dialog-readings",
-        Purpose::OpenParts(Feature::Hole) => "pairing-page-dialog-holes",
-        Purpose::OpenParts(Feature::Shaft) => "pairing-page-dialog-shafts",
-        Purpose::SavePairs(_) => "pairing-page-dialog-save",
-    }
 }
 
 fn dialog_ui(ui: &mut Ui, view: &mut View<'_>, dialog: &Dialog) {
@@ -240,19 +196,6 @@ fn replace_ui(ui: &mut Ui, view: &mut View<'_>, path: &Path) {
         keep.request_focus();
     }
     view.wide_button(ui, FilesAction::ReplaceFile);
-}
-
-/// A window that cannot be moved, at a distance below its anchor.
-pub(super) fn fixed_window(id: &str, title: String, anchor: Align2, below: f32) -> Window<'static> {
-    let window = Window::new(title).id(Id::unique(id)).anchor(anchor, vec2(0.0, below));
-    window.collapsible(false).resizable(false)
-}
-
-/// Whether something is drawn that was not drawn in the frame before.
-pub(super) fn just_opened(ui: &Ui, id: Id) -> bool {
-    let frame = ui.ctx().cumulative_frame_nr();
-    let last = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default::<u64>(id), frame));
-    last + 1 < frame
 }
 
 fn notice_ui(ui: &mut Ui, view: &mut View<'_>, notice: &Notice) {

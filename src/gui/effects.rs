@@ -10,6 +10,7 @@ use std::sync::mpsc::{Receiver, SendError, Sender, channel};
 use eframe::egui::{Context, ViewportCommand};
 use jiff::civil::DateTime;
 
+use super::errands::Errands;
 use super::journal::{Desk, Records};
 use super::measurements;
 use super::picture;
@@ -30,15 +31,6 @@ use crate::session::{
 use crate::tolerance::Sources;
 use crate::tolerance::fit::thermal::Temperature;
 use crate::words::Words;
-
-/// How errands are run.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub enum Errands {
-    /// On a thread: the window stays responsive.
-    OnThread,
-    /// At once: for tests. File dialogs answer that nothing was picked, and no program is started.
-    AtOnce,
-}
 
 /// What effects need besides themselves, as it is when they are sent.
 #[derive(Clone, Copy)]

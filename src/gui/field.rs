@@ -2,6 +2,8 @@
 //!
 //! Text is read at every change and committed with Enter; nothing is removed or altered while typing.
 
+pub(super) use super::field_id::id;
+
 use std::ops::Range;
 
 use eframe::egui::text::{CCursor, CCursorRange, LayoutJob, TextFormat};
@@ -33,11 +35,6 @@ impl Look {
     pub fn large(width: f32) -> Self {
         Self { font: theme::font(theme::sizes().value), width, align: Align::LEFT, hint: RichText::default() }
     }
-}
-
-/// The id of a field, the same wherever it is drawn.
-pub(super) fn id(field: impl Into<Field>) -> Id {
-    Id::unique(("field", field.into()))
 }
 
 /// Draws the field alone. `name` is what a screen reader says.

@@ -10,7 +10,7 @@ use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{Button, Context, Id, Panel, RichText, Ui, Vec2, vec2};
 
-use super::field;
+use super::field_id;
 use super::theme::{self, sizes, space};
 use super::view::View;
 use crate::session::TablesAction;
@@ -77,14 +77,14 @@ pub(super) fn aim(ui: &Ui, field: Field) {
 /// Remembers that a field is on screen in this frame.
 pub(super) fn see(ui: &Ui, field: Field) {
     let frame = ui.ctx().cumulative_frame_nr();
-    ui.data_mut(|data| data.insert_temp(field::id(field).with("seen"), frame));
+    ui.data_mut(|data| data.insert_temp(field_id::id(field).with("seen"), frame));
 }
 
 /// The field that the keypad types into: the one that had the focus last, while it is on screen; else the measured
 /// value, while that is.
 fn target(ui: &Ui) -> Option<Field> {
     let this = ui.ctx().cumulative_frame_nr();
-    let seen = |field: &Field| ui.data(|data| data.get_temp::<u64>(field::id(*field).with("seen")));
+    let seen = |field: &Field| ui.data(|data| data.get_temp::<u64>(field_id::id(*field).with("seen")));
     // The keypad is drawn before the fields.
     let is_seen = |field: &Field| seen(field).is_some_and(|frame| this <= frame + 1);
     let last = ui.data(|data| data.get_temp(target_id()));
@@ -206,7 +206,7 @@ fn press(ui: &Ui, view: &mut View<'_>, field: Field, key: Key) {
 /// What is selected in a field, in characters; its end where nothing is known.
 fn selected(ctx: &Context, view: &View<'_>, field: Field) -> Range<usize> {
     let end = view.session.text(field).chars().count();
-    let range = TextEditState::load(ctx, field::id(field)).and_then(|state| state.cursor.char_range());
+    let range = TextEditState::load(ctx, field_id::id(field)).and_then(|state| state.cursor.char_range());
     range.map_or(end..end, |range| {
         let [from, to] = range.sorted_cursors().map(|cursor| usize::from(cursor.index).min(end));
         from..to
@@ -226,7 +226,7 @@ fn focus_id() -> Id {
 fn give_focus(ctx: &Context) {
     let asked = ctx.data_mut(|data| data.get_temp_mut_or_default::<Option<(Field, Range<usize>)>>(focus_id()).take());
     let Some((field, selected)) = asked else { return };
-    let id = field::id(field);
+    let id = field_id::id(field);
     let mut state = TextEditState::load(ctx, id).unwrap_or_default();
     let range = CCursorRange::two(CCursor::new(selected.start), CCursor::new(selected.end));
     state.cursor.set_char_range(Some(range));

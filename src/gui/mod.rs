@@ -3,7 +3,7 @@
 //! | file | what |
 //! |---|---|
 //! | `app` | one frame: panels, commands, effects |
-//! | `effects`, `reading` | files, dialogs and the clipboard, off the frame's thread |
+//! | `effects`, `errands`, `reading` | files, dialogs and the clipboard, off the frame's thread |
 //! | `measurements` | files of measurements, and what their columns are taken for |
 //! | `rows` | the workers behind the rows of a large file |
 //! | `working` | a file that is read or written: how far it is, and how it is stopped |
@@ -11,11 +11,12 @@
 //! | `journal` | who keeps and reads records |
 //! | `theme` | colours, sizes, fonts |
 //! | `check`, `fit`, `cycles`, `tables`, `program`, `pairing`, `budget`, `records`, `parts` | the pages |
-//! | `pages` | the list of the pages |
+//! | `pages`, `page` | the list of the pages; what the window has to know of one |
+//! | `over_page` | what lies over a page |
 //! | `top_bar`, `dialogs`, `folder_list`, `columns_panel` | what belongs to every page |
 //! | `who` | who is measuring |
 //! | `tools` | the tool table on the pages that measure |
-//! | `view`, `keys` | actions as buttons, entries of menus and keys |
+//! | `view`, `keys`, `key_names` | actions as buttons, entries of menus and keys |
 //! | `in_turn` | keys that come faster than frames |
 //! | `picture` | pictures of parts become dots |
 //! | `table` | a list of rows with heads |
@@ -46,17 +47,22 @@ mod columns_panel;
 mod cycles;
 mod dialogs;
 mod effects;
+mod errands;
 mod field;
+mod field_id;
 mod fit;
 mod folder_list;
 mod in_turn;
 pub mod journal;
 mod keeping;
+mod key_names;
 mod keypad;
 mod keys;
 mod limits;
 mod material;
 mod measurements;
+mod over_page;
+mod page;
 mod pages;
 mod pairing;
 mod parts;
@@ -80,7 +86,7 @@ mod who;
 mod working;
 
 pub use app::{App, Setup};
-pub use effects::Errands;
+pub use errands::Errands;
 pub use store::Store;
 pub use theme::install as install_theme;
 

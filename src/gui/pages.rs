@@ -1,19 +1,11 @@
 //! The pages as the window shows them, a line each.
 
-use std::path::Path;
-
 use eframe::egui::Ui;
 
+use super::page::PageView;
 use super::view::View;
 use super::{budget, check, cycles, fit, pairing, parts, program, records, tables};
-use crate::session::{Command, CycleFile, FilesCommand, Page, Purpose};
-
-/// What the window has to know of a page.
-pub(super) struct PageView {
-    pub ui: fn(&mut Ui, &mut View<'_>),
-    /// What is done with a file that is dropped on it: its path, and its number among those that were dropped together.
-    pub dropped: fn(&View<'_>, &Path, usize) -> Command,
-}
+use crate::session::Page;
 
 pub(super) const fn page_of(page: Page) -> PageView {
     match page {
@@ -29,26 +21,11 @@ pub(super) const fn page_of(page: Page) -> PageView {
     }
 }
 
-/// A file that is read for a purpose.
-pub(super) fn open(purpose: Purpose, path: &Path) -> Command {
-    FilesCommand::Open(purpose, path.to_owned()).into()
-}
-
-/// A dropped file of measurements.
-pub(super) fn measurements(_view: &View<'_>, path: &Path, _number: usize) -> Command {
-    open(Purpose::Import, path)
-}
-
-/// The ending of a file in small letters; empty where it has none.
-pub(super) fn ending(path: &Path) -> String {
-    path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase())
-}
-
-/// What kind of file for the cycles page it is, by its ending.
-pub(super) fn cycle_file(path: &Path) -> CycleFile {
-    match ending(path).as_str() {
-        "toml" => CycleFile::Workpiece,
-        "tp" => CycleFile::Probes,
-        _ => CycleFile::Contacts,
+/// Files dropped on the window are read, each as the open page uses it.
+pub(super) fn dropped_ui(ui: &Ui, view: &mut View<'_>) {
+    let dropped = ui.input(|input| input.raw.dropped_files.clone());
+    for (number, file) in dropped.iter().enumerate() {
+        let command = (page_of(view.session.page()).dropped)(view, file.path(), number);
+        view.send(command);
     }
 }

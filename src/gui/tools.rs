@@ -6,7 +6,7 @@ use std::ops::Range;
 
 use eframe::egui::{Button, Color32, Id, Response, RichText, ScrollArea, Ui, vec2};
 
-use super::dialogs::just_opened;
+use super::over_page::just_opened;
 use super::shapes::times;
 use super::theme::{self, control, palette, sizes, space};
 use super::view::{View, keep_focus, list_height, list_ui, problem, quiet};

@@ -2,7 +2,7 @@
 
 use eframe::egui::{Button, Id, Panel, RichText, Ui};
 
-use super::dialogs::title_id;
+use super::over_page::title_id;
 use super::theme::{self, control, sizes, space};
 use super::view::{View, quiet};
 use super::who::{names_ui, who_ui};

@@ -7,7 +7,7 @@ use eframe::egui::accesskit::{Live, Role};
 use eframe::egui::{self, Button, ComboBox, Key, Response, RichText, Ui, Vec2, WidgetInfo, WidgetText, vec2};
 use egui_plot::Plot;
 
-use super::keys::{is_held, told};
+use super::key_names::{is_held, told};
 use super::shapes;
 use super::theme::{self, control};
 use crate::journal::Record;

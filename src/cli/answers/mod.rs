@@ -6,9 +6,8 @@ use std::fmt::Display;
 
 use serde::Serialize;
 
-use super::rows::{Columns, line, names};
+use super::rows::{Columns, csv_line, line, names};
 use super::{CliError, CliRemark, Format, Io};
-use crate::report::csv::{CsvLine, cell};
 use crate::text::decode;
 pub(super) use lines::LONGEST_LINE;
 use lines::{Found, Line};
@@ -141,13 +140,6 @@ impl Answers {
         }
         self.refused == 0
     }
-}
-
-/// A line of CSV; a text that a spreadsheet would compute gets an apostrophe, as in every CSV of Fitcheck.
-pub(super) fn csv_line<T: AsRef<str>>(cells: impl IntoIterator<Item = T>, io: &mut Io<'_>) {
-    let mut line = CsvLine::default();
-    cells.into_iter().for_each(|text| line.cell(&cell(text.as_ref())));
-    io.data().write_all(line.end());
 }
 
 /// A text without control characters: it goes to a terminal, and one line of input stays one line of output.

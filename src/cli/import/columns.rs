@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 
 use serde_json::{Value as Json, json};
 
-use crate::cli::answers::csv_line;
+use crate::cli::rows::csv_line;
 use crate::cli::{CliError, Format, Io, Outcome, Refused as _};
 use crate::exchange::{Detected, Mapping};
 use crate::files;

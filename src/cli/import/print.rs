@@ -7,8 +7,8 @@ use serde::{Serialize, Serializer};
 use serde_json::{Map, Number, Value as Json};
 
 use super::row::Row;
-use crate::cli::answers::csv_line;
 use crate::cli::people::{Aligned, Side, mm, um};
+use crate::cli::rows::csv_line;
 use crate::cli::rows::{Columns, names};
 use crate::cli::{CliError, Format, Io, Refused as _};
 use crate::length::{Length, Unit};

@@ -18,10 +18,10 @@ use std::path::Path;
 use eframe::egui::{Id, Ui};
 
 use super::columns::{Page, column_ui, columns_ui};
-use super::dialogs::just_opened;
+use super::over_page::just_opened;
 use super::theme::space;
 use super::view::{View, quiet};
-use crate::gui::pages::{PageView, ending, open};
+use crate::gui::page::{PageView, ending, open};
 use crate::session::Command;
 use crate::session::Purpose;
 

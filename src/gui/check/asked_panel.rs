@@ -2,10 +2,11 @@
 
 use eframe::egui::{Align, CollapsingHeader, Grid, Key, Layout, Rect, Sense, Ui, UiBuilder, vec2};
 
+use super::field_pairs::pairs_ui;
 use crate::gui::check::record_panel::record_ui;
 use crate::gui::check::rule_panel::worth_ui;
 use crate::gui::class_chooser::{class_chooser_ui, feature_picture};
-use crate::gui::field::{self, Look, Pairs, error_ui, field_ui};
+use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::limits::{self, feature_id};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, heading, quiet};
@@ -173,11 +174,4 @@ fn simulation_ui(ui: &mut Ui, view: &mut View<'_>) {
         quiet(ui, view.text("simulated-hint"));
         pairs_ui(ui, view, space(22.0), &fields);
     });
-}
-
-/// Two fields beside each other, of this width.
-pub(super) fn pairs_ui(ui: &mut Ui, view: &mut View<'_>, width: f32, fields: &[(CheckField, &str, &str)]) {
-    let fields: Vec<_> = fields.iter().map(|(field, name, unit)| ((*field).into(), view.text(name), *unit)).collect();
-    let pairs = Pairs { column: space(31.0), field: |_: &str| width, gap: space(2.0) };
-    field::pairs_ui(ui, view, &pairs, &fields);
 }

@@ -8,16 +8,18 @@
 //! | `band_plot`, `contacts_plot`, `last_values` | middle: what was seen |
 //! | `answer_panel`, `worth_lines`, `status_panel` | right: the verdict, what it is worth, and the control's window |
 //! | `history_panel`, `history_list` | bottom: earlier checks |
-//! | `rows_panel`, `rows_list` | in their place: the rows of a large file |
+//! | `rows_panel`, `rows_list`, `row_texts` | in their place: the rows of a large file |
 
 mod answer_panel;
 mod asked_panel;
 mod band_plot;
 mod contacts_plot;
+mod field_pairs;
 mod history_list;
 mod history_panel;
 mod last_values;
 mod record_panel;
+mod row_texts;
 mod rows_list;
 mod rows_panel;
 mod rule_panel;
@@ -29,15 +31,15 @@ use eframe::egui::{Align, CentralPanel, Frame, Layout, Panel, Ui, vec2};
 #[cfg(test)]
 pub(super) use history_list::COLUMNS as HISTORY;
 pub(super) use record_panel::recorded_ui;
+pub(super) use row_texts::grouped;
 #[cfg(test)]
 pub(super) use rows_list::COLUMNS as ROWS;
-pub(super) use rows_panel::grouped;
 pub(super) use status_panel::mask_chooser_ui;
 pub(super) use worth_lines::{lines as worth_lines, reasons as worth_reasons};
 
 use super::columns::{Page, Shape, Side, column_ui, columns_ui, panel_ui};
 use super::keypad::keypad_ui;
-use super::pages::{PageView, measurements};
+use super::page::{PageView, measurements};
 use super::theme::space;
 use super::verdict_card::least_width;
 use super::view::View;

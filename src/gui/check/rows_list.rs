@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use eframe::egui::{Id, Ui};
 
-use super::rows_panel::{fate_text, grouped};
+use super::row_texts::{fate_text, grouped};
 use crate::exchange::batch::Picked;
 use crate::gui::table::{Cell, Column, Row, Table, joined};
 use crate::gui::view::View;

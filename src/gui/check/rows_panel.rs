@@ -7,6 +7,7 @@ use eframe::egui::{
     UiBuilder, WidgetInfo, WidgetText, pos2, vec2,
 };
 
+use super::row_texts::{fate_text, grouped};
 use super::rows_list::list_ui;
 use crate::exchange::batch::{FIRST, Fate, Kind, Tally};
 use crate::gui::shapes::{self, share};
@@ -68,19 +69,6 @@ pub(super) fn switch_ui(ui: &mut Ui, view: &mut View<'_>) {
     }
 }
 
-/// A whole number in groups of three digits, with spaces that do not break.
-pub(in crate::gui) fn grouped(number: u64) -> String {
-    let digits = number.to_string();
-    let mut text = String::new();
-    for (at, digit) in digits.chars().enumerate() {
-        if 0 < at && (digits.len() - at).is_multiple_of(3) {
-            text.push('\u{a0}');
-        }
-        text.push(digit);
-    }
-    text
-}
-
 /// How far it is, or how it has ended: an answer that is not whole says so first.
 fn state_ui(ui: &mut Ui, view: &View<'_>, rows: &Rows) {
     let (words, count) = (view.words, grouped(rows.count()));
@@ -124,11 +112,6 @@ fn why_text(words: &Words, rows: &Rows) -> String {
         Large::Bytes(bytes) => message!("rows-why-bytes").text("size", bytes >> 20).text("limit", LARGE >> 20),
         Large::Packed => message!("rows-why-packed"),
     })
-}
-
-/// The name of what became of a row.
-pub(super) fn fate_text(words: &Words, fate: Fate) -> String {
-    fate.status().map_or_else(|| words.get("rows-not-judged"), |status| words.told(&status))
 }
 
 /// A count that lists its rows: a box with a check mark, the shape, the word and the number.

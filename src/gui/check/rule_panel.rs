@@ -2,7 +2,7 @@
 
 use eframe::egui::{CollapsingHeader, Grid, Ui, vec2};
 
-use crate::gui::check::asked_panel::pairs_ui;
+use super::field_pairs::pairs_ui;
 use crate::gui::field::{Look, error_ui, field_ui};
 use crate::gui::material::material_ui;
 use crate::gui::theme::space;

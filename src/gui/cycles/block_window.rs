@@ -2,7 +2,7 @@
 
 use eframe::egui::{Align2, Button, Id, TextEdit, Ui, vec2};
 
-use crate::gui::dialogs::{fixed_window, just_opened};
+use crate::gui::over_page::{fixed_window, just_opened};
 use crate::gui::theme::{self, control, sizes, space};
 use crate::gui::view::{View, problem, quiet};
 use crate::session::CyclesAction;

@@ -18,14 +18,14 @@ pub(super) mod picture;
 mod seen_panel;
 pub(super) mod workpiece_window;
 
-use crate::gui::pages::{PageView, cycle_file, ending, open};
+use crate::gui::page::{PageView, cycle_file, ending, open};
 use crate::session::Purpose;
 use eframe::egui::{Id, Ui};
 use std::path::Path;
 
 use super::columns::{Page, columns_ui};
-use super::dialogs::just_opened;
 use super::field;
+use super::over_page::just_opened;
 use super::theme::space;
 use super::verdict_card::least_width;
 use super::view::View;

@@ -4,7 +4,7 @@ use eframe::egui::{Align2, Button, Id, ScrollArea, Ui, vec2};
 
 use super::parameter_row::figure_ui;
 use crate::gui::columns::follow_focus;
-use crate::gui::dialogs::{fixed_window, just_opened};
+use crate::gui::over_page::{fixed_window, just_opened};
 use crate::gui::theme::{control, space};
 use crate::gui::view::{View, heading, quiet};
 use crate::probing::cycle::Plane;

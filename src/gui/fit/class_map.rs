@@ -8,6 +8,7 @@ use eframe::egui::{
     Align2, Button, Id, Painter, Pos2, Rect, Response, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2,
 };
 
+use super::letter_columns::Columns;
 use super::staircase::staircase_ui;
 use crate::gui::class_chooser::feature_classes_id;
 use crate::gui::theme::{self, Palette, control, palette, sizes, space};
@@ -17,32 +18,6 @@ use crate::session::FitAction;
 use crate::session::{ClassMap, FitCommand, MapCell};
 use crate::tolerance::iso286::{self, Grade, Letter};
 use crate::tolerance::{Feature, ToleranceClass};
-
-/// Where the columns of letters are: the same in the staircase and in the grid.
-#[derive(Debug, Clone, Copy)]
-pub(super) struct Columns {
-    /// Where the first letter begins.
-    pub left: f32,
-    /// The width of a letter.
-    pub step: f32,
-}
-
-impl Columns {
-    fn of(rect: Rect) -> Self {
-        let count = f32::from(u8::try_from(Letter::ALL.len()).unwrap_or(u8::MAX));
-        let left = rect.left() + space(9.0);
-        Self { left, step: (rect.right() - left) / count }
-    }
-
-    /// Every letter with the left edge of its column.
-    pub fn letters(self) -> impl Iterator<Item = (Letter, f32)> {
-        let mut x = self.left - self.step;
-        Letter::ALL.into_iter().map(move |letter| {
-            x += self.step;
-            (letter, x)
-        })
-    }
-}
 
 /// Heading, staircase, grid, and classes of own tables, down to the end of a column of `height` if that is high enough.
 pub(super) fn class_map_ui(ui: &mut Ui, view: &mut View<'_>, height: f32) {

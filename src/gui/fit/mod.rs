@@ -12,6 +12,7 @@
 mod answer_panel;
 mod asked_panel;
 mod class_map;
+mod letter_columns;
 mod parts_panel;
 mod picture;
 mod search_panel;
@@ -20,11 +21,11 @@ mod staircase;
 use eframe::egui::{Id, Ui};
 
 use super::columns::{Page, column_ui, columns_ui};
-use super::dialogs::just_opened;
 use super::field;
+use super::over_page::just_opened;
 use super::theme::space;
 use super::view::View;
-use crate::gui::pages::{PageView, measurements};
+use crate::gui::page::{PageView, measurements};
 use crate::session::FitField;
 
 pub(super) const PAGE: PageView = PageView { ui: fit_ui, dropped: measurements };

@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Role;
 use eframe::egui::{Align2, Rect, Sense, Stroke, StrokeKind, Ui, WidgetInfo, pos2, vec2};
 
-use super::class_map::Columns;
+use super::letter_columns::Columns;
 use crate::gui::shapes::screen;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;

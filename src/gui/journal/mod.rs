@@ -35,7 +35,7 @@ pub use local::Local;
 use shop::Shop;
 use writer::{Job, Writer};
 
-use super::effects::Errands;
+use super::errands::Errands;
 use super::watching::KnownOf;
 use crate::journal::ask::Question;
 use crate::journal::chain::Head;

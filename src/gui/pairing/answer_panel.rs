@@ -2,7 +2,7 @@
 
 use eframe::egui::{RichText, Ui};
 
-use super::groups_panel::groups_ui;
+use super::groups_panel::{groups_ui, range};
 use crate::gui::card::{plain_ui, word_ui};
 use crate::gui::columns::is_tiny;
 use crate::gui::theme::{palette, space};
@@ -32,11 +32,6 @@ pub(super) fn count_ui(ui: &mut Ui, view: &View<'_>) {
         }
         std::iter::once(word).chain(lines).collect()
     });
-}
-
-/// A range of clearance with its signs: `+7 … +41 µm`.
-pub(super) fn range(view: &View<'_>, (smallest, largest): (crate::length::Length, crate::length::Length)) -> String {
-    format!("{} … {} µm", view.words.signed_um(smallest), view.words.signed_um(largest))
 }
 
 /// Below the number: the clearances, what is left over, what nobody measured.

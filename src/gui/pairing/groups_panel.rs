@@ -4,7 +4,6 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::text::{LayoutJob, TextWrapping};
 use eframe::egui::{ScrollArea, Sense, Ui, WidgetInfo, vec2};
 
-use super::answer_panel::range;
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::{View, heading, problem};
 use crate::message::{Message, message};
@@ -73,4 +72,9 @@ fn lines(view: &View<'_>, number: usize, group: &Group, wanted: Wanted) -> Vec<S
     .into_iter()
     .chain(clearances)
     .collect()
+}
+
+/// A range of clearance with its signs: `+7 … +41 µm`.
+pub(super) fn range(view: &View<'_>, (smallest, largest): (crate::length::Length, crate::length::Length)) -> String {
+    format!("{} … {} µm", view.words.signed_um(smallest), view.words.signed_um(largest))
 }

@@ -18,7 +18,7 @@ use std::path::Path;
 
 use eframe::egui::{Id, Ui};
 
-use crate::gui::pages::{PageView, open};
+use crate::gui::page::{PageView, open};
 use crate::session::Command;
 use crate::session::PairingCommand;
 use crate::session::Purpose;
@@ -27,8 +27,8 @@ use crate::session::Purpose;
 pub(super) use pairs_list::columns;
 
 use super::columns::{Page, columns_ui, of_height};
-use super::dialogs::just_opened;
 use super::field;
+use super::over_page::just_opened;
 use super::theme::{control, space};
 use super::view::View;
 use crate::session::PairingField;

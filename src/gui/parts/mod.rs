@@ -20,11 +20,12 @@ use std::path::Path;
 use eframe::egui::{CentralPanel, Frame, Panel, Ui};
 
 use super::view::View;
-use crate::gui::pages::{PageView, ending, open};
+use crate::gui::page::{PageView, ending, open};
 use crate::session::Command;
 use crate::session::Purpose;
 use crate::session::parts::PartsView;
-pub(super) use plan::grid::{focus as focus_table, id as plan_id};
+pub(super) use plan::grid::focus as focus_table;
+pub(super) use plan::grid_id as plan_id;
 #[cfg(test)]
 pub(super) use walk::SIZES;
 pub(super) use walk::sizes_id;

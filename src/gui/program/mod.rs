@@ -31,12 +31,12 @@ use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
 
 use super::columns::{Side, column_ui, of_height, panel_ui};
 use super::cycles::workpiece_window;
-use super::dialogs::just_opened;
 use super::field;
 use super::keypad::{self, keypad_ui};
+use super::over_page::just_opened;
 use super::theme::{palette, space};
 use super::view::View;
-use crate::gui::pages::{PageView, ending, open};
+use crate::gui::page::{PageView, ending, open};
 use crate::session::Command;
 use crate::session::CycleFile;
 use crate::session::Purpose;

@@ -19,13 +19,13 @@ mod record_panel;
 
 use eframe::egui::{CentralPanel, Frame, Id, Panel, Ui};
 
-use crate::gui::pages::{PageView, measurements};
+use crate::gui::page::{PageView, measurements};
 #[cfg(test)]
 pub(super) use list::COLUMNS;
 
 use super::columns::{Side, column_ui, panel_ui};
-use super::dialogs::just_opened;
 use super::keypad::keypad_ui;
+use super::over_page::just_opened;
 use super::theme::space;
 use super::view::{View, heading, quiet};
 use crate::session::Keeping;

@@ -3,7 +3,7 @@
 use eframe::egui::{Align2, Id, Rect, Sense, Ui, vec2};
 
 use super::paint;
-use crate::gui::dialogs::just_opened;
+use crate::gui::over_page::just_opened;
 use crate::gui::shapes::focus_ring;
 use crate::gui::table::grid::{Cells, Grid};
 use crate::gui::theme::{self, palette, sizes, space};

@@ -20,7 +20,7 @@ use super::columns::{Side, panel_ui};
 use super::keypad::{self, keypad_ui};
 use super::theme::{palette, space};
 use super::view::View;
-use crate::gui::pages::{PageView, open};
+use crate::gui::page::{PageView, open};
 use crate::session::Purpose;
 
 pub(super) const PAGE: PageView =

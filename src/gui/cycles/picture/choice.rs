@@ -4,7 +4,7 @@ use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Color32, Pos2, Rect, Stroke, StrokeKind, Vec2, pos2, vec2};
 
 use super::canvas::{Canvas, polar};
-use super::parameter::Scene;
+use super::scene::Scene;
 use crate::probing::cycle::Meaning;
 
 /// Of more numbers than this, only the first are drawn.

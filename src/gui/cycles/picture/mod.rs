@@ -23,6 +23,7 @@ mod part;
 mod path;
 mod plan;
 mod scale;
+mod scene;
 mod section;
 #[cfg(test)]
 mod tests;

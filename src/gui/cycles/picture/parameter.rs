@@ -4,6 +4,7 @@ use eframe::egui::accesskit::Role;
 use eframe::egui::{Sense, Ui, WidgetInfo, vec2};
 
 use super::canvas::Canvas;
+use super::scene::Scene;
 use super::{choice, plan, section};
 use crate::gui::theme::{self, palette, sizes, space};
 use crate::gui::view::View;
@@ -46,21 +47,6 @@ pub(in crate::gui) fn parameter_picture(ui: &mut Ui, view: &View<'_>, cycle: &Cy
         }
     }
     response.widget_info(|| WidgetInfo::labeled(Role::Figure, true, &said));
-}
-
-/// What is drawn: the shape that the cycle measures, and what its axes are called.
-#[derive(Debug, Clone, Copy, PartialEq, Eq)]
-pub(super) struct Scene {
-    pub(super) shape: Shape,
-    pub(super) axes: [&'static str; 3],
-}
-
-impl Scene {
-    fn of(cycle: &Cycle) -> Self {
-        // Where a parameter chooses the plane, its axes have no letters.
-        let axes = if cycle.meant(Meaning::Plane).is_some() { ["1", "2", "3"] } else { ["X", "Y", "Z"] };
-        Self { shape: cycle.shape(), axes }
-    }
 }
 
 /// What the drawing says, in words.

@@ -3,7 +3,7 @@
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
 use super::canvas::{BESIDE, Canvas, polar};
-use super::parameter::Scene;
+use super::scene::Scene;
 use crate::probing::cycle::{Axis, Meaning};
 use crate::probing::simulated::Shape;
 

@@ -4,7 +4,7 @@ use eframe::egui::epaint::PathShape;
 use eframe::egui::{Align2, Pos2, Rect, Stroke, Vec2, pos2, vec2};
 
 use super::canvas::{BESIDE, Canvas, arc, polar};
-use super::parameter::Scene;
+use super::scene::Scene;
 use crate::probing::cycle::{Axis, Meaning};
 use crate::probing::simulated::Shape;
 

@@ -4,8 +4,8 @@ use eframe::egui::text::{CCursor, CCursorRange};
 use eframe::egui::text_edit::TextEditState;
 use eframe::egui::{Area, Button, Frame, Key, Order, Rect, TextEdit, Ui, WidgetInfo, accesskit::Role, vec2};
 
-use super::{column_id, grid};
-use crate::gui::dialogs::just_opened;
+use super::{column_id, grid_id};
+use crate::gui::over_page::just_opened;
 use crate::gui::theme::{self, control, sizes};
 use crate::gui::view::View;
 use crate::gui::{field, keypad};
@@ -42,7 +42,7 @@ pub(super) fn editor_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
     if let Choice::Taken(word) = chosen {
         view.send(crate::session::Field::from(field).typed(word.to_owned()));
         view.send(PartsCommand::Plan(PlanCommand::Take(Some(Step::Down))));
-        ui.memory_mut(|memory| memory.request_focus(grid::id()));
+        ui.memory_mut(|memory| memory.request_focus(grid_id()));
         return;
     }
     let (pressed, shift) = ui.input(|input| {
@@ -59,7 +59,7 @@ pub(super) fn editor_ui(ui: &mut Ui, view: &mut View<'_>, rect: Rect) {
         _ => return,
     };
     view.send(PartsCommand::Plan(command));
-    ui.memory_mut(|memory| memory.request_focus(grid::id()));
+    ui.memory_mut(|memory| memory.request_focus(grid_id()));
 }
 
 /// What was done with the words that the cell may have.

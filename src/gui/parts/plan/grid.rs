@@ -3,7 +3,7 @@
 use eframe::egui::accesskit::Invalid;
 use eframe::egui::{Context, Event, FocusDirection, Id, Key, Rect, Sense, Ui, vec2};
 
-use super::{column_id, editor, paint};
+use super::{column_id, editor, grid_id, paint};
 use crate::gui::shapes::{focus_ring, lines_of};
 use crate::gui::table::grid::{Cells, Grid};
 use crate::gui::theme::{control, palette, space};
@@ -14,11 +14,6 @@ use crate::session::PartsCommand;
 use crate::session::parts::{PlanCommand, Sheet};
 use crate::words::Words;
 
-/// The id of the table: it takes the focus as a whole.
-pub(in crate::gui) fn id() -> Id {
-    Id::unique("plan-grid")
-}
-
 /// Gives the table the focus when it is drawn next.
 pub(in crate::gui) fn focus(ctx: &Context) {
     let frame = ctx.cumulative_frame_nr();
@@ -27,7 +22,7 @@ pub(in crate::gui) fn focus(ctx: &Context) {
 }
 
 fn soon() -> Id {
-    id().with("soon")
+    grid_id().with("soon")
 }
 
 /// Gives the table the focus in the next frame: it may be drawn after what was clicked, which would lose it again.
@@ -78,11 +73,11 @@ pub(in crate::gui::parts) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
     let columns = columns(view);
     let widths = columns.iter().map(|shown| space(shown.width()));
     let rows = (Sheet::rows(view.session.parts().document().draft()), control(ui));
-    let grid = Grid::new(id(), 0, vec2(space(14.0), space(8.0)), widths, rows);
+    let grid = Grid::new(grid_id(), 0, vec2(space(14.0), space(8.0)), widths, rows);
     let rect = ui.available_rect_before_wrap();
     if ui.data(|data| data.get_temp::<u64>(soon()).is_some_and(|frame| frame < ui.ctx().cumulative_frame_nr())) {
         ui.data_mut(|data| data.remove::<u64>(soon()));
-        ui.memory_mut(|memory| memory.request_focus(id()));
+        ui.memory_mut(|memory| memory.request_focus(grid_id()));
     }
     leave(ui, view);
     let is_focused = grid.place_ui(ui, rect, &view.text("parts-page-table")).has_focus();
@@ -101,7 +96,7 @@ pub(in crate::gui::parts) fn grid_ui(ui: &mut Ui, view: &mut View<'_>) {
 /// Tab goes from cell to cell, and leaves the table behind its last one.
 fn leave(ui: &Ui, view: &View<'_>) {
     let parts = view.session.parts();
-    let has_focus = ui.memory(|memory| memory.has_focus(id()));
+    let has_focus = ui.memory(|memory| memory.has_focus(grid_id()));
     let forwards = ui.input(|input| input.key_pressed(Key::Tab).then_some(!input.modifiers.shift));
     if let Some(forwards) = forwards.filter(|_| has_focus)
         && !parts.sheet().can_tab(forwards, parts.document().draft())
@@ -159,7 +154,7 @@ fn body_ui(ui: &mut Ui, view: &mut View<'_>, columns: &[Shown], (grid, cells): (
 /// The cell comes into sight when the keys have moved, or the table has become lower; afterwards scrolling is free.
 fn follow(ui: &Ui, view: &View<'_>, cells: &Cells<'_>, (row, place): (usize, usize)) {
     let moves = (view.session.parts().sheet().moves(), lines_of(cells.seen.height()));
-    let before = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(id().with("moves")), moves));
+    let before = ui.data_mut(|data| std::mem::replace(data.get_temp_mut_or_default(grid_id().with("moves")), moves));
     if before != moves {
         cells.look_at(ui, row, place);
     }
@@ -205,7 +200,7 @@ fn cell_ui(ui: &Ui, view: &mut View<'_>, grid: &Grid, rect: Rect, (row, column):
         view.send(PartsCommand::Plan(PlanCommand::Edit(None)));
     } else if response.clicked() {
         view.send(PartsCommand::Plan(PlanCommand::Go(row, column, extends)));
-        ui.memory_mut(|memory| memory.request_focus(id()));
+        ui.memory_mut(|memory| memory.request_focus(grid_id()));
     }
 }
 
@@ -255,7 +250,7 @@ fn heads_ui(ui: &Ui, view: &mut View<'_>, shown: &[Shown], rect: Rect, cells: &C
             let is_new = at == parts.document().draft().rows.len();
             let text = if is_new { view.text("parts-page-new-row") } else { (at + 1).to_string() };
             paint::head(painter, head, palette, &text, (at == row, parts.document().is_wrong(at)));
-            if ui.interact(head.intersect(painter.clip_rect()), id().with((at, "head")), Sense::CLICK).clicked() {
+            if ui.interact(head.intersect(painter.clip_rect()), grid_id().with((at, "head")), Sense::CLICK).clicked() {
                 rows.push(at);
             }
         },

@@ -16,6 +16,7 @@ mod paint;
 pub(super) mod tools;
 
 use crate::part::{Column, HeadField};
+use eframe::egui::Id;
 
 /// The id of a column's name.
 pub(super) fn column_id(column: Column) -> String {
@@ -25,4 +26,9 @@ pub(super) fn column_id(column: Column) -> String {
 /// The id of the name of a field of the part.
 pub(super) fn head_id(field: HeadField) -> String {
     format!("parts-page-head-{}", field.key().replace('_', "-"))
+}
+
+/// The id of the table: it takes the focus as a whole.
+pub(in crate::gui) fn grid_id() -> Id {
+    Id::unique("plan-grid")
 }

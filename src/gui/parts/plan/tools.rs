@@ -44,7 +44,7 @@ pub(in crate::gui::parts) fn tools_ui(ui: &mut Ui, view: &mut View<'_>) {
             let response = view.field_button(ui, action);
             if response.clicked() && action == PartsAction::PastePlanCells {
                 // What is on the clipboard comes to what has the focus.
-                ui.memory_mut(|memory| memory.request_focus(super::grid::id()));
+                ui.memory_mut(|memory| memory.request_focus(super::grid_id()));
             }
         }
         // In one line, in the next row where there is no room.

@@ -2,8 +2,8 @@
 
 use eframe::egui::{Button, Ui, vec2};
 
-use crate::gui::dialogs::just_opened;
 use crate::gui::field::{Look, error_ui, field_ui};
+use crate::gui::over_page::just_opened;
 use crate::gui::theme::{self, control, sizes};
 use crate::gui::view::{View, heading, steady};
 use crate::session::parts::WalkCommand;

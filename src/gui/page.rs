@@ -1,0 +1,39 @@
+//! What the window has to know of a page, and how a page knows a file that is dropped on it.
+
+use std::path::Path;
+
+use eframe::egui::Ui;
+
+use super::view::View;
+use crate::session::{Command, CycleFile, FilesCommand, Purpose};
+
+/// What the window has to know of a page.
+pub(super) struct PageView {
+    pub ui: fn(&mut Ui, &mut View<'_>),
+    /// What is done with a file that is dropped on it: its path, and its number among those that were dropped together.
+    pub dropped: fn(&View<'_>, &Path, usize) -> Command,
+}
+
+/// A file that is read for a purpose.
+pub(super) fn open(purpose: Purpose, path: &Path) -> Command {
+    FilesCommand::Open(purpose, path.to_owned()).into()
+}
+
+/// A dropped file of measurements.
+pub(super) fn measurements(_view: &View<'_>, path: &Path, _number: usize) -> Command {
+    open(Purpose::Import, path)
+}
+
+/// The ending of a file in small letters; empty where it has none.
+pub(super) fn ending(path: &Path) -> String {
+    path.extension().map_or_else(String::new, |ending| ending.to_string_lossy().to_lowercase())
+}
+
+/// What kind of file for the cycles page it is, by its ending.
+pub(super) fn cycle_file(path: &Path) -> CycleFile {
+    match ending(path).as_str() {
+        "toml" => CycleFile::Workpiece,
+        "tp" => CycleFile::Probes,
+        _ => CycleFile::Contacts,
+    }
+}
